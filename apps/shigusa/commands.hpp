@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <shigusa/core/progress.hpp>
+#include <shigusa/core/result.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa::app {
+
+// Exit codes of the command line (a contract).
+inline constexpr int kDone = 0;
+inline constexpr int kFault = 1;        // a fault of the program
+inline constexpr int kWrongInput = 2;   // the call or an input file is wrong
+inline constexpr int kUnreachable = 3;  // a goal is out of reach; the closest motion is written
+
+struct ReachOptions {
+  std::string task;  // file, or empty
+  std::optional<std::string> character;
+  std::optional<std::string> extent;
+  std::optional<int> frame;
+  std::optional<double> stature;  // m
+  std::optional<double> mass;     // kg
+  std::optional<std::string> sex;
+  std::vector<std::string> goals;  // EFFECTOR=X,Y,Z
+  std::optional<double> duration;  // s
+  std::optional<std::string> preset;
+  std::optional<std::string> criteria;
+  std::optional<std::string> search;
+  std::optional<int> evaluations;
+  std::optional<int> candidates;
+  std::optional<std::uint64_t> seed;
+  std::string out = "out";
+  std::string formats = "bvh,csv,svg,png";
+  bool json = false;
+};
+
+struct EditOptions {
+  std::string result;
+  int candidate = 1;
+  std::vector<std::string> assignments;
+  std::string out;  // empty: a new folder beside the result
+  std::string formats = "bvh,csv,svg,png";
+  bool json = false;
+};
+
+struct RenderOptions {
+  std::string clip;
+  std::string out;  // empty: the clip's name with .svg
+  int poses = 7;
+  std::string frames;             // FIRST:LAST, or empty for all
+  std::optional<double> stature;  // m
+};
+
+struct BodyOptions {
+  std::string source;
+  std::optional<std::string> extent;
+  std::optional<int> frame;
+  std::optional<double> stature;
+  std::optional<double> mass;
+  std::optional<std::string> sex;
+  bool json = false;
+};
+
+int reach(const ReachOptions& options);
+int edit(const EditOptions& options);
+int render(const RenderOptions& options);
+int body(const BodyOptions& options);
+
+// Prints "shigusa: place: message" to stderr and returns the exit code that the error means.
+int report(const Error& error);
+
+// Ctrl-C sets this; a second one ends the program at once.
+const std::atomic<bool>& interrupted();
+void catch_interrupts();
+
+// A progress line on stderr, only where that is a terminal.
+Progress terminal_progress();
+void end_progress_line();
+
+}  // namespace shigusa::app

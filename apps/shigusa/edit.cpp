@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "commands.hpp"
+#include "table.hpp"
+
+namespace shigusa::app {
+namespace {
+
+// "edit-1", "edit-2", … beside the result: an edit never writes over what it started from.
+std::filesystem::path new_folder(const std::filesystem::path& result) {
+  std::error_code ignored;
+  const auto base = std::filesystem::is_directory(result, ignored) ? result : result.parent_path();
+  for (int k = 1;; ++k) {
+    const auto folder = base / fmt::format("edit-{}", k);
+    if (!std::filesystem::exists(folder, ignored)) return folder;
+  }
+}
+
+}  // namespace
+
+int edit(const EditOptions& options) {
+  const Result<std::vector<ExportFormat>> formats = parse_formats(options.formats);
+  if (!formats) return report(formats.error());
+  Result<StoredResult> stored = read_result(options.result);
+  if (!stored) return report(stored.error());
+  const auto count = static_cast<int>(stored->candidates.size());
+  if (options.candidate < 1 || options.candidate > count) {
+    return report({ErrorCode::invalid_argument,
+                   fmt::format("candidate {} does not exist; the result has the candidates 1 to {}",
+                               options.candidate, count),
+                   options.result});
+  }
+  const Result<Task> task = make_task(stored->task, {});
+  if (!task) return report(task.error());
+  Parameters parameters = stored->candidates[static_cast<std::size_t>(options.candidate - 1)];
+  for (const std::string& assignment : options.assignments) {
+    if (const auto ok = assign_parameter(task->body, assignment, parameters); !ok) {
+      return report({ok.error().code, ok.error().message, "--set " + assignment});
+    }
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<Generation> generation = regenerate(*task, parameters);
+  if (!generation) return report(generation.error());
+  RunInfo info{.search = "edit"};
+  info.elapsed_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  const auto folder =
+      options.out.empty() ? new_folder(options.result) : std::filesystem::path(options.out);
+  if (const auto ready = prepare_folder(folder); !ready) return report(ready.error());
+  return deliver(folder, stored->task, *task, *generation, info, *formats, options.json);
+}
+
+}  // namespace shigusa::app

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "commands.hpp"
+
+namespace {
+
+using namespace shigusa::app;
+
+void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand("reach", "Find natural motions that bring hands to their goals");
+  c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
+  c->add_option("--character", o.character, "half_body, full_body, or a BVH file of a person");
+  c->add_option("--extent", o.extent, "Of a person from a file: full (18 dof) or half (9 dof)")
+      ->check(CLI::IsMember({"full", "half"}));
+  c->add_option("--frame", o.frame, "Frame of the file that is the start posture (from 0)")
+      ->check(CLI::NonNegativeNumber);
+  c->add_option("--stature", o.stature, "Standing height in metres");
+  c->add_option("--mass", o.mass, "Mass in kilograms");
+  c->add_option("--sex", o.sex, "male or female: mass distribution and strength")
+      ->check(CLI::IsMember({"male", "female"}));
+  c->add_option("--goal", o.goals,
+                "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X; repeatable");
+  c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
+  c->add_option("--preset", o.preset, "paper");
+  c->add_option("--criteria", o.criteria, "paper: the paper's weights whatever the task file says");
+  c->add_option("--search", o.search, "paper_ga");
+  c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
+      ->check(CLI::Range(1, 1'000'000'000));
+  c->add_option("--candidates", o.candidates, "Candidates to deliver, at most")
+      ->check(CLI::Range(1, 1000));
+  c->add_option("--seed", o.seed, "Same seed, same bytes (default 0)");
+  c->add_option("--out", o.out, "Folder for the result")->capture_default_str();
+  c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
+  c->add_flag("--json", o.json, "Print summary.json instead of the table");
+  c->callback([&] { exit_code = reach(o); });
+}
+
+void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand("edit", "Change a candidate's parameters; no search");
+  c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
+  c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
+  c->add_option("--set", o.assignments,
+                "NAME.weight=NUMBER or NAME.locked=true|false; NAME is a joint or a freedom, "
+                "such as right_shoulder.flexion; repeatable");
+  c->add_option("--out", o.out, "Folder for the new result (default: edit-N beside the old one)");
+  c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
+  c->add_flag("--json", o.json, "Print summary.json instead of the table");
+  c->callback([&] { exit_code = edit(o); });
+}
+
+void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand("render", "Draw a motion as a strip of poses");
+  c->add_option("clip", o.clip, "BVH file, recorded or made")->required();
+  c->add_option("--out", o.out, "Picture: .svg, .png or .pdf (default: the clip's name with .svg)");
+  c->add_option("--poses", o.poses, "Poses to draw")->capture_default_str();
+  c->add_option("--frames", o.frames, "FIRST:LAST part of the clip (from 0)");
+  c->add_option("--stature", o.stature, "Standing height in metres, where the file's unit misleads");
+  c->callback([&] { exit_code = render(o); });
+}
+
+void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
+  c->add_option("source", o.source, "half_body, full_body, or a BVH file")->required();
+  c->add_option("--extent", o.extent, "Of a person from a file: full or half")
+      ->check(CLI::IsMember({"full", "half"}));
+  c->add_option("--frame", o.frame, "Frame of the file")->check(CLI::NonNegativeNumber);
+  c->add_option("--stature", o.stature, "Standing height in metres");
+  c->add_option("--mass", o.mass, "Mass in kilograms");
+  c->add_option("--sex", o.sex, "male or female")
+      ->check(CLI::IsMember({"male", "female"}));
+  c->add_flag("--json", o.json, "Print JSON");
+  c->callback([&] { exit_code = body(o); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  catch_interrupts();
+  CLI::App app("shigusa: natural whole-body motions from the final state of the hands", "shigusa");
+  app.set_version_flag("--version", SHIGUSA_VERSION);
+  app.require_subcommand(1);
+  int exit_code = kDone;
+  ReachOptions reach_options;
+  EditOptions edit_options;
+  RenderOptions render_options;
+  BodyOptions body_options;
+  add_reach(app, reach_options, exit_code);
+  add_edit(app, edit_options, exit_code);
+  add_render(app, render_options, exit_code);
+  add_body(app, body_options, exit_code);
+  try {
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? kDone : kWrongInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "shigusa: internal fault: {}\n", error.what());
+    return kFault;
+  }
+}

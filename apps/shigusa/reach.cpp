@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <shigusa/core/names.hpp>
+
+#include "commands.hpp"
+#include "table.hpp"
+
+namespace shigusa::app {
+namespace {
+
+Result<Goal> parse_goal(const std::string& text) {
+  const auto wrong = [&] {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("--goal '{}' is not EFFECTOR=X,Y,Z with three numbers in metres",
+                            text.substr(0, 80)));
+  };
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos || equals == 0) return wrong();
+  Goal goal{text.substr(0, equals), {}};
+  const char* at = text.data() + equals + 1;
+  const char* end = text.data() + text.size();
+  for (int k = 0; k < 3; ++k) {
+    if (at < end && *at == '+') ++at;
+    const auto [next, code] = std::from_chars(at, end, goal.position[k]);
+    // a number too large for a double is as infinite as it gets: told apart where ranges are
+    if (code == std::errc::invalid_argument || next == at) return wrong();
+    if (code == std::errc::result_out_of_range) goal.position[k] = 1e308;
+    const bool last = k == 2;
+    if (last ? next != end : next == end || *next != ',') return wrong();
+    at = next + 1;
+  }
+  return goal;
+}
+
+// One of the words that are allowed, or an error that names them.
+Result<std::size_t> pick(const char* what, const std::string& word,
+                         const std::vector<std::string>& allowed) {
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    if (allowed[i] == word) return i;
+  }
+  return fail(ErrorCode::invalid_argument, unknown_name(what, word, allowed));
+}
+
+Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
+  const struct {
+    const char* what;
+    const std::optional<std::string>& given;
+    std::vector<std::string> allowed;
+  } words[] = {{"preset", options.preset, {"paper"}},
+               {"criteria", options.criteria, {"paper"}},
+               {"search", options.search, {"paper_ga"}}};
+  for (const auto& word : words) {
+    if (!word.given) continue;
+    if (const auto known = pick(word.what, *word.given, word.allowed); !known) {
+      return tl::unexpected(known.error());
+    }
+  }
+  if (options.criteria) file.criteria = {};
+  if (options.sex) {
+    file.character.sex = *options.sex == "female" ? Sex::female : Sex::male;
+  }
+  if (options.extent) {
+    file.character.extent = *options.extent == "half" ? BodyExtent::half : BodyExtent::full;
+  }
+  return {};
+}
+
+Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
+  if (options.character) {
+    file.character = {};
+    file.character.source = *options.character;
+  }
+  if (options.stature) file.character.stature = *options.stature;
+  if (options.mass) file.character.mass = *options.mass;
+  if (options.frame) file.character.frame = *options.frame;
+  if (options.duration) file.duration = *options.duration;
+  if (options.seed) file.seed = *options.seed;
+  if (options.candidates) file.candidates = *options.candidates;
+  if (options.evaluations) file.evaluations = *options.evaluations;
+  if (!options.goals.empty()) file.goals.clear();
+  for (const std::string& text : options.goals) {
+    Result<Goal> goal = parse_goal(text);
+    if (!goal) return tl::unexpected(goal.error());
+    file.goals.push_back(std::move(*goal));
+  }
+  return apply_words(options, file);
+}
+
+}  // namespace
+
+int reach(const ReachOptions& options) {
+  const Result<std::vector<ExportFormat>> formats = parse_formats(options.formats);
+  if (!formats) return report(formats.error());
+  Result<TaskFile> file = options.task.empty() ? TaskFile{} : read_task(options.task);
+  if (!file) return report(file.error());
+  if (const auto applied = apply_options(options, *file); !applied) {
+    return report(applied.error());
+  }
+  // a character named on the command line is looked for from where the command is given
+  const auto folder = options.character || options.task.empty()
+                          ? std::filesystem::path{}
+                          : std::filesystem::path(options.task).parent_path();
+  const Result<Task> task = make_task(*file, folder);
+  if (!task) return report(task.error());
+  if (const auto problem = make_problem(*task); !problem) return report(problem.error());
+  if (const auto ready = prepare_folder(options.out); !ready) return report(ready.error());
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<Generation> generation = generate(*task, terminal_progress());
+  end_progress_line();
+  if (!generation) return report(generation.error());
+  RunInfo info;
+  info.elapsed_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return deliver(options.out, *file, *task, *generation, info, *formats, options.json);
+}
+
+}  // namespace shigusa::app

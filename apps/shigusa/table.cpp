@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "table.hpp"
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+
+namespace shigusa::app {
+
+std::string candidate_table(const Generation& generation) {
+  std::string text = fmt::format("{:>4}  {:>7}", "rank", "score");
+  for (const ScoreTerm& term : generation.candidates.front().score.terms) {
+    text += fmt::format("  {:>11}", term.name);
+  }
+  text += fmt::format("  {:>9}  {:>9}  {}\n", "error mm", "slide mm", "most over its limit");
+  for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+    const Candidate& candidate = generation.candidates[i];
+    text += fmt::format("{:>4}  {:>7.4f}", i + 1, candidate.score.total);
+    for (const ScoreTerm& term : candidate.score.terms) {
+      text += fmt::format("  {:>11.4f}", term.penalty);
+    }
+    double error = 0.0;
+    double slide = 0.0;
+    for (const GoalResult& goal : candidate.goals) error = std::max(error, goal.error);
+    for (const ContactResult& foot : candidate.contacts) slide = std::max(slide, foot.max_slide);
+    text += fmt::format("  {:>9.3f}  {:>9.3f}  ", 1e3 * error, 1e3 * slide);
+    if (candidate.over_limit.empty()) {
+      text += "-";
+    } else {
+      text += fmt::format("{} by {:.0f}°", candidate.over_limit.front().dof,
+                          degrees(candidate.over_limit.front().excess));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string headline(const Task& task, const Generation& generation, const RunInfo& info) {
+  const bool reached = generation.status == ReachStatus::reached;
+  std::string text = fmt::format("{}: {}", reached ? "reached" : "unreachable", task.body.name());
+  for (const Goal& goal : task.goals) {
+    text += fmt::format(", {} at ({:g}, {:g}, {:g}) m", goal.effector, goal.position.x,
+                        goal.position.y, goal.position.z);
+  }
+  text += fmt::format("; {:.2f} s of motion", generation.duration);
+  if (generation.evaluations > 0) {
+    text += fmt::format("; {} motions in {} generations, {:.0f} ms", generation.evaluations,
+                        generation.generations, info.elapsed_ms);
+  }
+  if (generation.end == SearchEnd::cancelled) text += "; stopped early";
+  return text + "\n";
+}
+
+int deliver(const std::filesystem::path& folder, const TaskFile& file, const Task& task,
+            const Generation& generation, const RunInfo& info,
+            const std::vector<ExportFormat>& formats, bool json) {
+  const Result<std::string> summary =
+      write_result(folder, file, task, generation, info, formats);
+  if (!summary) return report(summary.error());
+  for (const std::string& doubt : task.body.doubts()) {
+    fmt::print(stderr, "shigusa: {}: note: {}\n", task.body.name(), doubt);
+  }
+  const bool reached = generation.status == ReachStatus::reached;
+  if (!reached) {
+    fmt::print(stderr, "shigusa: out of reach: the closest motion ends {:.1f} mm from the goal\n",
+               1e3 * generation.remaining_distance);
+  }
+  if (json) {
+    fmt::print("{}", *summary);
+  } else {
+    fmt::print("{}{}", headline(task, generation, info), candidate_table(generation));
+    for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+      const auto picture = folder / fmt::format("candidate-{}.png", i + 1);
+      if (std::filesystem::exists(picture)) fmt::print("{}\n", picture.string());
+    }
+    fmt::print("{}\n", (folder / kSummaryName).string());
+  }
+  return reached ? kDone : kUnreachable;
+}
+
+}  // namespace shigusa::app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <shigusa/shigusa.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa::app {
+
+// The candidates as a table for a person: scores, criteria, errors, joints over their limits.
+[[nodiscard]] std::string candidate_table(const Generation& generation);
+
+// What happened, in one line: status, body, goals, counts and time.
+[[nodiscard]] std::string headline(const Task& task, const Generation& generation,
+                                   const RunInfo& info);
+
+// Writes a result, prints it as the options ask, and returns the exit code.
+int deliver(const std::filesystem::path& folder, const TaskFile& file, const Task& task,
+            const Generation& generation, const RunInfo& info,
+            const std::vector<ExportFormat>& formats, bool json);
+
+}  // namespace shigusa::app

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+# Flags for everything that is built here; those that a user's build must share stand beside the
+# library target. -march=native and -ffast-math are never among them: results are the same on every
+# machine.
+
+if(PROJECT_IS_TOP_LEVEL)
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+  endif()
+  find_program(SHIGUSA_CCACHE ccache)
+  if(SHIGUSA_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${SHIGUSA_CCACHE})
+  endif()
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endif()
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+set(shigusa_warnings -Wall -Wextra -Wconversion -Wshadow -Wsign-conversion)
+add_compile_options(${shigusa_warnings} $<$<BOOL:${SHIGUSA_WERROR}>:-Werror>)
+
+set(shigusa_sanitizers ${SHIGUSA_SANITIZE})
+if(SHIGUSA_FUZZ)
+  # the fuzzer sees which branches of the library an input takes; main() comes with each target
+  string(JOIN "," shigusa_sanitizers ${shigusa_sanitizers} fuzzer-no-link)
+endif()
+if(shigusa_sanitizers)
+  set(shigusa_sanitizer_flags -fsanitize=${shigusa_sanitizers} -fno-sanitize-recover=all
+                              -fno-omit-frame-pointer)
+  add_compile_options(${shigusa_sanitizer_flags})
+  add_link_options(${shigusa_sanitizer_flags})
+endif()

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# What `cmake --install` puts in place, and the package that find_package(shigusa) finds.
+include(CMakePackageConfigHelpers)
+
+set(shigusa_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shigusa)
+
+install(TARGETS shigusa EXPORT shigusaTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/shigusa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(EXPORT shigusaTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
+
+configure_package_config_file(cmake/shigusaConfig.cmake.in shigusaConfig.cmake
+                              INSTALL_DESTINATION ${shigusa_package_dir})
+# below 1.0 a minor version may change the interface
+write_basic_package_version_file(shigusaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/shigusaConfig.cmake
+              ${PROJECT_BINARY_DIR}/shigusaConfigVersion.cmake DESTINATION ${shigusa_package_dir})

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/landmarks.hpp>
+#include <shigusa/math/scalar.hpp>
+
+namespace shigusa {
+
+enum class Sex { male, female };
+
+// Mass and mass distribution of one body segment. Source: P. de Leva, Adjustments to
+// Zatsiorsky-Seluyanov's segment inertia parameters, J. Biomechanics 29 (1996) 1223-1230, table 4.
+struct SegmentParameters {
+  double mass = 0.0;          // fraction of the body's mass
+  double com = 0.0;           // fraction of the segment's length, from its first-named end
+  double r_sagittal = 0.0;    // radius of gyration about the fore-aft axis, fraction of length
+  double r_transverse = 0.0;  // … about the left-right axis
+  double r_long = 0.0;        // … about the segment's own axis
+};
+
+struct SegmentTable {
+  SegmentParameters head;       // vertex – C7
+  SegmentParameters trunk;      // mid-shoulders – mid-hips
+  SegmentParameters upper_arm;  // shoulder – elbow
+  SegmentParameters forearm;    // elbow – wrist
+  SegmentParameters hand;       // wrist – third fingertip
+  SegmentParameters thigh;      // hip – knee
+  SegmentParameters shank;      // knee – ankle
+  SegmentParameters foot;       // heel – toe tip
+  double mean_stature = 0.0;    // m, of the measured group
+  double mean_mass = 0.0;       // kg
+};
+
+[[nodiscard]] const SegmentTable& segment_table(Sex sex);
+
+// Lengths as fractions of stature. Source: Drillis and Contini 1966, as in D. Winter, Biomechanics
+// and Motor Control of Human Movement; the hips' joint centres: half of the 0.17 m between the hip
+// joint centres of a mean person.
+struct StatureFractions {
+  static constexpr double kAnkleHeight = 0.039;
+  static constexpr double kShank = 0.246;
+  static constexpr double kThigh = 0.245;
+  static constexpr double kShoulderHeight = 0.818;
+  static constexpr double kUpperArm = 0.186;
+  static constexpr double kForearm = 0.146;
+  static constexpr double kHand = 0.108;
+  static constexpr double kFootLength = 0.152;
+  static constexpr double kFootBreadth = 0.055;
+  static constexpr double kShoulderHalfBreadth = 0.129;
+  static constexpr double kHipHalfBreadth = 0.050;
+  static constexpr double kHeadLength = 0.1395;  // vertex – C7: 0.2429 m of 1.741 m, de Leva
+};
+
+// Share of the foot's length that lies behind the ankle joint.
+inline constexpr double kHeelShare = 0.25;
+// Where an object is held: the third knuckle, 86.2 mm of the hand's 189.9 mm from the wrist to the
+// fingertip (de Leva 1996, hand WJC–MET3 and WJC–DAC3).
+inline constexpr double kGripFraction = 0.454;
+
+// Joint limits in radians and strengths in N·m; positive angles are flexion (dorsiflexion),
+// abduction and lateral rotation. Sources: limits after the AAOS and CDC tables, with the lumped
+// hip of a rigid trunk; strengths of an adult man of 73 kg.
+struct JointLimits {
+  double lower;
+  double upper;
+  double torque_positive;
+  double torque_negative;
+};
+inline constexpr JointLimits kAnkleFlexion{radians(-50), radians(30), 45, 150};
+inline constexpr JointLimits kKneeFlexion{0, radians(145), 100, 230};
+inline constexpr JointLimits kHipFlexion{radians(-20), radians(115), 120, 220};
+inline constexpr JointLimits kHipAbduction{radians(-25), radians(45), 110, 110};
+inline constexpr JointLimits kHipRotation{radians(-45), radians(45), 50, 50};
+inline constexpr JointLimits kShoulderFlexion{radians(-60), radians(170), 80, 80};
+inline constexpr JointLimits kShoulderAbduction{radians(-40), radians(170), 65, 70};
+inline constexpr JointLimits kShoulderRotation{radians(-70), radians(90), 32, 50};
+inline constexpr JointLimits kElbowFlexion{0, radians(150), 70, 55};
+// Hip flexion with a bent knee: 115° + 50° · min(1, knee / 60°).
+inline constexpr double kHipFlexionGain = radians(50);
+inline constexpr double kHipFlexionKneeFull = radians(60);
+// Women's joint strength as a share of men's, each at the mean mass of their group.
+inline constexpr double kFemaleStrength = 0.6;
+
+// A standing person's build.
+struct Stature {
+  double stature = 1.741;  // m, 0.5..2.5
+  double mass = 73.0;      // kg, 2..300
+  Sex sex = Sex::male;
+};
+
+// Mass in kg of a person of that stature with the body-mass index of the group's mean.
+[[nodiscard]] double default_mass(double stature, Sex sex);
+
+// Landmarks of a person standing upright at ease: knees bent by 5°, elbows by 10°, arms hanging,
+// each foot turned out by `toe_out` (rad).
+[[nodiscard]] Landmarks standing_landmarks(double stature, double toe_out);
+
+}  // namespace shigusa

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/math/transform.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+// The link that stands still: the foot that carries the body. All other links are numbered as the
+// freedom that moves them.
+inline constexpr int kBaseLink = -1;
+
+// One rotational freedom and the link that it moves. Where all angles are 0 every link frame has
+// the orientation of the base's, so a joint's axis is one of the coordinate axes.
+struct Dof {
+  std::string joint;             // "right_hip"
+  std::string name;              // "right_hip.flexion"
+  int parent = kBaseLink;        // link that carries the joint: an earlier dof, or kBaseLink
+  Vec3d offset{};                // m, the joint's centre in the parent's link frame
+  Axis axis = Axis::x;           // rotation axis in the parent's link frame …
+  double sign = 1.0;             // … and its direction: a positive angle is the anatomical one
+  double lower = -kPi;           // rad, hard limit
+  double upper = kPi;            // rad, hard limit
+  double torque_positive = 1.0;  // N·m, strength towards larger angles, > 0
+  double torque_negative = 1.0;  // N·m, strength towards smaller angles, > 0
+};
+
+// An upper limit that grows with another angle: hamstrings let the hip flex further when the knee
+// bends. upper(q) = Dof::upper + gain · clamp(q[driver] / driver_full, 0, 1).
+struct LimitCoupling {
+  int dof = 0;
+  int driver = 0;
+  double gain = 0.0;         // rad
+  double driver_full = 1.0;  // rad, > 0
+};
+
+struct MassProperties {
+  double mass = 0.0;  // kg
+  Vec3d com{};        // m, in the link frame
+  Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the com, link axes
+};
+
+// A point that goals are given for.
+struct Effector {
+  std::string name;  // "right_hand"
+  std::string node;  // node of the exported skeleton whose origin it is: "right_hand_grip"
+  int link = 0;
+  Vec3d point{};      // m, in the link frame
+  int limb_root = 0;  // first dof of the limb that it ends: the shoulder's
+};
+
+// A foot on the floor. It bears weight for the whole motion and must not move.
+struct Foot {
+  std::string name;  // "left_foot"
+  std::string node;  // node of the exported skeleton that moves with it
+  int link = kBaseLink;
+  Vec3d centre{};              // m, middle of the sole, link frame
+  std::vector<Vec3d> outline;  // m, corners of the sole, counter-clockwise from above, link frame
+};
+
+// A node of the skeleton that the body is written to files as; moves with `link`.
+struct BodyNode {
+  std::string name;  // VRM 1.0 humanoid vocabulary in snake_case; empty for an end site
+  int parent = -1;   // index of an earlier node
+  int link = kBaseLink;
+  Vec3d point{};  // m, the node's origin in the link frame
+  bool end_site = false;
+};
+
+// Everything that makes a body; BodyModel checks it once and keeps it.
+struct BodyDefinition {
+  std::string name;
+  double stature = 0.0;  // m
+  double mass = 0.0;     // kg, of the links together
+  Transformd base;       // the base link's frame in the world: +Y up, facing +Z, floor at y = 0
+  std::vector<Dof> dofs;
+  std::vector<LimitCoupling> couplings;
+  MassProperties base_mass;
+  std::vector<MassProperties> masses;  // (dofs), of the link that each dof moves
+  std::vector<Effector> effectors;
+  std::vector<Foot> feet;
+  std::vector<BodyNode> nodes;
+  std::vector<double> start;        // (dofs) rad, the posture that motions start from
+  std::vector<std::string> doubts;  // what was guessed when the body was made, for a person
+};
+
+// An articulated body on a fixed base: immutable after construction, shared by all threads.
+class BodyModel {
+ public:
+  // Checks the definition (parents before children, equal counts, limits in order, feet and
+  // effectors on existing links; PreconditionError otherwise) and takes it over.
+  explicit BodyModel(BodyDefinition definition);
+
+  [[nodiscard]] const std::string& name() const { return definition_.name; }
+  [[nodiscard]] double stature() const { return definition_.stature; }
+  [[nodiscard]] double mass() const { return definition_.mass; }
+  [[nodiscard]] int dof_count() const { return static_cast<int>(definition_.dofs.size()); }
+  [[nodiscard]] const Transformd& base() const { return definition_.base; }
+  [[nodiscard]] std::span<const Dof> dofs() const { return definition_.dofs; }
+  [[nodiscard]] const Dof& dof(int i) const {
+    return definition_.dofs[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] std::span<const LimitCoupling> couplings() const { return definition_.couplings; }
+  // Mass of a link; kBaseLink is allowed.
+  [[nodiscard]] const MassProperties& link_mass(int link) const {
+    return link == kBaseLink ? definition_.base_mass
+                             : definition_.masses[static_cast<std::size_t>(link)];
+  }
+  [[nodiscard]] std::span<const Effector> effectors() const { return definition_.effectors; }
+  [[nodiscard]] std::span<const Foot> feet() const { return definition_.feet; }
+  [[nodiscard]] std::span<const BodyNode> nodes() const { return definition_.nodes; }
+  [[nodiscard]] std::span<const double> start() const { return definition_.start; }
+  [[nodiscard]] std::span<const std::string> doubts() const { return definition_.doubts; }
+
+  // Index of the effector or dof of that name, or nothing.
+  [[nodiscard]] std::optional<int> find_effector(std::string_view name) const;
+  [[nodiscard]] std::optional<int> find_dof(std::string_view name) const;
+  // True when moving the dof moves the link.
+  [[nodiscard]] bool moves(int dof, int link) const {
+    return link != kBaseLink &&
+           ancestry_[static_cast<std::size_t>(link) * definition_.dofs.size() +
+                     static_cast<std::size_t>(dof)] != 0;
+  }
+
+ private:
+  BodyDefinition definition_;
+  std::vector<char> ancestry_;  // (links × dofs) 1 where the dof moves the link
+};
+
+}  // namespace shigusa

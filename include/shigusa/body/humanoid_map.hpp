@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <shigusa/body/skeleton.hpp>
+#include <shigusa/core/result.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+// The bones that a motion needs, named as in the VRM 1.0 humanoid vocabulary.
+enum class HumanoidBone {
+  hips,
+  neck,
+  head,
+  left_upper_leg,
+  left_lower_leg,
+  left_foot,
+  left_toes,
+  right_upper_leg,
+  right_lower_leg,
+  right_foot,
+  right_toes,
+  left_upper_arm,
+  left_lower_arm,
+  left_hand,
+  right_upper_arm,
+  right_lower_arm,
+  right_hand,
+};
+inline constexpr int kHumanoidBoneCount = 17;
+
+// "right_upper_leg".
+[[nodiscard]] std::string_view humanoid_bone_name(HumanoidBone bone);
+
+// Which node of a skeleton is which bone; the node's origin is the bone's proximal joint.
+struct HumanoidMap {
+  std::array<int, kHumanoidBoneCount> node;  // node index, or -1 where the skeleton has none
+  std::vector<std::string> doubts;           // sentences for a person: guesses that may be wrong
+
+  HumanoidMap() { node.fill(-1); }
+  [[nodiscard]] int operator[](HumanoidBone bone) const {
+    return node[static_cast<std::size_t>(bone)];
+  }
+  [[nodiscard]] int& operator[](HumanoidBone bone) { return node[static_cast<std::size_t>(bone)]; }
+};
+
+// Finds the humanoid bones of a skeleton: by the usual names, and by topology (a root with two
+// legs and, above it, two arms and a head) where names say nothing or contradict it. `world` is the
+// posture that tells left from right and up from down (nodes, as world_transforms gives). Neck,
+// head and toes may stay unmapped, each with a doubt; any other missing bone is an error that names
+// it and what was found instead.
+[[nodiscard]] Result<HumanoidMap> find_humanoid(const Skeleton& skeleton,
+                                                const std::vector<Transformd>& world);
+
+}  // namespace shigusa

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/core/result.hpp>
+#include <shigusa/math/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+enum class Side { left, right };
+
+// Joint centres and tips of a person in one posture: all that a body's geometry and start posture
+// are made of. Metres, in shigusa's world: +Y up, facing +Z, left is +X, origin on the floor
+// between the feet.
+struct Landmarks {
+  struct Leg {
+    Vec3d hip;
+    Vec3d knee;
+    Vec3d ankle;
+    Vec3d toe;  // tip of the foot
+  };
+  struct Arm {
+    Vec3d shoulder;
+    Vec3d elbow;
+    Vec3d wrist;
+    Vec3d fingertip;
+  };
+  Leg left_leg;
+  Leg right_leg;
+  Arm left_arm;
+  Arm right_arm;
+  Vec3d neck;      // base of the neck (C7)
+  Vec3d head_top;  // vertex
+
+  [[nodiscard]] const Leg& leg(Side side) const {
+    return side == Side::left ? left_leg : right_leg;
+  }
+  [[nodiscard]] const Arm& arm(Side side) const {
+    return side == Side::left ? left_arm : right_arm;
+  }
+};
+
+// What was read from a person's skeleton.
+struct MeasuredPerson {
+  Landmarks landmarks;
+  double stature = 0.0;             // m, standing height: measured along the bones, not the posture
+  double unit = 1.0;                // m per unit of the source file
+  Vec3d up{0, 1, 0};                // the file's axis that points up
+  std::vector<std::string> doubts;  // guesses: the unit, a missing toe, a lifted foot
+};
+
+struct MeasureSettings {
+  // m; when given, the skeleton is scaled to this standing height and the unit is not guessed
+  std::optional<double> stature;
+};
+
+// Measures a person in the posture `world` (nodes; the file's own units and axes): finds the up
+// axis and the facing from the body itself, guesses the unit among metres, centimetres,
+// millimetres, inches and the CMU database's 1/0.45 inch by the stature it would give, and moves
+// the person onto the floor, between the feet, facing +Z. Fails when a limb segment has zero
+// length or no unit gives a person of 0.5 to 2.5 m.
+//
+// - Up is the axis of the file, ±x ±y ±z, nearest to the way from the ankles to the head. Where
+//   legs and trunk do not both point along it (a stoop, a person who sits), the axis along which
+//   both point at rest, in the OFFSETs, comes first.
+// - Left is the mean of the hip line and the shoulder line, made horizontal. If the feet then point
+//   backwards, the file is mirrored, and so is the person measured.
+// - Stature is ankle height (0.039 of it) + shank + thigh + the chain of joints from between the
+//   hips to the vertex; left and right averaged.
+// - Fingertips and toe tips are the farthest nodes below hand and foot, without the thumb; the
+//   vertex is the head's tip. Missing ones are placed by the proportions of anthropometry.hpp.
+// - The floor is where the sole of the lower foot is: 0.039 of the stature below its ankle, or at
+//   the tip of the toes.
+[[nodiscard]] Result<MeasuredPerson> measure_person(const Skeleton& skeleton,
+                                                    const std::vector<Transformd>& world,
+                                                    const HumanoidMap& map,
+                                                    const MeasureSettings& settings = {});
+
+}  // namespace shigusa

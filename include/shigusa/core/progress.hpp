@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string_view>
+
+namespace shigusa {
+
+// How far a long piece of work has come.
+struct ProgressReport {
+  std::string_view stage;   // "search", "export"; valid during the call only
+  double fraction = 0.0;    // 0..1 of this stage, at most; the work may converge earlier
+  int evaluations = 0;      // motions scored so far
+  double best_score = 0.0;  // lowest score so far; meaningless while evaluations is 0
+};
+
+// How a caller watches and stops long work. Both members may be left empty. `report` is called on
+// the thread that called the work; what it throws is passed on to that caller. Setting `cancel` to
+// true, from any thread or from a signal handler, ends the work at its next step with the best so
+// far.
+struct Progress {
+  std::function<void(const ProgressReport&)> report;
+  const std::atomic<bool>* cancel = nullptr;
+
+  [[nodiscard]] bool cancelled() const {
+    return cancel != nullptr && cancel->load(std::memory_order_relaxed);
+  }
+};
+
+}  // namespace shigusa

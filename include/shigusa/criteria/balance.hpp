@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/motion/motion.hpp>
+
+namespace shigusa {
+
+// Lean at which the penalty is full (rule R8b): the toes' edge is 0.13 m ahead of mid-foot and the
+// centre of mass about 1.0 m high standing, 0.7 m stooping.
+inline constexpr double kBalanceLean = 0.20;
+
+struct BalanceSettings {
+  double lean = kBalanceLean;  // horizontal over vertical, > 0
+};
+
+// Middle of the standing feet's soles (m, world) in the start posture; feet stay planted.
+[[nodiscard]] Vec3d support_centre(const BodyModel& body);
+
+// How far the centre of mass c leans away from above the support centre f, in [0, 1] (paper,
+// section 3.3; rule R8b):
+//   r(t) = |c - f|_horizontal / (c - f)_vertical,   P = min(1, (½ mean_t r + ½ max_t r) / lean).
+template <class S>
+class Balance {
+ public:
+  explicit Balance(const BodyModel& body, const BalanceSettings& settings = {})
+      : support_(to_scalar<S>(support_centre(body))), lean_(settings.lean) {}
+
+  void add(const MotionFrame<S>& frame) {
+    const Vec3<S> d = frame.centre_of_mass - support_;
+    // a centre of mass at the floor or below it leans without bound
+    const S ratio = sqrt(d.x * d.x + d.z * d.z) / max(d.y, S(1e-3));
+    sum_ = sum_ + ratio;
+    largest_ = max(largest_, ratio);
+    frames_ += 1;
+  }
+
+  [[nodiscard]] S penalty() const {
+    if (frames_ == 0) return S(0);
+    const S mean = sum_ * S(1.0 / frames_);
+    return min(S(1), (mean + largest_) * S(0.5 / lean_));
+  }
+
+ private:
+  Vec3<S> support_;
+  double lean_;
+  S sum_{};
+  S largest_{};
+  int frames_ = 0;
+};
+
+// The penalty of a whole motion.
+[[nodiscard]] double balance_penalty(const BodyModel& body, const Motion& motion,
+                                     const BalanceSettings& settings = {});
+
+}  // namespace shigusa

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/dynamics/inverse_dynamics.hpp>
+
+namespace shigusa {
+
+// Point on the floor (height `floor`, m) about which the floor's wrench has no horizontal moment.
+// The wrench's moment is about the world's origin; its vertical force must not be 0 (a body that
+// is not in free fall), and is held to at least 1 N.
+template <class S>
+[[nodiscard]] Vec3<S> centre_of_pressure(const Wrench<S>& wrench, S floor) {
+  const S up = max(wrench.force.y, S(1));
+  const Vec3<S> f = wrench.force;
+  return {(wrench.moment.z + f.x * floor) / up, floor, (f.z * floor - wrench.moment.x) / up};
+}
+
+// The second foot's part of the ground wrench: its share of the force through the foot, moved by
+// as much as the centre of pressure lies off the line between the feet, and its share of what
+// moment is left about the centre of pressure.
+template <class S>
+[[nodiscard]] Wrench<S> shared_wrench(const Wrench<S>& ground, const Vec3<S>& cop,
+                                      const Vec3<S>& on_line, const Vec3<S>& foot, S share) {
+  const Vec3<S> force = ground.force * share;
+  const Vec3<S> left_over = ground.moment - cross(cop, ground.force);
+  return {force, cross(foot + (cop - on_line), force) + left_over * share};
+}
+
+// Shares the floor's wrench between two standing feet by the lever rule along the line between
+// them and takes the second foot's part out of the joint torques. `second` stands on the far end
+// of the chain, the first foot is the base. Both parts together are the wrench, exactly. Returns
+// the second foot's wrench, moment about the world's origin.
+template <class S>
+Wrench<S> share_ground_wrench(const BodyModel& body, const Kinematics<S>& kinematics,
+                              const Wrench<S>& ground, const Foot& first, const Foot& second,
+                              std::span<S> tau) {
+  const Vec3<S> a = kinematics.point(first.link, first.centre);
+  const Vec3<S> b = kinematics.point(second.link, second.centre);
+  const Vec3<S> cop = centre_of_pressure(ground, a.y);
+  const Vec3<S> line{b.x - a.x, S(0), b.z - a.z};
+  const Vec3<S> from{cop.x - a.x, S(0), cop.z - a.z};
+  const S share = clamp(dot(from, line) / max(dot(line, line), S(1e-6)), S(0), S(1));
+  const Wrench<S> part = shared_wrench(ground, cop, a + line * share, b, share);
+  for (int d = 0; d < body.dof_count(); ++d) {
+    if (!body.moves(d, second.link)) continue;
+    const auto k = static_cast<std::size_t>(d);
+    const Vec3<S> about = part.moment - cross(kinematics.origin[k], part.force);
+    tau[k] = tau[k] - dot(kinematics.axis[k], about);
+  }
+  return part;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/core/progress.hpp>
+#include <shigusa/core/result.hpp>
+#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/rollout/rollout.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+enum class ReachStatus {
+  reached,      // every candidate meets every goal within kReachTolerance
+  unreachable,  // the body cannot; candidates end at the closest point
+};
+
+// Where a goal's effector ends.
+struct GoalResult {
+  std::string effector;
+  std::string node;   // node of the exported skeleton whose origin it is
+  Vec3d goal{};       // m, world
+  Vec3d reached{};    // m, world
+  double error = 0.0; // m
+};
+
+// How well a planted foot stood.
+struct ContactResult {
+  std::string effector;
+  std::string node;
+  double max_slide = 0.0;  // m, at any frame
+};
+
+// A joint that passes its limit during the motion: the paper's IK knows no limits, its score does.
+struct LimitExcess {
+  std::string dof;
+  double excess = 0.0;  // rad, the most at any frame
+};
+
+// One way to get there.
+struct Candidate {
+  Parameters parameters;
+  Motion motion;
+  Score score;
+  std::vector<GoalResult> goals;
+  std::vector<ContactResult> contacts;
+  std::vector<LimitExcess> over_limit;  // the worst first
+};
+
+// What a search came to.
+struct Generation {
+  ReachStatus status = ReachStatus::reached;
+  double remaining_distance = 0.0;    // m, of the best candidate to its goals; 0 when reached
+  std::vector<Candidate> candidates;  // lowest score first; at least one
+  double duration = 0.0;              // s
+  int evaluations = 0;                // motions scored by the search
+  int generations = 0;
+  int rejected_nan = 0;  // motions that a criterion scored NaN
+  int near_copies = 0;   // distinct genomes whose motions were all but a better one's
+  int missed = 0;        // final genomes that missed a goal or moved a foot
+  std::optional<Parameters> best_seen;  // the best of all genomes evaluated, kept or not
+  double best_seen_score = 0.0;
+  SearchEnd end = SearchEnd::converged;
+};
+
+// Two motions whose joint angles never differ by more than this, root mean square over the dofs,
+// are one candidate (rad).
+inline constexpr double kDistinctPosture = radians(1.0);
+// How near (m) a candidate must come to the closest point where the goal is out of reach.
+inline constexpr double kEdgeTolerance = 5e-3;
+
+// Finds natural motions for a task: the distinct genomes that the search ends with, ranked
+// (paper, sections 3.2 and 4). Fails on a task that is wrong (see make_problem); an unreachable
+// goal is a status. When cancelled, returns the best so far. Same task, same result.
+[[nodiscard]] Result<Generation> generate(const Task& task, const Progress& progress = {});
+
+// Generates one motion from given parameters, without a search: the parameter editor (paper,
+// section 4.2). The hand still meets its goal, or comes as near as the given locks allow; the
+// status tells. Fails on a task or parameters that are wrong (count of joints, weights not in
+// 1e-6..1e6).
+[[nodiscard]] Result<Generation> regenerate(const Task& task, const Parameters& parameters);
+
+}  // namespace shigusa

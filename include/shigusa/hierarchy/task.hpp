@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/core/result.hpp>
+#include <shigusa/criteria/criteria.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/search/genetic.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+// How the parameters are searched and what they are.
+enum class Preset {
+  paper,  // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
+};
+
+// "paper".
+[[nodiscard]] std::string_view preset_name(Preset preset);
+
+// The final state of one effector.
+struct Goal {
+  std::string effector = "right_hand";  // name in the body's effectors
+  Vec3d position{};                     // m, shigusa's world
+};
+
+// A goal's coordinates may not exceed this (m): nobody reaches so far, and numbers stay harmless.
+inline constexpr double kGoalRange = 100.0;
+inline constexpr double kTaskDurationMin = 0.05;  // s
+inline constexpr double kTaskDurationMax = 60.0;  // s
+
+// What is asked for.
+struct Task {
+  BodyModel body;
+  std::vector<Goal> goals;         // 1 or more, each for another effector
+  std::optional<double> duration;  // s; from the distance (reach_duration) when not given
+  Preset preset = Preset::paper;
+  CriteriaSettings criteria;
+  GeneticSettings genetic;  // with the seed
+  int candidates = kPaperPopulation;  // at most so many are delivered, ≥ 1
+  // Motions that the search may score, ≥ 1. When given, the genetic algorithm starts again, with
+  // other random numbers, until it is used up, and candidates come from all its final populations;
+  // when not, it runs once.
+  std::optional<int> evaluations;
+};
+
+// The problem that a task poses to the search: paths from the start posture to the goals, and the
+// time for them. Fails with a message that names the goal and what is allowed: unknown effector
+// (with the nearest name), two goals for one effector, coordinates that are not finite or beyond
+// kGoalRange, no goal at all, a duration outside 0.05 to 60 s, criteria weights below 0 or all 0.
+// The problem points into the task.
+[[nodiscard]] Result<ReachProblem> make_problem(const Task& task);
+
+}  // namespace shigusa

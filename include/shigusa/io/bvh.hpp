@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <shigusa/body/skeleton.hpp>
+#include <shigusa/core/result.hpp>
+#include <string>
+#include <string_view>
+
+namespace shigusa {
+
+// What a BVH file may hold at most; more is refused before memory is taken.
+inline constexpr std::size_t kBvhMaxBytes = std::size_t{64} << 20;
+inline constexpr int kBvhMaxNodes = 1024;
+inline constexpr int kBvhMaxFrames = 200'000;
+inline constexpr std::size_t kBvhMaxTransforms = 8'000'000;  // frames × nodes: 450 MB
+// Numbers beyond this are refused, infinities and NaN among them.
+inline constexpr double kBvhMaxValue = 1e9;
+
+// Parses BVH text. Lengths stay in the file's own unit (BVH does not tell it) and axes in the
+// file's own directions; angles become rotations. Channels in any order and number per joint, LF or
+// CRLF, several roots. Errors name the line, the value seen and what is allowed; `name` stands for
+// the file in them.
+//
+// - A joint's rotation is the product of its axis rotations in the order of its channels,
+//   R = R1 R2 R3; one axis may come twice.
+// - Position channels replace the OFFSET along their axis, for the root as for any other joint:
+//   animation tools write the whole place of the joint in its parent there.
+// - A name is the rest of its line, spaces included. Bytes that are no UTF-8 and control characters
+//   become '_', a joint without name is called "joint", and a name that comes again gets "_2",
+//   "_3", … so that names are unique. End sites have no name.
+// - Keywords and channels may be in lower case. Values may be spread over lines in any way, but
+//   there must be exactly frames × channels of them; one whole frame more is left out, since some
+//   writers count frames from 0.
+[[nodiscard]] Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name);
+
+// Reads and parses a BVH file.
+[[nodiscard]] Result<SkeletonMotion> read_bvh(const std::filesystem::path& path);
+
+struct BvhFormat {
+  double unit = 0.01;  // m per unit written: centimetres, what animation tools expect of BVH
+};
+
+// The motion as BVH text: roots with 6 channels, other nodes with Zrotation Xrotation Yrotation; a
+// node that also moves within its parent has 6 channels as a root has. Angles go on from frame to
+// frame without jumps of 360°, through gimbal lock too. Numbers are written so that reading them
+// back moves no origin of a human body by more than 1e-6 m.
+//
+// A root's OFFSET is written as 0, since tools differ in whether its channels count from there.
+// Nodes come depth first, children in their order. In names, blanks, braces and control characters
+// become '_', and names are made unique as parse_bvh does. Needs at least one frame.
+[[nodiscard]] std::string format_bvh(const SkeletonMotion& motion, const BvhFormat& format = {});
+
+}  // namespace shigusa

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/core/check.hpp>
+#include <shigusa/math/scalar.hpp>
+
+namespace shigusa {
+
+// A symmetric matrix of up to Max rows, stored as its lower triangle, row after row. How many rows
+// are in use is said at each call.
+template <class S, int Max>
+struct SmallSymmetric {
+  S lower[static_cast<unsigned>(Max * (Max + 1) / 2)];
+
+  // Entry (i, j) with 0 ≤ j ≤ i < Max; the upper triangle is not stored.
+  [[nodiscard]] S& operator()(int i, int j) { return lower[index(i, j)]; }
+  [[nodiscard]] const S& operator()(int i, int j) const { return lower[index(i, j)]; }
+
+ private:
+  static int index(int i, int j) {
+    SHG_ASSERT(0 <= j && j <= i && i < Max);
+    return i * (i + 1) / 2 + j;
+  }
+};
+
+// Factorises the leading n × n part of A in place: A = L D Lᵀ, L with a unit diagonal. On return
+// a(i, j), j < i, holds L and a(i, i) holds 1 / D_i.
+//
+// A must be positive semi-definite, so that no pivoting is needed: where a pivot D_i vanishes, what
+// is left of its column vanishes too. A pivot at or below `pivot_floor` (≥ 0, in the unit of A's
+// diagonal) is stored as 1 / D_i = 0: row and column i are then as if deleted from A, in each lane
+// of a pack S on its own. Rows are taken in order: of rows that depend on each other the last drops
+// out. NaN stays NaN.
+//
+// Choosing the floor, for A = J Jᵀ and b = J e: a dropped row is left unsolved by up to
+// √pivot_floor |e|, so a low floor costs nothing in accuracy. But where a pivot should be 0,
+// rounding leaves up to about n · 1e-16 s² / d, with s the largest diagonal entry and d the
+// smallest pivot kept: only a floor above √(n · 1e-16) s is sure to drop every dependent row.
+//
+// Source: Golub and Van Loan, Matrix Computations, chapter 4 (LDLᵀ without pivoting), by rows.
+template <class S, int Max>
+void ldlt_factorize(SmallSymmetric<S, Max>& a, int n, double pivot_floor) {
+  SHG_ASSERT(0 <= n && n <= Max && pivot_floor >= 0.0);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < i; ++j) {
+      // row i still holds L_ik D_k, row j holds L_jk already
+      S entry = a(i, j);
+      for (int k = 0; k < j; ++k) entry = entry - a(i, k) * a(j, k);
+      a(i, j) = entry;
+    }
+    S pivot = a(i, i);
+    for (int k = 0; k < i; ++k) {
+      const S scaled = a(i, k) * a(k, k);
+      pivot = pivot - a(i, k) * scaled;
+      a(i, k) = scaled;
+    }
+    const auto dropped = pivot <= S(pivot_floor);
+    // the divisor is made harmless first: a pack divides in all of its lanes
+    a(i, i) = select(dropped, S(0), S(1) / select(dropped, S(1), pivot));
+  }
+}
+
+// Solves A x = b for the n numbers at `b`, in place, from what ldlt_factorize left in `a`.
+// Components of dropped rows come out as 0; the others solve the equations that were kept.
+template <class S, int Max>
+void ldlt_substitute(const SmallSymmetric<S, Max>& a, S* b, int n) {
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < i; ++k) b[i] = b[i] - a(i, k) * b[k];
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    b[i] = b[i] * a(i, i);
+    for (int k = i + 1; k < n; ++k) b[i] = b[i] - a(k, i) * b[k];
+  }
+}
+
+// Solves A x = b: the leading n × n part of `a` is replaced by its factors, the n numbers at `b` by
+// the solution. If A is rank-deficient and b lies in its range (as J e does for A = J Jᵀ), x still
+// solves all n equations; otherwise those of the dropped rows are left unsolved.
+template <class S, int Max>
+void ldlt_solve(SmallSymmetric<S, Max>& a, S* b, int n, double pivot_floor) {
+  ldlt_factorize(a, n, pivot_floor);
+  ldlt_substitute(a, b, n);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/math/vec3.hpp>
+
+namespace shigusa {
+
+// 3×3 matrix by columns; as a rotation R_AB, its columns are the axes of frame B seen in A.
+template <class S>
+struct Mat3 {
+  Vec3<S> cx{S(1), S(0), S(0)};
+  Vec3<S> cy{S(0), S(1), S(0)};
+  Vec3<S> cz{S(0), S(0), S(1)};
+
+  [[nodiscard]] const Vec3<S>& column(int i) const { return i == 0 ? cx : i == 1 ? cy : cz; }
+
+  friend Vec3<S> operator*(const Mat3& m, const Vec3<S>& v) {
+    return {m.cx.x * v.x + m.cy.x * v.y + m.cz.x * v.z, m.cx.y * v.x + m.cy.y * v.y + m.cz.y * v.z,
+            m.cx.z * v.x + m.cy.z * v.y + m.cz.z * v.z};
+  }
+  friend Mat3 operator*(const Mat3& a, const Mat3& b) { return {a * b.cx, a * b.cy, a * b.cz}; }
+  friend Mat3 operator+(const Mat3& a, const Mat3& b) {
+    return {a.cx + b.cx, a.cy + b.cy, a.cz + b.cz};
+  }
+  friend bool operator==(const Mat3&, const Mat3&) = default;
+};
+
+using Mat3d = Mat3<double>;
+
+template <class S>
+[[nodiscard]] Mat3<S> transpose(const Mat3<S>& m) {
+  return {{m.cx.x, m.cy.x, m.cz.x}, {m.cx.y, m.cy.y, m.cz.y}, {m.cx.z, m.cy.z, m.cz.z}};
+}
+
+// transpose(m) * v
+template <class S>
+[[nodiscard]] Vec3<S> transpose_times(const Mat3<S>& m, const Vec3<S>& v) {
+  return {dot(m.cx, v), dot(m.cy, v), dot(m.cz, v)};
+}
+
+enum class Axis { x, y, z };
+
+// m · Rot(axis, angle), given the sine and cosine of the angle: turns two columns of m.
+template <class S>
+[[nodiscard]] Mat3<S> rotated(const Mat3<S>& m, Axis axis, const SinCos<S>& a) {
+  switch (axis) {
+    case Axis::x:
+      return {m.cx, m.cy * a.cos + m.cz * a.sin, m.cz * a.cos - m.cy * a.sin};
+    case Axis::y:
+      return {m.cx * a.cos - m.cz * a.sin, m.cy, m.cz * a.cos + m.cx * a.sin};
+    default:
+      return {m.cx * a.cos + m.cy * a.sin, m.cy * a.cos - m.cx * a.sin, m.cz};
+  }
+}
+
+// Rotation about a coordinate axis by an angle in radians.
+[[nodiscard]] inline Mat3d rotation(Axis axis, double angle) {
+  return rotated(Mat3d{}, axis, sin_cos(angle));
+}
+
+// Rotation vector (axis · angle, radians) of the rotation R, |angle| in [0, π]; error below 1e-14
+// for an R exact to rounding. At π itself either of the two opposite vectors may come out.
+//
+// With θ the angle and a the axis, R - Rᵀ holds 2 sin θ a, which gives the axis well up to 90°;
+// R + Rᵀ - 2 cos θ I = 2 (1 - cos θ) a aᵀ gives it well, but for its sign, from 90° on.
+template <class S>
+[[nodiscard]] Vec3<S> rotation_vector(const Mat3<S>& r) {
+  const Vec3<S> skew{r.cy.z - r.cz.y, r.cz.x - r.cx.z, r.cx.y - r.cy.x};
+  const S sin2 = norm(skew);
+  const S cos2 = r.cx.x + r.cy.y + r.cz.z - S(1);
+  const S angle = atan2(sin2, cos2);
+  // below that 2 sin θ equals 2 θ to rounding, and is not divided by
+  const auto tiny = sin2 < S(1e-9);
+  const Vec3<S> acute = skew * select(tiny, S(0.5), angle / select(tiny, S(1), sin2));
+
+  // the longest column of 2 (1 - cos θ) a aᵀ is the one with the largest diagonal entry
+  Vec3<S> column{r.cx.x + r.cx.x - cos2, r.cx.y + r.cy.x, r.cx.z + r.cz.x};
+  S largest = column.x;
+  const Vec3<S> column_y{r.cx.y + r.cy.x, r.cy.y + r.cy.y - cos2, r.cy.z + r.cz.y};
+  column = select(column_y.y > largest, column_y, column);
+  largest = max(largest, column_y.y);
+  const Vec3<S> column_z{r.cx.z + r.cz.x, r.cy.z + r.cz.y, r.cz.z + r.cz.z - cos2};
+  column = select(column_z.z > largest, column_z, column);
+  const auto wide = cos2 < S(0);
+  const S signed_angle = select(dot(column, skew) < S(0), -angle, angle);
+  const Vec3<S> obtuse = column * (signed_angle / select(wide, norm(column), S(1)));
+  return select(wide, obtuse, acute);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+// Scalar functions of the kernel for S = double. The kernel calls sin_cos, sqrt, atan2, select, …
+// unqualified or through this header, never the C library's transcendental functions: those differ
+// between libraries, and a result must have the same bytes everywhere. A further scalar S brings
+// its own overloads of the same names. sqrt and + - * / are exact by IEEE 754 on all machines.
+namespace shigusa {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+[[nodiscard]] constexpr double radians(double angle_deg) { return angle_deg * (kPi / 180.0); }
+[[nodiscard]] constexpr double degrees(double angle) { return angle * (180.0 / kPi); }
+
+// condition ? yes : no; for packs the choice is made lane by lane.
+[[nodiscard]] inline double select(bool condition, double yes, double no) {
+  return condition ? yes : no;
+}
+[[nodiscard]] inline double sqrt(double x) { return __builtin_sqrt(x); }
+[[nodiscard]] inline double abs(double x) { return __builtin_fabs(x); }
+// min and max return a where a or b is NaN.
+[[nodiscard]] inline double min(double a, double b) { return b < a ? b : a; }
+[[nodiscard]] inline double max(double a, double b) { return a < b ? b : a; }
+template <class S>
+[[nodiscard]] inline S clamp(S x, S low, S high) {
+  return min(max(x, low), high);
+}
+// True when the condition holds in any (in all) of the lanes.
+[[nodiscard]] inline bool any(bool condition) { return condition; }
+[[nodiscard]] inline bool all(bool condition) { return condition; }
+// False for infinities and NaN.
+[[nodiscard]] inline bool is_finite(double x) { return x - x == 0.0; }
+
+template <class S>
+struct SinCos {
+  S sin;
+  S cos;
+};
+
+// sin and cos of an angle in radians; absolute error below 2.3e-16 for |angle| ≤ 1e6 and below 1e-7
+// for |angle| ≤ 1e9. Beyond 1.6e9, infinities and NaN included, both are NaN. Cody-Waite
+// reduction to [-π/4, π/4], then the Taylor series to x^17 and x^18, whose remainders there are
+// below 1e-19.
+[[nodiscard]] inline SinCos<double> sin_cos(double angle) {
+  // π/2 in three parts; the first two have 33 bits each, so n times them is exact up to n = 2^20
+  constexpr double kHigh = 0x1.921fb544p+0;
+  constexpr double kMiddle = 0x1.0b4611a6p-34;
+  constexpr double kLow = 0x1.3198a2e037073p-69;
+  // adding and subtracting 1.5·2^52 rounds to the nearest integer
+  constexpr double kRound = 6755399441055744.0;
+  const double n = (angle * (2.0 / kPi) + kRound) - kRound;
+  const bool in_range = n > -1e9 && n < 1e9;
+  const double reduced = ((angle - n * kHigh) - n * kMiddle) - n * kLow;
+  const double x = in_range ? reduced : __builtin_nan("");
+  const double z = x * x;
+  double s = 1.0 / 355687428096000.0;
+  s = s * z - 1.0 / 1307674368000.0;
+  s = s * z + 1.0 / 6227020800.0;
+  s = s * z - 1.0 / 39916800.0;
+  s = s * z + 1.0 / 362880.0;
+  s = s * z - 1.0 / 5040.0;
+  s = s * z + 1.0 / 120.0;
+  s = s * z - 1.0 / 6.0;
+  const double sine = x + x * (z * s);
+  double c = -1.0 / 6402373705728000.0;
+  c = c * z + 1.0 / 20922789888000.0;
+  c = c * z - 1.0 / 87178291200.0;
+  c = c * z + 1.0 / 479001600.0;
+  c = c * z - 1.0 / 3628800.0;
+  c = c * z + 1.0 / 40320.0;
+  c = c * z - 1.0 / 720.0;
+  c = c * z + 1.0 / 24.0;
+  const double cosine = (1.0 - 0.5 * z) + z * (z * c);
+  // an n out of range must not reach the integer conversion
+  const std::int64_t quadrant = static_cast<std::int64_t>(in_range ? n : 0.0) & 3;
+  const double sin_part = quadrant & 1 ? cosine : sine;
+  const double cos_part = quadrant & 1 ? sine : cosine;
+  return {quadrant & 2 ? -sin_part : sin_part, (quadrant + 1) & 2 ? -cos_part : cos_part};
+}
+
+// Angle of the vector (x, y) in (-π, π], the sign of a zero disregarded; atan2(0, 0) = 0. Absolute
+// error below 7e-16. NaN where x or y is NaN, or both are infinite. Two reductions bring the
+// argument to [-tan 15°, tan 15°], where the Taylor series to u^27 has a remainder below 1e-18.
+[[nodiscard]] inline double atan2(double y, double x) {
+  const double ax = abs(x);
+  const double ay = abs(y);
+  const bool steep = ay > ax;
+  const double large = steep ? ay : ax;
+  const double t = ax + ay == 0.0 ? 0.0 : (steep ? ax : ay) / large;
+  constexpr double kTan15 = 0.26794919243112270647;
+  constexpr double kSqrt3 = 1.73205080756887729353;
+  const bool upper = t > kTan15;
+  const double u = upper ? (t * kSqrt3 - 1.0) / (kSqrt3 + t) : t;
+  const double z = u * u;
+  double series = 0.0;
+  for (int n = 27; n >= 1; n -= 2) series = 1.0 / n - z * series;
+  const double slope = upper ? u * series + kPi / 6.0 : u * series;
+  // the angle is counted from the half axis that lies nearest
+  const double axis = steep ? kPi / 2.0 : x < 0.0 ? kPi : 0.0;
+  const double angle = steep != (x < 0.0) ? axis - slope : axis + slope;
+  return y < 0.0 ? -angle : angle;
+}
+
+// Inverse sine and cosine; the argument is clamped to [-1, 1]. Absolute error below 1e-15.
+[[nodiscard]] inline double asin(double x) {
+  const double c = clamp(x, -1.0, 1.0);
+  return atan2(c, sqrt((1.0 - c) * (1.0 + c)));
+}
+[[nodiscard]] inline double acos(double x) {
+  const double c = clamp(x, -1.0, 1.0);
+  return atan2(sqrt((1.0 - c) * (1.0 + c)), c);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/math/mat3.hpp>
+
+namespace shigusa {
+
+// Rigid transform X_AB: rotation R_AB and the origin of B in A (metres); X_AB * p_B = p_A.
+template <class S>
+struct Transform {
+  Mat3<S> rotation{};
+  Vec3<S> translation{};
+
+  friend Vec3<S> operator*(const Transform& x, const Vec3<S>& p) {
+    return x.rotation * p + x.translation;
+  }
+  friend Transform operator*(const Transform& a, const Transform& b) {
+    return {a.rotation * b.rotation, a * b.translation};
+  }
+};
+
+using Transformd = Transform<double>;
+
+template <class S>
+[[nodiscard]] Transform<S> inverse(const Transform<S>& x) {
+  return {transpose(x.rotation), -transpose_times(x.rotation, x.translation)};
+}
+
+}  // namespace shigusa

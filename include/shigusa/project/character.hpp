@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/core/result.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shigusa {
+
+// Who moves: a built-in body, or a person measured from a capture file.
+struct CharacterSpec {
+  // "half_body", "full_body" or the path of a BVH file; for a person who was measured before
+  // (landmarks below), only a name
+  std::string source = "half_body";
+  std::optional<double> stature;  // m, 0.5..2.5
+  std::optional<double> mass;     // kg, 2..300; from stature and sex when not given
+  Sex sex = Sex::male;
+  BodyExtent extent = BodyExtent::full;  // of a person from a file
+  int frame = 0;                         // of the file: the start posture
+  // the person as measured: with these the file is not needed any more
+  std::optional<Landmarks> landmarks;
+  std::vector<std::string> doubts;  // what was guessed in measuring
+  // what measuring found: humanoid bone and the file's node for it; not kept in files
+  std::vector<std::pair<std::string, std::string>> humanoid;
+};
+
+// Reads and measures the file that `source` names, if it does and has not been measured yet: fills
+// stature, landmarks and doubts, and leaves the file's bare name as the source. A relative path
+// starts at `folder`. Errors name the file and the place.
+[[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
+                                             const std::filesystem::path& folder);
+
+// Makes the body. The spec must have been measured. Fails on a stature or mass out of range.
+[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec);
+
+}  // namespace shigusa

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <shigusa/core/result.hpp>
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/project/task_file.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+inline constexpr int kResultVersion = 1;
+inline constexpr std::size_t kResultMaxBytes = std::size_t{64} << 20;
+inline constexpr const char* kSummaryName = "summary.json";
+
+// What a result says beside the motions; none of it changes them.
+struct RunInfo {
+  double elapsed_ms = 0.0;
+  int threads = 1;
+  std::string simd = "scalar";
+  std::string search = "paper_ga";  // "edit" where parameters were given instead of searched
+};
+
+// Names of a candidate's files by format: {"bvh": "candidate-1.bvh", …}.
+using CandidateFiles = std::map<std::string, std::string>;
+
+// The result as JSON text, the object of summary.json; docs/result.schema.json is its schema.
+// `files` has one entry per candidate, or none when nothing is written. The task stands in it with
+// the measured character, so that the result can be edited without any other file.
+[[nodiscard]] std::string format_result(const TaskFile& file, const Task& task,
+                                        const Generation& generation, const RunInfo& info,
+                                        const std::vector<CandidateFiles>& files);
+
+// A result as read back: enough to generate its motions again and to edit them.
+struct StoredResult {
+  TaskFile task;
+  std::vector<Parameters> candidates;  // in rank order
+};
+
+// Parses a result. Errors name the place, the value seen and what is allowed.
+[[nodiscard]] Result<StoredResult> parse_result(std::string_view text, std::string_view name);
+// Reads a result: summary.json itself, or the folder that holds it.
+[[nodiscard]] Result<StoredResult> read_result(const std::filesystem::path& path);
+
+// Changes parameters by an assignment as a person writes it:
+//   right_shoulder.flexion.weight=12    the weight of one freedom
+//   right_shoulder.weight=12            of all freedoms of a joint
+//   right_knee.flexion.locked=true      lock (or false: free) a freedom or a joint
+// Fails on an unknown name (the nearest is suggested), or a value that is not allowed.
+[[nodiscard]] Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
+                                            Parameters& parameters);
+
+}  // namespace shigusa

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <shigusa/core/result.hpp>
+#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/project/character.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+inline constexpr int kTaskVersion = 1;
+inline constexpr std::size_t kTaskMaxBytes = std::size_t{1} << 20;
+
+// A task as its JSON file holds it; docs/task.schema.json is its schema.
+struct TaskFile {
+  CharacterSpec character;
+  std::vector<Goal> goals;
+  std::optional<double> duration;  // s
+  Preset preset = Preset::paper;
+  CriteriaSettings criteria;  // the built-in ones: functions do not go into files
+  std::uint64_t seed = 0;
+  int candidates = kPaperPopulation;  // 1..1000
+  std::optional<int> evaluations;     // motions the search may score, 1..1e9; see Task
+};
+
+// Parses a task. Errors name the place ("task.json: goals[0].position_m"), the value seen and what
+// is allowed; a misspelt key gets the nearest one suggested.
+[[nodiscard]] Result<TaskFile> parse_task(std::string_view text, std::string_view name);
+[[nodiscard]] Result<TaskFile> read_task(const std::filesystem::path& path);
+
+// The task as JSON text: parse_task of it gives the same task, bit for bit.
+[[nodiscard]] std::string format_task(const TaskFile& task);
+
+// Measures the character where needed (see measure_character) and makes the task to be generated.
+[[nodiscard]] Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder);
+
+}  // namespace shigusa

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/rollout/reach_problem.hpp>
+#include <vector>
+
+namespace shigusa {
+
+struct ReachabilitySettings {
+  int starts = 24;       // postures to search from: the start posture and random ones
+  int iterations = 400;  // steps from each, at most
+};
+
+// The nearest that a body can come to its goals from its start posture without ever moving its
+// planted feet, whatever the path.
+struct ClosestReach {
+  std::vector<double> angles;    // (dofs) rad
+  std::vector<Vec3d> positions;  // (goals) m, world: where the effectors are then
+  double distance = 0.0;         // m, the root of the summed squared distances to the goals
+
+  [[nodiscard]] bool reached(double tolerance = kReachTolerance) const {
+    return distance <= tolerance;
+  }
+};
+
+// Searches the posture that brings the effectors nearest to their paths' ends, by damped
+// Gauss-Newton steps of weighted IK with the planted feet as exact constraints, from several
+// postures; joint limits are not looked at (as in the paper's IK). Stops early at a goal that is
+// met; of postures whose distances differ by less than 5 mm, none meeting the goal, it takes the
+// one nearest to the start posture's own descent. Deterministic.
+[[nodiscard]] ClosestReach closest_reach(const ReachProblem& problem,
+                                         const ReachabilitySettings& settings = {});
+
+}  // namespace shigusa

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <shigusa/search/problem.hpp>
+
+namespace shigusa {
+
+// The paper's numbers (section 3.2); each is in docs/paper_map.md.
+inline constexpr int kPaperBitsPerGene = 4;         // 4 ビットの 2 進コード
+inline constexpr int kPaperPopulation = 8;          // 8 パターンの個体群
+inline constexpr double kPaperCrossoverRate = 0.5;  // 交叉確率は 0.5
+inline constexpr double kPaperMutationRate = 0.1;   // 突然変位率は 0.1
+inline constexpr int kPaperMaxGenerations = 20;     // 最大 20 世代
+// What the paper leaves open, settled by rule R7.
+inline constexpr int kPaperUnchangedGenerations = 3;  // generations without change that end it
+inline constexpr double kPaperFitnessOffset = 0.05;   // fitness F = 1 / (offset + score)
+
+struct GeneticSettings {
+  int population = kPaperPopulation;                       // even, 2..1000
+  double crossover_rate = kPaperCrossoverRate;             // per pair, 0..1
+  double mutation_rate = kPaperMutationRate;               // per individual, 0..1
+  int max_generations = kPaperMaxGenerations;              // ≥ 0
+  int unchanged_generations = kPaperUnchangedGenerations;  // ≥ 1
+  double fitness_offset = kPaperFitnessOffset;             // 1e-12..1e12
+  std::uint64_t seed = 0;
+};
+
+// The paper's genetic algorithm (section 3.2, with rule R7 for what it leaves open); its steps are
+// the functions of genetic_operators.hpp:
+//
+//   population := `population` random genomes
+//   repeat until the population, as a set, is unchanged for `unchanged_generations` generations,
+//          or `max_generations` have passed:
+//     shuffle into pairs; each pair, with crossover_rate, gives two children by one-point
+//       crossover of the concatenated bit string; parents stay
+//     each parent, with mutation_rate, gives a copy with one random bit flipped
+//     pool := parents + children + mutants
+//     next population := `population` draws from the pool by roulette on fitness
+//       1 / (fitness_offset + score), without replacement
+//
+// No elitism, as the paper's selection is purely by chance: the best of all evaluated genomes is
+// kept aside in best_seen. "As a set" disregards order and how many copies there are of a genome.
+//
+// Scoring: each generation's genomes that are new to this search go to problem.evaluate in one call
+// (children, then mutants, equal ones once), so a genome is never scored twice. Scores are meant to
+// be ≥ 0; the roulette takes a negative one for 0. A NaN score is rejected: it counts as
+// +infinity and keeps only the least fitness there is. The memory grows by one genome per scoring.
+//
+// `progress` is told after the initial population and after each generation, on the caller's
+// thread. Cancelling lets the generation under way finish, and has no effect if it is the last; the
+// initial population is always scored, so best_seen is one of the scored genomes even if the work
+// was cancelled before it began.
+//
+// The result depends on problem and settings only: same seed, same result. Settings or a problem
+// outside the stated ranges throw PreconditionError; what problem.evaluate throws passes through.
+[[nodiscard]] SearchResult genetic_search(const DiscreteProblem& problem,
+                                          const GeneticSettings& settings,
+                                          const Progress& progress = {});
+
+}  // namespace shigusa

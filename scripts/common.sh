@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash
+# Read by the commands beside it: goes to the project's root and gives them a few words.
+set -euo pipefail
+called_from=$PWD # paths that a caller gives are meant from there
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export DEBIAN_FRONTEND=noninteractive
+jobs=$(nproc)
+
+# say TEXT: one line on what comes next
+say() { printf '== %s\n' "$*"; }
+
+# quietly COMMAND…: shows the command's output only when it fails
+quietly() {
+  local log status=0
+  log=$(mktemp)
+  "$@" >"$log" 2>&1 </dev/null || status=$?
+  [ "$status" = 0 ] || cat "$log"
+  rm -f "$log"
+  return "$status"
+}
+
+# build PRESET CMAKE_OPTION…: configures and builds into build/PRESET
+build() {
+  quietly cmake --preset "$@"
+  if [ -t 1 ]; then
+    cmake --build "build/$1" --parallel "$jobs"
+  else
+    quietly cmake --build "build/$1" --parallel "$jobs" -- --quiet
+  fi
+}
+
+# run_tests PRESET CTEST_OPTION…: what passed is only counted, unless on a terminal
+run_tests() {
+  local preset=$1
+  shift
+  local ctest=(ctest --test-dir "build/$preset" --output-on-failure --no-tests=error
+    --parallel "$jobs" "$@")
+  if [ -t 1 ]; then
+    "${ctest[@]}"
+  else
+    "${ctest[@]}" </dev/null |
+      grep --line-buffered -vE '^ *(Start +[0-9]+: |[0-9]+/[0-9]+ Test +#[0-9]+: .* Passed )'
+  fi
+}

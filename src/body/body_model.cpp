@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/core/check.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+void check_definition(const BodyDefinition& body) {
+  const int count = static_cast<int>(body.dofs.size());
+  SHG_CHECK(count > 0, "a body needs at least one dof");
+  SHG_CHECK(body.masses.size() == body.dofs.size(), "one mass per dof of " + body.name);
+  SHG_CHECK(body.start.size() == body.dofs.size(), "one start angle per dof of " + body.name);
+  for (int i = 0; i < count; ++i) {
+    const Dof& dof = body.dofs[static_cast<std::size_t>(i)];
+    SHG_CHECK(dof.parent >= kBaseLink && dof.parent < i, "parent of " + dof.name);
+    SHG_CHECK(dof.lower < dof.upper, "limits of " + dof.name);
+    SHG_CHECK(dof.sign == 1.0 || dof.sign == -1.0, "sign of " + dof.name);
+    SHG_CHECK(dof.torque_positive > 0.0 && dof.torque_negative > 0.0, "strength of " + dof.name);
+  }
+  const auto is_link = [count](int link) { return link >= kBaseLink && link < count; };
+  for (const Effector& effector : body.effectors) {
+    SHG_CHECK(is_link(effector.link), effector.name);
+    SHG_CHECK(effector.limb_root >= 0 && effector.limb_root < count, effector.name);
+  }
+  for (const Foot& foot : body.feet) SHG_CHECK(is_link(foot.link), foot.name);
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    SHG_CHECK(is_link(body.nodes[i].link), body.nodes[i].name);
+    SHG_CHECK(body.nodes[i].parent < static_cast<int>(i), body.nodes[i].name);
+  }
+  for (const LimitCoupling& coupling : body.couplings) {
+    SHG_CHECK(coupling.dof >= 0 && coupling.dof < count, "limit coupling");
+    SHG_CHECK(coupling.driver >= 0 && coupling.driver < count, "limit coupling");
+    SHG_CHECK(coupling.driver_full > 0.0, "limit coupling");
+  }
+}
+
+template <class Items>
+std::optional<int> find_named(const Items& items, std::string_view name) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].name == name) return static_cast<int>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+BodyModel::BodyModel(BodyDefinition definition) : definition_(std::move(definition)) {
+  check_definition(definition_);
+  const std::size_t count = definition_.dofs.size();
+  ancestry_.assign(count * count, 0);
+  for (std::size_t link = 0; link < count; ++link) {
+    for (int d = static_cast<int>(link); d != kBaseLink;
+         d = definition_.dofs[static_cast<std::size_t>(d)].parent) {
+      ancestry_[link * count + static_cast<std::size_t>(d)] = 1;
+    }
+  }
+}
+
+std::optional<int> BodyModel::find_effector(std::string_view name) const {
+  return find_named(definition_.effectors, name);
+}
+
+std::optional<int> BodyModel::find_dof(std::string_view name) const {
+  return find_named(definition_.dofs, name);
+}
+
+}  // namespace shigusa

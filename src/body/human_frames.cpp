@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "human_frames.hpp"
+
+namespace shigusa {
+namespace {
+
+// Below the first angle a limb's own bend says nothing of its hinge axis; above the second it
+// decides alone.
+constexpr double kBendIgnored = radians(5.0);
+constexpr double kBendTrusted = radians(20.0);
+
+// The frame with x exactly along `x` and y as near to `y` as that allows.
+Mat3d frame_x_y(const Vec3d& x, const Vec3d& y) {
+  const Vec3d ex = normalized(x, {1, 0, 0});
+  const Vec3d ez = normalized(cross(ex, y), {0, 0, 1});
+  return {ex, cross(ez, ex), ez};
+}
+
+// Hinge axis of a bent limb, from its two segment directions where they are bent enough, else the
+// expected one; `bent` is the cross product whose direction is the axis when flexed.
+Vec3d hinge_axis(const Vec3d& bent, const Vec3d& expected) {
+  const double sine = norm(bent);
+  const double bend = asin(sine);
+  const double trust =
+      dot(bent, expected) > 0.0
+          ? clamp((bend - kBendIgnored) / (kBendTrusted - kBendIgnored), 0.0, 1.0)
+          : 0.0;
+  return normalized(normalized(bent, expected) * trust + expected * (1.0 - trust), expected);
+}
+
+Mat3d trunk_frame(const Landmarks& p) {
+  const Vec3d up =
+      p.left_arm.shoulder + p.right_arm.shoulder - p.left_leg.hip - p.right_leg.hip;
+  const Vec3d left =
+      p.left_arm.shoulder - p.right_arm.shoulder + p.left_leg.hip - p.right_leg.hip;
+  const Vec3d y = normalized(up);
+  const Vec3d z = normalized(cross(left, y), {0, 0, 1});
+  return {cross(y, z), y, z};
+}
+
+LegFrames leg_frames(const Landmarks::Leg& leg, const Vec3d& trunk_left, bool lifted) {
+  const Vec3d thigh_down = normalized(leg.knee - leg.hip);
+  const Vec3d shank_down = normalized(leg.ankle - leg.knee);
+  const Vec3d up = normalized(leg.hip - leg.ankle);
+  Vec3d ahead = leg.toe - leg.ankle;
+  if (!lifted) ahead.y = 0.0;
+  const Vec3d expected = normalized(cross(up, ahead), trunk_left);
+  const Vec3d axis = hinge_axis(cross(thigh_down, shank_down), expected);
+  LegFrames frames{frame_x_y(axis, -thigh_down), frame_x_y(axis, -shank_down), {}};
+  if (lifted) {
+    // the line from ankle to toe tip falls by the angle that it has in a standing foot
+    using F = StatureFractions;
+    const double slope = atan2(F::kAnkleHeight, (1.0 - kHeelShare) * F::kFootLength);
+    frames.foot = rotated(frame_x_y(axis, cross(ahead, axis)), Axis::x, sin_cos(-slope));
+  } else {
+    frames.foot = frame_x_y(axis, {0, 1, 0});
+  }
+  return frames;
+}
+
+ArmFrames arm_frames(const Landmarks::Arm& arm, const Mat3d& trunk) {
+  const Vec3d upper_down = normalized(arm.elbow - arm.shoulder);
+  const Vec3d fore_down = normalized(arm.wrist - arm.elbow);
+  // a straight arm's hinge axis: the trunk's left, carried by the shortest swing from hanging
+  const Vec3d hanging = -trunk.cy;
+  const Vec3d swing = cross(hanging, upper_down);
+  const double cosine = dot(hanging, upper_down);
+  const Vec3d left = trunk.cx;
+  const Vec3d carried =
+      cosine < -0.999
+          ? left
+          : left + cross(swing, left) + cross(swing, cross(swing, left)) * (1.0 / (1.0 + cosine));
+  const Vec3d axis = hinge_axis(cross(fore_down, upper_down), normalized(carried, left));
+  return {frame_x_y(axis, -upper_down), frame_x_y(axis, -fore_down)};
+}
+
+}  // namespace
+
+HumanFrames human_frames(const Landmarks& person) {
+  HumanFrames frames;
+  frames.trunk = trunk_frame(person);
+  const double floor = min(person.left_leg.ankle.y, person.right_leg.ankle.y);
+  const auto leg = [&](const Landmarks::Leg& l) {
+    return leg_frames(l, frames.trunk.cx, l.ankle.y - floor > kLiftedFoot);
+  };
+  frames.left_leg = leg(person.left_leg);
+  frames.right_leg = leg(person.right_leg);
+  frames.left_arm = arm_frames(person.left_arm, frames.trunk);
+  frames.right_arm = arm_frames(person.right_arm, frames.trunk);
+  return frames;
+}
+
+BallAngles ball_angles(const Mat3d& relative, Side side) {
+  const double s = side_sign(side);
+  const double abduction = -asin(relative.cy.x);
+  const double cosine = sqrt(relative.cy.y * relative.cy.y + relative.cy.z * relative.cy.z);
+  // a limb straight out to the side: flexion and rotation turn about one line; call it rotation
+  if (cosine < 1e-6) return {0.0, s * abduction, s * atan2(-relative.cx.z, relative.cz.z)};
+  return {-atan2(relative.cy.z, relative.cy.y), s * abduction,
+          s * atan2(relative.cz.x, relative.cx.x)};
+}
+
+double hinge_angle(const Mat3d& a, const Mat3d& b) {
+  const Vec3d y = transpose_times(a, b.cy);
+  return atan2(y.z, y.y);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "humanoid_names.hpp"
+
+#include <string>
+#include <vector>
+
+namespace shigusa {
+namespace {
+
+struct Word {
+  std::string_view word;
+  BonePart part;
+};
+
+// What conventions call the bones, in lower case and without separators.
+constexpr Word kWords[] = {
+    {"hips", BonePart::hips},
+    {"pelvis", BonePart::hips},
+    {"hip", BonePart::hip},
+    {"hipjoint", BonePart::hip},
+    {"upleg", BonePart::upper_leg},
+    {"upperleg", BonePart::upper_leg},
+    {"thigh", BonePart::upper_leg},
+    {"femur", BonePart::upper_leg},
+    {"leg", BonePart::leg},
+    {"lowerleg", BonePart::lower_leg},
+    {"lowleg", BonePart::lower_leg},
+    {"loleg", BonePart::lower_leg},
+    {"shin", BonePart::lower_leg},
+    {"shank", BonePart::lower_leg},
+    {"calf", BonePart::lower_leg},
+    {"tibia", BonePart::lower_leg},
+    {"knee", BonePart::lower_leg},
+    {"ankle", BonePart::ankle},
+    {"foot", BonePart::foot},
+    {"toe", BonePart::toes},
+    {"toes", BonePart::toes},
+    {"toebase", BonePart::toes},
+    {"ball", BonePart::toes},
+    {"collar", BonePart::collar},
+    {"clavicle", BonePart::collar},
+    {"clav", BonePart::collar},
+    {"scapula", BonePart::collar},
+    {"shoulder", BonePart::shoulder},
+    {"upperarm", BonePart::upper_arm},
+    {"uparm", BonePart::upper_arm},
+    {"uarm", BonePart::upper_arm},
+    {"humerus", BonePart::upper_arm},
+    {"shldr", BonePart::upper_arm},
+    {"arm", BonePart::arm},
+    {"forearm", BonePart::lower_arm},
+    {"lowerarm", BonePart::lower_arm},
+    {"lowarm", BonePart::lower_arm},
+    {"loarm", BonePart::lower_arm},
+    {"farm", BonePart::lower_arm},
+    {"elbow", BonePart::lower_arm},
+    {"radius", BonePart::lower_arm},
+    {"ulna", BonePart::lower_arm},
+    {"wrist", BonePart::hand},
+    {"hand", BonePart::hand},
+    {"neck", BonePart::neck},
+    {"lowerneck", BonePart::neck},
+    {"upperneck", BonePart::neck},
+    {"head", BonePart::head},
+    {"足", BonePart::upper_leg},
+    {"ひざ", BonePart::lower_leg},
+    {"足首", BonePart::foot},
+    {"つま先", BonePart::toes},
+    {"肩", BonePart::collar},
+    {"腕", BonePart::upper_arm},
+    {"ひじ", BonePart::lower_arm},
+    {"手首", BonePart::hand},
+    {"首", BonePart::neck},
+    {"頭", BonePart::head},
+};
+
+// Words of joints that belong to a bone, or control it, but are not it.
+constexpr std::string_view kOthers[] = {
+    "twist",      "roll",   "ik",      "fk",     "mch",    "pole", "target", "ctrl",
+    "control",    "goal",   "tweak",   "helper", "site",   "heel", "slot",   "effector",
+    "helmet",     "muscle", "palm",    "index",  "middle", "ring", "pinky",  "little",
+    "metacarpal", "carpal", "fingers", "mesh",   "geo",    "prop", "finger",
+};
+constexpr std::string_view kThumbs[] = {"thumb", "lthumb", "rthumb", "左親指", "右親指"};
+constexpr std::string_view kTips[] = {"end", "nub", "tip", "top"};
+
+constexpr std::string_view kLeftWords[] = {"left", "l"};
+constexpr std::string_view kRightWords[] = {"right", "r"};
+
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+// bytes of UTF-8 beyond ASCII count as letters
+bool is_letter(char c) { return is_upper(c) || is_lower(c) || (c & 0x80) != 0; }
+
+template <class Words>
+bool contains(const Words& words, std::string_view word) {
+  for (const std::string_view w : words) {
+    if (w == word) return true;
+  }
+  return false;
+}
+
+BonePart part_of(std::string_view word) {
+  for (const Word& w : kWords) {
+    if (w.word == word) return w.part;
+  }
+  return BonePart::none;
+}
+
+// The words of a name in lower case: split at separators, digits and capitals ("LHipJoint" is
+// l, hip, joint). What stands before a colon or bar names the character.
+std::vector<std::string> words_of(std::string_view name) {
+  const std::size_t prefix = name.find_last_of(":|");
+  if (prefix != name.npos) name.remove_prefix(prefix + 1);
+  std::vector<std::string> words;
+  bool open = false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (!is_letter(c)) {
+      open = false;
+      continue;
+    }
+    const bool after_lower = i > 0 && is_lower(name[i - 1]);
+    const bool before_lower = i + 1 < name.size() && is_lower(name[i + 1]);
+    if (!open || (is_upper(c) && (after_lower || before_lower))) words.emplace_back();
+    words.back() += is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+    open = true;
+  }
+  return words;
+}
+
+// The part named by the longest run of neighbouring words.
+BonePart longest_part(const std::vector<std::string>& words) {
+  BonePart best = BonePart::none;
+  std::size_t best_length = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string run;
+    for (std::size_t k = i; k < words.size() && run.size() < 16; ++k) {
+      run += words[k];
+      const BonePart part = part_of(run);
+      if (part == BonePart::none || run.size() <= best_length) continue;
+      best = part;
+      best_length = run.size();
+    }
+  }
+  return best;
+}
+
+// A name in one piece: "lfemur", "leftupleg", "左足".
+BoneName read_glued(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += word;
+  for (const std::string_view prefix : {"left", "right", "左", "右", "l", "r"}) {
+    if (!std::string_view(all).starts_with(prefix)) continue;
+    const BonePart part = part_of(std::string_view(all).substr(prefix.size()));
+    const bool left = prefix.starts_with('l') || prefix == "左";
+    if (part != BonePart::none) return {part, left ? NameSide::left : NameSide::right};
+  }
+  return {};
+}
+
+}  // namespace
+
+BoneName read_bone_name(std::string_view name) {
+  std::vector<std::string> words = words_of(name);
+  for (const std::string& word : words) {
+    if (contains(kThumbs, word)) return {BonePart::thumb};
+    if (contains(kTips, word)) return {BonePart::tip};
+  }
+  for (const std::string& word : words) {
+    if (contains(kOthers, word)) return {};
+  }
+  BoneName result;
+  std::vector<std::string> rest;
+  for (std::string& word : words) {
+    const bool left = contains(kLeftWords, word);
+    if (left || contains(kRightWords, word)) {
+      result.side = left ? NameSide::left : NameSide::right;
+    } else {
+      rest.push_back(std::move(word));
+    }
+  }
+  if (result.side == NameSide::none) {
+    const BoneName glued = read_glued(rest);
+    if (glued.part != BonePart::none) return glued;
+  }
+  result.part = longest_part(rest);
+  return result;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace shigusa {
+
+// What a joint's name calls it. Some words mean one bone here and another there: whoever reads the
+// chain around the joint decides.
+enum class BonePart {
+  none,
+  hips,
+  hip,        // upper leg with a side ("LeftHip"), hips without one
+  upper_leg,  // thigh, femur, UpLeg
+  leg,        // lower leg below an upper leg ("LeftUpLeg", "LeftLeg"), else upper leg
+  lower_leg,  // shin, knee, tibia
+  ankle,
+  foot,  // toes below an ankle ("AnkleLeft", "FootLeft"), else foot
+  toes,
+  collar,
+  shoulder,  // collar above an upper arm ("LeftShoulder", "LeftArm"), else upper arm
+  upper_arm,
+  arm,  // upper arm, where nothing is called so more clearly
+  lower_arm,
+  hand,
+  neck,
+  head,
+  thumb,
+  tip,  // "HeadTop_End", "Toe.nub": the end of the bone before
+};
+
+enum class NameSide { none, left, right };
+
+struct BoneName {
+  BonePart part = BonePart::none;
+  NameSide side = NameSide::none;
+};
+
+// Reads "LeftUpLeg", "mixamorig:LeftArm", "upper_arm.L", "DEF-thigh.L", "upperarm_l", "lfemur",
+// "J_Bip_L_UpperLeg", "Bip01 L Calf", "leftUpperLeg", "左ひじ" and their like. Fingers, twist and
+// control joints and the like have no part.
+[[nodiscard]] BoneName read_bone_name(std::string_view name);
+
+}  // namespace shigusa

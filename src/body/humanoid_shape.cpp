@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "humanoid_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace shigusa {
+namespace {
+
+// Shorter chains (share of the figure's extent) are fingers, faces and ornaments.
+constexpr double kShortestLimb = 0.2;
+// Segment lengths of the two sides may differ by this share of their sum.
+constexpr double kAsymmetry = 0.3;
+constexpr std::size_t kFewestSegments = 3;
+// Bounds for figures of many branches; a person's limbs are among the longest.
+constexpr std::size_t kBranchesTried = 6;
+constexpr std::size_t kPairsTried = 64;
+
+// A joint lies at least this share of the limb's length beyond the joint before: people have 0.38
+// to 0.42 for thigh, shank and upper arm, 0.33 for the forearm; half of those are twist joints.
+constexpr double kSegmentShare = 0.27;
+constexpr double kForearmShare = 0.22;
+// Shoulders stand from the middle by 0.23 of the chain's length beyond its first node or more, the
+// inner ends of collar bones by 0.07 or less.
+constexpr double kShoulderShare = 0.1;
+
+double branch_length(const SkeletonTree& tree, int node, int branch) {
+  return norm(tree.at(branch) - tree.at(node)) + tree.reach(branch);
+}
+
+std::vector<double> segments(const SkeletonTree& tree, int node, const std::vector<int>& chain) {
+  std::vector<double> lengths;
+  for (const int i : chain) {
+    lengths.push_back(norm(tree.at(i) - tree.at(node)));
+    node = i;
+  }
+  return lengths;
+}
+
+bool similar(const SkeletonTree& tree, int node, int a, int b) {
+  const std::vector<double> left = segments(tree, node, tree.chain(node, a));
+  const std::vector<double> right = segments(tree, node, tree.chain(node, b));
+  if (std::min(left.size(), right.size()) < kFewestSegments) return false;
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::max(left.size(), right.size()); ++i) {
+    const double x = i < left.size() ? left[i] : 0.0;
+    const double y = i < right.size() ? right[i] : 0.0;
+    difference += abs(x - y);
+    sum += x + y;
+  }
+  return difference <= kAsymmetry * sum;
+}
+
+void add_pairs(const SkeletonTree& tree, int node, std::vector<BranchPair>& pairs) {
+  std::vector<int> branches = tree.children(node);
+  const auto length = [&](int branch) { return branch_length(tree, node, branch); };
+  std::stable_sort(branches.begin(), branches.end(),
+                   [&](int a, int b) { return length(a) > length(b); });
+  branches.resize(std::min(branches.size(), kBranchesTried));
+  for (std::size_t a = 0; a < branches.size(); ++a) {
+    for (std::size_t b = a + 1; b < branches.size(); ++b) {
+      const double shorter = length(branches[b]);
+      if (shorter < kShortestLimb * tree.extent()) continue;
+      if (!similar(tree, node, branches[a], branches[b])) continue;
+      const auto [low, high] = std::minmax(branches[a], branches[b]);
+      pairs.push_back({node, {low, high}, shorter});
+    }
+  }
+}
+
+bool independent(const SkeletonTree& tree, const BranchPair& legs, const BranchPair& arms) {
+  if (legs.node == arms.node) {
+    for (const int branch : arms.branch) {
+      if (branch == legs.branch[0] || branch == legs.branch[1]) return false;
+    }
+    return true;
+  }
+  return tree.below(arms.node, legs.node) && !tree.below(arms.node, legs.branch[0]) &&
+         !tree.below(arms.node, legs.branch[1]);
+}
+
+// The longest branch of a node beside a pair and what leads to `other`: a head, or -1.
+int third_branch(const SkeletonTree& tree, const BranchPair& pair, const BranchPair& other) {
+  int best = -1;
+  double longest = 0.05 * tree.extent();
+  for (const int child : tree.children(pair.node)) {
+    const bool taken = child == pair.branch[0] || child == pair.branch[1] ||
+                       tree.below(other.branch[0], child) || tree.below(other.branch[1], child);
+    const double length = branch_length(tree, pair.node, child);
+    if (taken || length <= longest) continue;
+    best = child;
+    longest = length;
+  }
+  return best;
+}
+
+// Which of the pairs are the legs: the pair away from the head.
+BodyShape ordered(const SkeletonTree& tree, const BranchPair& upper, const BranchPair& lower) {
+  if (upper.node != lower.node) {
+    // the root stands in the chest if the head leaves there
+    const bool chest_root =
+        third_branch(tree, upper, lower) >= 0 && third_branch(tree, lower, upper) < 0;
+    return chest_root ? BodyShape{lower, upper} : BodyShape{upper, lower};
+  }
+  const int head = third_branch(tree, upper, lower);
+  if (head < 0)
+    return upper.length >= lower.length ? BodyShape{upper, lower} : BodyShape{lower, upper};
+  const Vec3d up = tree.at(tree.farthest(head)) - tree.at(upper.node);
+  const auto height = [&](const BranchPair& pair) {
+    return dot(up, tree.at(tree.farthest(pair.branch[0])) + tree.at(tree.farthest(pair.branch[1])));
+  };
+  return height(upper) < height(lower) ? BodyShape{upper, lower} : BodyShape{lower, upper};
+}
+
+std::vector<BranchPair> longest_pairs(const SkeletonTree& tree) {
+  std::vector<BranchPair> pairs;
+  for (int i = 0; i < tree.size(); ++i) add_pairs(tree, i, pairs);
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const BranchPair& a, const BranchPair& b) { return a.length > b.length; });
+  pairs.resize(std::min(pairs.size(), kPairsTried));
+  return pairs;
+}
+
+// From the chain's node `start` on: that node, and the two joints beyond it.
+std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>& chain,
+                                std::size_t start, double second_share) {
+  double length = 0.0;
+  for (std::size_t i = start + 1; i < chain.size(); ++i) {
+    length += norm(tree.at(chain[i]) - tree.at(chain[i - 1]));
+  }
+  LimbNodes nodes{chain[start], -1, -1};
+  std::size_t found = 1;
+  double way = 0.0;
+  for (std::size_t i = start + 1; i < chain.size() && found < 3; ++i) {
+    way += norm(tree.at(chain[i]) - tree.at(chain[i - 1]));
+    if (way < (found == 1 ? kSegmentShare : second_share) * length) continue;
+    if (tree.node(chain[i]).end_site) return std::nullopt;
+    nodes[found++] = chain[i];
+    way = 0.0;
+  }
+  if (found < 3) return std::nullopt;
+  return nodes;
+}
+
+}  // namespace
+
+std::optional<BodyShape> find_body_shape(const SkeletonTree& tree) {
+  std::vector<BranchPair> pairs;
+  for (int i = 0; i < tree.size(); ++i) add_pairs(tree, i, pairs);
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const BranchPair& a, const BranchPair& b) { return a.length > b.length; });
+  pairs.resize(std::min(pairs.size(), kPairsTried));
+  std::optional<BodyShape> best;
+  double longest = 0.0;
+  for (const BranchPair& upper : pairs) {
+    for (const BranchPair& lower : pairs) {
+      if (&upper == &lower || !independent(tree, upper, lower)) continue;
+      if (upper.length + lower.length <= longest) continue;
+      longest = upper.length + lower.length;
+      best = ordered(tree, upper, lower);
+    }
+  }
+  return best;
+}
+
+std::optional<std::array<LimbNodes, 2>> leg_nodes(const SkeletonTree& tree,
+                                                  const BranchPair& legs) {
+  std::array<LimbNodes, 2> result;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const std::vector<int> chain = tree.chain(legs.node, legs.branch[s]);
+    const auto nodes = chain.empty() ? std::nullopt : joints(tree, chain, 0, kSegmentShare);
+    if (!nodes) return std::nullopt;
+    result[s] = *nodes;
+  }
+  return result;
+}
+
+std::optional<std::array<LimbNodes, 2>> arm_nodes(const SkeletonTree& tree,
+                                                  const BranchPair& arms) {
+  const std::vector<int> first = tree.chain(arms.node, arms.branch[0]);
+  const std::vector<int> second = tree.chain(arms.node, arms.branch[1]);
+  const std::size_t count = std::min(first.size(), second.size());
+  if (count == 0) return std::nullopt;
+  const double least =
+      kShoulderShare * (arms.length - norm(tree.at(first[0]) - tree.at(arms.node)));
+  const auto too_near = [&](std::size_t i) {
+    return 0.5 * norm(tree.at(first[i]) - tree.at(second[i])) < least;
+  };
+  std::size_t shoulder = 0;
+  while (shoulder < count && too_near(shoulder)) ++shoulder;
+  if (shoulder == count) return std::nullopt;
+  const auto a = joints(tree, first, shoulder, kForearmShare);
+  const auto b = joints(tree, second, shoulder, kForearmShare);
+  if (!a || !b) return std::nullopt;
+  return std::array<LimbNodes, 2>{*a, *b};
+}
+
+bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map) {
+  using Bone = HumanoidBone;
+  const Vec3d left = tree.at(map[Bone::left_upper_leg]) - tree.at(map[Bone::right_upper_leg]);
+  double ahead = 0.0;
+  double scale = 0.0;
+  for (const auto& [knee, ankle] : {std::pair(Bone::left_lower_leg, Bone::left_foot),
+                                    std::pair(Bone::right_lower_leg, Bone::right_foot)}) {
+    const Vec3d foot = tree.at(tree.farthest(map[ankle])) - tree.at(map[ankle]);
+    const Vec3d shank = tree.at(map[knee]) - tree.at(map[ankle]);
+    ahead += dot(foot, cross(left, shank));
+    scale += norm(foot) * norm(left) * norm(shank);
+  }
+  constexpr double kClearly = 0.3;
+  return ahead < -kClearly * scale;
+}
+
+std::string missing_by_shape(const SkeletonTree& tree) {
+  const std::vector<BranchPair> pairs = longest_pairs(tree);
+  if (!pairs.empty()) {
+    const BranchPair& legs = pairs.front();
+    return fmt::format(
+        "no arms: beside the chains of {} and {}, no node has two long chains of about the same "
+        "shape with the joints of an arm",
+        tree.described(legs.branch[0]), tree.described(legs.branch[1]));
+  }
+  const auto long_branches = [&](int node) {
+    int count = 0;
+    for (const int child : tree.children(node)) {
+      if (branch_length(tree, node, child) >= kShortestLimb * tree.extent()) ++count;
+    }
+    return count;
+  };
+  int hub = 0;
+  for (int i = tree.size(); i-- > 0;) {
+    if (long_branches(i) > 1) hub = i;
+  }
+  return "no left leg: " + describe_branches(tree, hub, true);
+}
+
+std::string describe_branches(const SkeletonTree& tree, int hub, bool downwards) {
+  const std::vector<int>& children = tree.children(hub);
+  const auto tip = [&](int branch) { return tree.at(tree.farthest(branch)) - tree.at(hub); };
+  int spine = -1;  // the branch of the most joints
+  int most = 0;
+  for (const int child : children) {
+    int joints_below = 0;
+    for (int i = child; i < tree.size(); ++i) joints_below += tree.below(i, child) ? 1 : 0;
+    if (joints_below > most) spine = child;
+    most = std::max(most, joints_below);
+  }
+  int count = 0;
+  std::string list;
+  for (const int child : children) {
+    if (downwards && (child == spine || dot(tip(child), tip(spine)) >= 0.0)) continue;
+    if (++count <= 4) list += (list.empty() ? "" : ", ") + tree.described(child);
+  }
+  return fmt::format("{} has {} chain{}{}{}{}", tree.described(hub),
+                     count == 0 ? "no" : std::to_string(count), count == 1 ? "" : "s",
+                     downwards ? (count == 1 ? " that goes down" : " that go down") : "",
+                     list.empty() ? "" : ": " + list, count > 4 ? ", …" : "");
+}
+
+}  // namespace shigusa

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "segment_mass.hpp"
+
+namespace shigusa {
+namespace {
+
+// a bᵀ
+Mat3d outer(const Vec3d& a, const Vec3d& b) { return {a * b.x, a * b.y, a * b.z}; }
+
+Mat3d scaled(const Mat3d& m, double s) { return {m.cx * s, m.cy * s, m.cz * s}; }
+
+// Inertia about the origin of a point mass at p: m (|p|² 1 - p pᵀ).
+Mat3d point_inertia(double mass, const Vec3d& p) {
+  const double d = dot(p, p);
+  return scaled(Mat3d{{d, 0, 0}, {0, d, 0}, {0, 0, d}} + scaled(outer(p, p), -1.0), mass);
+}
+
+}  // namespace
+
+void LinkMass::add(const LinkMass& other) {
+  mass += other.mass;
+  moment += other.moment;
+  about_origin = about_origin + other.about_origin;
+}
+
+LinkMass LinkMass::shifted(const Vec3d& by) const {
+  const Vec3d com = moment * (1.0 / mass);
+  const Mat3d about_com = about_origin + scaled(point_inertia(mass, com), -1.0);
+  return {mass, moment + by * mass, about_com + point_inertia(mass, com + by)};
+}
+
+MassProperties LinkMass::in_frame(const Mat3d& frame, const Vec3d& origin) const {
+  const Vec3d com = moment * (1.0 / mass);
+  const Mat3d about_com = about_origin + scaled(point_inertia(mass, com), -1.0);
+  return {mass, transpose_times(frame, com - origin), transpose(frame) * about_com * frame};
+}
+
+SoleOutline sole_outline(const Landmarks::Leg& leg, double stature) {
+  using F = StatureFractions;
+  Vec3d ahead = leg.toe - leg.ankle;
+  ahead.y = 0.0;
+  ahead = normalized(ahead, {0, 0, 1});
+  const Vec3d left{ahead.z, 0.0, -ahead.x};
+  const double height = leg.ankle.y - F::kAnkleHeight * stature;
+  const Vec3d toe{leg.toe.x, height, leg.toe.z};
+  const Vec3d heel{leg.ankle.x - ahead.x * kHeelShare * F::kFootLength * stature, height,
+                   leg.ankle.z - ahead.z * kHeelShare * F::kFootLength * stature};
+  const Vec3d half = left * (0.5 * F::kFootBreadth * stature);
+  return {toe + half, heel + half, heel - half, toe - half};
+}
+
+LinkMass SegmentMasses::segment(const SegmentParameters& p, const Vec3d& from, const Vec3d& to,
+                                const Vec3d& left) const {
+  const double length = norm(to - from);
+  const Vec3d axis = normalized(to - from);
+  const Vec3d ahead = normalized(cross(left, axis), {0, 0, 1});
+  const Vec3d across = cross(axis, ahead);
+  const double mass = p.mass * mass_;
+  const auto about = [&](const Vec3d& a, double r) {
+    return scaled(outer(a, a), mass * (r * length) * (r * length));
+  };
+  const Mat3d inertia =
+      about(ahead, p.r_sagittal) + about(across, p.r_transverse) + about(axis, p.r_long);
+  const Vec3d com = from + (to - from) * p.com;
+  return {mass, com * mass, inertia + point_inertia(mass, com)};
+}
+
+LinkMass SegmentMasses::foot(Side side) const {
+  const SoleOutline sole = sole_outline(person_.leg(side), stature_);
+  const Vec3d toe = (sole[0] + sole[3]) * 0.5;
+  const Vec3d heel = (sole[1] + sole[2]) * 0.5;
+  // the segment's axis runs at half the ankle's height, through the flesh of the foot
+  const Vec3d rise{0.0, 0.5 * StatureFractions::kAnkleHeight * stature_, 0.0};
+  return segment(table_.foot, heel + rise, toe + rise, frames_.leg(side).foot.cx);
+}
+
+LinkMass SegmentMasses::shank(Side side) const {
+  const Landmarks::Leg& leg = person_.leg(side);
+  return segment(table_.shank, leg.knee, leg.ankle, frames_.leg(side).shank.cx);
+}
+
+LinkMass SegmentMasses::thigh(Side side) const {
+  const Landmarks::Leg& leg = person_.leg(side);
+  return segment(table_.thigh, leg.hip, leg.knee, frames_.leg(side).thigh.cx);
+}
+
+LinkMass SegmentMasses::trunk_and_head() const {
+  const Vec3d shoulders = (person_.left_arm.shoulder + person_.right_arm.shoulder) * 0.5;
+  const Vec3d hips = (person_.left_leg.hip + person_.right_leg.hip) * 0.5;
+  LinkMass result = segment(table_.trunk, shoulders, hips, frames_.trunk.cx);
+  result.add(segment(table_.head, person_.head_top, person_.neck, frames_.trunk.cx));
+  return result;
+}
+
+LinkMass SegmentMasses::upper_arm(Side side) const {
+  const Landmarks::Arm& arm = person_.arm(side);
+  return segment(table_.upper_arm, arm.shoulder, arm.elbow, frames_.arm(side).upper_arm.cx);
+}
+
+LinkMass SegmentMasses::forearm_and_hand(Side side) const {
+  const Landmarks::Arm& arm = person_.arm(side);
+  const Vec3d left = frames_.arm(side).forearm.cx;
+  LinkMass result = segment(table_.forearm, arm.elbow, arm.wrist, left);
+  result.add(segment(table_.hand, arm.wrist, arm.fingertip, left));
+  return result;
+}
+
+LinkMass SegmentMasses::arm(Side side) const {
+  LinkMass result = upper_arm(side);
+  result.add(forearm_and_hand(side));
+  return result;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/body/body_model.hpp>
+
+#include "human_frames.hpp"
+
+namespace shigusa {
+
+// Mass of one or several segments in the start posture, in world coordinates: sums of segments
+// stay exact and are brought into a link's frame at the end.
+struct LinkMass {
+  double mass = 0.0;                               // kg
+  Vec3d moment{};                                  // kg·m, mass × com
+  Mat3d about_origin{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the world's origin
+
+  void add(const LinkMass& other);
+  // the same mass moved by a translation
+  [[nodiscard]] LinkMass shifted(const Vec3d& by) const;
+  [[nodiscard]] MassProperties in_frame(const Mat3d& frame, const Vec3d& origin) const;
+};
+
+// Corners of a sole on the floor, counter-clockwise from above.
+using SoleOutline = std::array<Vec3d, 4>;
+[[nodiscard]] SoleOutline sole_outline(const Landmarks::Leg& leg, double stature);
+
+// The segments of a person as masses (de Leva's fractions on the measured lengths).
+class SegmentMasses {
+ public:
+  SegmentMasses(const Landmarks& person, const HumanFrames& frames, const SegmentTable& table,
+                double mass, double stature)
+      : person_(person), frames_(frames), table_(table), mass_(mass), stature_(stature) {}
+
+  [[nodiscard]] LinkMass foot(Side side) const;
+  [[nodiscard]] LinkMass shank(Side side) const;
+  [[nodiscard]] LinkMass thigh(Side side) const;
+  [[nodiscard]] LinkMass trunk_and_head() const;
+  [[nodiscard]] LinkMass upper_arm(Side side) const;
+  [[nodiscard]] LinkMass forearm_and_hand(Side side) const;
+  [[nodiscard]] LinkMass arm(Side side) const;
+
+ private:
+  [[nodiscard]] LinkMass segment(const SegmentParameters& p, const Vec3d& from, const Vec3d& to,
+                                 const Vec3d& left) const;
+
+  const Landmarks& person_;
+  const HumanFrames& frames_;
+  const SegmentTable& table_;
+  double mass_;
+  double stature_;
+};
+
+}  // namespace shigusa

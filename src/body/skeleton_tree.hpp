@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <shigusa/body/skeleton.hpp>
+#include <vector>
+
+namespace shigusa {
+
+// The shape of a skeleton in one posture, as questions about its nodes. Borrows both.
+class SkeletonTree {
+ public:
+  // `world`: (nodes). Parents must come before children.
+  SkeletonTree(const Skeleton& skeleton, const std::vector<Transformd>& world);
+
+  [[nodiscard]] int size() const { return static_cast<int>(world_.size()); }
+  [[nodiscard]] const SkeletonNode& node(int i) const { return skeleton_.nodes[index(i)]; }
+  // "joint 'Hips'", "the End Site of 'Head'".
+  [[nodiscard]] std::string described(int i) const;
+  [[nodiscard]] const Vec3d& at(int i) const { return world_[index(i)].translation; }
+  [[nodiscard]] const std::vector<int>& children(int i) const { return children_[index(i)]; }
+
+  // Length of the longest way from a node down to a tip; of all roots, the longest.
+  [[nodiscard]] double reach(int i) const { return reach_[index(i)]; }
+  [[nodiscard]] double extent() const { return extent_; }
+
+  // Whether i is `ancestor` or hangs below it.
+  [[nodiscard]] bool below(int i, int ancestor) const {
+    return first_[index(ancestor)] <= first_[index(i)] && first_[index(i)] < last_[index(ancestor)];
+  }
+  // The deepest node that both hang below, or -1.
+  [[nodiscard]] int common_ancestor(int a, int b) const;
+
+  // Whether two nodes stand at different points, to a millionth of the extent (and 1e-9).
+  [[nodiscard]] bool apart(int a, int b) const;
+
+  // From `first`, a child of `origin`, the longest way down to a tip: only the nodes that stand
+  // apart from the one before, `origin` included in that comparison.
+  [[nodiscard]] std::vector<int> chain(int origin, int first) const;
+
+  // The tip at the end of the longest way down from i, i itself where nothing stands apart below
+  // it. Nodes for which `skip` holds are left out with all that is below them.
+  [[nodiscard]] int farthest(int i, const std::function<bool(int)>& skip = {}) const;
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  const Skeleton& skeleton_;
+  const std::vector<Transformd>& world_;
+  std::vector<std::vector<int>> children_;
+  std::vector<double> reach_;
+  std::vector<int> first_;  // place in a walk through the tree …
+  std::vector<int> last_;   // … and the place after the last node below
+  double extent_ = 0.0;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <shigusa/core/names.hpp>
+#include <vector>
+
+namespace shigusa {
+namespace {
+
+// Names in messages are cut here, so that no input makes a message endless or its work quadratic.
+constexpr std::size_t kLongestName = 80;
+
+// Levenshtein distance.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({above + 1, row[j - 1] + 1, changed});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string_view nearest_name(std::string_view name, std::span<const std::string> known) {
+  const std::string_view cut = name.substr(0, kLongestName);
+  std::string_view best;
+  std::size_t best_distance = std::string_view::npos;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(cut, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  const bool alike = best_distance * 3 <= std::max(cut.size(), best.size()) * 2;
+  return alike ? best : std::string_view{};
+}
+
+std::string unknown_name(std::string_view kind, std::string_view name,
+                         std::span<const std::string> known) {
+  std::string text = "unknown " + std::string(kind) + " '";
+  text += std::string(name.substr(0, kLongestName)) + "'";
+  if (const std::string_view nearest = nearest_name(name, known); !nearest.empty()) {
+    text += "; did you mean '" + std::string(nearest) + "'?";
+  } else {
+    text += ".";
+  }
+  text += " Known: ";
+  for (std::size_t i = 0; i < known.size(); ++i) text += (i == 0 ? "" : ", ") + known[i];
+  return text;
+}
+
+}  // namespace shigusa

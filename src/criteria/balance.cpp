@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/criteria/balance.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+
+#include "replay.hpp"
+
+namespace shigusa {
+
+Vec3d support_centre(const BodyModel& body) {
+  Kinematics<double> kinematics(body);
+  forward_kinematics<double>(body, body.start(), kinematics);
+  Vec3d sum{};
+  for (const Foot& foot : body.feet()) sum += kinematics.point(foot.link, foot.centre);
+  return body.feet().empty() ? body.base().translation
+                             : sum * (1.0 / static_cast<double>(body.feet().size()));
+}
+
+double balance_penalty(const BodyModel& body, const Motion& motion,
+                       const BalanceSettings& settings) {
+  return replay(motion, Balance<double>(body, settings));
+}
+
+}  // namespace shigusa

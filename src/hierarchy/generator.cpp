@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/rollout/reachability.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+// Ways to the goals, tried in this order until one leads there: a straight hand path; the same with
+// the null space drawn to a posture that is known to arrive; that posture alone.
+std::vector<ReachProblem> ways_to_goal(const ReachProblem& problem, const ClosestReach& reach) {
+  ReachProblem guided = problem;
+  guided.guide = reach.angles;
+  ReachProblem posture = guided;
+  posture.follow_path = false;
+  if (reach.reached()) return {problem, guided, posture};
+  // the edge of reach: the path ends at the closest point
+  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+    guided.goals[g].path.goal = posture.goals[g].path.goal = reach.positions[g];
+  }
+  return {guided, posture};
+}
+
+// Scores a batch of genomes of the paper's code.
+void evaluate_genomes(const ReachProblem& problem, const CriteriaSettings& criteria,
+                      double tolerance, std::span<const std::uint16_t> genomes,
+                      std::span<double> scores) {
+  const std::size_t genes = problem.body->dofs().size();
+  Rollout<double> rollout(problem);
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const Parameters parameters = decode_paper_genes(genomes.subspan(i * genes, genes));
+    if (!criteria.user.empty()) {
+      const RolledOut rolled = roll_out(problem, parameters);
+      scores[i] = rolled.outcome.met(tolerance)
+                      ? score_motion(*problem.body, rolled.motion, criteria).total
+                      : worst_score(criteria);
+      continue;
+    }
+    BuiltInCriteria<double> built_in(*problem.body, criteria);
+    const ReachOutcome outcome =
+        rollout.run(inverse_weights(parameters),
+                    [&](const MotionFrame<double>& frame, const Kinematics<double>&) {
+                      built_in.add(frame);
+                    });
+    scores[i] = outcome.met(tolerance) ? built_in.score() : worst_score(criteria);
+  }
+}
+
+SearchResult search_weights(const ReachProblem& problem, const Task& task, double tolerance,
+                            const Progress& progress) {
+  DiscreteProblem discrete;
+  discrete.genes = problem.body->dof_count();
+  discrete.bits_per_gene = kPaperBitsPerGene;
+  discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
+    evaluate_genomes(problem, task.criteria, tolerance, genomes, scores);
+  };
+  return genetic_search(discrete, task.genetic, progress);
+}
+
+std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
+  std::vector<LimitExcess> result;
+  for (int d = 0; d < body.dof_count(); ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    double excess = 0.0;
+    for (int f = 0; f < clip.frames; ++f) {
+      const std::span<const double> angles = clip.frame(f);
+      excess = max(excess, angles[k] - upper_limit(body, d, angles));
+      excess = max(excess, body.dof(d).lower - angles[k]);
+    }
+    // less than a tenth of a degree is nothing that anyone sees
+    if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const LimitExcess& a, const LimitExcess& b) {
+    return a.excess > b.excess;
+  });
+  return result;
+}
+
+Candidate make_candidate(const Task& task, const ReachProblem& problem,
+                         const Parameters& parameters, RolledOut rolled) {
+  const BodyModel& body = task.body;
+  Candidate candidate;
+  candidate.parameters = parameters;
+  candidate.score = score_motion(body, rolled.motion, task.criteria);
+  for (std::size_t g = 0; g < task.goals.size(); ++g) {
+    const auto index = static_cast<std::size_t>(problem.goals[g].effector);
+    const Effector& effector = body.effectors()[index];
+    const Vec3d reached = rolled.motion.effectors[g].back();
+    const Vec3d goal = task.goals[g].position;
+    candidate.goals.push_back({effector.name, effector.node, goal, reached, norm(goal - reached)});
+  }
+  for (const Foot& foot : body.feet()) {
+    // the base cannot move; what another foot does was measured in every frame
+    const double slide = foot.link == kBaseLink ? 0.0 : rolled.outcome.contact_slide;
+    candidate.contacts.push_back({foot.name, foot.node, slide});
+  }
+  candidate.over_limit = limit_excess(body, rolled.motion.clip);
+  candidate.motion = std::move(rolled.motion);
+  return candidate;
+}
+
+// Largest root-mean-square difference of two motions' joint angles over their frames (rad).
+double posture_distance(const Clip& a, const Clip& b) {
+  double largest = 0.0;
+  for (int f = 0; f < a.frames; ++f) {
+    double squares = 0.0;
+    for (int d = 0; d < a.dofs; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      const double difference = a.frame(f)[k] - b.frame(f)[k];
+      squares += difference * difference;
+    }
+    largest = max(largest, squares / a.dofs);
+  }
+  return sqrt(largest);
+}
+
+// Re-plays the final genomes and keeps those that arrive and differ, best first.
+void collect_candidates(const Task& task, const ReachProblem& problem, double tolerance,
+                        const SearchResult& found, Generation& generation) {
+  std::vector<Individual> ranked;
+  for (const Individual& individual : found.final_population) {
+    const bool known = std::any_of(ranked.begin(), ranked.end(), [&](const Individual& other) {
+      return other.genes == individual.genes;
+    });
+    if (!known) ranked.push_back(individual);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Individual& a, const Individual& b) { return a.score < b.score; });
+  for (const Individual& individual : ranked) {
+    const Parameters parameters = decode_paper_genes(individual.genes);
+    RolledOut rolled = roll_out(problem, parameters);
+    if (!rolled.outcome.met(tolerance)) {
+      ++generation.missed;
+      continue;
+    }
+    const auto is_copy = [&](const Candidate& better) {
+      return posture_distance(better.motion.clip, rolled.motion.clip) < kDistinctPosture;
+    };
+    if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
+      ++generation.near_copies;
+      continue;
+    }
+    if (static_cast<int>(generation.candidates.size()) >= task.candidates) continue;
+    generation.candidates.push_back(make_candidate(task, problem, parameters, std::move(rolled)));
+  }
+}
+
+double miss_of(const Candidate& candidate) {
+  double squares = 0.0;
+  for (const GoalResult& goal : candidate.goals) squares += goal.error * goal.error;
+  return sqrt(squares);
+}
+
+// The candidate that comes nearest over all ways, for parameters that no way brings to the goal.
+Candidate nearest_candidate(const Task& task, const std::vector<ReachProblem>& ways,
+                            const Parameters& parameters) {
+  std::optional<Candidate> best;
+  for (const ReachProblem& way : ways) {
+    RolledOut rolled = roll_out(way, parameters);
+    // a foot that slides is worse than a goal that is missed
+    const bool stands = rolled.outcome.contact_slide <= kReachTolerance;
+    Candidate candidate = make_candidate(task, way, parameters, std::move(rolled));
+    if (!best || (stands && miss_of(candidate) < miss_of(*best))) best = std::move(candidate);
+  }
+  return std::move(*best);
+}
+
+void finish(const ClosestReach& reach, Generation& generation) {
+  const double miss = miss_of(generation.candidates.front());
+  const bool met = reach.reached() && miss <= kReachTolerance;
+  generation.status = met ? ReachStatus::reached : ReachStatus::unreachable;
+  generation.remaining_distance = met ? 0.0 : miss;
+}
+
+Result<void> check_parameters(const BodyModel& body, const Parameters& parameters) {
+  if (parameters.joints.size() != body.dofs().size()) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} joint weights for a body of {} dof", parameters.joints.size(),
+                            body.dof_count()));
+  }
+  for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
+    const double weight = parameters.joints[d].weight;
+    if (weight >= kWeightMin && weight <= kWeightMax) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("weight is {}; allowed are {:g} to {:g}", weight, kWeightMin,
+                            kWeightMax),
+                body.dofs()[d].name);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Generation> generate(const Task& task, const Progress& progress) {
+  const Result<ReachProblem> problem = make_problem(task);
+  if (!problem) return tl::unexpected(problem.error());
+  const ClosestReach reach = closest_reach(*problem);
+  const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
+  const double tolerance = reach.reached() ? kReachTolerance : kEdgeTolerance;
+  Generation generation;
+  generation.duration = problem->duration;
+  for (const ReachProblem& way : ways) {
+    const SearchResult found = search_weights(way, task, tolerance, progress);
+    generation.evaluations += found.evaluations;
+    generation.generations = found.generations;
+    generation.rejected_nan += found.rejected_nan;
+    generation.end = found.end;
+    generation.best_seen = decode_paper_genes(found.best_seen.genes);
+    generation.best_seen_score = found.best_seen.score;
+    generation.missed = 0;
+    collect_candidates(task, way, tolerance, found, generation);
+    if (!generation.candidates.empty() || found.end == SearchEnd::cancelled) break;
+  }
+  if (generation.candidates.empty()) {
+    generation.candidates.push_back(
+        nearest_candidate(task, ways, uniform_parameters(task.body)));
+  }
+  finish(reach, generation);
+  return generation;
+}
+
+Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
+  const Result<ReachProblem> problem = make_problem(task);
+  if (!problem) return tl::unexpected(problem.error());
+  if (const auto checked = check_parameters(task.body, parameters); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const ClosestReach reach = closest_reach(*problem);
+  const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
+  const double tolerance = reach.reached() ? kReachTolerance : kEdgeTolerance;
+  Generation generation;
+  generation.duration = problem->duration;
+  for (const ReachProblem& way : ways) {
+    RolledOut rolled = roll_out(way, parameters);
+    if (!rolled.outcome.met(tolerance)) continue;
+    generation.candidates.push_back(make_candidate(task, way, parameters, std::move(rolled)));
+    break;
+  }
+  if (generation.candidates.empty()) {
+    generation.candidates.push_back(nearest_candidate(task, ways, parameters));
+  }
+  finish(reach, generation);
+  return generation;
+}
+
+}  // namespace shigusa

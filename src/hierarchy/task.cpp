@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/core/names.hpp>
+#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+
+namespace shigusa {
+namespace {
+
+Result<int> effector_index(const BodyModel& body, const Goal& goal) {
+  if (const auto index = body.find_effector(goal.effector)) return *index;
+  std::vector<std::string> names;
+  for (const Effector& effector : body.effectors()) names.push_back(effector.name);
+  return fail(ErrorCode::not_found, unknown_name("effector", goal.effector, names), "goal");
+}
+
+Result<void> check_position(const Goal& goal) {
+  for (int k = 0; k < 3; ++k) {
+    const double x = goal.position[k];
+    if (is_finite(x) && x >= -kGoalRange && x <= kGoalRange) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} coordinate is {}; allowed are finite numbers from -{:g} to {:g} m",
+                            "xyz"[k], x, kGoalRange, kGoalRange),
+                "goal of " + goal.effector);
+  }
+  return {};
+}
+
+Result<void> check_settings(const Task& task) {
+  if (task.duration &&
+      !(*task.duration >= kTaskDurationMin && *task.duration <= kTaskDurationMax)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("duration is {} s; allowed are {:g} to {:g} s", *task.duration,
+                            kTaskDurationMin, kTaskDurationMax));
+  }
+  const CriteriaSettings& c = task.criteria;
+  double sum = 0.0;
+  const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
+  bool valid = add(c.joint_range_weight) && add(c.balance_weight) && add(c.torque_weight);
+  for (const UserCriterion& user : c.user) valid = valid && add(user.weight) && user.scale > 0.0;
+  if (!valid || sum <= 0.0) {
+    return fail(ErrorCode::invalid_argument,
+                "criteria weights must be finite, 0 or more, and not all 0; scales above 0");
+  }
+  if (!(c.joint_range.margin > 0.0 && c.balance.lean > 0.0 && c.torque.share > 0.0)) {
+    return fail(ErrorCode::invalid_argument, "reference scales of criteria must be above 0");
+  }
+  return {};
+}
+
+// Length of a limb: the distances along its chain, stretched out.
+double limb_length(const BodyModel& body, const Effector& effector) {
+  double length = norm(effector.point);
+  for (int d = effector.link; d != effector.limb_root && d != kBaseLink; d = body.dof(d).parent) {
+    length += norm(body.dof(d).offset);
+  }
+  return length;
+}
+
+}  // namespace
+
+std::string_view preset_name(Preset preset) {
+  switch (preset) {
+    case Preset::paper: return "paper";
+  }
+  return "";
+}
+
+Result<ReachProblem> make_problem(const Task& task) {
+  if (task.goals.empty()) {
+    return fail(ErrorCode::invalid_argument, "no goal: give at least one effector's position");
+  }
+  if (const auto checked = check_settings(task); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const BodyModel& body = task.body;
+  Kinematics<double> kinematics(body);
+  forward_kinematics<double>(body, body.start(), kinematics);
+  ReachProblem problem;
+  problem.body = &body;
+  problem.duration = 0.0;
+  for (const Goal& goal : task.goals) {
+    const Result<int> index = effector_index(body, goal);
+    if (!index) return tl::unexpected(index.error());
+    if (const auto checked = check_position(goal); !checked) {
+      return tl::unexpected(checked.error());
+    }
+    for (const ReachGoal& earlier : problem.goals) {
+      if (earlier.effector != *index) continue;
+      return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
+    }
+    const Effector& effector = body.effectors()[static_cast<std::size_t>(*index)];
+    const Vec3d from = kinematics.point(effector.link, effector.point);
+    const Vec3d shoulder = kinematics.origin[static_cast<std::size_t>(effector.limb_root)];
+    const bool beyond_arm = norm(goal.position - shoulder) > limb_length(body, effector);
+    problem.goals.push_back({*index, {from, goal.position}});
+    problem.duration =
+        max(problem.duration, reach_duration(norm(goal.position - from), beyond_arm));
+  }
+  if (task.duration) problem.duration = *task.duration;
+  return problem;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <optional>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/io/file.hpp>
+#include <vector>
+
+#include "bvh_names.hpp"
+
+namespace shigusa {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+// Stands in the text and counts its lines. Tokens end at blanks; braces and colons are tokens.
+class Cursor {
+ public:
+  explicit Cursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
+
+  // The next token; empty at the end of the text.
+  std::string_view token() {
+    skip_blanks();
+    const char* start = at_;
+    if (at_ != end_ && is_mark(*at_)) return {start, static_cast<std::size_t>(++at_ - start)};
+    while (at_ != end_ && !is_blank(*at_) && !is_mark(*at_)) ++at_;
+    return {start, static_cast<std::size_t>(at_ - start)};
+  }
+
+  // What follows on the same line, up to a brace, without blanks around it.
+  std::string_view rest_of_line() {
+    const auto stops = [](char c) { return c == '\n' || c == '\r' || c == '{' || c == '}'; };
+    while (at_ != end_ && is_blank(*at_) && !stops(*at_)) ++at_;
+    const char* start = at_;
+    while (at_ != end_ && !stops(*at_)) ++at_;
+    const char* stop = at_;
+    while (stop != start && is_blank(stop[-1])) --stop;
+    return {start, static_cast<std::size_t>(stop - start)};
+  }
+
+  // Line of the last token, from 1.
+  [[nodiscard]] int line() const { return line_; }
+  [[nodiscard]] std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
+
+ private:
+  static bool is_mark(char c) { return c == '{' || c == '}' || c == ':'; }
+
+  void skip_blanks() {
+    while (at_ != end_ && is_blank(*at_)) {
+      const char c = *at_++;
+      // CR LF is one line end, a CR alone (old Macintosh files) one too
+      if (c == '\n' || (c == '\r' && (at_ == end_ || *at_ != '\n'))) ++line_;
+    }
+  }
+
+  const char* at_;
+  const char* end_;
+  int line_ = 1;
+};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool same_word(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (lower(a[i]) != lower(b[i])) return false;
+  }
+  return true;
+}
+
+// A token as it is shown in a message: short, and without bytes that a terminal may take amiss.
+std::string shown(std::string_view token) {
+  constexpr std::size_t kLongest = 40;
+  std::string text;
+  for (const char c : token.substr(0, kLongest)) text += c > ' ' && c < 0x7F ? c : '?';
+  return token.size() > kLongest ? "'" + text + "…'" : "'" + text + "'";
+}
+
+// The number that the whole token writes. Too large ones become infinite, too small ones 0.
+std::optional<double> parse_number(std::string_view token) {
+  if (token.starts_with('+')) token.remove_prefix(1);
+  double value = 0.0;
+#ifdef __cpp_lib_to_chars
+  const char* end = token.data() + token.size();
+  const auto [stop, status] = std::from_chars(token.data(), end, value);
+  if (stop != end || status == std::errc::invalid_argument) return std::nullopt;
+  if (status == std::errc::result_out_of_range) {
+    const bool tiny = token.find("e-") != token.npos || token.find("E-") != token.npos;
+    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+#else
+  // the WebAssembly library has no from_chars for double; its strtod knows only the C locale
+  if (token.find_first_of("xX") != token.npos) return std::nullopt;
+  const std::string copy(token);
+  char* stop = nullptr;
+  value = std::strtod(copy.c_str(), &stop);
+  if (copy.empty() || stop != copy.c_str() + copy.size()) return std::nullopt;
+#endif
+  return value;
+}
+
+std::optional<int> parse_integer(std::string_view token) {
+  int value = 0;
+  const char* end = token.data() + token.size();
+  const auto [stop, status] = std::from_chars(token.data(), end, value);
+  if (stop != end || status != std::errc{}) return std::nullopt;
+  return value;
+}
+
+// One column of the motion: what a value does to its node.
+struct Channel {
+  int node;
+  bool rotates;
+  Axis axis;
+};
+
+constexpr std::array<std::string_view, 6> kChannelNames{"Xposition", "Yposition", "Zposition",
+                                                        "Xrotation", "Yrotation", "Zrotation"};
+constexpr int kMaxChannelsPerNode = 9;
+constexpr std::size_t kMaxNameBytes = 256;
+constexpr double kMinFrameTime = 1e-6;  // s
+constexpr double kMaxFrameTime = 1e3;   // s
+
+// Reads one text. Each step returns false after it has noted the error.
+class BvhReader {
+ public:
+  BvhReader(std::string_view text, std::string_view name) : cursor_(text), name_(name) {}
+
+  Result<SkeletonMotion> read() {
+    if (!hierarchy() || !frame_count() || !frame_time() || !values_fit() || !values()) {
+      return tl::unexpected<Error>(error_);
+    }
+    return std::move(motion_);
+  }
+
+ private:
+  struct Seen {
+    bool offset = false;
+    bool channels = false;
+  };
+
+  bool fail_here(std::string message) {
+    error_ = {ErrorCode::parse, std::move(message),
+              fmt::format("line {} of {}", cursor_.line(), name_)};
+    return false;
+  }
+
+  bool unexpected(std::string_view token, std::string_view expected) {
+    if (token.empty())
+      return fail_here(fmt::format("the file ends where {} is expected", expected));
+    return fail_here(fmt::format("found {} where {} is expected", shown(token), expected));
+  }
+
+  bool expect(std::string_view word) {
+    const std::string_view token = cursor_.token();
+    return same_word(token, word) || unexpected(token, word);
+  }
+
+  bool number(double& value, std::string_view what) {
+    const std::string_view token = cursor_.token();
+    const std::optional<double> parsed = parse_number(token);
+    if (!parsed) return unexpected(token, what);
+    value = *parsed;
+    if (value >= -kBvhMaxValue && value <= kBvhMaxValue) return true;
+    return fail_here(
+        fmt::format("{} is not between {:g} and {:g}", shown(token), -kBvhMaxValue, kBvhMaxValue));
+  }
+
+  SkeletonNode& node(int index) { return motion_.skeleton.nodes[static_cast<std::size_t>(index)]; }
+
+  bool hierarchy() {
+    std::string_view token = cursor_.token();
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (token.starts_with(kByteOrderMark)) token.remove_prefix(kByteOrderMark.size());
+    if (token.empty()) return fail_here("the file is empty; a BVH file starts with HIERARCHY");
+    if (!same_word(token, "HIERARCHY")) return unexpected(token, "HIERARCHY");
+    for (;;) {
+      token = cursor_.token();
+      if (open_.empty() && !motion_.skeleton.nodes.empty() && same_word(token, "MOTION")) {
+        return true;
+      }
+      if (!(open_.empty() ? outside(token) : inside(token))) return false;
+    }
+  }
+
+  bool outside(std::string_view token) {
+    if (same_word(token, "ROOT")) return open_node(-1, false);
+    return unexpected(token, motion_.skeleton.nodes.empty() ? "ROOT" : "ROOT or MOTION");
+  }
+
+  bool inside(std::string_view token) {
+    const int current = open_.back();
+    const bool end_site = node(current).end_site;
+    if (token == "}") return close_node();
+    if (same_word(token, "OFFSET")) return offset(current);
+    if (end_site) return unexpected(token, "the OFFSET or the } of an End Site");
+    if (same_word(token, "CHANNELS")) return channels(current);
+    if (same_word(token, "JOINT")) return open_node(current, false);
+    if (same_word(token, "End")) return expect("Site") && open_node(current, true);
+    return unexpected(token, "OFFSET, CHANNELS, JOINT, End Site or }");
+  }
+
+  bool open_node(int parent, bool end_site) {
+    const int index = static_cast<int>(motion_.skeleton.nodes.size());
+    if (index == kBvhMaxNodes) {
+      return fail_here(fmt::format("more than {} joints and end sites", kBvhMaxNodes));
+    }
+    const std::string_view name = cursor_.rest_of_line();
+    if (name.size() > kMaxNameBytes) {
+      return fail_here(fmt::format("a name of {} bytes, {}; up to {} are allowed", name.size(),
+                                   shown(name), kMaxNameBytes));
+    }
+    motion_.skeleton.nodes.push_back(
+        {end_site ? std::string() : names_.take(name), parent, {}, end_site});
+    seen_.emplace_back();
+    open_.push_back(index);
+    return expect("{");
+  }
+
+  bool close_node() {
+    const int index = open_.back();
+    if (!seen_[static_cast<std::size_t>(index)].offset) {
+      return fail_here(fmt::format("{} has no OFFSET", described(index)));
+    }
+    open_.pop_back();
+    return true;
+  }
+
+  std::string described(int index) {
+    return node(index).end_site ? "the End Site" : "joint " + shown(node(index).name);
+  }
+
+  bool once(bool& seen, int index, std::string_view what) {
+    if (seen) return fail_here(fmt::format("{} has a second {}", described(index), what));
+    seen = true;
+    return true;
+  }
+
+  bool offset(int index) {
+    if (!once(seen_[static_cast<std::size_t>(index)].offset, index, "OFFSET")) return false;
+    Vec3d& offset = node(index).offset;
+    return number(offset.x, "the first number of an OFFSET") &&
+           number(offset.y, "the second number of an OFFSET") &&
+           number(offset.z, "the third number of an OFFSET");
+  }
+
+  bool channels(int index) {
+    if (!once(seen_[static_cast<std::size_t>(index)].channels, index, "CHANNELS")) return false;
+    const std::string_view token = cursor_.token();
+    const std::optional<int> count = parse_integer(token);
+    if (!count || *count < 0 || *count > kMaxChannelsPerNode) {
+      return unexpected(token, fmt::format("a number of channels, 0 to {},", kMaxChannelsPerNode));
+    }
+    bool placed[3] = {false, false, false};
+    for (int i = 0; i < *count; ++i) {
+      if (!channel(index, placed)) return false;
+    }
+    return true;
+  }
+
+  // `placed`: the axes that have their position channel.
+  bool channel(int index, bool (&placed)[3]) {
+    const std::string_view token = cursor_.token();
+    std::size_t kind = 0;
+    while (kind < kChannelNames.size() && !same_word(token, kChannelNames[kind])) ++kind;
+    if (kind == kChannelNames.size()) {
+      return unexpected(token, "a channel, Xposition to Zposition or Xrotation to Zrotation,");
+    }
+    const bool rotates = kind >= 3;
+    if (!rotates && !once(placed[kind], index, kChannelNames[kind])) return false;
+    channels_.push_back({index, rotates, static_cast<Axis>(kind % 3)});
+    return true;
+  }
+
+  bool frame_count() {
+    if (!expect("Frames") || !expect(":")) return false;
+    const std::string_view token = cursor_.token();
+    const std::optional<int> frames = parse_integer(token);
+    if (!frames || *frames < 1 || *frames > kBvhMaxFrames) {
+      return unexpected(token, fmt::format("a number of frames, 1 to {},", kBvhMaxFrames));
+    }
+    motion_.clip.frames = *frames;
+    return true;
+  }
+
+  bool frame_time() {
+    double& time = motion_.clip.frame_time;
+    if (!expect("Frame") || !expect("Time") || !expect(":")) return false;
+    if (!number(time, "the frame time in seconds")) return false;
+    if (time >= kMinFrameTime && time <= kMaxFrameTime) return true;
+    return fail_here(fmt::format("a frame time of {:g} s; {:g} to {:g} are allowed", time,
+                                 kMinFrameTime, kMaxFrameTime));
+  }
+
+  [[nodiscard]] std::size_t value_count() const {
+    return static_cast<std::size_t>(motion_.clip.frames) * channels_.size();
+  }
+
+  bool too_few(std::size_t found) {
+    return fail_here(
+        fmt::format("the file ends after {} of the {} values that {} frames of {} channels need",
+                    found, value_count(), motion_.clip.frames, channels_.size()));
+  }
+
+  // before memory is taken: can the text hold the values, and the memory the result?
+  bool values_fit() {
+    const std::size_t transforms =
+        static_cast<std::size_t>(motion_.clip.frames) * motion_.skeleton.nodes.size();
+    if (transforms > kBvhMaxTransforms) {
+      return fail_here(fmt::format("{} frames of {} joints and end sites; their product may be {}",
+                                   motion_.clip.frames, motion_.skeleton.nodes.size(),
+                                   kBvhMaxTransforms));
+    }
+    // a value takes a digit and, but for the last, a blank
+    if (cursor_.bytes_left() + 1 >= 2 * value_count()) return true;
+    std::size_t found = 0;
+    while (!cursor_.token().empty()) ++found;
+    return too_few(found);
+  }
+
+  bool values() {
+    std::vector<LocalTransform>& local = motion_.clip.local;
+    const std::size_t nodes = motion_.skeleton.nodes.size();
+    local.resize(static_cast<std::size_t>(motion_.clip.frames) * nodes);
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      local[i].translation = motion_.skeleton.nodes[i % nodes].offset;
+    }
+    for (int frame = 0; frame < motion_.clip.frames; ++frame) {
+      if (!frame_values(frame, local.data() + static_cast<std::size_t>(frame) * nodes))
+        return false;
+    }
+    return nothing_follows();
+  }
+
+  // One frame more is left out: some writers count frames from 0.
+  bool nothing_follows() {
+    std::string_view token = cursor_.token();
+    if (token.empty()) return true;
+    fail_here(fmt::format("found {} after the last of the {} values of {} frames", shown(token),
+                          value_count(), motion_.clip.frames));
+    std::size_t extra = 0;
+    while (!token.empty() && parse_number(token) && extra <= channels_.size()) {
+      ++extra;
+      token = cursor_.token();
+    }
+    return token.empty() && extra == channels_.size();
+  }
+
+  bool frame_values(int frame, LocalTransform* local) {
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const std::string_view token = cursor_.token();
+      if (token.empty()) return too_few(static_cast<std::size_t>(frame) * channels_.size() + i);
+      const std::optional<double> value = parse_number(token);
+      // the comparison is false for NaN
+      if (!value || !(*value >= -kBvhMaxValue && *value <= kBvhMaxValue)) {
+        return fail_here(fmt::format("{}, value {} of frame {}, is not a number from {:g} to {:g}",
+                                     shown(token), i + 1, frame + 1, -kBvhMaxValue, kBvhMaxValue));
+      }
+      apply(channels_[i], *value, local[channels_[i].node]);
+    }
+    return true;
+  }
+
+  static void apply(const Channel& channel, double value, LocalTransform& local) {
+    if (!channel.rotates) {
+      local.translation[static_cast<int>(channel.axis)] = value;
+      return;
+    }
+    // whole turns go first, exactly: sin_cos is for moderate angles
+    constexpr double kTurn = 360.0;
+    if (abs(value) > kTurn) value -= kTurn * static_cast<double>(static_cast<int>(value / kTurn));
+    local.rotation = local.rotation * axis_rotation(channel.axis, radians(value));
+  }
+
+  Cursor cursor_;
+  std::string_view name_;
+  SkeletonMotion motion_;
+  BvhNames names_{true};
+  std::vector<Seen> seen_;         // (nodes)
+  std::vector<int> open_;          // nodes whose } is still to come, outermost first
+  std::vector<Channel> channels_;  // columns of the motion
+  Error error_;
+};
+
+}  // namespace
+
+Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name) {
+  if (text.size() > kBvhMaxBytes) {
+    return fail(ErrorCode::parse,
+                fmt::format("{} bytes; up to {} are allowed", text.size(), kBvhMaxBytes),
+                std::string(name));
+  }
+  return BvhReader(text, name).read();
+}
+
+Result<SkeletonMotion> read_bvh(const std::filesystem::path& path) {
+  const Result<std::string> text = read_text_file(path, kBvhMaxBytes);
+  if (!text) return tl::unexpected<Error>(text.error());
+  return parse_bvh(*text, path.filename().string());
+}
+
+}  // namespace shigusa

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "strip_figure_check.hpp"
+
+#include <fmt/format.h>
+
+#include "strip_figure_canvas.hpp"
+
+namespace shigusa::strip {
+namespace {
+
+// Keeps a figure's file below some tens of megabytes.
+constexpr std::size_t kMaxPieces = 65'536;
+constexpr std::size_t kMaxGoals = 64;
+constexpr std::size_t kMaxCaption = 2000;
+
+tl::unexpected<Error> invalid(std::string place, std::string message) {
+  return fail(ErrorCode::invalid_argument, std::move(message), std::move(place));
+}
+
+Result<void> check_range(const char* name, double value, double low, double high) {
+  if (value >= low && value <= high) return {};
+  return invalid(name, fmt::format("{} given; {:g} to {:g} allowed", value, low, high));
+}
+
+Result<void> check_settings(const StripSettings& settings, std::size_t nodes) {
+  const struct {
+    const char* name;
+    double value, low, high;
+  } ranges[] = {{"poses", static_cast<double>(settings.poses), 1, kStripMaxPoses},
+                {"width_mm", settings.width_mm, 100, 2000},
+                {"png_dpi", settings.png_dpi, 20, 1200},
+                {"azimuth_deg", settings.azimuth_deg, -360, 360},
+                {"elevation_deg", settings.elevation_deg, -30, 80},
+                {"metres_per_unit", settings.metres_per_unit, 1e-6, 1e6},
+                {"length of up", norm(settings.up), 1e-6, 1e6},
+                {"length of facing", settings.facing ? norm(*settings.facing) : 1.0, 1e-6, 1e6},
+                {"floor", settings.floor.value_or(0.0), -kFarthest, kFarthest}};
+  for (const auto& range : ranges) {
+    if (auto valid = check_range(range.name, range.value, range.low, range.high); !valid) {
+      return valid;
+    }
+  }
+  if (!settings.humanoid) return {};
+  for (const int node : settings.humanoid->node) {
+    if (node < -1 || node >= static_cast<int>(nodes)) {
+      return invalid("humanoid map", fmt::format("names node {} of a skeleton of {}", node, nodes));
+    }
+  }
+  return {};
+}
+
+Result<void> check_skeleton(const Skeleton& skeleton, int poses) {
+  const std::size_t count = skeleton.nodes.size();
+  if (count == 0) return invalid("skeleton", "has no node to draw");
+  if (count * static_cast<std::size_t>(poses) > kMaxPieces) {
+    return invalid("skeleton", fmt::format("{} nodes in {} poses; together at most {} allowed",
+                                           count, poses, kMaxPieces));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const SkeletonNode& node = skeleton.nodes[i];
+    if (node.parent < -1 || node.parent >= static_cast<int>(i)) {
+      return invalid(fmt::format("node {} '{}'", i, node.name),
+                     fmt::format("has parent {}; -1 or an earlier node allowed", node.parent));
+    }
+    if (!(norm(node.offset) <= kFarthest)) {
+      return invalid(fmt::format("node {} '{}'", i, node.name),
+                     fmt::format("has an offset that is not finite, or beyond {:g}", kFarthest));
+    }
+  }
+  return {};
+}
+
+Result<void> check_clip(const SkeletonClip& clip, std::size_t nodes,
+                        const StripSettings& settings) {
+  if (clip.frames < 1) return invalid("motion", "has no frame to draw");
+  if (clip.local.size() != static_cast<std::size_t>(clip.frames) * nodes) {
+    return invalid("motion", fmt::format("{} transforms for {} frames of {} nodes",
+                                         clip.local.size(), clip.frames, nodes));
+  }
+  const int last = settings.last_frame < 0 ? clip.frames - 1 : settings.last_frame;
+  if (last >= clip.frames || settings.first_frame < 0 || settings.first_frame > last) {
+    return invalid("frames", fmt::format("{} to {} given; the clip has 0 to {}",
+                                         settings.first_frame, last, clip.frames - 1));
+  }
+  return check_range("frame time", clip.frame_time, 0.0, 1e6);
+}
+
+Result<void> check_overlay(const StripOverlay& overlay, int frames) {
+  const struct {
+    const char* name;
+    const std::vector<Vec3d>& points;
+    std::size_t most;
+    bool per_frame;
+  } lists[] = {{"goals", overlay.goals, kMaxGoals, false},
+               {"centre of mass", overlay.centre_of_mass, static_cast<std::size_t>(frames), true},
+               {"hand path", overlay.hand_path, static_cast<std::size_t>(frames), true}};
+  for (const auto& list : lists) {
+    const std::size_t count = list.points.size();
+    if (count > list.most || (list.per_frame && count > 0 && count < list.most)) {
+      return invalid(list.name, fmt::format("{} positions given; {} {} allowed", count,
+                                            list.per_frame ? "0 or" : "up to", list.most));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(norm(list.points[i]) <= kFarthest)) {
+        return invalid(list.name,
+                       fmt::format("position {} is not finite, or beyond {:g}", i, kFarthest));
+      }
+    }
+  }
+  if (overlay.caption.size() > kMaxCaption) {
+    return invalid("caption", fmt::format("{} bytes given; up to {} allowed",
+                                          overlay.caption.size(), kMaxCaption));
+  }
+  for (std::size_t i = 0; i < overlay.caption.size();) {
+    const std::size_t length = code_point_length(std::string_view(overlay.caption).substr(i));
+    if (length == 0) return invalid("caption", fmt::format("byte {} is not UTF-8 text", i));
+    i += length;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
+                         const StripSettings& settings) {
+  const std::size_t nodes = motion.skeleton.nodes.size();
+  if (auto valid = check_settings(settings, nodes); !valid) return valid;
+  if (auto valid = check_skeleton(motion.skeleton, settings.poses); !valid) return valid;
+  if (auto valid = check_clip(motion.clip, nodes, settings); !valid) return valid;
+  return check_overlay(overlay, motion.clip.frames);
+}
+
+}  // namespace shigusa::strip

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include "strip_figure_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <shigusa/math/scalar.hpp>
+
+#include "strip_figure_check.hpp"
+
+namespace shigusa::strip {
+namespace {
+
+// As shares of the figure's size.
+constexpr double kGap = 0.08;          // between neighbouring poses, at least
+constexpr double kOverlayReach = 0.6;  // goals and paths further than this from the body are cut
+constexpr double kStaysWithin = 0.5;  // the root's travel up to which the figure counts as standing
+constexpr double kFloorGuess = 0.1;   // a lowest node within this of height 0 stands on floor 0
+constexpr double kStanding = 0.04;    // a foot whose lowest ball is within this of the floor
+constexpr double kMarkRoom = 0.06;    // around a goal
+// The figure is at most this high, as a share of the page's width, however few the poses.
+constexpr double kMaxHeight = 0.5;
+// Few poses on a wide page stand together rather than at its edges.
+constexpr double kMaxStretch = 1.5;
+constexpr int kPathPoints = 200;
+
+// The directions of the picture and the floor, all in the skeleton's world.
+struct View {
+  Vec3d right;
+  Vec3d above;
+  Vec3d toward;
+  Vec3d up;
+  double floor = 0.0;
+
+  [[nodiscard]] Point operator()(const Vec3d& p) const { return {dot(right, p), dot(above, p)}; }
+  [[nodiscard]] Vec3d on_floor(const Vec3d& p) const { return p + up * (floor - dot(up, p)); }
+};
+
+using Posture = std::vector<Transformd>;
+
+std::vector<int> pose_frames(const SkeletonClip& clip, const StripSettings& settings) {
+  const int first = settings.first_frame;
+  const int last = settings.last_frame < 0 ? clip.frames - 1 : settings.last_frame;
+  std::vector<int> frames;
+  for (int i = 0; i < settings.poses; ++i) {
+    const std::int64_t steps = std::max(settings.poses - 1, 1);
+    const std::int64_t offset = (std::int64_t{2} * i * (last - first) + steps) / (2 * steps);
+    const int frame = first + static_cast<int>(offset);
+    if (frames.empty() || frames.back() != frame) frames.push_back(frame);
+  }
+  return frames;
+}
+
+bool usable(const Transformd& x) {
+  const Mat3d& r = x.rotation;
+  return norm(x.translation) <= kFarthest && norm(r.cx) + norm(r.cy) + norm(r.cz) <= kFarthest;
+}
+
+Result<std::vector<Posture>> postures(const SkeletonMotion& motion,
+                                      const std::vector<int>& frames) {
+  std::vector<Posture> result;
+  for (const int frame : frames) {
+    result.push_back(world_transforms(motion.skeleton, motion.clip, frame));
+    for (std::size_t i = 0; i < result.back().size(); ++i) {
+      if (usable(result.back()[i])) continue;
+      const Vec3d& p = result.back()[i].translation;
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("place ({}, {}, {}) or rotation is not finite, or beyond {:g}", p.x,
+                              p.y, p.z, kFarthest),
+                  fmt::format("node {} '{}' in frame {}", i, motion.skeleton.nodes[i].name, frame));
+    }
+  }
+  return result;
+}
+
+Upright upright_from(const StripSettings& settings) {
+  const Vec3d up = normalized(settings.up);
+  const Vec3d ahead = abs(up.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0};
+  const Vec3d facing = settings.facing.value_or(ahead);
+  const Vec3d sideways = normalized(ahead - up * dot(ahead, up));
+  return {up, normalized(facing - up * dot(facing, up), sideways)};
+}
+
+View view_from(const StripSettings& settings, const Upright& upright, const Vec3d& leftwards) {
+  const Vec3d& up = upright.up;
+  Vec3d forward = upright.forward;
+  if (!settings.facing) forward = normalized(cross(leftwards, up), forward);
+  const Vec3d left = cross(up, forward);
+  const SinCos<double> azimuth = sin_cos(radians(settings.azimuth_deg));
+  const SinCos<double> elevation = sin_cos(radians(settings.elevation_deg));
+  const Vec3d level = forward * azimuth.cos - left * azimuth.sin;
+  View view;
+  view.up = up;
+  view.right = left * azimuth.cos + forward * azimuth.sin;
+  view.toward = level * elevation.cos + up * elevation.sin;
+  view.above = up * elevation.cos - level * elevation.sin;
+  return view;
+}
+
+// The longest diagonal of a posture: a size for figures without known limbs.
+double extent(const std::vector<Posture>& all) {
+  double largest = 0.0;
+  for (const Posture& posture : all) {
+    Vec3d low = posture.front().translation;
+    Vec3d high = low;
+    for (const Transformd& node : posture) {
+      for (int i = 0; i < 3; ++i) {
+        low[i] = min(low[i], node.translation[i]);
+        high[i] = max(high[i], node.translation[i]);
+      }
+    }
+    largest = max(largest, norm(high - low));
+  }
+  return largest;
+}
+
+double find_floor(const StripSettings& settings, const std::vector<Posture>& all, const Vec3d& up,
+                  double size) {
+  if (settings.floor) return *settings.floor;
+  double lowest = dot(all.front().front().translation, up);
+  for (const Posture& posture : all) {
+    for (const Transformd& node : posture) lowest = min(lowest, dot(node.translation, up));
+  }
+  return abs(lowest) <= kFloorGuess * size ? 0.0 : lowest;
+}
+
+// The points of the floor that the slots are drawn about.
+std::vector<Vec3d> anchors(const std::vector<Posture>& all, const FigureBody& body,
+                           const View& view, double size) {
+  std::vector<Vec3d> places;
+  Vec3d mean{};
+  for (const Posture& posture : all) {
+    places.push_back(view.on_floor(body.place(posture)));
+    mean += places.back() * (1.0 / static_cast<double>(all.size()));
+  }
+  double travel = 0.0;
+  for (const Vec3d& place : places) travel = max(travel, norm(place - places.front()));
+  if (travel <= kStaysWithin * size) std::fill(places.begin(), places.end(), mean);
+  return places;
+}
+
+// Everything that goes into one slot.
+class SlotBuilder {
+ public:
+  SlotBuilder(const View& view, const Vec3d& anchor, double size)
+      : view_(view), origin_(view(anchor)), size_(size) {}
+
+  void add_parts(const std::vector<Part>& parts);
+  void add_goal(const Vec3d& goal);
+  void add_mass(const Vec3d& mass);
+  void add_path(const std::vector<Vec3d>& path, int first, int last, int step);
+
+  // Call between the body and the overlays: these may reach only so far beyond it.
+  void close_body() { body_ = slot.box; }
+
+  Slot slot;
+
+ private:
+  [[nodiscard]] Point place(const Vec3d& p) const {
+    const Point q = view_(p);
+    return {q.x - origin_.x, q.y - origin_.y};
+  }
+  // The nearest point of the body's box, widened by `room`.
+  [[nodiscard]] Point nearest(Point p, double room) const {
+    return {clamp(p.x, body_.left - room, body_.right + room),
+            clamp(p.y, body_.bottom - room, body_.top + room)};
+  }
+  [[nodiscard]] bool near(Point p) const {
+    const Point q = nearest(p, kOverlayReach * size_);
+    return p.x == q.x && p.y == q.y;
+  }
+  void add_sole(const Part& part);
+
+  const View& view_;
+  Point origin_;
+  double size_;
+  Box body_;
+};
+
+void SlotBuilder::add_parts(const std::vector<Part>& parts) {
+  for (const Part& part : parts) {
+    Shape shape{{}, -part.setback, part.tone, part.joints};
+    for (const Ball& ball : part.balls) {
+      shape.discs.push_back({place(ball.centre), ball.radius});
+      shape.depth += dot(view_.toward, ball.centre) / static_cast<double>(part.balls.size());
+      slot.box.add(shape.discs.back().centre, ball.radius);
+    }
+    if (part.foot) add_sole(part);
+    slot.shapes.push_back(std::move(shape));
+  }
+  std::stable_sort(slot.shapes.begin(), slot.shapes.end(),
+                   [](const Shape& a, const Shape& b) { return a.depth < b.depth; });
+}
+
+void SlotBuilder::add_sole(const Part& part) {
+  double lowest = kFarthest;
+  for (const Ball& ball : part.balls) {
+    lowest = min(lowest, dot(view_.up, ball.centre) - ball.radius - view_.floor);
+  }
+  if (abs(lowest) > kStanding * size_) return;
+  for (const Ball& ball : part.balls) {
+    slot.soles.push_back({place(view_.on_floor(ball.centre)), 1.6 * ball.radius});
+  }
+}
+
+void SlotBuilder::add_goal(const Vec3d& goal) {
+  GoalMark mark{place(goal), false, {}};
+  if (!near(mark.at)) {
+    const Point edge = nearest(mark.at, kGap * size_);
+    const Vec3d away = normalized({mark.at.x - edge.x, mark.at.y - edge.y, 0.0});
+    mark = {edge, true, {away.x, away.y}};
+  }
+  slot.box.add(mark.at, kMarkRoom * size_);
+  slot.goals.push_back(mark);
+}
+
+void SlotBuilder::add_mass(const Vec3d& mass) {
+  slot.mass = {place(mass), place(view_.on_floor(mass))};
+  if (!near(slot.mass[0]) || !near(slot.mass[1])) slot.mass.clear();
+  for (const Point& p : slot.mass) slot.box.add(p, 0.0);
+}
+
+void SlotBuilder::add_path(const std::vector<Vec3d>& path, int first, int last, int step) {
+  bool broken = true;
+  for (int frame = first; frame <= last;
+       frame = frame < last ? std::min(frame + step, last) : last + 1) {
+    const Point p = place(path[static_cast<std::size_t>(frame)]);
+    if (!near(p)) {
+      broken = true;
+      continue;
+    }
+    if (broken) slot.path.emplace_back();
+    broken = false;
+    slot.path.back().push_back(p);
+    slot.box.add(p, 0.0);
+  }
+}
+
+// Equal steps from slot to slot, so that the floor line is a time axis: as wide as the widest
+// neighbours need, and stretched to fill the width.
+void place_slots(Strip& strip, double size, double width) {
+  const Slot& first = strip.slots.front();
+  const Slot& last = strip.slots.back();
+  const double steps = static_cast<double>(strip.slots.size() - 1);
+  double step = 0.0;
+  for (std::size_t i = 1; i < strip.slots.size(); ++i) {
+    step = max(step, strip.slots[i - 1].box.right - strip.slots[i].box.left + kGap * size);
+  }
+  strip.top = first.box.top;
+  strip.bottom = first.box.bottom;
+  for (const Slot& slot : strip.slots) {
+    strip.top = max(strip.top, slot.box.top);
+    strip.bottom = min(strip.bottom, slot.box.bottom);
+  }
+  const double usable_width = width - 2.0 * kMargin;
+  const double ends = last.box.right - first.box.left;
+  const double height = max(strip.top - strip.bottom, size);
+  strip.scale = min(usable_width / (ends + steps * step), kMaxHeight * width / height);
+  const double rest = usable_width - strip.scale * ends;
+  strip.spacing = steps > 0.0 ? min(rest / steps, kMaxStretch * strip.scale * step) : 0.0;
+  const double left = kMargin + 0.5 * (rest - steps * strip.spacing) - strip.scale * first.box.left;
+  for (std::size_t i = 0; i < strip.slots.size(); ++i) {
+    strip.slots[i].x = left + static_cast<double>(i) * strip.spacing;
+  }
+}
+
+}  // namespace
+
+void Box::add(Point p, double radius) {
+  left = min(left, p.x - radius);
+  right = max(right, p.x + radius);
+  bottom = min(bottom, p.y - radius);
+  top = max(top, p.y + radius);
+}
+
+Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
+                      const StripSettings& settings, double width) {
+  const std::vector<int> frames = pose_frames(motion.clip, settings);
+  const auto all = postures(motion, frames);
+  if (!all) return tl::unexpected<Error>(all.error());
+
+  const Upright upright = upright_from(settings);
+  const FigureBody body(motion.skeleton, settings, upright);
+  double size = body.stature() > 0.0 ? body.stature() : extent(*all);
+  if (size < 1e-9) size = 1.0;
+  View view = view_from(settings, upright, body.leftwards(all->front()));
+  view.floor = find_floor(settings, *all, upright.up, size);
+  const auto places = anchors(*all, body, view, size);
+
+  Strip strip;
+  const int path_step = std::max((frames.back() - frames.front()) / kPathPoints, 1);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    SlotBuilder builder(view, places[i], size);
+    builder.slot.frame = frames[i];
+    builder.add_parts(body.parts((*all)[i], size));
+    builder.close_body();
+    for (const Vec3d& goal : overlay.goals) builder.add_goal(goal);
+    if (!overlay.centre_of_mass.empty()) {
+      builder.add_mass(overlay.centre_of_mass[static_cast<std::size_t>(frames[i])]);
+    }
+    if (!overlay.hand_path.empty()) {
+      builder.add_path(overlay.hand_path, frames.front(), frames[i], path_step);
+    }
+    strip.slots.push_back(std::move(builder.slot));
+  }
+  place_slots(strip, size, width);
+  return strip;
+}
+
+}  // namespace shigusa::strip

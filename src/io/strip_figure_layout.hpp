@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "strip_figure_body.hpp"
+#include "strip_figure_canvas.hpp"
+
+namespace shigusa::strip {
+
+// Page sizes, points.
+inline constexpr double kMargin = 5.0;
+inline constexpr double kPointsPerMm = 72.0 / 25.4;
+
+struct Box {
+  double left = 0.0;
+  double right = 0.0;
+  double bottom = 0.0;
+  double top = 0.0;
+
+  void add(Point p, double radius);
+};
+
+// The lengths below are the skeleton's unit as seen by the viewer: x to the right, y up, measured
+// from the slot's own point on the floor line.
+struct Shape {
+  std::vector<Disc> discs;
+  double depth = 0.0;  // towards the viewer
+  Tone tone = Tone::bone;
+  int joints = 0;  // how many of the discs, from the first on, mark joints
+};
+
+struct GoalMark {
+  Point at;
+  bool arrow = false;  // the goal lies further out, in the direction of `away`
+  Point away;
+};
+
+// One pose of the strip and what is drawn around it.
+struct Slot {
+  int frame = 0;
+  std::vector<Shape> shapes;  // far to near
+  std::vector<Disc> soles;    // on the floor, under the feet that stand on it
+  std::vector<GoalMark> goals;
+  std::vector<Point> mass;               // centre of mass and the floor below it, or nothing
+  std::vector<std::vector<Point>> path;  // pieces of the hand's path that lie near the figure
+  Box box;                               // of all that is drawn
+  double x = 0.0;                        // page, points: the slot's own point
+};
+
+struct Strip {
+  std::vector<Slot> slots;
+  double scale = 1.0;    // points per unit
+  double spacing = 0.0;  // points from slot to slot
+  double top = 0.0;      // highest and lowest thing drawn, units from the floor line
+  double bottom = 0.0;
+};
+
+// Poses, projection and places on a page of that width (points). Fails at a position that is not
+// finite.
+[[nodiscard]] Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
+                                    const StripSettings& settings, double width);
+
+}  // namespace shigusa::strip

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <shigusa/core/names.hpp>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/project/character.hpp>
+
+namespace shigusa {
+namespace {
+
+constexpr double kStatureMin = 0.5;  // m
+constexpr double kStatureMax = 2.5;
+constexpr double kMassMin = 2.0;  // kg
+constexpr double kMassMax = 300.0;
+
+bool is_built_in(const std::string& source) {
+  return source == "half_body" || source == "full_body";
+}
+
+Result<void> check_range(const char* what, const std::optional<double>& value, double low,
+                         double high, const char* unit) {
+  if (!value || (*value >= low && *value <= high)) return {};
+  return fail(ErrorCode::invalid_argument, fmt::format("{} is {} {}; allowed are {:g} to {:g} {}",
+                                                       what, *value, unit, low, high, unit),
+              "character");
+}
+
+Result<void> check_source(const std::string& source) {
+  if (std::filesystem::path(source).extension() == ".bvh" ||
+      std::filesystem::path(source).extension() == ".BVH") {
+    return {};
+  }
+  const std::vector<std::string> names{"half_body", "full_body"};
+  return fail(ErrorCode::invalid_argument,
+              unknown_name("character", source, names) + ", or a file that ends in .bvh",
+              "character");
+}
+
+}  // namespace
+
+Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path& folder) {
+  if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
+    return ok;
+  }
+  if (spec.landmarks || is_built_in(spec.source)) return {};
+  if (const auto ok = check_source(spec.source); !ok) return ok;
+  const std::filesystem::path path = folder / spec.source;
+  const std::string name = path.filename().string();
+  const Result<SkeletonMotion> file = read_bvh(path);
+  if (!file) return tl::unexpected(file.error());
+  if (spec.frame < 0 || spec.frame >= file->clip.frames) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("frame {} does not exist; the file has the frames 0 to {}", spec.frame,
+                            file->clip.frames - 1),
+                name);
+  }
+  const std::vector<Transformd> world = world_transforms(file->skeleton, file->clip, spec.frame);
+  const Result<HumanoidMap> map = find_humanoid(file->skeleton, world);
+  if (!map) return fail(map.error().code, map.error().to_string(), name);
+  const Result<MeasuredPerson> person =
+      measure_person(file->skeleton, world, *map, {.stature = spec.stature});
+  if (!person) return fail(person.error().code, person.error().to_string(), name);
+  for (int b = 0; b < kHumanoidBoneCount; ++b) {
+    const auto bone = static_cast<HumanoidBone>(b);
+    if ((*map)[bone] < 0) continue;
+    spec.humanoid.emplace_back(humanoid_bone_name(bone),
+                               file->skeleton.nodes[static_cast<std::size_t>((*map)[bone])].name);
+  }
+  spec.source = name;
+  spec.stature = person->stature;
+  spec.landmarks = person->landmarks;
+  spec.doubts = map->doubts;
+  spec.doubts.insert(spec.doubts.end(), person->doubts.begin(), person->doubts.end());
+  return {};
+}
+
+Result<BodyModel> build_character(const CharacterSpec& spec) {
+  for (const auto& checked :
+       {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
+        check_range("mass", spec.mass, kMassMin, kMassMax, "kg")}) {
+    if (!checked) return tl::unexpected(checked.error());
+  }
+  const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);
+  const double mass = spec.mass.value_or(default_mass(stature, spec.sex));
+  if (spec.landmarks) {
+    return build_human(*spec.landmarks, {spec.source, spec.extent, stature, mass, spec.sex},
+                       spec.doubts);
+  }
+  const Stature person{stature, mass, spec.sex};
+  return spec.source == "half_body" ? half_body(person) : full_body(person);
+}
+
+}  // namespace shigusa

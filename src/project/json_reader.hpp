@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <shigusa/core/names.hpp>
+#include <shigusa/core/result.hpp>
+#include <shigusa/math/scalar.hpp>
+#include <shigusa/math/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+using Json = nlohmann::ordered_json;
+
+// Nothing that shigusa reads is nested deeper; walking a tree of unlimited depth overflows the stack.
+inline constexpr int kJsonMaxDepth = 32;
+
+// Parses JSON text; the error tells line and column.
+[[nodiscard]] inline Result<Json> parse_json(std::string_view text, std::string_view name) {
+  bool deep = false;
+  const auto shallow = [&deep](int depth, Json::parse_event_t, const Json&) {
+    deep = deep || depth > kJsonMaxDepth;
+    return depth <= kJsonMaxDepth;
+  };
+  try {
+    Json json = Json::parse(text, shallow);
+    if (!deep) return json;
+    return fail(ErrorCode::parse, fmt::format("nested deeper than {} levels", kJsonMaxDepth),
+                std::string(name));
+  } catch (const Json::exception& error) {
+    const std::string_view what = error.what();
+    const std::size_t cut = what.find("] ");
+    return fail(ErrorCode::parse,
+                "not JSON: " + std::string(cut == what.npos ? what : what.substr(cut + 2)),
+                std::string(name));
+  }
+}
+
+// Reads one JSON object member by member and remembers the first thing that is wrong with it, so
+// that a caller reads everything and asks once. Every member must be asked for: finish() names
+// those that were not.
+class JsonReader {
+ public:
+  JsonReader(const Json& object, std::string place) : object_(&object), place_(std::move(place)) {
+    if (!object.is_object()) wrong("", "must be an object { … }");
+  }
+
+  [[nodiscard]] bool has(const char* key) {
+    known_.emplace_back(key);
+    return object_->is_object() && object_->contains(key);
+  }
+
+  // The member as a nested reader; use after has().
+  [[nodiscard]] JsonReader object(const char* key) const {
+    return JsonReader((*object_)[key], place_of(key));
+  }
+  [[nodiscard]] const Json& value(const char* key) const { return (*object_)[key]; }
+  [[nodiscard]] std::string place_of(const std::string& key) const {
+    return place_ + (place_.ends_with(": ") ? "" : ".") + key;
+  }
+
+  void number(const char* key, double& into, double low, double high) {
+    if (!has(key)) return;
+    const Json& member = value(key);
+    if (!member.is_number() || !(member.get<double>() >= low && member.get<double>() <= high)) {
+      return wrong(key, fmt::format("is {}; allowed are numbers from {:g} to {:g}", shown(member),
+                                    low, high));
+    }
+    into = member.get<double>();
+  }
+
+  void number(const char* key, std::optional<double>& into, double low, double high) {
+    double value = 0.0;
+    number(key, value, low, high);
+    if (object_->is_object() && object_->contains(key)) into = value;
+  }
+
+  template <class Integer>
+  void integer(const char* key, Integer& into, std::uint64_t low, std::uint64_t high) {
+    if (!has(key)) return;
+    const Json& member = value(key);
+    if (!member.is_number_unsigned() || member.get<std::uint64_t>() < low ||
+        member.get<std::uint64_t>() > high) {
+      return wrong(key, fmt::format("is {}; allowed are whole numbers from {} to {}",
+                                    shown(member), low, high));
+    }
+    into = static_cast<Integer>(member.get<std::uint64_t>());
+  }
+
+  void text(const char* key, std::string& into) {
+    if (!has(key)) return;
+    const Json& member = value(key);
+    if (!member.is_string()) return wrong(key, "is " + shown(member) + "; must be a text");
+    into = member.get<std::string>();
+  }
+
+  // one of several words
+  template <class Enum>
+  void choice(const char* key, Enum& into,
+              const std::vector<std::pair<std::string, Enum>>& choices) {
+    std::string word;
+    text(key, word);
+    if (word.empty()) return;
+    std::vector<std::string> names;
+    for (const auto& [name, meaning] : choices) {
+      if (name == word) {
+        into = meaning;
+        return;
+      }
+      names.push_back(name);
+    }
+    wrong(key, unknown_name("word", word, names));
+  }
+
+  void vector(const char* key, Vec3d& into, double range) {
+    if (!has(key)) return;
+    const Json& member = value(key);
+    bool valid = member.is_array() && member.size() == 3;
+    for (std::size_t k = 0; valid && k < 3; ++k) {
+      valid = member[k].is_number() && member[k].get<double>() >= -range &&
+              member[k].get<double>() <= range;
+    }
+    if (!valid) {
+      return wrong(key, fmt::format("is {}; must be three numbers [x, y, z] from {:g} to {:g}",
+                                    shown(member), -range, range));
+    }
+    into = {member[0].get<double>(), member[1].get<double>(), member[2].get<double>()};
+  }
+
+  // a member that must be there
+  void require(const char* key) {
+    if (!object_->is_object() || object_->contains(key)) return;
+    wrong(key, "is missing");
+  }
+
+  void wrong(const std::string& key, const std::string& message) {
+    if (!error_) {
+      error_ = Error{ErrorCode::parse, message, key.empty() ? place_ : place_of(key)};
+    }
+  }
+  void absorb(const std::optional<Error>& nested) {
+    if (!error_) error_ = nested;
+  }
+
+  // The first error, if any; members that nobody asked for are errors too.
+  [[nodiscard]] const std::optional<Error>& finish() {
+    if (!object_->is_object()) return error_;
+    for (const auto& item : object_->items()) {
+      bool asked = false;
+      for (const std::string& key : known_) asked = asked || key == item.key();
+      if (!asked) wrong(item.key(), unknown_name("key", item.key(), known_));
+    }
+    return error_;
+  }
+
+ private:
+  // a value as it stands in a message, cut short
+  static std::string shown(const Json& value) {
+    std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    if (text.size() > 60) text = text.substr(0, 57) + "...";
+    return text;
+  }
+
+  const Json* object_;
+  std::string place_;
+  std::vector<std::string> known_;
+  std::optional<Error> error_;
+};
+
+[[nodiscard]] inline Json to_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
+
+}  // namespace shigusa

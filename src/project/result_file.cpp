@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/io/file.hpp>
+#include <shigusa/project/result_file.hpp>
+
+#include "task_json.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr double kMillimetres = 1000.0;  // per metre
+
+Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
+  Json json;
+  json["weights"] = Json::object();
+  json["locked"] = Json::array();
+  for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
+    json["weights"][body.dofs()[d].name] = parameters.joints[d].weight;
+    if (parameters.joints[d].locked) json["locked"].push_back(body.dofs()[d].name);
+  }
+  json["contractions"] = Json::object();
+  json["posture"] = Json::object();
+  return json;
+}
+
+Json goals_to_json(const Candidate& candidate) {
+  Json list = Json::array();
+  for (const GoalResult& goal : candidate.goals) {
+    list.push_back({{"effector", goal.effector},
+                    {"joint", goal.node},
+                    {"goal_m", to_json(goal.goal)},
+                    {"reached_m", to_json(goal.reached)},
+                    {"error_mm", goal.error * kMillimetres}});
+  }
+  return list;
+}
+
+Json contacts_to_json(const Candidate& candidate) {
+  Json list = Json::array();
+  for (const ContactResult& contact : candidate.contacts) {
+    list.push_back({{"effector", contact.effector},
+                    {"joint", contact.node},
+                    {"max_slide_mm", contact.max_slide * kMillimetres}});
+  }
+  return list;
+}
+
+Json candidate_to_json(const BodyModel& body, const Generation& generation, std::size_t index,
+                       const CandidateFiles* files) {
+  const Candidate& candidate = generation.candidates[index];
+  Json json;
+  json["rank"] = index + 1;
+  json["score"] = candidate.score.total;
+  json["criteria"] = Json::object();
+  for (const ScoreTerm& term : candidate.score.terms) json["criteria"][term.name] = term.penalty;
+  json["reached"] = goals_to_json(candidate);
+  json["contacts"] = contacts_to_json(candidate);
+  json["over_limit"] = Json::array();
+  for (const LimitExcess& excess : candidate.over_limit) {
+    json["over_limit"].push_back({{"dof", excess.dof}, {"excess_deg", degrees(excess.excess)}});
+  }
+  json["duration_s"] = generation.duration;
+  json["frames"] = candidate.motion.clip.frames;
+  json["parameters"] = parameters_to_json(body, candidate.parameters);
+  json["files"] = Json::object();
+  if (files != nullptr) {
+    for (const auto& [format, name] : *files) json["files"][format] = name;
+  }
+  json["bvh_unit_m"] = BvhFormat{}.unit;
+  return json;
+}
+
+const char* end_name(SearchEnd end) {
+  switch (end) {
+    case SearchEnd::converged: return "converged";
+    case SearchEnd::budget: return "budget";
+    case SearchEnd::cancelled: return "cancelled";
+  }
+  return "";
+}
+
+Json search_to_json(const BodyModel& body, const Generation& generation) {
+  Json json{{"end", end_name(generation.end)},
+            {"generations", generation.generations},
+            {"missed", generation.missed},
+            {"near_copies", generation.near_copies},
+            {"rejected_nan", generation.rejected_nan}};
+  if (generation.best_seen) {
+    json["best_seen"] = {{"score", generation.best_seen_score},
+                         {"parameters", parameters_to_json(body, *generation.best_seen)}};
+  }
+  return json;
+}
+
+// The parameters of one stored candidate; every freedom must have its weight.
+Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
+                                   const std::string& place) {
+  const auto member = candidate.is_object() ? candidate.find("parameters") : candidate.end();
+  if (!candidate.is_object() || member == candidate.end()) {
+    return fail(ErrorCode::parse, "is missing", place + ".parameters");
+  }
+  JsonReader reader(*member, place + ".parameters");
+  Parameters parameters = uniform_parameters(body);
+  reader.require("weights");
+  if (reader.has("weights")) {
+    JsonReader weights = reader.object("weights");
+    for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
+      const char* name = body.dofs()[d].name.c_str();
+      weights.require(name);
+      weights.number(name, parameters.joints[d].weight, kWeightMin, kWeightMax);
+    }
+    reader.absorb(weights.finish());
+  }
+  if (reader.has("locked")) {
+    for (const Json& name : reader.value("locked")) {
+      const auto dof = name.is_string() ? body.find_dof(name.get<std::string>()) : std::nullopt;
+      if (dof) {
+        parameters.joints[static_cast<std::size_t>(*dof)].locked = true;
+      } else {
+        reader.wrong("locked", "names a freedom that this body does not have");
+      }
+    }
+  }
+  (void)reader.has("contractions");
+  (void)reader.has("posture");
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return parameters;
+}
+
+Result<double> parse_weight(std::string_view text) {
+  std::string copy(text);
+  char* end = nullptr;
+  const double value = std::strtod(copy.c_str(), &end);
+  if (!copy.empty() && end == copy.c_str() + copy.size() && value >= kWeightMin &&
+      value <= kWeightMax) {
+    return value;
+  }
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("weight is '{}'; allowed are numbers from {:g} to {:g}", text,
+                          kWeightMin, kWeightMax));
+}
+
+}  // namespace
+
+std::string format_result(const TaskFile& file, const Task& task, const Generation& generation,
+                          const RunInfo& info, const std::vector<CandidateFiles>& files) {
+  const bool reached = generation.status == ReachStatus::reached;
+  Json json;
+  json["version"] = kResultVersion;
+  json["status"] = reached ? "reached" : "unreachable";
+  json["remaining_mm"] = generation.remaining_distance * kMillimetres;
+  json["seed"] = file.seed;
+  json["evaluations"] = generation.evaluations;
+  json["elapsed_ms"] = info.elapsed_ms;
+  json["threads"] = info.threads;
+  json["simd"] = info.simd;
+  json["character"] = file.character.source;
+  json["preset"] = preset_name(task.preset);
+  json["search"] = info.search;
+  json["goals"] = Json::array();
+  for (const Goal& goal : task.goals) {
+    json["goals"].push_back(
+        {{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
+  }
+  json["candidates"] = Json::array();
+  for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+    json["candidates"].push_back(candidate_to_json(task.body, generation, i,
+                                                   i < files.size() ? &files[i] : nullptr));
+  }
+  json["search_detail"] = search_to_json(task.body, generation);
+  json["doubts"] = std::vector<std::string>(task.body.doubts().begin(), task.body.doubts().end());
+  json["task"] = task_to_json(file);
+  // names from files may hold anything; what is not UTF-8 is replaced
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<StoredResult> parse_result(std::string_view text, std::string_view name) {
+  const Result<Json> json = parse_json(text, name);
+  if (!json) return tl::unexpected(json.error());
+  const std::string place(name);
+  if (!json->is_object() || !json->contains("task") || !json->contains("candidates") ||
+      !(*json)["candidates"].is_array()) {
+    return fail(ErrorCode::parse, "not a result of shigusa: it has no task and candidates", place);
+  }
+  Result<TaskFile> task = task_from_json((*json)["task"], place + ": task");
+  if (!task) return tl::unexpected(task.error());
+  StoredResult result{std::move(*task), {}};
+  if (const auto measured = measure_character(result.task.character, {}); !measured) {
+    return tl::unexpected(measured.error());
+  }
+  const Result<BodyModel> body = build_character(result.task.character);
+  if (!body) return tl::unexpected(body.error());
+  const Json& candidates = (*json)["candidates"];
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    Result<Parameters> parameters =
+        read_parameters(*body, candidates[i], fmt::format("{}: candidates[{}]", place, i));
+    if (!parameters) return tl::unexpected(parameters.error());
+    result.candidates.push_back(std::move(*parameters));
+  }
+  return result;
+}
+
+Result<StoredResult> read_result(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::path file =
+      std::filesystem::is_directory(path, ignored) ? path / kSummaryName : path;
+  const Result<std::string> text = read_text_file(file, kResultMaxBytes);
+  if (!text) return tl::unexpected(text.error());
+  return parse_result(*text, file.filename().string());
+}
+
+Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
+                              Parameters& parameters) {
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.substr(0, equals).rfind('.');
+  if (equals == assignment.npos || dot == assignment.npos) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("'{}' is not NAME.weight=NUMBER or NAME.locked=true|false",
+                            assignment.substr(0, 80)));
+  }
+  const std::string_view name = assignment.substr(0, dot);
+  const std::string_view member = assignment.substr(dot + 1, equals - dot - 1);
+  const std::string_view value = assignment.substr(equals + 1);
+  const std::vector<std::string> members{"weight", "locked"};
+  if (member != "weight" && member != "locked") {
+    return fail(ErrorCode::invalid_argument, unknown_name("parameter", member, members));
+  }
+  std::vector<std::string> names;
+  bool found = false;
+  for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+    names.push_back(body.dofs()[d].name);
+    if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
+    found = true;
+    JointWeight& joint = parameters.joints[d];
+    if (member == "weight") {
+      const Result<double> weight = parse_weight(value);
+      if (!weight) return tl::unexpected(weight.error());
+      joint = {*weight, false};
+    } else if (value == "true" || value == "false") {
+      joint.locked = value == "true";
+    } else {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("locked is '{}'; allowed are true and false", value));
+    }
+  }
+  if (!found) return fail(ErrorCode::not_found, unknown_name("joint", name, names));
+  return {};
+}
+
+}  // namespace shigusa

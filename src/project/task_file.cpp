@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <shigusa/io/file.hpp>
+#include <shigusa/project/task_file.hpp>
+
+#include "task_json.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr double kLengthRange = 100.0;   // m, of landmarks
+constexpr double kCriteriaRange = 1e6;   // weights and reference scales
+constexpr double kCriteriaTiny = 1e-9;   // reference scales are above 0
+constexpr std::uint64_t kFrameMax = 1'000'000;
+constexpr std::uint64_t kCandidatesMax = 1000;
+constexpr std::uint64_t kEvaluationsMax = 1'000'000'000;
+
+// Landmarks by name, in the order in which files hold them.
+template <class Person, class Visit>
+void for_each_landmark(Person& p, Visit&& visit) {
+  visit("left_hip", p.left_leg.hip);
+  visit("left_knee", p.left_leg.knee);
+  visit("left_ankle", p.left_leg.ankle);
+  visit("left_toe", p.left_leg.toe);
+  visit("right_hip", p.right_leg.hip);
+  visit("right_knee", p.right_leg.knee);
+  visit("right_ankle", p.right_leg.ankle);
+  visit("right_toe", p.right_leg.toe);
+  visit("left_shoulder", p.left_arm.shoulder);
+  visit("left_elbow", p.left_arm.elbow);
+  visit("left_wrist", p.left_arm.wrist);
+  visit("left_fingertip", p.left_arm.fingertip);
+  visit("right_shoulder", p.right_arm.shoulder);
+  visit("right_elbow", p.right_arm.elbow);
+  visit("right_wrist", p.right_arm.wrist);
+  visit("right_fingertip", p.right_arm.fingertip);
+  visit("neck", p.neck);
+  visit("head_top", p.head_top);
+}
+
+Json character_to_json(const CharacterSpec& c) {
+  Json json;
+  json["source"] = c.source;
+  if (c.stature) json["stature_m"] = *c.stature;
+  if (c.mass) json["mass_kg"] = *c.mass;
+  json["sex"] = c.sex == Sex::male ? "male" : "female";
+  if (c.source == "half_body" || c.source == "full_body") return json;
+  json["extent"] = c.extent == BodyExtent::half ? "half" : "full";
+  json["frame"] = c.frame;
+  if (!c.doubts.empty()) json["doubts"] = c.doubts;
+  if (c.landmarks) {
+    for_each_landmark(*c.landmarks, [&](const char* name, const Vec3d& p) {
+      json["landmarks_m"][name] = to_json(p);
+    });
+  }
+  return json;
+}
+
+void read_doubts(JsonReader& reader, std::vector<std::string>& doubts) {
+  if (!reader.has("doubts")) return;
+  const Json& list = reader.value("doubts");
+  if (!list.is_array()) return reader.wrong("doubts", "must be a list of texts");
+  for (const Json& doubt : list) {
+    if (!doubt.is_string()) return reader.wrong("doubts", "must be a list of texts");
+    doubts.push_back(doubt.get<std::string>());
+  }
+}
+
+// Coinciding joints would leave a body without lengths.
+void check_segments(JsonReader& reader, const Landmarks& p) {
+  constexpr double kShortest = 1e-3;  // m
+  for (const Side side : {Side::left, Side::right}) {
+    const auto& leg = p.leg(side);
+    const auto& arm = p.arm(side);
+    for (const double length :
+         {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle), norm(arm.shoulder - arm.elbow),
+          norm(arm.elbow - arm.wrist), norm(leg.toe - leg.ankle),
+          norm(arm.fingertip - arm.wrist)}) {
+      if (length < kShortest) reader.wrong("landmarks_m", "two joints of a limb coincide");
+    }
+  }
+}
+
+void read_character(JsonReader& task, CharacterSpec& c) {
+  if (!task.has("character")) return;
+  if (task.value("character").is_string()) return task.text("character", c.source);
+  JsonReader reader = task.object("character");
+  reader.require("source");
+  reader.text("source", c.source);
+  reader.number("stature_m", c.stature, 0.5, 2.5);
+  reader.number("mass_kg", c.mass, 2.0, 300.0);
+  reader.choice<Sex>("sex", c.sex, {{"male", Sex::male}, {"female", Sex::female}});
+  reader.choice<BodyExtent>("extent", c.extent,
+                            {{"half", BodyExtent::half}, {"full", BodyExtent::full}});
+  reader.integer("frame", c.frame, 0, kFrameMax);
+  read_doubts(reader, c.doubts);
+  if (reader.has("landmarks_m")) {
+    JsonReader landmarks = reader.object("landmarks_m");
+    Landmarks person;
+    for_each_landmark(person, [&](const char* name, Vec3d& p) {
+      landmarks.require(name);
+      landmarks.vector(name, p, kLengthRange);
+    });
+    reader.absorb(landmarks.finish());
+    reader.require("stature_m");
+    check_segments(reader, person);
+    c.landmarks = person;
+  }
+  task.absorb(reader.finish());
+}
+
+void read_goals(JsonReader& task, std::vector<Goal>& goals) {
+  if (!task.has("goals")) return;
+  const Json& list = task.value("goals");
+  if (!list.is_array()) return task.wrong("goals", "must be a list [ … ] of goals");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    JsonReader reader(list[i], task.place_of("goals[" + std::to_string(i) + "]"));
+    Goal goal;
+    reader.require("effector");
+    reader.text("effector", goal.effector);
+    reader.require("position_m");
+    reader.vector("position_m", goal.position, kGoalRange);
+    task.absorb(reader.finish());
+    goals.push_back(std::move(goal));
+  }
+}
+
+// One built-in criterion: its weight and its reference scale.
+struct CriterionMembers {
+  const char* name;
+  const char* scale_name;
+  double CriteriaSettings::* weight;
+  double& (*scale)(CriteriaSettings&);
+};
+
+const std::array<CriterionMembers, 3> kCriteria{{
+    {"joint_range", "margin", &CriteriaSettings::joint_range_weight,
+     [](CriteriaSettings& c) -> double& { return c.joint_range.margin; }},
+    {"balance", "lean", &CriteriaSettings::balance_weight,
+     [](CriteriaSettings& c) -> double& { return c.balance.lean; }},
+    {"torque", "share", &CriteriaSettings::torque_weight,
+     [](CriteriaSettings& c) -> double& { return c.torque.share; }},
+}};
+
+void read_criteria(JsonReader& task, CriteriaSettings& criteria) {
+  if (!task.has("criteria")) return;
+  JsonReader reader = task.object("criteria");
+  for (const CriterionMembers& criterion : kCriteria) {
+    if (!reader.has(criterion.name)) continue;
+    JsonReader members = reader.object(criterion.name);
+    members.number("weight", criteria.*criterion.weight, 0.0, kCriteriaRange);
+    members.number(criterion.scale_name, criterion.scale(criteria), kCriteriaTiny, kCriteriaRange);
+    reader.absorb(members.finish());
+  }
+  task.absorb(reader.finish());
+}
+
+}  // namespace
+
+Json task_to_json(const TaskFile& task) {
+  Json json;
+  json["version"] = kTaskVersion;
+  json["character"] = character_to_json(task.character);
+  json["goals"] = Json::array();
+  for (const Goal& goal : task.goals) {
+    json["goals"].push_back(
+        {{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
+  }
+  if (task.duration) json["duration_s"] = *task.duration;
+  json["preset"] = preset_name(task.preset);
+  CriteriaSettings criteria = task.criteria;
+  for (const CriterionMembers& c : kCriteria) {
+    json["criteria"][c.name] = {{"weight", criteria.*c.weight}, {c.scale_name, c.scale(criteria)}};
+  }
+  json["seed"] = task.seed;
+  json["candidates"] = task.candidates;
+  if (task.evaluations) json["evaluations"] = *task.evaluations;
+  return json;
+}
+
+Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
+  JsonReader reader(json, place + ": ");
+  TaskFile task;
+  int version = kTaskVersion;
+  reader.integer("version", version, kTaskVersion, kTaskVersion);
+  read_character(reader, task.character);
+  read_goals(reader, task.goals);
+  reader.number("duration_s", task.duration, kTaskDurationMin, kTaskDurationMax);
+  reader.choice<Preset>("preset", task.preset, {{"paper", Preset::paper}});
+  read_criteria(reader, task.criteria);
+  reader.integer("seed", task.seed, 0, UINT64_MAX);
+  reader.integer("candidates", task.candidates, 1, kCandidatesMax);
+  if (reader.has("evaluations")) {
+    int evaluations = 1;
+    reader.integer("evaluations", evaluations, 1, kEvaluationsMax);
+    task.evaluations = evaluations;
+  }
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return task;
+}
+
+Result<TaskFile> parse_task(std::string_view text, std::string_view name) {
+  const Result<Json> json = parse_json(text, name);
+  if (!json) return tl::unexpected(json.error());
+  return task_from_json(*json, std::string(name));
+}
+
+Result<TaskFile> read_task(const std::filesystem::path& path) {
+  const Result<std::string> text = read_text_file(path, kTaskMaxBytes);
+  if (!text) return tl::unexpected(text.error());
+  return parse_task(*text, path.filename().string());
+}
+
+std::string format_task(const TaskFile& task) { return task_to_json(task).dump(2) + "\n"; }
+
+Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
+  if (const auto measured = measure_character(file.character, folder); !measured) {
+    return tl::unexpected(measured.error());
+  }
+  Result<BodyModel> body = build_character(file.character);
+  if (!body) return tl::unexpected(body.error());
+  Task task{.body = std::move(*body),
+            .goals = file.goals,
+            .duration = file.duration,
+            .preset = file.preset,
+            .criteria = file.criteria,
+            .genetic = {.seed = file.seed},
+            .candidates = file.candidates,
+            .evaluations = file.evaluations};
+  return task;
+}
+
+}  // namespace shigusa

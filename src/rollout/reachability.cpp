@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+#include <shigusa/core/random.hpp>
+#include <shigusa/rollout/reachability.hpp>
+
+namespace shigusa {
+namespace {
+
+// Damping shares of the goals that the descent moves between, and what moves it.
+constexpr double kDampingMin = 1e-9;
+constexpr double kDampingMax = 1e3;
+constexpr double kDampingUp = 8.0;
+constexpr double kDampingDown = 0.25;
+// Contacts farther off than this make a posture worthless (m).
+constexpr double kContactSlack = 1e-5;
+// A descent that gains less than this (m) in a number of steps has arrived.
+constexpr double kStall = 1e-9;
+constexpr int kStallSteps = 12;
+// Where the goal is out of reach, distances that differ by less count as equal (m).
+constexpr double kNearEqual = 5e-3;
+// The walk to a random posture: steps, and the share of the way that each takes.
+constexpr int kWanderSteps = 60;
+constexpr double kWanderRate = 0.1;
+// Corrections of the planted feet after each step, at most.
+constexpr int kContactSteps = 4;
+
+class Descent {
+ public:
+  Descent(const ReachProblem& problem)
+      : problem_(problem),
+        body_(*problem.body),
+        targets_(ik_targets(problem)),
+        weights_(body_.dofs().size(), 1.0),
+        step_(weights_),
+        trial_(weights_),
+        kinematics_(body_),
+        trial_kinematics_(body_),
+        workspace_(body_) {}
+
+  // Walks from the start posture towards a random one with the feet planted: the way there is a
+  // motion that the body can make.
+  std::vector<double> wander(Random& random) {
+    std::vector<double> angles(body_.start().begin(), body_.start().end());
+    std::vector<double> aim(angles);
+    for (std::size_t d = 0; d < aim.size(); ++d) {
+      aim[d] = random.uniform(body_.dofs()[d].lower, body_.dofs()[d].upper);
+    }
+    forward_kinematics<double>(body_, angles, kinematics_);
+    std::vector<double> pull(aim);
+    for (int k = 0; k < kWanderSteps; ++k) {
+      for (std::size_t d = 0; d < aim.size(); ++d) pull[d] = kWanderRate * (aim[d] - angles[d]);
+      trial_ = angles;
+      trial_kinematics_ = kinematics_;
+      advance(contacts(), problem_.ik, pull);
+      hold_contacts(problem_.ik);
+      if (contact_error(trial_kinematics_) > kContactSlack) break;
+      angles = trial_;
+      std::swap(kinematics_, trial_kinematics_);
+    }
+    return angles;
+  }
+
+  ClosestReach run(std::vector<double> angles, int iterations) {
+    forward_kinematics<double>(body_, angles, kinematics_);
+    IkSettings ik = problem_.ik;
+    ik.damping = 1e-3;
+    double cost = distance(kinematics_);
+    int stalled = 0;
+    for (int k = 0; k < iterations && cost > problem_.goal_tolerance; ++k) {
+      propose(angles, ik);
+      const double trial = distance(trial_kinematics_);
+      const bool stands = contact_error(trial_kinematics_) <= kContactSlack;
+      if (trial < cost && stands) {
+        stalled = cost - trial < kStall ? stalled + 1 : 0;
+        cost = trial;
+        angles = trial_;
+        std::swap(kinematics_, trial_kinematics_);
+        ik.damping = max(kDampingMin, ik.damping * kDampingDown);
+      } else {
+        ++stalled;
+        ik.damping = min(kDampingMax, ik.damping * kDampingUp);
+      }
+      if (stalled > kStallSteps) break;
+    }
+    if (contact_error(kinematics_) > kContactSlack) cost = std::numeric_limits<double>::infinity();
+    return {angles, positions(), cost};
+  }
+
+ private:
+  [[nodiscard]] std::span<const IkTarget<double>> contacts() const {
+    return std::span<const IkTarget<double>>(targets_).subspan(problem_.goals.size());
+  }
+
+  // one step towards the goals, then contacts alone are corrected
+  void propose(const std::vector<double>& angles, const IkSettings& ik) {
+    trial_ = angles;
+    trial_kinematics_ = kinematics_;
+    advance(targets_, ik, {});
+    hold_contacts(ik);
+  }
+
+  // corrects what a step has done to the planted feet
+  void hold_contacts(const IkSettings& ik) {
+    for (int k = 0; k < kContactSteps && contact_error(trial_kinematics_) > 0.1 * kContactSlack;
+         ++k) {
+      advance(contacts(), ik, {});
+    }
+  }
+
+  void advance(std::span<const IkTarget<double>> targets, const IkSettings& ik,
+               std::span<const double> reference) {
+    weighted_ik_step<double>(body_, trial_kinematics_, targets, weights_, reference, ik,
+                             workspace_, step_);
+    for (std::size_t d = 0; d < step_.size(); ++d) trial_[d] += step_[d];
+    forward_kinematics<double>(body_, trial_, trial_kinematics_);
+  }
+
+  [[nodiscard]] double distance(const Kinematics<double>& kinematics) const {
+    double squares = 0.0;
+    for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
+      const IkTarget<double>& target = targets_[g];
+      const Vec3d miss = target.position - kinematics.point(target.link, target.point);
+      squares += dot(miss, miss);
+    }
+    return sqrt(squares);
+  }
+
+  [[nodiscard]] double contact_error(const Kinematics<double>& kinematics) const {
+    double worst = 0.0;
+    for (std::size_t i = problem_.goals.size(); i < targets_.size(); ++i) {
+      const IkTarget<double>& target = targets_[i];
+      const Mat3d& turned = kinematics.link_rotation(target.link);
+      worst = max(worst, norm(target.position - kinematics.point(target.link, target.point)));
+      worst = max(worst, kContactLength *
+                             norm(rotation_vector(target.orientation * transpose(turned))));
+    }
+    return worst;
+  }
+
+  [[nodiscard]] std::vector<Vec3d> positions() const {
+    std::vector<Vec3d> result;
+    for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
+      result.push_back(kinematics_.point(targets_[g].link, targets_[g].point));
+    }
+    return result;
+  }
+
+  const ReachProblem& problem_;
+  const BodyModel& body_;
+  std::vector<IkTarget<double>> targets_;  // the goals, then the contacts
+  std::vector<double> weights_;
+  std::vector<double> step_;
+  std::vector<double> trial_;
+  Kinematics<double> kinematics_;
+  Kinematics<double> trial_kinematics_;
+  IkWorkspace<double> workspace_;
+};
+
+}  // namespace
+
+ClosestReach closest_reach(const ReachProblem& problem, const ReachabilitySettings& settings) {
+  const BodyModel& body = *problem.body;
+  Descent descent(problem);
+  Random random(0, 0x5EAC4);
+  ClosestReach best;
+  best.distance = std::numeric_limits<double>::infinity();
+  for (int s = 0; s < settings.starts; ++s) {
+    std::vector<double> angles = s == 0
+                                     ? std::vector<double>(body.start().begin(), body.start().end())
+                                     : descent.wander(random);
+    ClosestReach found = descent.run(std::move(angles), settings.iterations);
+    // among near equals the first, the start posture's own neighbourhood, is the natural one
+    const bool nearer = found.distance < best.distance - kNearEqual;
+    const bool meets = found.reached() && !best.reached();
+    if (nearer || meets) best = std::move(found);
+    if (best.reached()) break;
+  }
+  return best;
+}
+
+}  // namespace shigusa

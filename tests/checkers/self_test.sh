@@ -1,0 +1,110 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# self_test.sh COMPILER: shows on small trees that each checker of scripts/ refuses what it should,
+# and accepts what it should.
+set -eu
+compiler=$1
+scripts=$(cd "$(dirname "$0")/../../scripts" && pwd)
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+failures=0
+
+# fresh: an empty tree with one file that every checker accepts
+fresh() {
+  rm -rf "${tree:?}"/*
+  mkdir -p "$tree/include" "$tree/src"
+  write include/shigusa/core/good.hpp '// SPDX-License-Identifier: MIT' '#include <string>' \
+    '#include <tl/expected.hpp>' 'namespace shigusa {' 'inline double f(double x) { return x; }' '}'
+}
+
+# write PATH LINE…
+write() {
+  path=$tree/$1
+  shift
+  mkdir -p "$(dirname "$path")"
+  printf '%s\n' "$@" >"$path"
+}
+
+report() {
+  echo "self_test: $1"
+  failures=$((failures + 1))
+}
+
+# accepts CHECKER: the tree as it stands passes
+accepts() {
+  output=$(sh "$scripts/$1" "$tree" 2>&1) || report "$1 refuses a good tree: $output"
+}
+
+# refuses CHECKER PATH LINE MESSAGE: a good tree and this file do not pass, and MESSAGE is told
+refuses() {
+  fresh
+  write "$2" "$3"
+  if output=$(sh "$scripts/$1" "$tree" 2>&1); then
+    report "$1 accepts '$3' in $2"
+  else
+    case $output in
+      *"$2:1: $4"*) ;;
+      *) report "$1 refuses '$3' in $2 for another reason: $output" ;;
+    esac
+  fi
+}
+
+# layers
+fresh
+write src/hierarchy/a.cpp '#include <shigusa/search/b.hpp>' '#include "c.hpp"' '#include <fmt/core.h>'
+write src/project/a.cpp '#include <shigusa/io/b.hpp>' '#include "../io/c.hpp"'
+write examples/one/main.cpp '#include <shigusa/io/b.hpp>' '#include "local.hpp"'
+write tests/search/a_test.cpp '#include <shigusa/body/b.hpp>' '#include "io/internal.hpp"'
+accepts check_layers.sh
+public=include/shigusa
+refuses check_layers.sh $public/math/a.hpp '#include <shigusa/body/b.hpp>' 'math must not include body'
+refuses check_layers.sh $public/search/a.hpp '#include <shigusa/math/b.hpp>' 'search must not include math'
+refuses check_layers.sh src/rollout/a.cpp '# include "shigusa/search/b.hpp"' 'rollout must not include search'
+refuses check_layers.sh src/hierarchy/a.cpp '#include <shigusa/io/b.hpp>' 'hierarchy must not include io'
+refuses check_layers.sh src/io/a.cpp '#include <shigusa/project/b.hpp>' 'io must not include project'
+refuses check_layers.sh src/math/a.cpp '#include "../body/b.hpp"' 'math must not include body'
+refuses check_layers.sh src/math/a.cpp '#include "body/b.hpp"' 'math must not include body'
+refuses check_layers.sh $public/core/a.hpp '#include <shigusa/extra/b.hpp>' '"extra" is not a room'
+refuses check_layers.sh $public/extra/a.hpp '#include <string>' '"extra" is not a room'
+refuses check_layers.sh $public/io/a.hpp '#include <nlohmann/json.hpp>' 'a public header must not include'
+refuses check_layers.sh $public/io/a.hpp '#include <cairo.h>' 'a public header must not include'
+refuses check_layers.sh $public/io/a.hpp '#include "b.hpp"' 'a public header includes only'
+refuses check_layers.sh apps/shigusa/a.cpp '#include "../../src/io/b.hpp"' 'apps must use public headers only'
+refuses check_layers.sh examples/one/a.cpp '#include "io/b.hpp"' 'examples must use public headers only'
+
+# the C library's functions
+fresh
+write include/shigusa/math/own.hpp 'namespace shigusa {' 'double atan2(double y, double x);  // not std::atan2' \
+  'inline double g(double y) { return atan2(y, 1.0) + sin_cos(y).sin + exponent(y); }' '}'
+write src/io/text.cpp 'const char* help = "sin(x)";' 'char quote = '"'\"'"';'
+accepts check_c_math.sh
+for line in 'double y = std::sin(x);' 'double y = std :: acos (x);' 'float y = ::expf(x);' \
+  'double y = cos(x);' 'float y = atan2f(x, x);' 'using std::pow;' 'double y = __builtin_log(x);' \
+  'double y = (c == '"'\"'"' ? exp(x) : 0) + text("");'; do
+  refuses check_c_math.sh src/math/a.cpp "$line" "the C library's function"
+done
+fresh
+write src/math/hidden.cpp '#include <cmath>' 'using namespace std;' \
+  'double hidden(double y, double x) { return atan2(y, x); }'
+accepts check_c_math.sh
+"$compiler" -c "$tree/src/math/hidden.cpp" -o "$tree/hidden.o"
+ar cr "$tree/libhidden.a" "$tree/hidden.o"
+if sh "$scripts/check_c_math.sh" "$tree" "$tree/libhidden.a" >/dev/null 2>&1; then
+  report "check_c_math.sh accepts a library that needs atan2"
+fi
+
+# licences
+fresh
+write scripts/tool '#!/bin/sh' '# SPDX-License-Identifier: MIT'
+write CMakeLists.txt '# SPDX-License-Identifier: MIT'
+write data.json '{}'
+accepts check_spdx.sh
+refuses check_spdx.sh src/core/a.cpp 'int a;' 'no SPDX'
+refuses check_spdx.sh cmake/a.cmake 'set(a 1)' 'no SPDX'
+fresh
+write scripts/tool '#!/bin/sh' 'true'
+if sh "$scripts/check_spdx.sh" "$tree" >/dev/null 2>&1; then
+  report "check_spdx.sh accepts a script without a licence"
+fi
+
+[ "$failures" = 0 ]

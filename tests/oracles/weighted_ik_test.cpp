@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <kdl/chain.hpp>
+#include <kdl/chainiksolvervel_wdls.hpp>
+#include <numeric>
+#include <shigusa/kinematics/weighted_ik.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
+
+#include "support/bodies.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using Targets = std::vector<IkTarget<double>>;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+// Goals are to be met exactly and no step is cut short.
+const IkSettings kExact{.damping = 0.0, .lag_damping = 0.0, .contact_damping = 0.0, .max_step = 1e3};
+
+struct Step {
+  std::vector<double> q{};
+  Targets targets{};
+  std::vector<double> inverse_weights{};
+  std::vector<double> reference{};  // or empty
+  IkSettings settings = kExact;
+};
+
+Vector shigusas_step(const BodyModel& body, const Step& step) {
+  IkWorkspace<double> workspace(body);
+  std::vector<double> dq(step.q.size());
+  weighted_ik_step<double>(body, placed(body, step.q), step.targets, step.inverse_weights,
+                           step.reference, step.settings, workspace, dq);
+  return Eigen::Map<Vector>(dq.data(), static_cast<Eigen::Index>(dq.size()));
+}
+
+// (dofs) 1 / w, w from the logarithmic middle out
+std::vector<double> random_inverse_weights(const BodyModel& body, Random& random) {
+  std::vector<double> inverse;
+  for (int d = 0; d < body.dof_count(); ++d) inverse.push_back(std::exp(random.uniform(-2.5, 2.5)));
+  return inverse;
+}
+
+// An effector's goal up to 10 cm from where it is.
+IkTarget<double> random_goal(const Kinematics<double>& kinematics, const Effector& effector,
+                             Random& random) {
+  const Vec3d away{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1),
+                   random.uniform(-0.1, 0.1)};
+  return {.link = effector.link,
+          .point = effector.point,
+          .position = kinematics.point(effector.link, effector.point) + away};
+}
+
+// The chain from the standing foot to a hand for Orocos KDL.
+KDL::Chain kdl_chain(const BodyModel& body, const Effector& effector) {
+  const auto vector = [](const Vec3d& v) { return KDL::Vector(v.x, v.y, v.z); };
+  const Mat3d& r = body.base().rotation;
+  const KDL::Rotation base(vector(r.cx), vector(r.cy), vector(r.cz));
+  KDL::Chain chain;
+  for (int d = 0; d < body.dof_count(); ++d) {
+    if (!body.moves(d, effector.link)) continue;
+    const Dof& dof = body.dof(d);
+    if (chain.getNrOfSegments() == 0) {
+      const KDL::Frame frame(base, vector(body.base().translation) + base * vector(dof.offset));
+      chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), frame));
+    }
+    // a segment's joint comes first and its frame, the way to the next joint, second
+    const bool last = d == effector.link;
+    int next = d + 1;
+    while (!last && !body.moves(next, effector.link)) ++next;
+    const Vec3d tip = last ? effector.point : body.dof(next).offset;
+    const auto type = static_cast<KDL::Joint::JointType>(KDL::Joint::RotX +
+                                                         static_cast<int>(dof.axis));
+    chain.addSegment(
+        KDL::Segment(KDL::Joint(dof.name, type, dof.sign), KDL::Frame(vector(tip))));
+  }
+  return chain;
+}
+
+TEST(WeightedIkAgainstKdl, OneHandTakesTheSameStep) {
+  const BodyModel body = half_body();
+  const Effector& hand = body.effectors()[0];
+  const KDL::Chain chain = kdl_chain(body, hand);
+  ASSERT_EQ(static_cast<int>(chain.getNrOfJoints()), body.dof_count());
+  KDL::ChainIkSolverVel_wdls solver(chain, 1e-12, 500);
+  solver.setLambda(1e-9);
+  // the hand's position counts, its orientation does not
+  Matrix task = Matrix::Zero(6, 6);
+  task.topLeftCorner(3, 3).setIdentity();
+  solver.setWeightTS(task);
+  Random random(21);
+  for (int trial = 0; trial < 200; ++trial) {
+    Step step{.q = random_posture(body, random)};
+    const Kinematics<double> kinematics = placed(body, step.q);
+    step.targets = {random_goal(kinematics, hand, random)};
+    step.inverse_weights = random_inverse_weights(body, random);
+    // KDL minimises |M⁻¹ Δq|²
+    Matrix m = Matrix::Zero(body.dof_count(), body.dof_count());
+    KDL::JntArray q(chain.getNrOfJoints());
+    for (int d = 0; d < body.dof_count(); ++d) {
+      m(d, d) = std::sqrt(step.inverse_weights[static_cast<std::size_t>(d)]);
+      q(static_cast<unsigned>(d)) = step.q[static_cast<std::size_t>(d)];
+    }
+    solver.setWeightJS(m);
+    const Vec3d way =
+        step.targets[0].position - kinematics.point(hand.link, hand.point);
+    KDL::JntArray expected(chain.getNrOfJoints());
+    solver.CartToJnt(q, KDL::Twist(KDL::Vector(way.x, way.y, way.z), KDL::Vector::Zero()),
+                     expected);
+    ASSERT_LT((shigusas_step(body, step) - expected.data).norm(), 1e-9 * expected.data.norm());
+  }
+}
+
+// The wanted step as the solution of its optimality conditions, all at once:
+//
+//   min Σ w_i (Δq_i - Δq_ref,i)² + Σ |J_g Δq - e_g|² / d_g   s.t.  J_c Δq = e_c, locked Δq = 0
+//
+// with the goals' damping d_g = share · mean diagonal of J_g W⁻¹ J_gᵀ.
+class KktSystem {
+ public:
+  KktSystem(const BodyModel& body, const Step& step) : body_(body), step_(step) {
+    for (int d = 0; d < body.dof_count(); ++d) {
+      if (step.inverse_weights[static_cast<std::size_t>(d)] > 0.0) free_.push_back(d);
+    }
+    const auto n = static_cast<Eigen::Index>(free_.size());
+    hessian_ = Matrix::Zero(n, n);
+    gradient_ = Vector::Zero(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto d = static_cast<std::size_t>(free_[static_cast<std::size_t>(i)]);
+      hessian_(i, i) = 1.0 / step.inverse_weights[d];
+      if (!step.reference.empty()) gradient_(i) = hessian_(i, i) * step.reference[d];
+    }
+    const Kinematics<double> kinematics = placed(body, step.q);
+    for (const IkTarget<double>& target : step.targets) add_target(kinematics, target);
+  }
+
+  // (dofs)
+  [[nodiscard]] Vector solution() const {
+    const Eigen::Index n = hessian_.rows();
+    const Eigen::Index m = rows_.rows();
+    Matrix kkt = Matrix::Zero(n + m, n + m);
+    kkt.topLeftCorner(n, n) = hessian_;
+    kkt.topRightCorner(n, m) = rows_.transpose();
+    kkt.bottomLeftCorner(m, n) = rows_;
+    Vector right(n + m);
+    right << gradient_, residual_;
+    const Vector solved = kkt.fullPivLu().solve(right);
+    Vector dq = Vector::Zero(body_.dof_count());
+    for (Eigen::Index i = 0; i < n; ++i) dq(free_[static_cast<std::size_t>(i)]) = solved(i);
+    return dq;
+  }
+
+ private:
+  void add_target(const Kinematics<double>& kinematics, const IkTarget<double>& target) {
+    const Eigen::Index count = target.contact ? 6 : 3;
+    const auto n = static_cast<Eigen::Index>(free_.size());
+    const Vec3d at = kinematics.point(target.link, target.point);
+    const Vec3d error = target.position - at;
+    Matrix j = Matrix::Zero(count, n);
+    Vector e = Vector::Zero(count);
+    for (int k = 0; k < 3; ++k) e(k) = error[k];
+    if (target.contact) {
+      const Vec3d tilt = rotation_vector(target.orientation *
+                                         transpose(kinematics.link_rotation(target.link)));
+      for (int k = 0; k < 3; ++k) e(3 + k) = kContactLength * tilt[k];
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const int d = free_[static_cast<std::size_t>(i)];
+      if (!body_.moves(d, target.link)) continue;
+      const auto index = static_cast<std::size_t>(d);
+      const Vec3d arm = at - kinematics.origin[index];
+      const Vec3d v = cross(kinematics.axis[index], arm);
+      for (int k = 0; k < 3; ++k) {
+        j(k, i) = v[k];
+        if (target.contact) j(3 + k, i) = kContactLength * kinematics.axis[index][k];
+      }
+    }
+    const double ratio = target.lag / step_.settings.lag_scale;
+    const double share =
+        step_.settings.damping + step_.settings.lag_damping * ratio * ratio;
+    if (target.contact || share == 0.0) return add_constraint(j, e);
+    double trace = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto d = static_cast<std::size_t>(free_[static_cast<std::size_t>(i)]);
+      trace += step_.inverse_weights[d] * j.col(i).squaredNorm();
+    }
+    const double damping = share * trace / 3.0;
+    hessian_ += j.transpose() * j / damping;
+    gradient_ += j.transpose() * e / damping;
+  }
+
+  void add_constraint(const Matrix& j, const Vector& e) {
+    Matrix rows(rows_.rows() + j.rows(), j.cols());
+    rows << rows_.topRows(rows_.rows()), j;
+    rows_ = rows;
+    Vector residual(residual_.size() + e.size());
+    residual << residual_, e;
+    residual_ = residual;
+  }
+
+  const BodyModel& body_;
+  const Step& step_;
+  std::vector<int> free_;
+  Matrix hessian_;
+  Vector gradient_;
+  Matrix rows_{0, 0};
+  Vector residual_{0};
+};
+
+// Goals for both hands and the second foot to be put back where it stands, from a posture near the
+// start that has moved the foot a little.
+Step both_hands_and_foot(const BodyModel& body, Random& random) {
+  Step step{.q = {body.start().begin(), body.start().end()}};
+  for (double& angle : step.q) angle += random.uniform(-0.3, 0.3);
+  const Kinematics<double> kinematics = placed(body, step.q);
+  for (const Effector& effector : body.effectors()) {
+    step.targets.push_back(random_goal(kinematics, effector, random));
+  }
+  const Foot& foot = body.feet()[1];
+  const Kinematics<double> start = placed(body, body.start());
+  step.targets.push_back({.link = foot.link,
+                          .point = foot.centre,
+                          .position = start.point(foot.link, foot.centre),
+                          .contact = true,
+                          .orientation = start.link_rotation(foot.link)});
+  step.inverse_weights = random_inverse_weights(body, random);
+  return step;
+}
+
+// Runs 200 random steps, each changed by change(step, random), against the KKT system.
+template <class Change>
+void compare_with_kkt(Change change, double tolerance = 1e-9) {
+  const BodyModel body = full_body();
+  Random random(22);
+  for (int trial = 0; trial < 200; ++trial) {
+    Step step = both_hands_and_foot(body, random);
+    change(step, random);
+    const Vector expected = KktSystem(body, step).solution();
+    const Vector seen = shigusas_step(body, step);
+    ASSERT_LT((seen - expected).norm(), tolerance * (1.0 + expected.norm())) << trial;
+  }
+}
+
+TEST(WeightedIkAgainstKkt, MeetsGoalsAndContactsAtTheLeastCost) {
+  compare_with_kkt([](Step&, Random&) {});
+}
+
+TEST(WeightedIkAgainstKkt, StaysNearTheReference) {
+  compare_with_kkt([](Step& step, Random& random) {
+    for (std::size_t d = 0; d < step.q.size(); ++d) {
+      step.reference.push_back(random.uniform(-0.5, 0.5));
+    }
+  });
+}
+
+TEST(WeightedIkAgainstKkt, DoesWithoutLockedJoints) {
+  compare_with_kkt([](Step& step, Random& random) {
+    // arms only: with a leg locked too, two planted feet cannot both be put back
+    for (std::size_t d = 5; d < 13; ++d) {
+      if (random.chance(0.2)) step.inverse_weights[d] = 0.0;
+    }
+    for (std::size_t d = 0; d < step.q.size(); ++d) {
+      step.reference.push_back(random.uniform(-0.5, 0.5));
+    }
+  });
+}
+
+TEST(WeightedIkAgainstKkt, DampedGoalsGiveWayAndContactsDoNot) {
+  compare_with_kkt([](Step& step, Random& random) {
+    step.settings.damping = random.uniform(0.01, 1.0);
+  });
+}
+
+TEST(WeightedIkAgainstKkt, DampingGrowsWithTheSquareOfTheLag) {
+  compare_with_kkt([](Step& step, Random& random) {
+    step.settings.damping = 0.01;
+    step.settings.lag_damping = 2.0;
+    step.settings.lag_scale = 0.2;
+    for (IkTarget<double>& target : step.targets) target.lag = random.uniform(0.0, 0.5);
+  });
+}
+
+}  // namespace
+}  // namespace shigusa

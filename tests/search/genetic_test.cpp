@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <set>
+#include <shigusa/core/check.hpp>
+#include <shigusa/search/genetic.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "core/statistics.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// A problem from a function that scores one genome.
+template <class Score>
+DiscreteProblem problem_of(int genes, int bits_per_gene, Score score) {
+  const auto evaluate = [genes, score](std::span<const std::uint16_t> genomes,
+                                       std::span<double> scores) {
+    const auto n = static_cast<std::size_t>(genes);
+    ASSERT_EQ(genomes.size(), scores.size() * n);
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      const auto genome = genomes.subspan(i * n, n);
+      scores[i] = score(Genome(genome.begin(), genome.end()));
+    }
+  };
+  return {.genes = genes, .bits_per_gene = bits_per_gene, .evaluate = evaluate};
+}
+
+// Mean over genes of ((gene - target) / 15)², target (5 g + 3) mod 16: separable, 0 at its only
+// optimum.
+double separable(const Genome& genome) {
+  double sum = 0.0;
+  for (std::size_t g = 0; g < genome.size(); ++g) {
+    const double gap =
+        (static_cast<double>(genome[g]) - static_cast<double>((5 * g + 3) % 16)) / 15;
+    sum += gap * gap;
+  }
+  return sum / static_cast<double>(genome.size());
+}
+
+const DiscreteProblem kSeparable = problem_of(8, 4, separable);
+
+// A copy of the problem that keeps the genomes of each call.
+struct Recorder {
+  std::vector<std::vector<Genome>> batches;
+
+  DiscreteProblem watch(DiscreteProblem problem) {
+    const auto inner = problem.evaluate;
+    problem.evaluate = [this, inner, genes = static_cast<std::size_t>(problem.genes)](
+                           std::span<const std::uint16_t> genomes, std::span<double> scores) {
+      batches.emplace_back();
+      for (std::size_t i = 0; i < scores.size(); ++i) {
+        const auto genome = genomes.subspan(i * genes, genes);
+        batches.back().emplace_back(genome.begin(), genome.end());
+      }
+      inner(genomes, scores);
+    };
+    return problem;
+  }
+
+  [[nodiscard]] std::vector<Genome> all() const {
+    std::vector<Genome> genomes;
+    for (const auto& batch : batches) genomes.insert(genomes.end(), batch.begin(), batch.end());
+    return genomes;
+  }
+};
+
+TEST(GeneticSettings, AreThePapersByDefault) {
+  EXPECT_EQ(DiscreteProblem{}.bits_per_gene, 4);
+  EXPECT_EQ(kPaperBitsPerGene, 4);
+  const GeneticSettings settings;
+  EXPECT_EQ(settings.population, 8);
+  EXPECT_EQ(settings.crossover_rate, 0.5);
+  EXPECT_EQ(settings.mutation_rate, 0.1);
+  EXPECT_EQ(settings.max_generations, 20);
+}
+
+TEST(GeneticSettings, FollowRuleR7WhereThePaperIsSilent) {
+  EXPECT_EQ(GeneticSettings{}.unchanged_generations, 3);
+  EXPECT_EQ(GeneticSettings{}.fitness_offset, 0.05);
+}
+
+TEST(GeneticSearch, SameSeedGivesTheSameResult) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const SearchResult a = genetic_search(kSeparable, {.seed = seed});
+    const SearchResult b = genetic_search(kSeparable, {.seed = seed});
+    EXPECT_EQ(a.final_population, b.final_population);
+    EXPECT_EQ(a.best_seen, b.best_seen);
+    EXPECT_EQ(a.evaluations, b.evaluations);
+    EXPECT_EQ(a.generations, b.generations);
+  }
+}
+
+TEST(GeneticSearch, ResultOfASeedIsTheSameEverywhere) {
+  const SearchResult result = genetic_search(kSeparable, {.seed = 42});
+  EXPECT_EQ(result.best_seen.genes, (Genome{3, 3, 11, 2, 8, 10, 3, 10}));
+  EXPECT_EQ(result.evaluations, 73);
+}
+
+TEST(GeneticSearch, OtherSeedsGiveOtherResults) {
+  std::set<Genome> best;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    best.insert(genetic_search(kSeparable, {.seed = seed}).best_seen.genes);
+  }
+  EXPECT_EQ(best.size(), 20U);
+}
+
+TEST(GeneticSearch, FinalPopulationHasTheSizeAndTheScoresOfItsGenomes) {
+  const SearchResult result = genetic_search(kSeparable, {.population = 12, .seed = 1});
+  EXPECT_EQ(result.final_population.size(), 12U);
+  for (const Individual& individual : result.final_population) {
+    EXPECT_EQ(individual.score, separable(individual.genes));
+  }
+}
+
+TEST(GeneticSearch, BestSeenIsTheBestOfAllEvaluated) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Recorder recorder;
+    const SearchResult result = genetic_search(recorder.watch(kSeparable), {.seed = seed});
+    double best = kInfinity;
+    for (const Genome& genome : recorder.all()) best = std::min(best, separable(genome));
+    EXPECT_EQ(result.best_seen.score, best);
+    EXPECT_EQ(separable(result.best_seen.genes), best);
+  }
+}
+
+TEST(GeneticSearch, BestSeenIsTheFirstAmongEquals) {
+  Recorder recorder;
+  const DiscreteProblem flat = recorder.watch(problem_of(8, 4, [](const Genome&) { return 0.5; }));
+  const SearchResult result = genetic_search(flat, {.seed = 2});
+  EXPECT_EQ(result.best_seen.genes, recorder.batches.at(0).at(0));
+}
+
+TEST(GeneticSearch, InitialPopulationIsUniform) {
+  std::vector<int> counts(16);
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Recorder recorder;
+    (void)genetic_search(recorder.watch(kSeparable), {.max_generations = 0, .seed = seed});
+    for (const Genome& genome : recorder.all()) {
+      for (const auto gene : genome) ++counts.at(gene);
+    }
+  }
+  EXPECT_LT(chi_square_uniform(counts), chi_square_limit(15));
+}
+
+TEST(GeneticSearch, EachGenomeIsScoredOnce) {
+  // 64 genomes in all: most children have been seen before
+  const DiscreteProblem tiny = problem_of(3, 2, separable);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Recorder recorder;
+    const SearchResult result = genetic_search(
+        recorder.watch(tiny), {.population = 20, .max_generations = 100, .seed = seed});
+    const std::vector<Genome> all = recorder.all();
+    EXPECT_EQ(std::set<Genome>(all.begin(), all.end()).size(), all.size());
+    EXPECT_EQ(result.evaluations, static_cast<int>(all.size()));
+    for (const Individual& individual : result.final_population) {
+      EXPECT_EQ(individual.score, separable(individual.genes));
+    }
+  }
+}
+
+TEST(GeneticSearch, EachGenerationIsOneNonEmptyBatchAtMost) {
+  Recorder recorder;
+  const SearchResult result =
+      genetic_search(recorder.watch(kSeparable), {.unchanged_generations = 100, .seed = 3});
+  EXPECT_LE(recorder.batches.size(), 1U + static_cast<std::size_t>(result.generations));
+  for (const auto& batch : recorder.batches) EXPECT_FALSE(batch.empty());
+  EXPECT_EQ(recorder.batches[0].size(), 8U);
+}
+
+TEST(GeneticSearch, OneGenerationScoresAsManyAsExpected) {
+  // 4 pairs · 0.5 · 2 children and 8 · 0.1 mutants. A child equals its first parent if the parents
+  // agree after the cut: (1/2 + 1/4 + …) / 31 of the cuts, and as often its second. The number has
+  // a variance of 4 · 4 · 0.25 + 8 · 0.09 = 4.72, or less.
+  int total = 0;
+  constexpr int searches = 4000;
+  for (std::uint64_t seed = 0; seed < searches; ++seed) {
+    total += genetic_search(kSeparable, {.max_generations = 1, .seed = seed}).evaluations;
+  }
+  const double mean = static_cast<double>(total) / searches;
+  EXPECT_NEAR(mean, 8.0 + 4.0 * (1.0 - 2.0 / 31.0) + 0.8, 5.0 * std::sqrt(4.72 / searches));
+}
+
+TEST(GeneticSearch, PopulationWithoutOffspringConvergesAfterThreeGenerations) {
+  const SearchResult result =
+      genetic_search(kSeparable, {.crossover_rate = 0.0, .mutation_rate = 0.0, .seed = 4});
+  EXPECT_EQ(result.end, SearchEnd::converged);
+  EXPECT_EQ(result.generations, 3);
+  EXPECT_EQ(result.evaluations, 8);
+}
+
+TEST(GeneticSearch, StopsAtTheGenerationCap) {
+  for (const int cap : {0, 1, 7}) {
+    const SearchResult result =
+        genetic_search(kSeparable, {.max_generations = cap, .unchanged_generations = 100});
+    EXPECT_EQ(result.end, SearchEnd::budget);
+    EXPECT_EQ(result.generations, cap);
+  }
+}
+
+TEST(GeneticSearch, FindsTheOptimumOfASeparableProblemWithALargerBudget) {
+  // the share of the 32 bits that are wrong: among 2^32 genomes one is right
+  const auto wrong_bits = [](const Genome& genome) {
+    int wrong = 0;
+    for (std::size_t g = 0; g < genome.size(); ++g) {
+      wrong += __builtin_popcount(static_cast<unsigned>(genome[g] ^ ((5 * g + 3) % 16)));
+    }
+    return wrong / 32.0;
+  };
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const SearchResult result =
+        genetic_search(problem_of(8, 4, wrong_bits), {.population = 100,
+                                                      .mutation_rate = 0.5,
+                                                      .max_generations = 200,
+                                                      .unchanged_generations = 200,
+                                                      .fitness_offset = 1e-3,
+                                                      .seed = seed});
+    EXPECT_EQ(result.best_seen.score, 0.0) << seed;
+    EXPECT_LT(result.evaluations, 30000) << seed;
+  }
+}
+
+TEST(GeneticSearch, TheBestCanBeLostAsThereIsNoElitism) {
+  // One gene of one bit with scores 0 and 0.05, fitness 20 and 10. Two parents that both mutate
+  // make a pool of two zeros and two ones, whatever they were; both draws are ones with
+  // probability 20/60 · 10/50 = 1/15.
+  const DiscreteProblem bit =
+      problem_of(1, 1, [](const Genome& genome) { return 0.05 * genome[0]; });
+  constexpr int searches = 15000;
+  int lost = 0;
+  for (std::uint64_t seed = 0; seed < searches; ++seed) {
+    const SearchResult result = genetic_search(
+        bit, {.population = 2, .mutation_rate = 1.0, .max_generations = 1, .seed = seed});
+    EXPECT_EQ(result.best_seen.score, 0.0);
+    const auto& last = result.final_population;
+    lost += last[0].score > 0.0 && last[1].score > 0.0 ? 1 : 0;
+  }
+  EXPECT_NEAR(lost, searches / 15.0, binomial_tolerance(searches, 1.0 / 15.0));
+}
+
+TEST(GeneticSearch, ThePoolHoldsParentsChildrenAndMutants) {
+  // All scores equal: of a pool of 8 parents, 8 children and 8 mutants, a third of the draws each.
+  // Parents are told by their scoring in the first batch.
+  constexpr int searches = 1000;
+  int parents_kept = 0;
+  int offspring = 0;
+  for (std::uint64_t seed = 0; seed < searches; ++seed) {
+    Recorder recorder;
+    const DiscreteProblem flat =
+        recorder.watch(problem_of(8, 4, [](const Genome&) { return 0.5; }));
+    const SearchResult result = genetic_search(
+        flat, {.crossover_rate = 1.0, .mutation_rate = 1.0, .max_generations = 1, .seed = seed});
+    const auto& first = recorder.batches[0];
+    for (const Individual& individual : result.final_population) {
+      const bool kept = std::find(first.begin(), first.end(), individual.genes) != first.end();
+      (kept ? parents_kept : offspring) += 1;
+    }
+    ASSERT_LE(recorder.batches[1].size(), 16U);
+  }
+  // 2/31 of the children equal a parent (see above), which are 1/46 of the pool
+  const double n = searches * 8.0;
+  EXPECT_GT(parents_kept, n / 3.0 - binomial_tolerance(n, 1.0 / 3.0));
+  EXPECT_LT(parents_kept, n * (1.0 / 3.0 + 1.0 / 46.0) + binomial_tolerance(n, 1.0 / 3.0));
+}
+
+TEST(GeneticSearch, NaNIsTheWorstAndCounted) {
+  // half of all genomes are refused
+  const DiscreteProblem holes = problem_of(
+      8, 4, [](const Genome& genome) { return genome[0] % 2 == 0 ? kNaN : separable(genome); });
+  Recorder recorder;
+  const SearchResult result = genetic_search(recorder.watch(holes), {.seed = 5});
+  int refused = 0;
+  for (const Genome& genome : recorder.all()) refused += genome[0] % 2 == 0 ? 1 : 0;
+  EXPECT_GT(refused, 0);
+  EXPECT_EQ(result.rejected_nan, refused);
+  EXPECT_EQ(result.evaluations, static_cast<int>(recorder.all().size()));
+  EXPECT_EQ(result.best_seen.genes[0] % 2, 1);
+  for (const Individual& individual : result.final_population) {
+    EXPECT_EQ(individual.score == kInfinity, individual.genes[0] % 2 == 0);
+  }
+}
+
+TEST(GeneticSearch, NaNIsNotDrawnWhileOthersAreLeft) {
+  const DiscreteProblem holes =
+      problem_of(1, 4, [](const Genome& genome) { return genome[0] == 7 ? 0.5 : kNaN; });
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Recorder recorder;
+    const SearchResult result =
+        genetic_search(recorder.watch(holes), {.max_generations = 1, .seed = seed});
+    const auto& first = recorder.batches[0];
+    if (std::find(first.begin(), first.end(), Genome{7}) == first.end()) continue;
+    EXPECT_EQ(result.final_population[0].genes, Genome{7});
+  }
+}
+
+TEST(GeneticSearch, EvenIfAllScoresAreNaNEndsWithAGenome) {
+  const DiscreteProblem none = problem_of(8, 4, [](const Genome&) { return kNaN; });
+  const SearchResult result = genetic_search(none, {.seed = 6});
+  EXPECT_EQ(result.rejected_nan, result.evaluations);
+  EXPECT_EQ(result.best_seen.genes.size(), 8U);
+  EXPECT_EQ(result.best_seen.score, kInfinity);
+  EXPECT_EQ(result.final_population.size(), 8U);
+}
+
+TEST(GeneticSearch, ScoresLeftUnwrittenAreRejected) {
+  const DiscreteProblem lazy{.genes = 4,
+                             .bits_per_gene = 4,
+                             .evaluate = [](std::span<const std::uint16_t>,
+                                            std::span<double> scores) { scores[0] = 1.0; }};
+  const SearchResult result = genetic_search(lazy, {.max_generations = 0, .seed = 7});
+  EXPECT_EQ(result.rejected_nan, result.evaluations - 1);
+  EXPECT_EQ(result.best_seen.score, 1.0);
+}
+
+TEST(GeneticSearch, InfiniteAndNegativeScoresRankByValue) {
+  const DiscreteProblem wide = problem_of(1, 4, [](const Genome& genome) {
+    return genome[0] == 3 ? -kInfinity : genome[0] == 4 ? kInfinity : -1.0 * genome[0];
+  });
+  const SearchResult result = genetic_search(wide, {.population = 100, .seed = 8});
+  EXPECT_EQ(result.best_seen.genes, Genome{3});
+  EXPECT_EQ(result.rejected_nan, 0);
+}
+
+TEST(GeneticSearch, ReportsTheInitialPopulationAndEachGeneration) {
+  std::vector<ProgressReport> reports;
+  const SearchResult result =
+      genetic_search(kSeparable, {.unchanged_generations = 100, .seed = 9},
+                     {.report = [&](const ProgressReport& r) { reports.push_back(r); }});
+  ASSERT_EQ(reports.size(), 21U);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    EXPECT_EQ(reports[i].fraction, static_cast<double>(i) / 20.0);
+    if (i == 0) continue;
+    EXPECT_GE(reports[i].evaluations, reports[i - 1].evaluations);
+    EXPECT_LE(reports[i].best_score, reports[i - 1].best_score);
+  }
+  EXPECT_EQ(reports.front().evaluations, 8);
+  EXPECT_EQ(reports.back().evaluations, result.evaluations);
+  EXPECT_EQ(reports.back().best_score, result.best_seen.score);
+}
+
+TEST(GeneticSearch, CancelledBeforeItBeganScoresTheInitialPopulationOnly) {
+  const std::atomic<bool> cancel = true;
+  Recorder recorder;
+  const SearchResult result =
+      genetic_search(recorder.watch(kSeparable), {.seed = 10}, {.report = {}, .cancel = &cancel});
+  EXPECT_EQ(result.end, SearchEnd::cancelled);
+  EXPECT_EQ(result.generations, 0);
+  EXPECT_EQ(recorder.batches.size(), 1U);
+  EXPECT_EQ(result.final_population.size(), 8U);
+  EXPECT_EQ(separable(result.best_seen.genes), result.best_seen.score);
+}
+
+TEST(GeneticSearch, CancelledDuringABatchFinishesThatGeneration) {
+  std::atomic<bool> cancel = false;
+  int calls = 0;
+  DiscreteProblem problem = kSeparable;
+  problem.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
+    kSeparable.evaluate(genomes, scores);
+    if (++calls == 3) cancel = true;
+  };
+  // all pairs have children, so that each generation has a batch
+  const SearchResult result = genetic_search(problem, {.crossover_rate = 1.0, .seed = 11},
+                                             {.report = {}, .cancel = &cancel});
+  EXPECT_EQ(result.end, SearchEnd::cancelled);
+  EXPECT_EQ(calls, 3);
+  EXPECT_EQ(result.generations, 2);
+  EXPECT_EQ(separable(result.best_seen.genes), result.best_seen.score);
+}
+
+TEST(GeneticSearch, CancelledDuringTheLastGenerationIsDone) {
+  std::atomic<bool> cancel = false;
+  const auto report = [&](const ProgressReport& r) { cancel = r.fraction == 1.0; };
+  const SearchResult result =
+      genetic_search(kSeparable, {.max_generations = 2}, {.report = report, .cancel = &cancel});
+  EXPECT_EQ(result.end, SearchEnd::budget);
+  EXPECT_EQ(result.generations, 2);
+}
+
+TEST(GeneticSearch, WhatTheProblemOrTheReportThrowsPassesThrough) {
+  const DiscreteProblem broken =
+      problem_of(8, 4, [](const Genome&) -> double { throw std::runtime_error("no"); });
+  EXPECT_THROW((void)genetic_search(broken, {}), std::runtime_error);
+  const auto throwing = [](const ProgressReport&) { throw std::runtime_error("no"); };
+  EXPECT_THROW((void)genetic_search(kSeparable, {}, {.report = throwing}), std::runtime_error);
+}
+
+TEST(GeneticSearch, WorksAtTheSmallestAndLargestSizes) {
+  const auto count_of = [](int genes, int bits, int population) {
+    return genetic_search(problem_of(genes, bits, separable),
+                          {.population = population, .max_generations = 3})
+        .evaluations;
+  };
+  EXPECT_GE(count_of(1, 1, 2), 1);
+  EXPECT_GE(count_of(kMaxGenes, kMaxBitsPerGene, 2), 2);
+  EXPECT_GE(count_of(1, 1, 1000), 2);
+}
+
+std::string refusal(const DiscreteProblem& problem, const GeneticSettings& settings) {
+  try {
+    (void)genetic_search(problem, settings);
+  } catch (const PreconditionError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(GeneticSearch, RefusesSettingsOutOfRangeAndNamesThem) {
+  for (const int population : {-2, 0, 1, 7, 1001, 1002}) {
+    EXPECT_EQ(refusal(kSeparable, {.population = population})
+                  .find("population is " + std::to_string(population) + ", allowed: even, 2..1000"),
+              0U);
+  }
+  for (const double rate : {-0.01, 1.01, kNaN, kInfinity}) {
+    EXPECT_EQ(refusal(kSeparable, {.crossover_rate = rate}).find("crossover_rate is"), 0U);
+    EXPECT_EQ(refusal(kSeparable, {.mutation_rate = rate}).find("mutation_rate is"), 0U);
+  }
+  EXPECT_EQ(refusal(kSeparable, {.max_generations = -1}).find("max_generations is -1"), 0U);
+  EXPECT_EQ(refusal(kSeparable, {.unchanged_generations = 0}).find("unchanged_generations is 0"),
+            0U);
+  for (const double offset : {0.0, -0.05, kNaN, kInfinity}) {
+    EXPECT_EQ(refusal(kSeparable, {.fitness_offset = offset}).find("fitness_offset is"), 0U);
+  }
+}
+
+TEST(GeneticSearch, RefusesProblemsOutOfRangeAndNamesWhy) {
+  for (const int genes : {-1, 0, kMaxGenes + 1}) {
+    EXPECT_EQ(refusal(problem_of(genes, 4, separable), {}).find("genes is"), 0U);
+  }
+  for (const int bits : {-1, 0, kMaxBitsPerGene + 1}) {
+    EXPECT_EQ(refusal(problem_of(4, bits, separable), {}).find("bits_per_gene is"), 0U);
+  }
+  const DiscreteProblem empty{.genes = 4, .bits_per_gene = 4, .evaluate = {}};
+  EXPECT_EQ(refusal(empty, {}).find("the problem has no evaluate function"), 0U);
+}
+
+}  // namespace
+}  // namespace shigusa
