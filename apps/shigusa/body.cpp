@@ -67,8 +67,8 @@ int body(const BodyOptions& options) {
   const Result<BodyModel> model = build_character(spec);
   if (!model) return report(model.error());
   if (options.json) {
-    fmt::print("{}\n", body_to_json(*model, spec).dump(2, ' ', false,
-                                                       Json::error_handler_t::replace));
+    fmt::print("{}\n",
+               body_to_json(*model, spec).dump(2, ' ', false, Json::error_handler_t::replace));
   } else {
     print_body(*model, spec);
   }

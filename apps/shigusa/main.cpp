@@ -29,7 +29,7 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->add_option("--criteria", o.criteria, "paper: the paper's weights whatever the task file says");
   c->add_option("--search", o.search, "paper_ga");
   c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
-      ->check(CLI::Range(1, 1'000'000'000));
+      ->check(CLI::Range(8, 1'000'000'000));
   c->add_option("--candidates", o.candidates, "Candidates to deliver, at most")
       ->check(CLI::Range(1, 1000));
   c->add_option("--seed", o.seed, "Same seed, same bytes (default 0)");
@@ -58,7 +58,8 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
   c->add_option("--out", o.out, "Picture: .svg, .png or .pdf (default: the clip's name with .svg)");
   c->add_option("--poses", o.poses, "Poses to draw")->capture_default_str();
   c->add_option("--frames", o.frames, "FIRST:LAST part of the clip (from 0)");
-  c->add_option("--stature", o.stature, "Standing height in metres, where the file's unit misleads");
+  c->add_option("--stature", o.stature,
+                "Standing height in metres, where the file's unit misleads");
   c->callback([&] { exit_code = render(o); });
 }
 
@@ -70,8 +71,7 @@ void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   c->add_option("--frame", o.frame, "Frame of the file")->check(CLI::NonNegativeNumber);
   c->add_option("--stature", o.stature, "Standing height in metres");
   c->add_option("--mass", o.mass, "Mass in kilograms");
-  c->add_option("--sex", o.sex, "male or female")
-      ->check(CLI::IsMember({"male", "female"}));
+  c->add_option("--sex", o.sex, "male or female")->check(CLI::IsMember({"male", "female"}));
   c->add_flag("--json", o.json, "Print JSON");
   c->callback([&] { exit_code = body(o); });
 }

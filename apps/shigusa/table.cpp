@@ -54,8 +54,7 @@ std::string headline(const Task& task, const Generation& generation, const RunIn
 int deliver(const std::filesystem::path& folder, const TaskFile& file, const Task& task,
             const Generation& generation, const RunInfo& info,
             const std::vector<ExportFormat>& formats, bool json) {
-  const Result<std::string> summary =
-      write_result(folder, file, task, generation, info, formats);
+  const Result<std::string> summary = write_result(folder, file, task, generation, info, formats);
   if (!summary) return report(summary.error());
   for (const std::string& doubt : task.body.doubts()) {
     fmt::print(stderr, "shigusa: {}: note: {}\n", task.body.name(), doubt);

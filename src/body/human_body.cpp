@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <shigusa/body/human_body.hpp>
+#include <tuple>
 
 #include "human_frames.hpp"
 #include "segment_mass.hpp"
@@ -86,14 +87,14 @@ class HumanBuilder {
     const Landmarks::Leg& leg = person_.leg(side);
     const LegFrames& frame = frames_.leg(side);
     if (settings_.extent == BodyExtent::half) leg_strength_ = 2.0;
-    strength_ = settings_.mass / table_.mean_mass *
-                (settings_.sex == Sex::female ? kFemaleStrength : 1.0);
+    strength_ =
+        settings_.mass / table_.mean_mass * (settings_.sex == Sex::female ? kFemaleStrength : 1.0);
     body_.base = {frame.foot, leg.ankle};
     const int ankle = add_dof(prefix + "ankle", "flexion", kBaseLink, {}, Axis::x, 1.0,
                               kAnkleFlexion, hinge_angle(frame.foot, frame.shank));
-    const int knee = add_dof(prefix + "knee", "flexion", ankle,
-                             local(frame.shank, leg.ankle, leg.knee), Axis::x, -1.0, kKneeFlexion,
-                             -hinge_angle(frame.shank, frame.thigh));
+    const int knee =
+        add_dof(prefix + "knee", "flexion", ankle, local(frame.shank, leg.ankle, leg.knee), Axis::x,
+                -1.0, kKneeFlexion, -hinge_angle(frame.shank, frame.thigh));
     const BallAngles hip = ball_angles(transpose(frames_.trunk) * frame.thigh, side);
     const std::string joint = prefix + "hip";
     // the joint is climbed from the thigh, so its rotations come in reverse order
@@ -140,11 +141,11 @@ class HumanBuilder {
                 Axis::x, -1.0, kShoulderFlexion, shoulder.flexion);
     const int abduction = add_dof(joint, "abduction", flexion, {}, Axis::z, s, kShoulderAbduction,
                                   shoulder.abduction);
-    const int upper = add_dof(joint, "rotation", abduction, {}, Axis::y, s, kShoulderRotation,
-                              shoulder.rotation);
-    const int fore = add_dof(prefix + "elbow", "flexion", upper,
-                             local(frame.upper_arm, arm.shoulder, arm.elbow), Axis::x, -1.0,
-                             kElbowFlexion, -hinge_angle(frame.upper_arm, frame.forearm));
+    const int upper =
+        add_dof(joint, "rotation", abduction, {}, Axis::y, s, kShoulderRotation, shoulder.rotation);
+    const int fore =
+        add_dof(prefix + "elbow", "flexion", upper, local(frame.upper_arm, arm.shoulder, arm.elbow),
+                Axis::x, -1.0, kElbowFlexion, -hinge_angle(frame.upper_arm, frame.forearm));
     set_mass(upper, masses_.upper_arm(side).in_frame(frame.upper_arm, arm.shoulder));
     set_mass(fore, masses_.forearm_and_hand(side).in_frame(frame.forearm, arm.elbow));
     const Vec3d grip = arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction;
@@ -159,9 +160,9 @@ class HumanBuilder {
     const LegFrames& frame = frames_.leg(side);
     const BallAngles hip = ball_angles(transpose(frames_.trunk) * frame.thigh, side);
     const std::string joint = prefix + "hip";
-    const int flexion = add_dof(joint, "flexion", trunk_,
-                                local(frames_.trunk, trunk_origin_, leg.hip), Axis::x, -1.0,
-                                kHipFlexion, hip.flexion);
+    const int flexion =
+        add_dof(joint, "flexion", trunk_, local(frames_.trunk, trunk_origin_, leg.hip), Axis::x,
+                -1.0, kHipFlexion, hip.flexion);
     const int abduction =
         add_dof(joint, "abduction", flexion, {}, Axis::z, s, kHipAbduction, hip.abduction);
     const int thigh =
@@ -169,9 +170,9 @@ class HumanBuilder {
     const int shank =
         add_dof(prefix + "knee", "flexion", thigh, local(frame.thigh, leg.hip, leg.knee), Axis::x,
                 1.0, kKneeFlexion, hinge_angle(frame.thigh, frame.shank));
-    const int foot = add_dof(prefix + "ankle", "flexion", shank,
-                             local(frame.shank, leg.knee, leg.ankle), Axis::x, -1.0, kAnkleFlexion,
-                             -hinge_angle(frame.shank, frame.foot));
+    const int foot =
+        add_dof(prefix + "ankle", "flexion", shank, local(frame.shank, leg.knee, leg.ankle),
+                Axis::x, -1.0, kAnkleFlexion, -hinge_angle(frame.shank, frame.foot));
     couple_hip(flexion, shank);
     set_mass(thigh, masses_.thigh(side).in_frame(frame.thigh, leg.hip));
     set_mass(shank, masses_.shank(side).in_frame(frame.shank, leg.knee));
@@ -226,7 +227,16 @@ class HumanBuilder {
     const Vec3d head = person_.neck + (person_.head_top - person_.neck) * 0.35;
     trunk_node("", trunk_node("head", neck, head, false), person_.head_top, true);
     for (const Side side : {Side::left, Side::right}) {
-      if (side == Side::left && settings_.extent == BodyExtent::half) continue;
+      if (side == Side::left && settings_.extent == BodyExtent::half) {
+        // the still limbs are not shown (paper, section 4), but the trunk that they hang on is
+        const Vec3d stub = (mid_hip - mid_shoulder) * 0.05;
+        for (const auto& [name, parent, at] :
+             {std::tuple{"left_upper_arm", chest, person_.left_arm.shoulder},
+              std::tuple{"left_upper_leg", hips, person_.left_leg.hip}}) {
+          trunk_node("", trunk_node(name, parent, at, false), at + stub, true);
+        }
+        continue;
+      }
       add_arm_nodes(side, chest);
       add_leg_nodes(side, hips);
     }
@@ -241,8 +251,8 @@ class HumanBuilder {
     const auto fore_node = [&](const std::string& name, int parent, const Vec3d& p, bool end) {
       return add_node(name, parent, fore, frame.forearm, arm.elbow, p, end);
     };
-    const int a = add_node(prefix + "upper_arm", chest, upper, frame.upper_arm, arm.shoulder,
-                           arm.shoulder);
+    const int a =
+        add_node(prefix + "upper_arm", chest, upper, frame.upper_arm, arm.shoulder, arm.shoulder);
     const int b = fore_node(prefix + "lower_arm", a, arm.elbow, false);
     const int c = fore_node(prefix + "hand", b, arm.wrist, false);
     const Vec3d grip = arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction;

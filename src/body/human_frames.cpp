@@ -21,18 +21,15 @@ Mat3d frame_x_y(const Vec3d& x, const Vec3d& y) {
 Vec3d hinge_axis(const Vec3d& bent, const Vec3d& expected) {
   const double sine = norm(bent);
   const double bend = asin(sine);
-  const double trust =
-      dot(bent, expected) > 0.0
-          ? clamp((bend - kBendIgnored) / (kBendTrusted - kBendIgnored), 0.0, 1.0)
-          : 0.0;
+  const double trust = dot(bent, expected) > 0.0
+                           ? clamp((bend - kBendIgnored) / (kBendTrusted - kBendIgnored), 0.0, 1.0)
+                           : 0.0;
   return normalized(normalized(bent, expected) * trust + expected * (1.0 - trust), expected);
 }
 
 Mat3d trunk_frame(const Landmarks& p) {
-  const Vec3d up =
-      p.left_arm.shoulder + p.right_arm.shoulder - p.left_leg.hip - p.right_leg.hip;
-  const Vec3d left =
-      p.left_arm.shoulder - p.right_arm.shoulder + p.left_leg.hip - p.right_leg.hip;
+  const Vec3d up = p.left_arm.shoulder + p.right_arm.shoulder - p.left_leg.hip - p.right_leg.hip;
+  const Vec3d left = p.left_arm.shoulder - p.right_arm.shoulder + p.left_leg.hip - p.right_leg.hip;
   const Vec3d y = normalized(up);
   const Vec3d z = normalized(cross(left, y), {0, 0, 1});
   return {cross(y, z), y, z};

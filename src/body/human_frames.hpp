@@ -26,8 +26,12 @@ struct HumanFrames {
   ArmFrames left_arm;
   ArmFrames right_arm;
 
-  [[nodiscard]] const LegFrames& leg(Side s) const { return s == Side::left ? left_leg : right_leg; }
-  [[nodiscard]] const ArmFrames& arm(Side s) const { return s == Side::left ? left_arm : right_arm; }
+  [[nodiscard]] const LegFrames& leg(Side s) const {
+    return s == Side::left ? left_leg : right_leg;
+  }
+  [[nodiscard]] const ArmFrames& arm(Side s) const {
+    return s == Side::left ? left_arm : right_arm;
+  }
 };
 
 [[nodiscard]] HumanFrames human_frames(const Landmarks& person);

@@ -186,16 +186,19 @@ class BoneFinder {
           "no {}: below {} {}", humanoid_bone_name(kLimbs[limb][k]), tree_.described(above),
           chain.empty() ? "nothing follows" : "comes only " + tree_.described(chain.front()));
     }
-    const bool nameless = hub(limb) < 0;
-    if (nameless) return missing_by_shape(tree_);
-    return fmt::format("no {}: {}", kLimbNames[limb],
-                       describe_branches(tree_, hub(limb), limb < 2));
+    const int from = hub(limb);
+    if (from < 0) return missing_by_shape(tree_);
+    return fmt::format("no {}: {}", kLimbNames[limb], describe_branches(tree_, from, limb < 2));
   }
 
-  // The node where a missing limb should leave: that of its fellow, else of the limbs there are;
-  // -1 where there is none.
+  // The node where a missing limb should leave: where its fellow does, else the hips by name, else
+  // where another limb does; -1 where nothing tells.
   [[nodiscard]] int hub(std::size_t missing_limb) const {
     int node = map_[kLimbs[missing_limb ^ 1][0]];
+    if (node < 0) {
+      const std::vector<int> hips = named(NameSide::none, {BonePart::hips, BonePart::hip});
+      if (!hips.empty()) return hips.front();
+    }
     for (std::size_t limb = 0; limb < kLimbs.size() && node < 0; ++limb) {
       node = map_[kLimbs[limb][0]];
     }

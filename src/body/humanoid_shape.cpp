@@ -217,11 +217,11 @@ bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map) {
 std::string missing_by_shape(const SkeletonTree& tree) {
   const std::vector<BranchPair> pairs = longest_pairs(tree);
   if (!pairs.empty()) {
-    const BranchPair& legs = pairs.front();
+    const auto& [first, second] = pairs.front().branch;
     return fmt::format(
-        "no arms: beside the chains of {} and {}, no node has two long chains of about the same "
-        "shape with the joints of an arm",
-        tree.described(legs.branch[0]), tree.described(legs.branch[1]));
+        "no two legs and two arms: of long chains in pairs of about the same shape, the longest "
+        "start at {} and {}, and beside them is no pair with the joints of a limb",
+        tree.described(first), tree.described(second));
   }
   const auto long_branches = [&](int node) {
     int count = 0;

@@ -46,8 +46,8 @@ constexpr std::array<Unit, 5> kUnits{{{"metres", 1.0},
                                       {"inches", 0.0254},
                                       {"1/0.45 inch, the CMU database's unit", 0.0254 / 0.45}}};
 
-// How far from the mean a stature is, as a ratio of at least 1.
-double oddness(double stature) { return max(stature / kMeanStature, kMeanStature / stature); }
+bool is_person(double stature) { return stature >= kShortestPerson && stature <= kTallestPerson; }
+double oddness(double stature) { return abs(stature - kMeanStature); }
 
 std::string_view side_word(Side side) { return side == Side::left ? "left" : "right"; }
 
@@ -333,7 +333,7 @@ class Measurer {
     if (settings.stature) {
       result_.stature = *settings.stature;
       result_.unit = *settings.stature / stature_;
-      if (*settings.stature >= kShortestPerson && *settings.stature <= kTallestPerson) return {};
+      if (is_person(*settings.stature)) return {};
       return fail(ErrorCode::invalid_argument,
                   fmt::format("a stature of {:g} m; {} to {} m are allowed", *settings.stature,
                               kShortestPerson, kTallestPerson));
@@ -344,7 +344,7 @@ class Measurer {
     }
     result_.unit = best->metres;
     result_.stature = stature_ * best->metres;
-    if (result_.stature < kShortestPerson || result_.stature > kTallestPerson) {
+    if (!is_person(result_.stature)) {
       return fail(
           ErrorCode::invalid_argument,
           fmt::format("no unit gives a person of {} to {} m: along the bones the file's is "

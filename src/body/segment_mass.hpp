@@ -12,8 +12,8 @@ namespace shigusa {
 // Mass of one or several segments in the start posture, in world coordinates: sums of segments
 // stay exact and are brought into a link's frame at the end.
 struct LinkMass {
-  double mass = 0.0;                               // kg
-  Vec3d moment{};                                  // kg·m, mass × com
+  double mass = 0.0;                                    // kg
+  Vec3d moment{};                                       // kg·m, mass × com
   Mat3d about_origin{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the world's origin
 
   void add(const LinkMass& other);

@@ -13,8 +13,8 @@ int Skeleton::find(std::string_view name) const {
 
 std::vector<Transformd> world_transforms(const Skeleton& skeleton, const SkeletonClip& clip,
                                          int frame) {
-  SHG_CHECK(frame >= 0 && frame < clip.frames, "frame " + std::to_string(frame) + " of " +
-                                                   std::to_string(clip.frames));
+  SHG_CHECK(frame >= 0 && frame < clip.frames,
+            "frame " + std::to_string(frame) + " of " + std::to_string(clip.frames));
   const LocalTransform* local = clip.frame(skeleton, frame);
   std::vector<Transformd> world(skeleton.nodes.size());
   for (std::size_t i = 0; i < world.size(); ++i) {

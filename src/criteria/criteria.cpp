@@ -9,8 +9,7 @@ double worst_score(const CriteriaSettings& settings) {
   return sum;
 }
 
-Score score_motion(const BodyModel& body, const Motion& motion,
-                   const CriteriaSettings& settings) {
+Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings) {
   Score score;
   score.terms = {
       {"joint_range", settings.joint_range_weight,

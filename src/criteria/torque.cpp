@@ -5,8 +5,7 @@
 
 namespace shigusa {
 
-double torque_penalty(const BodyModel& body, const Motion& motion,
-                      const TorqueSettings& settings) {
+double torque_penalty(const BodyModel& body, const Motion& motion, const TorqueSettings& settings) {
   return replay(motion, Torque<double>(body, settings));
 }
 

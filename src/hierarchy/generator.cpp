@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <utility>
@@ -40,11 +41,9 @@ void evaluate_genomes(const ReachProblem& problem, const CriteriaSettings& crite
       continue;
     }
     BuiltInCriteria<double> built_in(*problem.body, criteria);
-    const ReachOutcome outcome =
-        rollout.run(inverse_weights(parameters),
-                    [&](const MotionFrame<double>& frame, const Kinematics<double>&) {
-                      built_in.add(frame);
-                    });
+    const ReachOutcome outcome = rollout.run(
+        inverse_weights(parameters),
+        [&](const MotionFrame<double>& frame, const Kinematics<double>&) { built_in.add(frame); });
     scores[i] = outcome.met(tolerance) ? built_in.score() : worst_score(criteria);
   }
 }
@@ -57,7 +56,8 @@ SearchResult search_weights(const ReachProblem& problem, const Task& task, doubl
   discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
     evaluate_genomes(problem, task.criteria, tolerance, genomes, scores);
   };
-  return genetic_search(discrete, task.genetic, progress);
+  if (!task.evaluations) return genetic_search(discrete, task.genetic, progress);
+  return restarted_genetic_search(discrete, task.genetic, *task.evaluations, progress);
 }
 
 std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
@@ -73,9 +73,8 @@ std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
     // less than a tenth of a degree is nothing that anyone sees
     if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
   }
-  std::stable_sort(result.begin(), result.end(), [](const LimitExcess& a, const LimitExcess& b) {
-    return a.excess > b.excess;
-  });
+  std::stable_sort(result.begin(), result.end(),
+                   [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
   return result;
 }
 
@@ -121,15 +120,14 @@ double posture_distance(const Clip& a, const Clip& b) {
 void collect_candidates(const Task& task, const ReachProblem& problem, double tolerance,
                         const SearchResult& found, Generation& generation) {
   std::vector<Individual> ranked;
+  std::set<std::vector<std::uint16_t>> known;
   for (const Individual& individual : found.final_population) {
-    const bool known = std::any_of(ranked.begin(), ranked.end(), [&](const Individual& other) {
-      return other.genes == individual.genes;
-    });
-    if (!known) ranked.push_back(individual);
+    if (known.insert(individual.genes).second) ranked.push_back(individual);
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const Individual& a, const Individual& b) { return a.score < b.score; });
   for (const Individual& individual : ranked) {
+    if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
     const Parameters parameters = decode_paper_genes(individual.genes);
     RolledOut rolled = roll_out(problem, parameters);
     if (!rolled.outcome.met(tolerance)) {
@@ -143,7 +141,6 @@ void collect_candidates(const Task& task, const ReachProblem& problem, double to
       ++generation.near_copies;
       continue;
     }
-    if (static_cast<int>(generation.candidates.size()) >= task.candidates) continue;
     generation.candidates.push_back(make_candidate(task, problem, parameters, std::move(rolled)));
   }
 }
@@ -184,10 +181,10 @@ Result<void> check_parameters(const BodyModel& body, const Parameters& parameter
   for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
     const double weight = parameters.joints[d].weight;
     if (weight >= kWeightMin && weight <= kWeightMax) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("weight is {}; allowed are {:g} to {:g}", weight, kWeightMin,
-                            kWeightMax),
-                body.dofs()[d].name);
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("weight is {}; allowed are {:g} to {:g}", weight, kWeightMin, kWeightMax),
+        body.dofs()[d].name);
   }
   return {};
 }
@@ -215,8 +212,7 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
     if (!generation.candidates.empty() || found.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {
-    generation.candidates.push_back(
-        nearest_candidate(task, ways, uniform_parameters(task.body)));
+    generation.candidates.push_back(nearest_candidate(task, ways, uniform_parameters(task.body)));
   }
   finish(reach, generation);
   return generation;

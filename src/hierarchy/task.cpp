@@ -35,6 +35,15 @@ Result<void> check_settings(const Task& task) {
                 fmt::format("duration is {} s; allowed are {:g} to {:g} s", *task.duration,
                             kTaskDurationMin, kTaskDurationMax));
   }
+  if (task.evaluations && *task.evaluations < task.genetic.population) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("evaluations is {}; allowed are {} (the population) and more",
+                            *task.evaluations, task.genetic.population));
+  }
+  if (task.candidates < 1) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
+  }
   const CriteriaSettings& c = task.criteria;
   double sum = 0.0;
   const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
@@ -63,7 +72,8 @@ double limb_length(const BodyModel& body, const Effector& effector) {
 
 std::string_view preset_name(Preset preset) {
   switch (preset) {
-    case Preset::paper: return "paper";
+    case Preset::paper:
+      return "paper";
   }
   return "";
 }

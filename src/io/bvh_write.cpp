@@ -123,7 +123,10 @@ class BvhWriter {
     for (std::size_t i = 0; i < count; ++i) moves_[i] = node(i).parent < 0;
     for (std::size_t k = 0; k < motion_.clip.local.size(); ++k) {
       const std::size_t i = k % count;
-      const Vec3d off = motion_.clip.local[k].translation - node(i).offset;
+      const auto& [t, q] = motion_.clip.local[k];
+      SHG_CHECK(is_finite(t.x + t.y + t.z + q.x + q.y + q.z + q.w),
+                "finite transforms, also of node '" + node(i).name + "'");
+      const Vec3d off = t - node(i).offset;
       if (max(abs(off.x), max(abs(off.y), abs(off.z))) > kStillness && !is_end(i)) moves_[i] = true;
     }
   }

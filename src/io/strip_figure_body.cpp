@@ -85,10 +85,20 @@ void FigureBody::find_bones(const StripSettings& settings) {
   for (Chain* limb : {&arms_[0], &arms_[1], &legs_[0], &legs_[1]}) {
     if (limb->joint[2] >= 0) limb->tips = tips_below(limb->joint[2]);
   }
+  find_trunk();
+}
+
+void FigureBody::find_trunk() {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool other_arm = arms_[1 - i].joint[0] >= 0;
+    const bool other_leg = legs_[1 - i].joint[0] >= 0;
+    shoulders_[i] = arms_[i].joint[0] < 0 && other_arm ? neck_ : arms_[i].joint[0];
+    pelvis_[i] = legs_[i].joint[0] < 0 && other_leg ? hips_ : legs_[i].joint[0];
+  }
   if (!has_trunk()) return;
-  int chest = skeleton_.nodes[at(arms_[1].joint[0])].parent;
-  while (chest >= 0 && !below(arms_[0].joint[0], chest)) chest = skeleton_.nodes[at(chest)].parent;
-  for (; chest >= 0 && !below(legs_[0].joint[0], chest) && chest != hips_;
+  int chest = skeleton_.nodes[at(shoulders_[1])].parent;
+  while (chest >= 0 && !below(shoulders_[0], chest)) chest = skeleton_.nodes[at(chest)].parent;
+  for (; chest >= 0 && !below(pelvis_[0], chest) && chest != hips_;
        chest = skeleton_.nodes[at(chest)].parent) {
     spine_.insert(spine_.begin(), chest);
   }
@@ -102,15 +112,15 @@ void FigureBody::measure_rest(const Upright& upright) {
     rest_[i] = node.offset + (node.parent < 0 ? Vec3d{} : rest_[at(node.parent)]);
   }
   measure_stature();
-  if (!has_trunk() || legs_[1].joint[1] < 0) return;
-  // the axis that leads up the trunk and the legs most: a rest posture may lean, its axes do not
-  const Vec3d high = middle(rest_[at(arms_[0].joint[0])], rest_[at(arms_[1].joint[0])]);
-  const Vec3d rise = high - rest_[at(legs_[1].joint[1])];
+  if (!has_trunk()) return;
+  // the axis that leads up the trunk most: a rest posture may lean, its axes do not
+  const Vec3d rise = middle(rest_[at(shoulders_[0])], rest_[at(shoulders_[1])]) -
+                     middle(rest_[at(pelvis_[0])], rest_[at(pelvis_[1])]);
   int axis = 0;
   for (int i = 1; i < 3; ++i) axis = abs(rise[i]) > abs(rise[axis]) ? i : axis;
   Vec3d up{};
   up[axis] = rise[axis] < 0.0 ? -1.0 : 1.0;
-  const Vec3d left = rest_[at(legs_[0].joint[0])] - rest_[at(legs_[1].joint[0])];
+  const Vec3d left = rest_[at(pelvis_[0])] - rest_[at(pelvis_[1])];
   const Vec3d forward = cross(left, up);
   if (norm(forward) > 1e-6 * stature_) upright_ = {up, normalized(forward)};
 }
@@ -127,10 +137,10 @@ void FigureBody::measure_stature() {
   for (const Chain& leg : legs_) add(chain_length(leg), kLegLength);
   for (const Chain& arm : arms_) add(chain_length(arm), kArmLength);
   if (has_trunk()) {
-    const auto between = [&](const std::array<Chain, 2>& pair) {
-      return middle(rest_[at(pair[0].joint[0])], rest_[at(pair[1].joint[0])]);
+    const auto between = [&](const std::array<int, 2>& pair) {
+      return middle(rest_[at(pair[0])], rest_[at(pair[1])]);
     };
-    add(norm(between(arms_) - between(legs_)), kTrunkLength);
+    add(norm(between(shoulders_) - between(pelvis_)), kTrunkLength);
   }
   stature_ = found > 0 ? sum / found : 0.0;
   if (found == 0) head_ = -1;  // among plain bones, a plain bone too
@@ -146,12 +156,16 @@ std::vector<char> FigureBody::hidden_nodes() const {
     }
   };
   for (const Chain* limb : {&arms_[0], &arms_[1], &legs_[0], &legs_[1]}) {
-    if (has_trunk()) hide(limb->joint[0], -1);
     if (limb->joint[0] >= 0) hide(limb->joint[1], limb->joint[0]);
     if (limb->joint[1] >= 0) hide(limb->joint[2], limb->joint[1]);
     if (limb->joint[2] >= 0) carried[at(limb->joint[2])] = 1;
   }
-  if (head_ >= 0) carried[at(head_)] = 1;
+  if (head_ >= 0) hidden[at(head_)] = carried[at(head_)] = 1;
+  if (has_trunk()) {
+    for (const int corner : {shoulders_[0], shoulders_[1], pelvis_[0], pelvis_[1]}) {
+      hide(corner, -1);
+    }
+  }
   for (std::size_t i = 0; i < hidden.size(); ++i) {
     const int parent = skeleton_.nodes[i].parent;
     if (parent >= 0 && carried[at(parent)] != 0) hidden[i] = carried[i] = 1;
@@ -200,8 +214,7 @@ bool FigureBody::below(int node, int ancestor) const {
 }
 
 bool FigureBody::has_trunk() const {
-  return arms_[0].joint[0] >= 0 && arms_[1].joint[0] >= 0 && legs_[0].joint[0] >= 0 &&
-         legs_[1].joint[0] >= 0;
+  return shoulders_[0] >= 0 && shoulders_[1] >= 0 && pelvis_[0] >= 0 && pelvis_[1] >= 0;
 }
 
 double FigureBody::chain_length(const Chain& chain) const {
@@ -213,11 +226,9 @@ double FigureBody::chain_length(const Chain& chain) const {
 }
 
 Vec3d FigureBody::leftwards(const std::vector<Transformd>& world) const {
-  for (const auto* pair : {&legs_, &arms_}) {
-    const int left = (*pair)[0].joint[0];
-    const int right = (*pair)[1].joint[0];
-    if (left < 0 || right < 0) continue;
-    return world[at(left)].translation - world[at(right)].translation;
+  for (const auto& pair : {pelvis_, shoulders_}) {
+    if (pair[0] < 0 || pair[1] < 0) continue;
+    return world[at(pair[0])].translation - world[at(pair[1])].translation;
   }
   return {};
 }
@@ -229,6 +240,14 @@ Vec3d FigureBody::place(const std::vector<Transformd>& world) const {
     mean += node.translation * (1.0 / static_cast<double>(world.size()));
   }
   return mean;
+}
+
+Vec3d FigureBody::stance(const std::vector<Transformd>& world) const {
+  const int left = legs_[0].joint[2];
+  const int right = legs_[1].joint[2];
+  if (left < 0 && right < 0) return place(world);
+  return middle(world[at(left < 0 ? right : left)].translation,
+                world[at(right < 0 ? left : right)].translation);
 }
 
 std::vector<Part> FigureBody::parts(const std::vector<Transformd>& world, double size) const {
@@ -249,11 +268,11 @@ std::vector<Part> FigureBody::parts(const std::vector<Transformd>& world, double
 // A rib cage and a pelvis that meet at the waist, so that a bent spine shows.
 void FigureBody::add_trunk(const std::vector<Transformd>& world, double size,
                            std::vector<Part>& parts) const {
-  const auto place = [&](int node) { return world[at(node)].translation; };
-  const Vec3d shoulders[2] = {place(arms_[0].joint[0]), place(arms_[1].joint[0])};
-  const Vec3d hips[2] = {place(legs_[0].joint[0]), place(legs_[1].joint[0])};
+  const auto origin = [&](int node) { return world[at(node)].translation; };
+  const Vec3d shoulders[2] = {origin(shoulders_[0]), origin(shoulders_[1])};
+  const Vec3d hips[2] = {origin(pelvis_[0]), origin(pelvis_[1])};
   std::vector<Vec3d> spine{middle(hips[0], hips[1])};
-  for (const int node : spine_) spine.push_back(place(node));
+  for (const int node : spine_) spine.push_back(origin(node));
   spine.push_back(middle(shoulders[0], shoulders[1]));
   const Vec3d centre = along(spine, 0.35);
   const Vec3d side =
@@ -265,7 +284,7 @@ void FigureBody::add_trunk(const std::vector<Transformd>& world, double size,
   Part chest{
       {waist[0], waist[1], {shoulders[0], kShoulder * size}, {shoulders[1], kShoulder * size}},
       Tone::middle};
-  if (neck_ >= 0) chest.balls.push_back({place(neck_), kNeck.from * size});
+  if (neck_ >= 0) chest.balls.push_back({origin(neck_), kNeck.from * size});
   parts.push_back(std::move(pelvis));
   parts.push_back(std::move(chest));
 }

@@ -41,6 +41,9 @@ class FigureBody {
   // Where the figure is: its hips, or the mean of all nodes.
   [[nodiscard]] Vec3d place(const std::vector<Transformd>& world) const;
 
+  // Where it stands: the middle between its ankles, or its place.
+  [[nodiscard]] Vec3d stance(const std::vector<Transformd>& world) const;
+
   // Standing height from the lengths of the limbs, whatever the posture; 0 where they are unknown.
   [[nodiscard]] double stature() const { return stature_; }
 
@@ -62,6 +65,7 @@ class FigureBody {
   };
 
   void find_bones(const StripSettings& settings);
+  void find_trunk();
   void measure_rest(const Upright& upright);
   void measure_stature();
   void find_plain_bones();
@@ -83,6 +87,10 @@ class FigureBody {
   const Skeleton& skeleton_;
   std::array<Chain, 2> arms_;  // left, right
   std::array<Chain, 2> legs_;
+  // Corners of the trunk, left and right. A body with one half only has the neck and the hips in
+  // place of the missing ones.
+  std::array<int, 2> shoulders_{-1, -1};
+  std::array<int, 2> pelvis_{-1, -1};
   int hips_ = -1;
   int neck_ = -1;
   int head_ = -1;

@@ -129,14 +129,14 @@ double find_floor(const StripSettings& settings, const std::vector<Posture>& all
 std::vector<Vec3d> anchors(const std::vector<Posture>& all, const FigureBody& body,
                            const View& view, double size) {
   std::vector<Vec3d> places;
-  Vec3d mean{};
+  Vec3d stance{};
+  double travel = 0.0;
   for (const Posture& posture : all) {
     places.push_back(view.on_floor(body.place(posture)));
-    mean += places.back() * (1.0 / static_cast<double>(all.size()));
+    travel = max(travel, norm(places.back() - places.front()));
+    stance += view.on_floor(body.stance(posture)) * (1.0 / static_cast<double>(all.size()));
   }
-  double travel = 0.0;
-  for (const Vec3d& place : places) travel = max(travel, norm(place - places.front()));
-  if (travel <= kStaysWithin * size) std::fill(places.begin(), places.end(), mean);
+  if (travel <= kStaysWithin * size) std::fill(places.begin(), places.end(), stance);
   return places;
 }
 
@@ -201,6 +201,7 @@ void SlotBuilder::add_sole(const Part& part) {
   if (abs(lowest) > kStanding * size_) return;
   for (const Ball& ball : part.balls) {
     slot.soles.push_back({place(view_.on_floor(ball.centre)), 1.6 * ball.radius});
+    slot.box.add(slot.soles.back().centre, slot.soles.back().radius);
   }
 }
 

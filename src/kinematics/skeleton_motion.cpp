@@ -14,9 +14,8 @@ Skeleton body_skeleton(const BodyModel& body) {
     const Vec3d at = kinematics.point(node.link, node.point);
     // at rest all frames have the base's orientation, so a node's offset is seen in that
     const Vec3d from = node.parent < 0 ? Vec3d{} : world[static_cast<std::size_t>(node.parent)];
-    const Vec3d offset = node.parent < 0
-                             ? at
-                             : transpose_times(kinematics.base_rotation, at - from);
+    const Vec3d offset =
+        node.parent < 0 ? at : transpose_times(kinematics.base_rotation, at - from);
     skeleton.nodes.push_back({node.name, node.parent, offset, node.end_site});
     world.push_back(at);
   }

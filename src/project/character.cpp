@@ -20,9 +20,10 @@ bool is_built_in(const std::string& source) {
 Result<void> check_range(const char* what, const std::optional<double>& value, double low,
                          double high, const char* unit) {
   if (!value || (*value >= low && *value <= high)) return {};
-  return fail(ErrorCode::invalid_argument, fmt::format("{} is {} {}; allowed are {:g} to {:g} {}",
-                                                       what, *value, unit, low, high, unit),
-              "character");
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("{} is {} {}; allowed are {:g} to {:g} {}", what, *value, unit, low, high, unit),
+      "character");
 }
 
 Result<void> check_source(const std::string& source) {
@@ -75,9 +76,8 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
 }
 
 Result<BodyModel> build_character(const CharacterSpec& spec) {
-  for (const auto& checked :
-       {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
-        check_range("mass", spec.mass, kMassMin, kMassMax, "kg")}) {
+  for (const auto& checked : {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
+                              check_range("mass", spec.mass, kMassMin, kMassMax, "kg")}) {
     if (!checked) return tl::unexpected(checked.error());
   }
   const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);

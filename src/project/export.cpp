@@ -136,11 +136,16 @@ Result<void> prepare_folder(const std::filesystem::path& folder) {
 Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
                                      ExportFormat format) {
   switch (format) {
-    case ExportFormat::bvh: return format_bvh(skeleton_motion(task.body, candidate.motion.clip));
-    case ExportFormat::csv: return motion_csv(task, candidate);
-    case ExportFormat::svg: return motion_strip(task, candidate, FigureFormat::svg);
-    case ExportFormat::png: return motion_strip(task, candidate, FigureFormat::png);
-    case ExportFormat::pdf: return motion_strip(task, candidate, FigureFormat::pdf);
+    case ExportFormat::bvh:
+      return format_bvh(skeleton_motion(task.body, candidate.motion.clip));
+    case ExportFormat::csv:
+      return motion_csv(task, candidate);
+    case ExportFormat::svg:
+      return motion_strip(task, candidate, FigureFormat::svg);
+    case ExportFormat::png:
+      return motion_strip(task, candidate, FigureFormat::png);
+    case ExportFormat::pdf:
+      return motion_strip(task, candidate, FigureFormat::pdf);
   }
   return fail(ErrorCode::unsupported, "unknown format");
 }

@@ -17,7 +17,8 @@ namespace shigusa {
 
 using Json = nlohmann::ordered_json;
 
-// Nothing that shigusa reads is nested deeper; walking a tree of unlimited depth overflows the stack.
+// Nothing that shigusa reads is nested deeper; walking a tree of unlimited depth overflows the
+// stack.
 inline constexpr int kJsonMaxDepth = 32;
 
 // Parses JSON text; the error tells line and column.
@@ -86,8 +87,8 @@ class JsonReader {
     const Json& member = value(key);
     if (!member.is_number_unsigned() || member.get<std::uint64_t>() < low ||
         member.get<std::uint64_t>() > high) {
-      return wrong(key, fmt::format("is {}; allowed are whole numbers from {} to {}",
-                                    shown(member), low, high));
+      return wrong(key, fmt::format("is {}; allowed are whole numbers from {} to {}", shown(member),
+                                    low, high));
     }
     into = static_cast<Integer>(member.get<std::uint64_t>());
   }

@@ -73,9 +73,12 @@ Json candidate_to_json(const BodyModel& body, const Generation& generation, std:
 
 const char* end_name(SearchEnd end) {
   switch (end) {
-    case SearchEnd::converged: return "converged";
-    case SearchEnd::budget: return "budget";
-    case SearchEnd::cancelled: return "cancelled";
+    case SearchEnd::converged:
+      return "converged";
+    case SearchEnd::budget:
+      return "budget";
+    case SearchEnd::cancelled:
+      return "cancelled";
   }
   return "";
 }
@@ -137,8 +140,8 @@ Result<double> parse_weight(std::string_view text) {
     return value;
   }
   return fail(ErrorCode::invalid_argument,
-              fmt::format("weight is '{}'; allowed are numbers from {:g} to {:g}", text,
-                          kWeightMin, kWeightMax));
+              fmt::format("weight is '{}'; allowed are numbers from {:g} to {:g}", text, kWeightMin,
+                          kWeightMax));
 }
 
 }  // namespace
@@ -160,13 +163,12 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   json["search"] = info.search;
   json["goals"] = Json::array();
   for (const Goal& goal : task.goals) {
-    json["goals"].push_back(
-        {{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
+    json["goals"].push_back({{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
   }
   json["candidates"] = Json::array();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
-    json["candidates"].push_back(candidate_to_json(task.body, generation, i,
-                                                   i < files.size() ? &files[i] : nullptr));
+    json["candidates"].push_back(
+        candidate_to_json(task.body, generation, i, i < files.size() ? &files[i] : nullptr));
   }
   json["search_detail"] = search_to_json(task.body, generation);
   json["doubts"] = std::vector<std::string>(task.body.doubts().begin(), task.body.doubts().end());

@@ -8,9 +8,9 @@
 namespace shigusa {
 namespace {
 
-constexpr double kLengthRange = 100.0;   // m, of landmarks
-constexpr double kCriteriaRange = 1e6;   // weights and reference scales
-constexpr double kCriteriaTiny = 1e-9;   // reference scales are above 0
+constexpr double kLengthRange = 100.0;  // m, of landmarks
+constexpr double kCriteriaRange = 1e6;  // weights and reference scales
+constexpr double kCriteriaTiny = 1e-9;  // reference scales are above 0
 constexpr std::uint64_t kFrameMax = 1'000'000;
 constexpr std::uint64_t kCandidatesMax = 1000;
 constexpr std::uint64_t kEvaluationsMax = 1'000'000'000;
@@ -72,10 +72,9 @@ void check_segments(JsonReader& reader, const Landmarks& p) {
   for (const Side side : {Side::left, Side::right}) {
     const auto& leg = p.leg(side);
     const auto& arm = p.arm(side);
-    for (const double length :
-         {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle), norm(arm.shoulder - arm.elbow),
-          norm(arm.elbow - arm.wrist), norm(leg.toe - leg.ankle),
-          norm(arm.fingertip - arm.wrist)}) {
+    for (const double length : {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle),
+                                norm(arm.shoulder - arm.elbow), norm(arm.elbow - arm.wrist),
+                                norm(leg.toe - leg.ankle), norm(arm.fingertip - arm.wrist)}) {
       if (length < kShortest) reader.wrong("landmarks_m", "two joints of a limb coincide");
     }
   }
@@ -129,7 +128,7 @@ void read_goals(JsonReader& task, std::vector<Goal>& goals) {
 struct CriterionMembers {
   const char* name;
   const char* scale_name;
-  double CriteriaSettings::* weight;
+  double CriteriaSettings::*weight;
   double& (*scale)(CriteriaSettings&);
 };
 
@@ -163,8 +162,7 @@ Json task_to_json(const TaskFile& task) {
   json["character"] = character_to_json(task.character);
   json["goals"] = Json::array();
   for (const Goal& goal : task.goals) {
-    json["goals"].push_back(
-        {{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
+    json["goals"].push_back({{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
   }
   if (task.duration) json["duration_s"] = *task.duration;
   json["preset"] = preset_name(task.preset);
@@ -192,7 +190,7 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   reader.integer("candidates", task.candidates, 1, kCandidatesMax);
   if (reader.has("evaluations")) {
     int evaluations = 1;
-    reader.integer("evaluations", evaluations, 1, kEvaluationsMax);
+    reader.integer("evaluations", evaluations, kPaperPopulation, kEvaluationsMax);
     task.evaluations = evaluations;
   }
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
@@ -224,9 +222,10 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .duration = file.duration,
             .preset = file.preset,
             .criteria = file.criteria,
-            .genetic = {.seed = file.seed},
+            .genetic = {},
             .candidates = file.candidates,
             .evaluations = file.evaluations};
+  task.genetic.seed = file.seed;
   return task;
 }
 

@@ -110,8 +110,8 @@ class Descent {
 
   void advance(std::span<const IkTarget<double>> targets, const IkSettings& ik,
                std::span<const double> reference) {
-    weighted_ik_step<double>(body_, trial_kinematics_, targets, weights_, reference, ik,
-                             workspace_, step_);
+    weighted_ik_step<double>(body_, trial_kinematics_, targets, weights_, reference, ik, workspace_,
+                             step_);
     for (std::size_t d = 0; d < step_.size(); ++d) trial_[d] += step_[d];
     forward_kinematics<double>(body_, trial_, trial_kinematics_);
   }
@@ -132,8 +132,8 @@ class Descent {
       const IkTarget<double>& target = targets_[i];
       const Mat3d& turned = kinematics.link_rotation(target.link);
       worst = max(worst, norm(target.position - kinematics.point(target.link, target.point)));
-      worst = max(worst, kContactLength *
-                             norm(rotation_vector(target.orientation * transpose(turned))));
+      worst = max(worst,
+                  kContactLength * norm(rotation_vector(target.orientation * transpose(turned))));
     }
     return worst;
   }

@@ -10,8 +10,7 @@ std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {
   std::vector<IkTarget<double>> targets;
   for (const ReachGoal& goal : problem.goals) {
     const Effector& effector = body.effectors()[static_cast<std::size_t>(goal.effector)];
-    targets.push_back(
-        {.link = effector.link, .point = effector.point, .position = goal.path.goal});
+    targets.push_back({.link = effector.link, .point = effector.point, .position = goal.path.goal});
   }
   for (const Foot& foot : body.feet()) {
     if (foot.link == kBaseLink) continue;
@@ -34,18 +33,17 @@ RolledOut roll_out(const ReachProblem& problem, const Parameters& parameters) {
   motion.effectors.resize(problem.goals.size());
   Rollout<double> rollout(problem);
   const std::vector<double> inverse = inverse_weights(parameters);
-  result.outcome = rollout.run(
-      inverse, [&](const MotionFrame<double>& frame, const Kinematics<double>& kinematics) {
-        motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(),
-                                  frame.angles.end());
-        motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
-        motion.centre_of_mass.push_back(frame.centre_of_mass);
-        for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-          const auto index = static_cast<std::size_t>(problem.goals[g].effector);
-          const Effector& effector = body.effectors()[index];
-          motion.effectors[g].push_back(kinematics.point(effector.link, effector.point));
-        }
-      });
+  result.outcome = rollout.run(inverse, [&](const MotionFrame<double>& frame,
+                                            const Kinematics<double>& kinematics) {
+    motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(), frame.angles.end());
+    motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
+    motion.centre_of_mass.push_back(frame.centre_of_mass);
+    for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+      const auto index = static_cast<std::size_t>(problem.goals[g].effector);
+      const Effector& effector = body.effectors()[index];
+      motion.effectors[g].push_back(kinematics.point(effector.link, effector.point));
+    }
+  });
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <shigusa/core/check.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/genetic_operators.hpp>
@@ -33,6 +34,9 @@ void check(const DiscreteProblem& problem, const GeneticSettings& s) {
   SHG_CHECK(
       s.unchanged_generations >= 1,
       fmt::format("unchanged_generations is {}, allowed: 1 and more", s.unchanged_generations));
+  SHG_CHECK(!s.max_evaluations || *s.max_evaluations >= s.population,
+            fmt::format("max_evaluations is {}, allowed: {} (the population) and more",
+                        s.max_evaluations.value_or(0), s.population));
   SHG_CHECK(s.fitness_offset >= 1e-12 && s.fitness_offset <= 1e12,
             fmt::format("fitness_offset is {}, allowed: 1e-12..1e12", s.fitness_offset));
 }
@@ -42,6 +46,16 @@ class Scorer {
  public:
   Scorer(const DiscreteProblem& problem, SearchResult& result)
       : problem_(problem), result_(result) {}
+
+  // True when scoring these genomes would keep to the limit.
+  [[nodiscard]] bool affords(const std::vector<Genome>& genomes, std::optional<int> limit) const {
+    if (!limit) return true;
+    std::set<Genome> fresh;
+    for (const Genome& genome : genomes) {
+      if (!scores_.contains(genome)) fresh.insert(genome);
+    }
+    return result_.evaluations + static_cast<int>(fresh.size()) <= *limit;
+  }
 
   std::vector<Individual> scored(std::vector<Genome> genomes) {
     evaluate_new(genomes);
@@ -118,7 +132,7 @@ SearchResult genetic_search(const DiscreteProblem& problem, const GeneticSetting
   check(problem, settings);
   SearchResult result;
   Scorer scorer(problem, result);
-  Random random(settings.seed);
+  Random random(settings.seed, settings.stream);
 
   // generation 0
   std::vector<Genome> initial;
@@ -141,6 +155,7 @@ SearchResult genetic_search(const DiscreteProblem& problem, const GeneticSetting
          mutants_of(population, settings.mutation_rate, problem.bits_per_gene, random)) {
       offspring.push_back(std::move(mutant));
     }
+    if (!scorer.affords(offspring, settings.max_evaluations)) break;
     std::vector<Individual> pool = std::move(population);
     append(pool, scorer.scored(std::move(offspring)));
     population = next_population(std::move(pool), settings, random);
@@ -151,6 +166,37 @@ SearchResult genetic_search(const DiscreteProblem& problem, const GeneticSetting
   if (converged) result.end = SearchEnd::converged;
   result.final_population = std::move(population);
   return result;
+}
+
+SearchResult restarted_genetic_search(const DiscreteProblem& problem,
+                                      const GeneticSettings& settings, int evaluations,
+                                      const Progress& progress) {
+  SearchResult all;
+  Progress overall = progress;
+  if (progress.report) {
+    overall.report = [&](const ProgressReport& run) {
+      ProgressReport sum = run;
+      sum.evaluations += all.evaluations;
+      sum.fraction = static_cast<double>(sum.evaluations) / evaluations;
+      const bool first = all.evaluations == 0;
+      sum.best_score = first ? run.best_score : std::min(run.best_score, all.best_seen.score);
+      progress.report(sum);
+    };
+  }
+  GeneticSettings run_settings = settings;
+  do {
+    run_settings.max_evaluations = evaluations - all.evaluations;
+    SearchResult run = genetic_search(problem, run_settings, overall);
+    const bool first = all.evaluations == 0;
+    if (first || run.best_seen.score < all.best_seen.score) all.best_seen = run.best_seen;
+    append(all.final_population, std::move(run.final_population));
+    all.evaluations += run.evaluations;
+    all.rejected_nan += run.rejected_nan;
+    all.generations += run.generations;
+    ++run_settings.stream;
+  } while (evaluations - all.evaluations >= settings.population && !progress.cancelled());
+  all.end = progress.cancelled() ? SearchEnd::cancelled : SearchEnd::budget;
+  return all;
 }
 
 }  // namespace shigusa

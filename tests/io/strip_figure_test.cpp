@@ -326,10 +326,20 @@ TEST(StripFigure, ForwardIsToTheRightOfThePage) {
   EXPECT_GT(reach(reaching(1)), 2.0 * reach(standing(1)));
 }
 
+TEST(StripFigure, ViewerAboveTheHorizonSeesTheNearerFootLower) {
+  StripSettings settings;
+  settings.poses = 1;
+  const auto sole = [&](Limb leg) {
+    settings.accented = {leg};
+    const Path foot = filled(svg(standing(1), {}, settings), kAccent).back();
+    return *std::max_element(foot.y.begin(), foot.y.end());
+  };
+  EXPECT_GT(sole(Limb::right_leg), sole(Limb::left_leg));
+}
+
 TEST(StripFigure, RightArmIsPaintedOverTheLeftOne) {
   StripSettings settings;
   settings.poses = 1;
-  settings.accented = {Limb::left_arm};
   const auto order = [&](Limb limb) {
     settings.accented = {limb};
     const std::vector<Path> all = paths(svg(standing(1), {}, settings));
@@ -494,6 +504,15 @@ RC_GTEST_PROP(StripFigure, GoalsAnywhereStayOnThePage, ()) {
   StripOverlay overlay;
   overlay.goals = {{coordinate(), coordinate(), coordinate()}};
   RC_ASSERT(within_page(svg(reaching(5), overlay)));
+}
+
+TEST(StripFigure, FarGoalLeavesTheFigureItsSize) {
+  StripOverlay overlay;
+  overlay.goals = {{-20.0, 1.0, 100.0}};
+  const auto height = [](const std::string& text) {
+    return std::strtod(text.c_str() + text.find("height=\"") + 8, nullptr);
+  };
+  EXPECT_GT(height(svg(reaching(5), overlay)), 0.7 * height(svg(reaching(5))));
 }
 
 TEST(StripFigure, PathThatLeavesTheSlotIsCut) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <kdl/chain.hpp>
 #include <kdl/chainiksolvervel_wdls.hpp>
-#include <numeric>
 #include <shigusa/kinematics/weighted_ik.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 
@@ -194,12 +193,10 @@ class KktSystem {
   }
 
   void add_constraint(const Matrix& j, const Vector& e) {
-    Matrix rows(rows_.rows() + j.rows(), j.cols());
-    rows << rows_.topRows(rows_.rows()), j;
-    rows_ = rows;
-    Vector residual(residual_.size() + e.size());
-    residual << residual_, e;
-    residual_ = residual;
+    rows_.conservativeResize(rows_.rows() + j.rows(), j.cols());
+    rows_.bottomRows(j.rows()) = j;
+    residual_.conservativeResize(residual_.size() + e.size());
+    residual_.tail(e.size()) = e;
   }
 
   const BodyModel& body_;
@@ -231,9 +228,10 @@ Step both_hands_and_foot(const BodyModel& body, Random& random) {
   return step;
 }
 
-// Runs 200 random steps, each changed by change(step, random), against the KKT system.
+// Runs 200 random steps, each changed by change(step, random), against the KKT system. J A Jᵀ has
+// condition numbers of up to 1e6 here, so that doubles leave 1e-10.
 template <class Change>
-void compare_with_kkt(Change change, double tolerance = 1e-9) {
+void compare_with_kkt(Change change) {
   const BodyModel body = full_body();
   Random random(22);
   for (int trial = 0; trial < 200; ++trial) {
@@ -241,7 +239,7 @@ void compare_with_kkt(Change change, double tolerance = 1e-9) {
     change(step, random);
     const Vector expected = KktSystem(body, step).solution();
     const Vector seen = shigusas_step(body, step);
-    ASSERT_LT((seen - expected).norm(), tolerance * (1.0 + expected.norm())) << trial;
+    ASSERT_LT((seen - expected).norm(), 1e-9 * (1.0 + expected.norm())) << trial;
   }
 }
 
@@ -259,10 +257,9 @@ TEST(WeightedIkAgainstKkt, StaysNearTheReference) {
 
 TEST(WeightedIkAgainstKkt, DoesWithoutLockedJoints) {
   compare_with_kkt([](Step& step, Random& random) {
-    // arms only: with a leg locked too, two planted feet cannot both be put back
-    for (std::size_t d = 5; d < 13; ++d) {
-      if (random.chance(0.2)) step.inverse_weights[d] = 0.0;
-    }
+    // one of each arm's four: the legs have none to spare
+    step.inverse_weights[5 + random.below(4)] = 0.0;
+    step.inverse_weights[9 + random.below(4)] = 0.0;
     for (std::size_t d = 0; d < step.q.size(); ++d) {
       step.reference.push_back(random.uniform(-0.5, 0.5));
     }

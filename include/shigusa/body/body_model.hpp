@@ -39,8 +39,8 @@ struct LimitCoupling {
 };
 
 struct MassProperties {
-  double mass = 0.0;  // kg
-  Vec3d com{};        // m, in the link frame
+  double mass = 0.0;                               // kg
+  Vec3d com{};                                     // m, in the link frame
   Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the com, link axes
 };
 
@@ -121,9 +121,8 @@ class BodyModel {
   [[nodiscard]] std::optional<int> find_dof(std::string_view name) const;
   // True when moving the dof moves the link.
   [[nodiscard]] bool moves(int dof, int link) const {
-    return link != kBaseLink &&
-           ancestry_[static_cast<std::size_t>(link) * definition_.dofs.size() +
-                     static_cast<std::size_t>(dof)] != 0;
+    return link != kBaseLink && ancestry_[static_cast<std::size_t>(link) * definition_.dofs.size() +
+                                          static_cast<std::size_t>(dof)] != 0;
   }
 
  private:

@@ -11,10 +11,10 @@ namespace shigusa {
 
 // One named node of a hierarchy; its frame at rest has the parent's orientation.
 struct SkeletonNode {
-  std::string name;        // unique; empty for an end site
-  int parent = -1;         // index of an earlier node; -1 for a root
-  Vec3d offset{};          // m, origin in the parent's frame at rest
-  bool end_site = false;   // marks the tip of its parent; carries no motion
+  std::string name;       // unique; empty for an end site
+  int parent = -1;        // index of an earlier node; -1 for a root
+  Vec3d offset{};         // m, origin in the parent's frame at rest
+  bool end_site = false;  // marks the tip of its parent; carries no motion
 };
 
 // A hierarchy of named nodes, parents before children: the form that files hold. The kernel
@@ -34,7 +34,7 @@ struct LocalTransform {
 
 // Motion of a skeleton at a constant frame time.
 struct SkeletonClip {
-  double frame_time = 1.0 / 60.0;     // s
+  double frame_time = 1.0 / 60.0;  // s
   int frames = 0;
   std::vector<LocalTransform> local;  // (frames × nodes) each node in its parent's frame
 

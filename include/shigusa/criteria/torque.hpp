@@ -29,8 +29,8 @@ class Torque {
     for (int i = 0; i < body_->dof_count(); ++i) {
       const Dof& dof = body_->dof(i);
       const S tau = frame.torques[static_cast<std::size_t>(i)];
-      const S load = tau * select(tau > S(0), S(1.0 / dof.torque_positive),
-                                  S(1.0 / dof.torque_negative));
+      const S load =
+          tau * select(tau > S(0), S(1.0 / dof.torque_positive), S(1.0 / dof.torque_negative));
       squares = squares + load * load;
     }
     sum_ = sum_ + squares * S(1.0 / body_->dof_count());

@@ -72,15 +72,14 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
     const Vec3<S> rate = root ? Vec3<S>{} : work.spin_rate[p];
     const Vec3<S> arm = kinematics.origin[k] - kinematics.link_origin(parent);
     const Vec3<S> own = kinematics.axis[k] * qd[k];
-    work.acceleration[k] = (root ? lift : work.acceleration[p]) + cross(rate, arm) +
-                           cross(spin, cross(spin, arm));
+    work.acceleration[k] =
+        (root ? lift : work.acceleration[p]) + cross(rate, arm) + cross(spin, cross(spin, arm));
     work.spin[k] = spin + own;
     work.spin_rate[k] = rate + kinematics.axis[k] * qdd[k] + cross(spin, own);
     const MassProperties& mass = body.link_mass(i);
     work.carried[k] = mass.mass > 0.0
-                          ? dynamics_detail::link_wrench(mass, kinematics.rotation[k],
-                                                         work.spin[k], work.spin_rate[k],
-                                                         work.acceleration[k])
+                          ? dynamics_detail::link_wrench(mass, kinematics.rotation[k], work.spin[k],
+                                                         work.spin_rate[k], work.acceleration[k])
                           : Wrench<S>{};
   }
   const MassProperties& base_mass = body.link_mass(kBaseLink);

@@ -19,10 +19,10 @@ enum class ReachStatus {
 // Where a goal's effector ends.
 struct GoalResult {
   std::string effector;
-  std::string node;   // node of the exported skeleton whose origin it is
-  Vec3d goal{};       // m, world
-  Vec3d reached{};    // m, world
-  double error = 0.0; // m
+  std::string node;    // node of the exported skeleton whose origin it is
+  Vec3d goal{};        // m, world
+  Vec3d reached{};     // m, world
+  double error = 0.0;  // m
 };
 
 // How well a planted foot stood.

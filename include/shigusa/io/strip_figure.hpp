@@ -51,7 +51,7 @@ struct StripSettings {
 //
 // Limbs, trunk, head and feet get an anatomical look where the humanoid bones are known; any other
 // node is drawn as a plain bone, dark near the viewer and light away from it. A figure that stays
-// within half its size of one place is drawn about one fixed point in each slot, so that planted
+// within half its size of one place is drawn about the place of its feet in each slot, so that planted
 // feet stand still from pose to pose; one that travels further is re-centred on its hips in each
 // pose. Poses never overlap: their distance is that of the widest neighbours, and the scale is what
 // fills the width. A goal too far away to be drawn in its slot becomes an arrow towards it.

@@ -47,8 +47,7 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
     const Mat3<S>& parent = kinematics.link_rotation(dof.parent);
     const Vec3<S> axis = parent.column(static_cast<int>(dof.axis));
     kinematics.axis[i] = dof.sign < 0.0 ? -axis : axis;
-    kinematics.origin[i] =
-        kinematics.link_origin(dof.parent) + parent * to_scalar<S>(dof.offset);
+    kinematics.origin[i] = kinematics.link_origin(dof.parent) + parent * to_scalar<S>(dof.offset);
     kinematics.rotation[i] = rotated(parent, dof.axis, sin_cos(q[i] * S(dof.sign)));
   }
 }
@@ -56,8 +55,7 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
 // Velocity (m/rad, world) of the world point `at`, carried by the dof's link, per unit of the
 // dof's speed: column of the position Jacobian.
 template <class S>
-[[nodiscard]] Vec3<S> position_column(const Kinematics<S>& kinematics, int dof,
-                                      const Vec3<S>& at) {
+[[nodiscard]] Vec3<S> position_column(const Kinematics<S>& kinematics, int dof, const Vec3<S>& at) {
   const auto i = static_cast<std::size_t>(dof);
   return cross(kinematics.axis[i], at - kinematics.origin[i]);
 }

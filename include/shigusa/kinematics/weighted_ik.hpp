@@ -14,11 +14,11 @@ namespace shigusa {
 template <class S>
 struct IkTarget {
   int link = 0;
-  Vec3d point{};           // m, in the link frame
-  Vec3<S> position{};      // m, world: where the point is to be
-  bool contact = false;    // a planted foot: position and orientation
-  Mat3<S> orientation{};   // R_WL wanted of the link; read for contacts only
-  S lag{};                 // m, how far the goal was missed before: raises its damping
+  Vec3d point{};          // m, in the link frame
+  Vec3<S> position{};     // m, world: where the point is to be
+  bool contact = false;   // a planted foot: position and orientation
+  Mat3<S> orientation{};  // R_WL wanted of the link; read for contacts only
+  S lag{};                // m, how far the goal was missed before: raises its damping
 };
 
 struct IkSettings {
@@ -73,9 +73,8 @@ void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
     const Vec3<S> error = target.position - at;
     const Mat3<S>& now = kinematics.link_rotation(target.link);
     const Vec3<S> tilt =
-        target.contact
-            ? rotation_vector(target.orientation * transpose(now)) * S(kContactLength)
-            : Vec3<S>{};
+        target.contact ? rotation_vector(target.orientation * transpose(now)) * S(kContactLength)
+                       : Vec3<S>{};
     for (int k = 0; k < 3; ++k) {
       workspace.residual[row + k] = error[k];
       if (target.contact) workspace.residual[row + 3 + k] = tilt[k];
@@ -93,9 +92,8 @@ void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
 
 // fills J A Jᵀ and adds the damping of each target to its rows
 template <class S>
-void fill_system(int dofs, std::span<const S> inverse_weights,
-                 std::span<const IkTarget<S>> targets, const IkSettings& settings,
-                 IkWorkspace<S>& workspace) {
+void fill_system(int dofs, std::span<const S> inverse_weights, std::span<const IkTarget<S>> targets,
+                 const IkSettings& settings, IkWorkspace<S>& workspace) {
   const int rows = row_count(targets);
   for (int i = 0; i < rows; ++i) {
     const S* a = workspace.jacobian.data() + i * dofs;
@@ -114,9 +112,8 @@ void fill_system(int dofs, std::span<const S> inverse_weights,
     S trace(0);
     for (int i = row; i < row + count; ++i) trace = trace + workspace.system(i, i);
     const S ratio = target.lag * S(1.0 / settings.lag_scale);
-    const S share = target.contact
-                        ? S(settings.contact_damping)
-                        : S(settings.damping) + S(settings.lag_damping) * ratio * ratio;
+    const S share = target.contact ? S(settings.contact_damping)
+                                   : S(settings.damping) + S(settings.lag_damping) * ratio * ratio;
     for (int i = row; i < row + count; ++i) {
       workspace.system(i, i) = workspace.system(i, i) + share * trace * S(1.0 / count);
     }

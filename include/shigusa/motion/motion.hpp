@@ -9,9 +9,9 @@ namespace shigusa {
 
 // A motion with what can be read off it: what criteria of the user's own are given.
 struct Motion {
-  Clip clip;                                // joint angles
-  std::vector<double> torques;              // (frames × dofs) N·m, dof order of BodyModel
-  std::vector<Vec3d> centre_of_mass;        // (frames) m, world
+  Clip clip;                                  // joint angles
+  std::vector<double> torques;                // (frames × dofs) N·m, dof order of BodyModel
+  std::vector<Vec3d> centre_of_mass;          // (frames) m, world
   std::vector<std::vector<Vec3d>> effectors;  // [goal][frame] m, world: where the goal's point is
 };
 

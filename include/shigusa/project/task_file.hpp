@@ -24,7 +24,7 @@ struct TaskFile {
   CriteriaSettings criteria;  // the built-in ones: functions do not go into files
   std::uint64_t seed = 0;
   int candidates = kPaperPopulation;  // 1..1000
-  std::optional<int> evaluations;     // motions the search may score, 1..1e9; see Task
+  std::optional<int> evaluations;     // motions the search may score, 8..1e9; see Task
 };
 
 // Parses a task. Errors name the place ("task.json: goals[0].position_m"), the value seen and what

@@ -8,8 +8,8 @@
 
 namespace shigusa {
 
-inline constexpr int kMotionSteps = 60;           // IK steps per motion (rule R6)
-inline constexpr double kReachTolerance = 1e-3;   // m: what counts as met, of goals and planted feet
+inline constexpr int kMotionSteps = 60;          // IK steps per motion (rule R6)
+inline constexpr double kReachTolerance = 1e-3;  // m: what counts as met, of goals and planted feet
 inline constexpr double kTiltTolerance = radians(0.1);  // rad: what a planted foot may turn
 
 // One effector with its way to the goal.
@@ -31,7 +31,7 @@ struct ReachProblem {
   bool follow_path = true;
   IkSettings ik;
   // after each step, corrections follow until all targets are this near, or their number is used up
-  double path_tolerance = 2e-4;  // m
+  double path_tolerance = 1e-6;  // m
   int corrections = 3;
   // the last frame has the hand at rest: there the goal itself is to be met
   double goal_tolerance = 1e-6;  // m
@@ -40,10 +40,10 @@ struct ReachProblem {
 
 // What a motion must keep whatever its score: met goals and planted feet.
 struct ReachOutcome {
-  double goal_error = 0.0;      // m, largest distance of an effector from its path's end
-  double path_error = 0.0;      // m, largest distance from the path at any frame
-  double contact_slide = 0.0;   // m, largest displacement of a planted foot at any frame
-  double contact_tilt = 0.0;    // rad, largest rotation of a planted foot at any frame
+  double goal_error = 0.0;     // m, largest distance of an effector from its path's end
+  double path_error = 0.0;     // m, largest distance from the path at any frame
+  double contact_slide = 0.0;  // m, largest displacement of a planted foot at any frame
+  double contact_tilt = 0.0;   // rad, largest rotation of a planted foot at any frame
 
   [[nodiscard]] bool met(double goal_tolerance = kReachTolerance) const {
     return goal_error <= goal_tolerance && contact_slide <= kReachTolerance &&

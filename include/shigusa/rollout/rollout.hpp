@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <shigusa/criteria/criteria.hpp>
 #include <shigusa/dynamics/centre_of_mass.hpp>
 #include <shigusa/dynamics/contact_forces.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -72,8 +72,8 @@ class Rollout {
     const std::size_t skipped = problem_->follow_path || last ? 0 : problem_->goals.size();
     const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
     for (int k = 0; k <= corrections; ++k) {
-      weighted_ik_step<S>(body, kinematics_[1], targets, inverse_weights, reference,
-                          problem_->ik, ik_, step_);
+      weighted_ik_step<S>(body, kinematics_[1], targets, inverse_weights, reference, problem_->ik,
+                          ik_, step_);
       reference = {};
       for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[2][d] + step_[d];
       forward_kinematics<S>(body, angles_[2], kinematics_[1]);
@@ -91,12 +91,11 @@ class Rollout {
   }
 
   // true when all targets are within the tolerance; then, or when told so, records the errors
-  bool measure(std::span<IkTarget<S>> targets, ReachOutcome& outcome, bool record,
-               double tolerance, bool last) {
+  bool measure(std::span<IkTarget<S>> targets, ReachOutcome& outcome, bool record, double tolerance,
+               bool last) {
     ReachOutcome now;
     for (IkTarget<S>& target : targets) {
-      const S miss =
-          norm(target.position - kinematics_[1].point(target.link, target.point));
+      const S miss = norm(target.position - kinematics_[1].point(target.link, target.point));
       if (!target.contact) {
         target.lag = miss;
         now.path_error = max(now.path_error, miss);
@@ -104,8 +103,8 @@ class Rollout {
       }
       now.contact_slide = max(now.contact_slide, miss);
       const Mat3<S>& turned = kinematics_[1].link_rotation(target.link);
-      now.contact_tilt = max(
-          now.contact_tilt, norm(rotation_vector(target.orientation * transpose(turned))));
+      now.contact_tilt =
+          max(now.contact_tilt, norm(rotation_vector(target.orientation * transpose(turned))));
     }
     const bool near = now.path_error <= tolerance && now.contact_slide <= tolerance &&
                       now.contact_tilt * kContactLength <= tolerance;

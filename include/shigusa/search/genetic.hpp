@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <shigusa/search/problem.hpp>
 
 namespace shigusa {
@@ -24,6 +25,8 @@ struct GeneticSettings {
   int unchanged_generations = kPaperUnchangedGenerations;  // ≥ 1
   double fitness_offset = kPaperFitnessOffset;             // 1e-12..1e12
   std::uint64_t seed = 0;
+  std::uint64_t stream = 0;            // other random numbers for the same seed: restarts
+  std::optional<int> max_evaluations;  // genomes that may be scored, ≥ population; absent: no limit
 };
 
 // The paper's genetic algorithm (section 3.2, with rule R7 for what it leaves open); its steps are
@@ -31,7 +34,7 @@ struct GeneticSettings {
 //
 //   population := `population` random genomes
 //   repeat until the population, as a set, is unchanged for `unchanged_generations` generations,
-//          or `max_generations` have passed:
+//          or `max_generations` have passed, or the next would exceed `max_evaluations`:
 //     shuffle into pairs; each pair, with crossover_rate, gives two children by one-point
 //       crossover of the concatenated bit string; parents stay
 //     each parent, with mutation_rate, gives a copy with one random bit flipped
@@ -57,5 +60,13 @@ struct GeneticSettings {
 [[nodiscard]] SearchResult genetic_search(const DiscreteProblem& problem,
                                           const GeneticSettings& settings,
                                           const Progress& progress = {});
+
+// The genetic algorithm again and again, with the streams 0, 1, 2, … of the seed, until less than a
+// population's scorings are left of `evaluations` (≥ population): an equal budget for every search.
+// The final population is that of all runs together, in their order; generations are summed.
+[[nodiscard]] SearchResult restarted_genetic_search(const DiscreteProblem& problem,
+                                                    const GeneticSettings& settings,
+                                                    int evaluations,
+                                                    const Progress& progress = {});
 
 }  // namespace shigusa

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <body/humanoid_names.hpp>
+#include <body/stick_figure.hpp>
+#include <filesystem>
+#include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/io/bvh.hpp>
+
+namespace shigusa {
+namespace {
+
+namespace fs = std::filesystem;
+using Bone = HumanoidBone;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Names of the mapped nodes in the order of HumanoidBone; "-" where there is none.
+std::vector<std::string> mapped(const Skeleton& skeleton, const HumanoidMap& map) {
+  std::vector<std::string> names;
+  for (const int i : map.node) {
+    names.push_back(i < 0 ? "-" : skeleton.nodes[static_cast<std::size_t>(i)].name);
+  }
+  return names;
+}
+
+Result<HumanoidMap> find(const StickFigure& figure) {
+  return find_humanoid(figure.skeleton(), figure.world());
+}
+
+std::vector<std::string> names_found(const StickFigure& figure) {
+  const auto map = find(figure);
+  EXPECT_TRUE(map) << map.error().to_string();
+  return map ? mapped(figure.skeleton(), *map) : std::vector<std::string>();
+}
+
+std::string error_of(const StickFigure& figure) {
+  const auto map = find(figure);
+  EXPECT_FALSE(map);
+  return map ? "" : map.error().to_string();
+}
+
+const std::vector<std::string> kCaptureNames{
+    "Hips",        "Neck",       "Head",     "LeftUpLeg",    "LeftLeg",      "LeftFoot",
+    "LeftToeBase", "RightUpLeg", "RightLeg", "RightFoot",    "RightToeBase", "LeftArm",
+    "LeftForeArm", "LeftHand",   "RightArm", "RightForeArm", "RightHand"};
+
+// The standing figure under the names of a convention: one for each node of kCaptureNames, then
+// those of the collar bones.
+StickFigure called(const std::vector<std::string>& names) {
+  StickFigure figure = standing_figure();
+  for (std::size_t i = 0; i < kCaptureNames.size(); ++i) figure[kCaptureNames[i]].name = names[i];
+  figure["LeftShoulder"].name = names[17];
+  figure["RightShoulder"].name = names[18];
+  return figure;
+}
+
+struct Convention {
+  const char* what;
+  std::vector<std::string> names;
+};
+
+class BoneNames : public ::testing::TestWithParam<Convention> {};
+
+TEST_P(BoneNames, OfAConventionAreUnderstood) {
+  const StickFigure figure = called(GetParam().names);
+  const auto map = find(figure);
+  ASSERT_TRUE(map) << map.error().to_string();
+  const std::vector<std::string> expected(GetParam().names.begin(), GetParam().names.begin() + 17);
+  EXPECT_EQ(mapped(figure.skeleton(), *map), expected);
+  EXPECT_THAT(map->doubts, IsEmpty());
+}
+
+// The names for one convention from patterns in which @ stands for the side.
+std::vector<std::string> sided(const std::string& left, const std::string& right,
+                               const std::array<std::string, 3>& middle,
+                               const std::array<std::string, 8>& patterns) {
+  const auto name = [&](std::size_t i, bool is_left) {
+    std::string text = patterns[i];
+    return text.replace(text.find('@'), 1, is_left ? left : right);
+  };
+  std::vector<std::string> names(middle.begin(), middle.end());
+  for (const auto& [from, to] : {std::pair(0, 4), std::pair(4, 7)}) {
+    for (const bool is_left : {true, false}) {
+      for (int i = from; i < to; ++i) names.push_back(name(static_cast<std::size_t>(i), is_left));
+    }
+  }
+  names.push_back(name(7, true));
+  names.push_back(name(7, false));
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Conventions, BoneNames,
+    ::testing::Values(
+        Convention{"Capture", sided("Left", "Right", {"Hips", "Neck", "Head"},
+                                    {"@UpLeg", "@Leg", "@Foot", "@ToeBase", "@Arm", "@ForeArm",
+                                     "@Hand", "@Shoulder"})},
+        Convention{"ClassicBvh", sided("Left", "Right", {"Hips", "Neck", "Head"},
+                                       {"@Hip", "@Knee", "@Ankle", "@Toe", "@Shoulder", "@Elbow",
+                                        "@Wrist", "@Collar"})},
+        Convention{"Cmu", sided("l", "r", {"root", "lowerneck", "head"},
+                                {"@femur", "@tibia", "@foot", "@toes", "@humerus", "@radius",
+                                 "@wrist", "@clavicle"})},
+        Convention{"Mixamo", sided("mixamorig:Left", "mixamorig:Right",
+                                   {"mixamorig:Hips", "mixamorig:Neck", "mixamorig:Head"},
+                                   {"@UpLeg", "@Leg", "@Foot", "@ToeBase", "@Arm", "@ForeArm",
+                                    "@Hand", "@Shoulder"})},
+        Convention{"Rigify", sided("L", "R", {"spine", "neck", "head"},
+                                   {"thigh.@", "shin.@", "foot.@", "toe.@", "upper_arm.@",
+                                    "forearm.@", "hand.@", "shoulder.@"})},
+        Convention{"RigifyDeform",
+                   sided("L", "R", {"DEF-spine", "DEF-neck", "DEF-head"},
+                         {"DEF-thigh.@", "DEF-shin.@", "DEF-foot.@", "DEF-toe.@", "DEF-upper_arm.@",
+                          "DEF-forearm.@", "DEF-hand.@", "DEF-shoulder.@"})},
+        Convention{"Unreal", sided("l", "r", {"pelvis", "neck_01", "head"},
+                                   {"thigh_@", "calf_@", "foot_@", "ball_@", "upperarm_@",
+                                    "lowerarm_@", "hand_@", "clavicle_@"})},
+        Convention{"Xsens", sided("Left", "Right", {"Pelvis", "Neck", "Head"},
+                                  {"@UpperLeg", "@LowerLeg", "@Foot", "@Toe", "@UpperArm",
+                                   "@ForeArm", "@Hand", "@Shoulder"})},
+        Convention{"VrmCamel", sided("left", "right", {"hips", "neck", "head"},
+                                     {"@UpperLeg", "@LowerLeg", "@Foot", "@Toes", "@UpperArm",
+                                      "@LowerArm", "@Hand", "@Shoulder"})},
+        Convention{"VrmSnake", sided("left", "right", {"hips", "neck", "head"},
+                                     {"@_upper_leg", "@_lower_leg", "@_foot", "@_toes",
+                                      "@_upper_arm", "@_lower_arm", "@_hand", "@_shoulder"})},
+        Convention{"VRoid", sided("L", "R", {"J_Bip_C_Hips", "J_Bip_C_Neck", "J_Bip_C_Head"},
+                                  {"J_Bip_@_UpperLeg", "J_Bip_@_LowerLeg", "J_Bip_@_Foot",
+                                   "J_Bip_@_ToeBase", "J_Bip_@_UpperArm", "J_Bip_@_LowerArm",
+                                   "J_Bip_@_Hand", "J_Bip_@_Shoulder"})},
+        Convention{"Biped", sided("L", "R", {"Bip01 Pelvis", "Bip01 Neck", "Bip01 Head"},
+                                  {"Bip01 @ Thigh", "Bip01 @ Calf", "Bip01 @ Foot", "Bip01 @ Toe0",
+                                   "Bip01 @ UpperArm", "Bip01 @ Forearm", "Bip01 @ Hand",
+                                   "Bip01 @ Clavicle"})},
+        Convention{"Poser", sided("l", "r", {"hip", "neck", "head"},
+                                  {"@Thigh", "@Shin", "@Foot", "@Toe", "@Shldr", "@ForeArm",
+                                   "@Hand", "@Collar"})},
+        Convention{"Motive", sided("L", "R", {"Hip", "Neck", "Head"},
+                                   {"@Thigh", "@Shin", "@Foot", "@Toe", "@UArm", "@FArm", "@Hand",
+                                    "@Shoulder"})},
+        Convention{"Smpl", sided("L", "R", {"Pelvis", "Neck", "Head"},
+                                 {"@_Hip", "@_Knee", "@_Ankle", "@_Foot", "@_Shoulder", "@_Elbow",
+                                  "@_Wrist", "@_Collar"})},
+        Convention{"Kinect", sided("Left", "Right", {"SpineBase", "Neck", "Head"},
+                                   {"Hip@", "Knee@", "Ankle@", "Foot@", "Shoulder@", "Elbow@",
+                                    "Wrist@", "Collar@"})},
+        Convention{"Mmd",
+                   sided("左", "右", {"センター", "首", "頭"},
+                         {"@足", "@ひざ", "@足首", "@つま先", "@腕", "@ひじ", "@手首", "@肩"})}),
+    [](const auto& test) { return std::string(test.param.what); });
+
+TEST(BoneName, FingersTwistsAndControlsAreNoBones) {
+  for (const char* name : {"LeftHandIndex1", "LeftForeArmTwist", "upperarm_twist_01_l", "kneeIK.l",
+                           "MCH-foot_ik.L", "hand_ctrl_r", "LeftFingerBase", "Armature", "Spine1",
+                           "L5", "handslot.l", "foot_roll.L", ""}) {
+    EXPECT_EQ(read_bone_name(name).part, BonePart::none) << name;
+  }
+}
+
+TEST(BoneName, ThumbsAndTipsAreTold) {
+  EXPECT_EQ(read_bone_name("lthumb").part, BonePart::thumb);
+  EXPECT_EQ(read_bone_name("mixamorig:LeftHandThumb2").part, BonePart::thumb);
+  EXPECT_EQ(read_bone_name("HeadTop_End").part, BonePart::tip);
+}
+
+TEST(HumanoidMap, BonesHaveTheirVrmNames) {
+  EXPECT_EQ(humanoid_bone_name(Bone::hips), "hips");
+  EXPECT_EQ(humanoid_bone_name(Bone::right_upper_leg), "right_upper_leg");
+  EXPECT_EQ(humanoid_bone_name(Bone::right_hand), "right_hand");
+}
+
+TEST(HumanoidMap, ShapeAloneTellsAllBones) {
+  const StickFigure figure = standing_figure();
+  const auto map = find(figure.nameless());
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ(mapped(figure.skeleton(), *map), kCaptureNames);
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("found by the skeleton's shape")));
+}
+
+TEST(HumanoidMap, ShapeTellsLeftByTheFeetInAnyAxes) {
+  // z up, facing -y: the left is then +x … and after a half turn about z it is -x
+  for (const double turn : {0.0, kPi}) {
+    const Mat3d axes = rotation(Axis::z, turn) * rotation(Axis::x, kPi / 2);
+    const StickFigure figure = standing_figure();
+    const auto map = find(figure.transformed(axes).nameless());
+    ASSERT_TRUE(map) << map.error().to_string();
+    EXPECT_EQ(mapped(figure.skeleton(), *map), kCaptureNames);
+  }
+}
+
+TEST(HumanoidMap, ShapePassesTwistJoints) {
+  StickFigure figure = standing_figure();
+  for (const char* side : {"Left", "Right"}) {
+    for (const auto& [upper, lower] :
+         {std::pair("UpLeg", "Leg"), std::pair("Leg", "Foot"), std::pair("Arm", "ForeArm")}) {
+      const std::string above = std::string(side) + upper;
+      const std::string below = std::string(side) + lower;
+      // between two joints, as a new parent of the lower one
+      const int parent = figure.find(above);
+      const Vec3d middle = (figure[above].at + figure[below].at) * 0.5;
+      const int place = figure.find(below);
+      figure.points.insert(figure.points.begin() + place, {above + "Half", parent, middle});
+      for (auto& point : figure.points) {
+        if (point.parent >= place) ++point.parent;
+      }
+      figure.points[static_cast<std::size_t>(place) + 1].parent = place;
+    }
+  }
+  const auto map = find(figure.nameless());
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ(mapped(figure.skeleton(), *map), kCaptureNames);
+}
+
+TEST(HumanoidMap, ShapeWithoutFeetNeedsAGuessOfLeft) {
+  StickFigure figure = standing_figure();
+  figure = figure.without("LeftToeBase").without("RightToeBase");
+  const auto map = find(figure.nameless());
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("left and right are a guess")));
+}
+
+TEST(HumanoidMap, SidesInNamesHelpTheShape) {
+  StickFigure figure = standing_figure().nameless();
+  figure.points[5].name = "Bone.R";
+  figure.points[10].name = "Bone.L";
+  const auto map = find(figure);
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ((*map)[Bone::right_upper_leg], 5);
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("feet point backwards")));
+}
+
+TEST(HumanoidMap, RootInTheChestIsFollowedToTheHips) {
+  // the standing figure with its root at the chest: hips hang below the spine
+  const StickFigure upright = standing_figure();
+  StickFigure figure;
+  figure.add("node0", "", upright.points[1].at);
+  figure.add("node1", "node0", upright.points[0].at);
+  for (std::size_t i = 2; i < upright.points.size(); ++i) {
+    StickFigure::Point point = upright.points[i];
+    if (point.parent == 1) {
+      point.parent = 0;
+    } else if (point.parent == 0) {
+      point.parent = 1;
+    }
+    if (!point.name.empty()) point.name = "node" + std::to_string(i);
+    figure.points.push_back(point);
+  }
+  const auto map = find(figure);
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ((*map)[Bone::hips], 1);
+  EXPECT_EQ((*map)[Bone::neck], 2);
+  EXPECT_EQ((*map)[Bone::left_upper_leg], 5);
+}
+
+TEST(HumanoidMap, HelperAtTheHipsIsNoThigh) {
+  StickFigure figure = called(
+      sided("Left", "Right", {"Hips", "Neck", "Head"},
+            {"@Hip", "@Knee", "@Ankle", "@Toe", "@Shoulder", "@Elbow", "@Wrist", "@Collar"}));
+  for (const char* side : {"L", "R"}) {
+    const std::string helper = std::string(side) + "HipJoint";
+    const std::string hip = side[0] == 'L' ? "LeftHip" : "RightHip";
+    const int place = figure.find(hip);
+    figure.points.insert(figure.points.begin() + place, {helper, 0, figure["Hips"].at});
+    for (auto& point : figure.points) {
+      if (point.parent >= place) ++point.parent;
+    }
+    figure[hip].parent = place;
+  }
+  EXPECT_EQ(names_found(figure)[3], "LeftHip");
+}
+
+TEST(HumanoidMap, NeckAtThePlaceOfTheChestIsPassed) {
+  StickFigure figure = standing_figure();
+  figure["Neck"].name = "lowerneck";
+  figure["lowerneck"].at = figure["Spine"].at;
+  figure["Head"].name = "upperneck";
+  figure.add("Head", "upperneck", {0, 1.62, 0});
+  const auto names = names_found(figure);
+  EXPECT_EQ(names[1], "upperneck");
+  EXPECT_EQ(names[2], "Head");
+}
+
+TEST(HumanoidMap, NeckWithoutANameIsTheJointBelowTheHead) {
+  StickFigure figure = standing_figure();
+  figure["Neck"].name = "Bone";
+  EXPECT_EQ(names_found(figure)[1], "Bone");
+}
+
+TEST(HumanoidMap, MissingNeckHeadAndToesAreDoubts) {
+  const StickFigure figure = standing_figure().without("Neck").without("LeftToeBase");
+  const auto map = find(figure);
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ((*map)[Bone::neck], -1);
+  EXPECT_EQ((*map)[Bone::head], -1);
+  EXPECT_EQ((*map)[Bone::left_toes], -1);
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("no neck joint")));
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("no head joint")));
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("no left_toes: below joint 'LeftFoot'")));
+}
+
+TEST(HumanoidMap, MirroredFileIsADoubt) {
+  const auto map = find(standing_figure().transformed({{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  ASSERT_TRUE(map);
+  EXPECT_EQ((*map)[Bone::left_upper_leg], 5);
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("feet point backwards")));
+}
+
+TEST(HumanoidMap, BodyWithoutLegsIsRefused) {
+  const StickFigure figure = standing_figure().without("LeftUpLeg").without("RightUpLeg");
+  EXPECT_THAT(error_of(figure), HasSubstr("no left leg: joint 'Hips' has no chains that go down"));
+  EXPECT_THAT(error_of(figure.nameless()), HasSubstr("no two legs and two arms"));
+}
+
+TEST(HumanoidMap, BodyWithOneLegIsRefused) {
+  const StickFigure figure = standing_figure().without("RightUpLeg");
+  EXPECT_EQ(error_of(figure),
+            "no right leg: joint 'Hips' has 1 chain that goes down: joint 'LeftUpLeg'");
+}
+
+TEST(HumanoidMap, BodyWithoutArmsIsRefused) {
+  const StickFigure figure = standing_figure().without("LeftShoulder").without("RightShoulder");
+  EXPECT_THAT(error_of(figure), HasSubstr("no left arm: joint 'Hips' has 3 chains"));
+}
+
+TEST(HumanoidMap, BodyWithOneArmIsRefused) {
+  const StickFigure figure = standing_figure().without("RightShoulder");
+  EXPECT_EQ(error_of(figure),
+            "no right arm: joint 'Spine' has 2 chains: joint 'Neck', joint 'LeftShoulder'");
+}
+
+TEST(HumanoidMap, LegWithoutFootIsRefusedByName) {
+  EXPECT_EQ(error_of(standing_figure().without("RightFoot")),
+            "no right_foot: below joint 'RightLeg' nothing follows");
+  StickFigure figure = standing_figure().without("RightFoot");
+  figure.add("", "RightLeg", {-0.085, 0.1, 0});
+  EXPECT_EQ(error_of(figure),
+            "no right_foot: below joint 'RightLeg' comes only the End Site of 'RightLeg'");
+}
+
+TEST(HumanoidMap, StickOfTwoNodesIsRefused) {
+  StickFigure figure;
+  figure.add("a", "", {});
+  figure.add("b", "a", {0, 1, 0});
+  EXPECT_EQ(error_of(figure), "no left leg: joint 'a' has no chains that go down");
+}
+
+TEST(HumanoidMap, BodyWithoutLengthIsRefused) {
+  EXPECT_EQ(error_of(standing_figure().transformed({{}, {}, {}})),
+            "no body: all 25 nodes stand at one point");
+}
+
+TEST(HumanoidMap, EmptySkeletonIsRefused) {
+  EXPECT_EQ(error_of(StickFigure()), "no body: there are no nodes");
+}
+
+TEST(HumanoidMap, LimbsOnSeveralRootsAreRefused) {
+  StickFigure figure = standing_figure();
+  figure["LeftUpLeg"].parent = -1;
+  EXPECT_EQ(error_of(figure), "no hips: the limbs hang on several roots");
+}
+
+struct RealBody {
+  const char* path;
+  std::vector<std::string> names;
+};
+
+class RealBodies : public ::testing::TestWithParam<RealBody> {
+ protected:
+  void SetUp() override {
+    const fs::path path = fs::path(SHIGUSA_SHARED_DIR) / GetParam().path;
+    if (!fs::exists(path)) GTEST_SKIP() << "no " << path;
+    auto motion = read_bvh(path);
+    ASSERT_TRUE(motion) << motion.error().to_string();
+    motion_ = std::move(*motion);
+  }
+  // the patterns also name the collar bones
+  [[nodiscard]] static std::vector<std::string> expected() {
+    return {GetParam().names.begin(), GetParam().names.begin() + kHumanoidBoneCount};
+  }
+  SkeletonMotion motion_;
+};
+
+TEST_P(RealBodies, AreMappedByTheirNamesInEveryFrame) {
+  for (int frame = 0; frame < motion_.clip.frames; frame += 10) {
+    const auto world = world_transforms(motion_.skeleton, motion_.clip, frame);
+    const auto map = find_humanoid(motion_.skeleton, world);
+    ASSERT_TRUE(map) << map.error().to_string();
+    EXPECT_EQ(mapped(motion_.skeleton, *map), expected());
+    EXPECT_THAT(map->doubts, IsEmpty()) << frame;
+  }
+}
+
+// The names are the oracle for the shape.
+TEST_P(RealBodies, AreMappedTheSameWithoutNames) {
+  Skeleton nameless = motion_.skeleton;
+  for (std::size_t i = 0; i < nameless.nodes.size(); ++i) {
+    if (!nameless.nodes[i].end_site) nameless.nodes[i].name = "node" + std::to_string(i);
+  }
+  const auto world = world_transforms(nameless, motion_.clip, 0);
+  const auto map = find_humanoid(nameless, world);
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ(mapped(motion_.skeleton, *map), expected());
+}
+
+const std::vector<std::string> kHahneNames{
+    "Hips",      "Neck",      "Head",          "LeftHip",    "LeftKnee",  "LeftAnkle",
+    "LeftToe",   "RightHip",  "RightKnee",     "RightAnkle", "RightToe",  "LeftShoulder",
+    "LeftElbow", "LeftWrist", "RightShoulder", "RightElbow", "RightWrist"};
+
+std::vector<std::string> with(std::vector<std::string> names, const std::string& from,
+                              const std::string& to) {
+  for (std::string& name : names) {
+    const std::size_t at = name.find(from);
+    if (at != name.npos) name.replace(at, from.size(), to);
+  }
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shared, RealBodies,
+    ::testing::Values(
+        RealBody{"characters/assimp__Boxing_Toes.bvh", with(kHahneNames, "Toe", "Toes")},
+        RealBody{"characters/blender-cli-rendering__102_01.bvh", kHahneNames},
+        RealBody{"characters/fairmotion__pfnn_hierarchy.bvh", with(kCaptureNames, "Neck", "Neck1")},
+        RealBody{"characters/pybvh__bvh_test1.bvh", kCaptureNames},
+        RealBody{"characters/pybvh__standard_skeleton.bvh", kCaptureNames},
+        RealBody{"reach/cmu_02_06_60hz.bvh",
+                 sided("l", "r", {"root", "lowerneck", "head"},
+                       {"@femur", "@tibia", "@foot", "@toes", "@humerus", "@radius", "@wrist",
+                        "@clavicle"})}),
+    [](const auto& test) {
+      std::string name = fs::path(test.param.path).stem().string();
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+      return name;
+    });
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <shigusa/criteria/criteria.hpp>
+
+#include "support/motions.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// A short motion of the full body that breaks limits, leans and takes torque.
+Motion wild_motion(const BodyModel& body) {
+  Random random(61);
+  std::vector<std::vector<double>> frames;
+  for (int f = 0; f < 5; ++f) {
+    frames.push_back({body.start().begin(), body.start().end()});
+    for (double& angle : frames.back()) angle += random.uniform(-0.1, 0.1);
+  }
+  Motion motion = motion_through(body, frames);
+  for (double& tau : motion.torques) tau = random.uniform(-30, 30);
+  return motion;
+}
+
+UserCriterion constant(double value, double weight = 0.1, double scale = 1.0) {
+  return {.name = "constant",
+          .weight = weight,
+          .scale = scale,
+          .value = [value](const BodyModel&, const Motion&) { return value; }};
+}
+
+// The penalty that a user's criterion of that value comes to.
+double user_penalty(double value, double scale = 1.0) {
+  const BodyModel body = full_body();
+  CriteriaSettings settings;
+  settings.user = {constant(value, 0.1, scale)};
+  return score_motion(body, wild_motion(body), settings).terms.back().penalty;
+}
+
+TEST(CriteriaSettings, RankRangeBeforeBalanceBeforeTorque) {
+  EXPECT_EQ(kPaperRangeWeight, 0.5);
+  EXPECT_EQ(kPaperBalanceWeight, 0.3);
+  EXPECT_EQ(kPaperTorqueWeight, 0.2);
+  const CriteriaSettings settings;
+  EXPECT_EQ(settings.joint_range_weight, kPaperRangeWeight);
+  EXPECT_EQ(settings.balance_weight, kPaperBalanceWeight);
+  EXPECT_EQ(settings.torque_weight, kPaperTorqueWeight);
+}
+
+TEST(Score, NamesItsTermsInOrder) {
+  const BodyModel body = full_body();
+  CriteriaSettings settings;
+  settings.user = {constant(0.5)};
+  const Score score = score_motion(body, wild_motion(body), settings);
+  ASSERT_EQ(score.terms.size(), 4u);
+  EXPECT_EQ(score.terms[0].name, "joint_range");
+  EXPECT_EQ(score.terms[1].name, "balance");
+  EXPECT_EQ(score.terms[2].name, "torque");
+  EXPECT_EQ(score.terms[3].name, "constant");
+}
+
+TEST(Score, TermsArethePenaltiesOfTheCriteria) {
+  const BodyModel body = full_body();
+  const Motion motion = wild_motion(body);
+  const Score score = score_motion(body, motion, {});
+  EXPECT_EQ(score.terms[0].penalty, joint_range_penalty(body, motion));
+  EXPECT_EQ(score.terms[1].penalty, balance_penalty(body, motion));
+  EXPECT_EQ(score.terms[2].penalty, torque_penalty(body, motion));
+  for (const ScoreTerm& term : score.terms) EXPECT_GT(term.penalty, 0.0) << term.name;
+}
+
+TEST(Score, AddsUpToItsTotal) {
+  const BodyModel body = full_body();
+  CriteriaSettings settings;
+  settings.joint_range_weight = 0.7;
+  settings.user = {constant(0.5, 0.3), constant(0.2, 2.0)};
+  const Score score = score_motion(body, wild_motion(body), settings);
+  double sum = 0.0;
+  for (const ScoreTerm& term : score.terms) sum += term.weight * term.penalty;
+  EXPECT_DOUBLE_EQ(score.total, sum);
+  EXPECT_EQ(score.terms[0].weight, 0.7);
+  EXPECT_EQ(score.terms[3].weight, 0.3);
+}
+
+TEST(Score, FrameByFrameIsTheSameAsOfTheWholeMotion) {
+  const BodyModel body = full_body();
+  const Motion motion = wild_motion(body);
+  const CriteriaSettings settings;
+  BuiltInCriteria<double> built_in(body, settings);
+  const std::size_t n = body.dofs().size();
+  for (int f = 0; f < motion.clip.frames; ++f) {
+    const auto k = static_cast<std::size_t>(f);
+    built_in.add({motion.clip.frame(f), std::span(motion.torques).subspan(k * n, n),
+                  motion.centre_of_mass[k]});
+  }
+  EXPECT_EQ(built_in.score(), score_motion(body, motion, settings).total);
+}
+
+TEST(WorstScore, IsReachedByNoMotion) {
+  const BodyModel body = full_body();
+  CriteriaSettings settings;
+  settings.user = {constant(1e9, 0.4)};
+  EXPECT_DOUBLE_EQ(worst_score(settings), 1.4);
+  EXPECT_LT(score_motion(body, wild_motion(body), settings).total, worst_score(settings));
+}
+
+TEST(UserCriterion, IsMeasuredByItsScale) {
+  EXPECT_DOUBLE_EQ(user_penalty(0.3), 0.3);
+  EXPECT_DOUBLE_EQ(user_penalty(30.0, 100.0), 0.3);
+}
+
+TEST(UserCriterion, IsHeldBetweenZeroAndOne) {
+  EXPECT_EQ(user_penalty(-5.0), 0.0);
+  EXPECT_EQ(user_penalty(5.0), 1.0);
+  EXPECT_EQ(user_penalty(std::numeric_limits<double>::infinity()), 1.0);
+  EXPECT_EQ(user_penalty(-std::numeric_limits<double>::infinity()), 0.0);
+}
+
+TEST(UserCriterion, NaNMakesTheScoreNaN) {
+  const BodyModel body = full_body();
+  CriteriaSettings settings;
+  settings.user = {constant(kNaN), constant(0.5)};
+  EXPECT_TRUE(std::isnan(score_motion(body, wild_motion(body), settings).total));
+}
+
+TEST(UserCriterion, SeesTheMotion) {
+  const BodyModel body = full_body();
+  CriteriaSettings settings;
+  settings.user = {{.name = "frames",
+                    .weight = 1.0,
+                    .scale = 10.0,
+                    .value = [](const BodyModel& b, const Motion& m) {
+                      EXPECT_EQ(b.name(), "full_body");
+                      return static_cast<double>(m.clip.frames);
+                    }}};
+  EXPECT_DOUBLE_EQ(score_motion(body, wild_motion(body), settings).terms.back().penalty, 0.5);
+}
+
+}  // namespace
+}  // namespace shigusa

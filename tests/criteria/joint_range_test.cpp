@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <shigusa/criteria/joint_range.hpp>
+
+#include "support/motions.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+// A hinge with the range -0.5 to 1.5 rad: the penalty is full 0.4 rad beyond a limit.
+BodyDefinition one_hinge() {
+  BodyDefinition body = chain_definition({{}});
+  body.dofs[0].lower = -0.5;
+  body.dofs[0].upper = 1.5;
+  return body;
+}
+
+double penalty_at(const BodyModel& body, std::vector<std::vector<double>> frames) {
+  return joint_range_penalty(body, motion_through(body, frames));
+}
+
+TEST(JointRange, HasRuleR8aNumbers) { EXPECT_EQ(kRangeMargin, 0.2); }
+
+TEST(JointRange, IsZeroUpToTheLimits) {
+  const BodyModel body(one_hinge());
+  EXPECT_EQ(penalty_at(body, {{0.0}, {1.5}, {-0.5}}), 0.0);
+}
+
+TEST(JointRange, GrowsInProportionBeyondEitherLimit) {
+  const BodyModel body(one_hinge());
+  EXPECT_NEAR(penalty_at(body, {{0.0}, {1.6}}), 0.25, 1e-15);
+  EXPECT_NEAR(penalty_at(body, {{0.0}, {-0.7}}), 0.5, 1e-15);
+}
+
+TEST(JointRange, IsFullAtTheMargin) {
+  const BodyModel body(one_hinge());
+  EXPECT_NEAR(penalty_at(body, {{1.9}}), 1.0, 1e-15);
+  EXPECT_EQ(penalty_at(body, {{3.0}}), 1.0);
+}
+
+TEST(JointRange, CountsTheWorstFrameWhereverItIs) {
+  const BodyModel body(one_hinge());
+  const double alone = penalty_at(body, {{1.7}});
+  EXPECT_EQ(penalty_at(body, {{0.0}, {1.7}, {0.0}}), alone);
+  EXPECT_EQ(penalty_at(body, {{0.0}, {1.6}, {1.7}}), alone);
+}
+
+TEST(JointRange, IsHalfTheWorstJointAndHalfTheMean) {
+  BodyDefinition definition = chain_definition({{}, {}, {}, {}});
+  for (Dof& dof : definition.dofs) {
+    dof.lower = -1.0;
+    dof.upper = 1.0;
+  }
+  // of a range of 2, shares of the margin of 0.4: 0.5, 0.25, 0 and 0
+  const double penalty = penalty_at(BodyModel(definition), {{1.2, -1.1, 0.0, 0.5}});
+  EXPECT_NEAR(penalty, 0.5 * 0.5 + 0.5 * (0.75 / 4), 1e-15);
+}
+
+TEST(JointRange, OneJointCountsAsAtMostFull) {
+  BodyDefinition definition = chain_definition({{}, {}});
+  for (Dof& dof : definition.dofs) dof.upper = 1.0;
+  EXPECT_NEAR(penalty_at(BodyModel(definition), {{100.0, 0.0}}), 0.75, 1e-15);
+}
+
+TEST(JointRange, MarginIsASetting) {
+  const BodyModel body(one_hinge());
+  const Motion motion = motion_through(body, {{1.6}});
+  EXPECT_NEAR(joint_range_penalty(body, motion, {.margin = 0.1}), 0.5, 1e-15);
+}
+
+TEST(JointRange, BentKneeLetsTheHipFlexFurther) {
+  BodyDefinition definition = chain_definition({{}, {}});
+  definition.dofs[0].upper = 1.0;
+  definition.dofs[1].upper = 2.0;
+  definition.couplings = {{.dof = 0, .driver = 1, .gain = 0.5, .driver_full = 0.8}};
+  const BodyModel body(definition);
+  const auto upper = [&](double driver) {
+    const std::vector<double> q{0.0, driver};
+    return upper_limit<double>(body, 0, q);
+  };
+  EXPECT_EQ(upper(-0.3), 1.0);
+  EXPECT_EQ(upper(0.0), 1.0);
+  EXPECT_NEAR(upper(0.4), 1.25, 1e-15);
+  EXPECT_EQ(upper(0.8), 1.5);
+  EXPECT_EQ(upper(2.0), 1.5);
+  EXPECT_GT(penalty_at(body, {{1.2, 0.0}}), 0.0);
+  EXPECT_EQ(penalty_at(body, {{1.2, 0.4}}), 0.0);
+}
+
+TEST(JointRange, HumanHipFlexesTo165DegreesOverABentKnee) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    std::vector<double> q(body.dofs().size(), 0.0);
+    const auto knee = static_cast<std::size_t>(*body.find_dof("right_knee.flexion"));
+    const int hip = *body.find_dof("right_hip.flexion");
+    EXPECT_NEAR(degrees(upper_limit<double>(body, hip, q)), 115.0, 1e-12);
+    q[knee] = radians(30);
+    EXPECT_NEAR(degrees(upper_limit<double>(body, hip, q)), 140.0, 1e-12);
+    q[knee] = radians(60);
+    EXPECT_NEAR(degrees(upper_limit<double>(body, hip, q)), 165.0, 1e-12);
+  }
+}
+
+TEST(JointRange, NeverFallsAsAJointGoesFurther) {
+  const BodyModel body = full_body();
+  Random random(51);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<double> q = random_posture(body, random);
+    const auto d = static_cast<std::size_t>(random.below(18));
+    q[d] = body.dofs()[d].upper;
+    double before = penalty_at(body, {q});
+    for (int k = 0; k < 20; ++k) {
+      // knees only up to where they let the hips go no further
+      q[d] += 0.05;
+      const double now = penalty_at(body, {q});
+      const bool drives_a_limit = body.dofs()[d].joint.ends_with("knee");
+      if (!drives_a_limit) {
+        ASSERT_GE(now, before - 1e-15);
+      }
+      before = now;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shigusa

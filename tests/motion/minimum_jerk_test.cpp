@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <shigusa/motion/minimum_jerk.hpp>
+
+namespace shigusa {
+namespace {
+
+// Derivatives of 10τ³ - 15τ⁴ + 6τ⁵.
+double speed(double t) { return 30 * t * t * (1 - t) * (1 - t); }
+double acceleration(double t) { return 60 * t * (1 - t) * (1 - 2 * t); }
+
+TEST(MinimumJerk, IsItsClosedForm) {
+  for (int i = 0; i <= 1000; ++i) {
+    const long double t = i / 1000.0;
+    const long double expected = 10 * t * t * t - 15 * t * t * t * t + 6 * t * t * t * t * t;
+    // half a dozen roundings of numbers up to 15
+    EXPECT_NEAR(minimum_jerk(static_cast<double>(t)), static_cast<double>(expected), 1e-14);
+  }
+}
+
+TEST(MinimumJerk, GoesFromZeroToOne) {
+  EXPECT_EQ(minimum_jerk(0.0), 0.0);
+  EXPECT_EQ(minimum_jerk(1.0), 1.0);
+  EXPECT_EQ(minimum_jerk(0.5), 0.5);
+}
+
+TEST(MinimumJerk, StaysPutOutsideOfItsTime) {
+  EXPECT_EQ(minimum_jerk(-1.0), 0.0);
+  EXPECT_EQ(minimum_jerk(2.0), 1.0);
+}
+
+TEST(MinimumJerk, StartsAndEndsWithoutSpeedOrAcceleration) {
+  // s = 10 h³ near an end: its difference quotients vanish as h² and h
+  constexpr double h = 1e-4;
+  EXPECT_NEAR(minimum_jerk(h) / h, 0.0, 11 * h * h);
+  EXPECT_NEAR((1 - minimum_jerk(1 - h)) / h, 0.0, 11 * h * h);
+  EXPECT_NEAR((minimum_jerk(2 * h) - 2 * minimum_jerk(h)) / (h * h), 0.0, 61 * h);
+  EXPECT_NEAR((1 - minimum_jerk(1 - 2 * h) - 2 * (1 - minimum_jerk(1 - h))) / (h * h), 0.0,
+              61 * h);
+}
+
+TEST(MinimumJerk, DifferenceQuotientsAreItsDerivatives) {
+  constexpr double h = 1e-4;
+  for (double t = 0.05; t < 0.96; t += 0.05) {
+    const double before = minimum_jerk(t - h);
+    const double after = minimum_jerk(t + h);
+    // errors h² / 6 and h² / 12 times the third and fourth derivatives, which are below 60 and 360,
+    // and rounding over h²
+    EXPECT_NEAR((after - before) / (2 * h), speed(t), 10 * h * h);
+    EXPECT_NEAR((after - 2 * minimum_jerk(t) + before) / (h * h), acceleration(t), 31 * h * h + 1e-7);
+  }
+}
+
+TEST(MinimumJerk, LargestSpeedIsFifteenEighthsOfTheMean) {
+  constexpr double h = 1e-4;
+  EXPECT_NEAR((minimum_jerk(0.5 + h) - minimum_jerk(0.5 - h)) / (2 * h), 1.875, 11 * h * h);
+}
+
+TEST(MinimumJerk, CostOfJerkIs720) {
+  // ∫ s'''² dτ = 720 (in units of D² / T⁵) from third differences, by the midpoint rule: both have
+  // errors of the order of h²
+  constexpr int n = 1000;
+  constexpr double h = 1.0 / n;
+  double cost = 0.0;
+  for (int i = 1; i + 2 <= n; ++i) {
+    const double jerk = (minimum_jerk((i + 2) * h) - 3 * minimum_jerk((i + 1) * h) +
+                         3 * minimum_jerk(i * h) - minimum_jerk((i - 1) * h)) /
+                        (h * h * h);
+    cost += jerk * jerk * h;
+  }
+  // the first and the last step, which no such difference reaches, have a jerk near 60
+  cost += 2 * 60.0 * 60.0 * h;
+  EXPECT_NEAR(cost, 720.0, 0.1);
+}
+
+RC_GTEST_PROP(MinimumJerkProperty, NeverTurnsBack, ()) {
+  const double a = *rc::gen::inRange(-2000, 12000) / 1e4;
+  const double b = a + *rc::gen::inRange(0, 2000) / 1e6;
+  RC_ASSERT(minimum_jerk(a) <= minimum_jerk(b) + 1e-14);
+  RC_ASSERT(minimum_jerk(a) >= 0.0 && minimum_jerk(a) <= 1.0);
+}
+
+TEST(EffectorPath, LeadsStraightFromStartToGoal) {
+  const EffectorPath path{{0.1, 0.2, 0.3}, {0.7, -0.4, 1.5}};
+  EXPECT_EQ(path.at(0.0), path.start);
+  EXPECT_LT(norm(path.at(1.0) - path.goal), 1e-15);
+  const Vec3d way = path.goal - path.start;
+  for (double tau = 0.0; tau <= 1.0; tau += 0.05) {
+    EXPECT_LT(norm(path.at(tau) - path.start - way * minimum_jerk(tau)), 1e-15);
+  }
+}
+
+TEST(ReachDuration, HasRuleR9sNumbers) {
+  EXPECT_EQ(kDurationBase, 0.45);
+  EXPECT_EQ(kDurationPerMetre, 0.75);
+  EXPECT_EQ(kDurationMin, 0.6);
+  EXPECT_EQ(kDurationMax, 2.0);
+  EXPECT_EQ(kDurationTrunk, 0.14);
+}
+
+TEST(ReachDuration, GrowsWithTheDistanceBetweenItsBounds) {
+  EXPECT_DOUBLE_EQ(reach_duration(0.0, false), 0.6);
+  EXPECT_DOUBLE_EQ(reach_duration(0.2, false), 0.6);
+  EXPECT_DOUBLE_EQ(reach_duration(0.6, false), 0.9);
+  EXPECT_DOUBLE_EQ(reach_duration(5.0, false), 2.0);
+}
+
+TEST(ReachDuration, TrunkTakesLonger) {
+  EXPECT_DOUBLE_EQ(reach_duration(0.6, true), 1.04);
+  EXPECT_DOUBLE_EQ(reach_duration(5.0, true), 2.14);
+}
+
+}  // namespace
+}  // namespace shigusa
