@@ -89,12 +89,20 @@ HumanFrames human_frames(const Landmarks& person) {
 
 BallAngles ball_angles(const Mat3d& relative, Side side) {
   const double s = side_sign(side);
-  const double abduction = -asin(relative.cy.x);
-  const double cosine = sqrt(relative.cy.y * relative.cy.y + relative.cy.z * relative.cy.z);
+  const auto with_flexion = [&](double flexion) {
+    const Mat3d rest = rotation(Axis::x, flexion) * relative;
+    return BallAngles{flexion, s * atan2(-rest.cy.x, rest.cy.y), s * atan2(-rest.cx.z, rest.cz.z)};
+  };
+  const double across = sqrt(relative.cy.y * relative.cy.y + relative.cy.z * relative.cy.z);
   // a limb straight out to the side: flexion and rotation turn about one line; call it rotation
-  if (cosine < 1e-6) return {0.0, s * abduction, s * atan2(-relative.cx.z, relative.cz.z)};
-  return {-atan2(relative.cy.z, relative.cy.y), s * abduction,
-          s * atan2(relative.cz.x, relative.cx.x)};
+  const double flexion = across < 1e-6 ? 0.0 : -atan2(relative.cy.z, relative.cy.y);
+  // a limb raised sideways is abducted by more than 90° rather than turned about and over
+  const BallAngles plain = with_flexion(flexion);
+  const BallAngles over = with_flexion(flexion > 0.0 ? flexion - kPi : flexion + kPi);
+  const auto size = [](const BallAngles& b) {
+    return abs(b.flexion) + abs(b.abduction) + abs(b.rotation);
+  };
+  return size(over) < size(plain) ? over : plain;
 }
 
 double hinge_angle(const Mat3d& a, const Mat3d& b) {

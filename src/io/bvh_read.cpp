@@ -307,6 +307,10 @@ class BvhReader {
 
   // before memory is taken: can the text hold the values, and the memory the result?
   bool values_fit() {
+    if (channels_.empty() && motion_.clip.frames > 1) {
+      return fail_here(fmt::format("{} frames, but no joint has a channel; 1 is allowed then",
+                                   motion_.clip.frames));
+    }
     const std::size_t transforms =
         static_cast<std::size_t>(motion_.clip.frames) * motion_.skeleton.nodes.size();
     if (transforms > kBvhMaxTransforms) {

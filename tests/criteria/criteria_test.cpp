@@ -20,7 +20,7 @@ Motion wild_motion(const BodyModel& body) {
   std::vector<std::vector<double>> frames;
   for (int f = 0; f < 5; ++f) {
     frames.push_back({body.start().begin(), body.start().end()});
-    for (double& angle : frames.back()) angle += random.uniform(-0.1, 0.1);
+    for (double& angle : frames.back()) angle += random.uniform(-0.2, 0.2);
   }
   Motion motion = motion_through(body, frames);
   for (double& tau : motion.torques) tau = random.uniform(-30, 30);
@@ -64,7 +64,7 @@ TEST(Score, NamesItsTermsInOrder) {
   EXPECT_EQ(score.terms[3].name, "constant");
 }
 
-TEST(Score, TermsArethePenaltiesOfTheCriteria) {
+TEST(Score, TermsAreThePenaltiesOfTheCriteria) {
   const BodyModel body = full_body();
   const Motion motion = wild_motion(body);
   const Score score = score_motion(body, motion, {});

@@ -370,8 +370,14 @@ TEST(BvhReader, EveryCutOfAFileIsRefusedOrRead) {
   }
 }
 
-TEST(BvhReader, ManyFramesOfManyFixedJointsAreRefusedBeforeMemoryIsTaken) {
-  std::string text = deep(1000);
+TEST(BvhReader, FramesWithoutChannelsAreRefused) {
+  const auto motion = parse_bvh(replaced(one_joint("0", ""), "Frames: 1", "Frames: 9"), "x.bvh");
+  ASSERT_FALSE(motion);
+  EXPECT_THAT(motion.error().message, HasSubstr("9 frames, but no joint has a channel"));
+}
+
+TEST(BvhReader, ManyFramesOfManyJointsAreRefusedBeforeMemoryIsTaken) {
+  std::string text = replaced(deep(1000), "OFFSET", "CHANNELS 1 Xposition OFFSET");
   text += std::string(1001, '}') + " MOTION Frames: 200000 Frame Time: 1";
   const auto motion = parse_bvh(text, "x.bvh");
   ASSERT_FALSE(motion);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// From the bytes of a BVH file to a measured person: nothing may crash, hang or fill the memory,
+// and what was read can be written and read again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <shigusa/body/landmarks.hpp>
+#include <shigusa/io/bvh.hpp>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace shigusa;
+  const auto motion =
+      parse_bvh(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz.bvh");
+  if (!motion) return 0;
+
+  // written in the unit that it was read in, so that no number outgrows what is allowed
+  const auto again = parse_bvh(format_bvh(*motion, {.unit = 1.0}), "written.bvh");
+  if (!again || again->skeleton.nodes.size() != motion->skeleton.nodes.size()) std::abort();
+
+  const auto world = world_transforms(motion->skeleton, motion->clip, 0);
+  const auto map = find_humanoid(motion->skeleton, world);
+  if (!map) return 0;
+  const auto person = measure_person(motion->skeleton, world, *map);
+  if (!person) return 0;
+  const Landmarks& l = person->landmarks;
+  for (const Vec3d& p : {l.left_leg.toe, l.right_leg.toe, l.left_arm.fingertip, l.head_top}) {
+    if (!is_finite(p.x + p.y + p.z)) std::abort();
+  }
+  return 0;
+}
