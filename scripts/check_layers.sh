@@ -42,11 +42,16 @@ BEGIN {
   allow("hierarchy", all)
   allow("io", "motion body math core")
   allow("project", "hierarchy io " all)
-  allow("apps", "project hierarchy io " all)
-  allow("examples", "project hierarchy io " all)
-  allow("tests", "project hierarchy io " all)
-  allow("bindings", "project hierarchy " all)
-  allow("bench", "project hierarchy " all)
+  # the one header that gathers the others
+  allow("shigusa.hpp", "project hierarchy io " all)
+  all = all " shigusa.hpp"
+  all = "project hierarchy " all
+  allow("shigusa.hpp", all)  # the front door: what a program includes that wants everything
+  allow("apps", "shigusa.hpp io " all)
+  allow("examples", "shigusa.hpp io " all)
+  allow("tests", "shigusa.hpp io " all)
+  allow("bindings", "shigusa.hpp " all)
+  allow("bench", "shigusa.hpp " all)
 }
 
 FNR == 1 {

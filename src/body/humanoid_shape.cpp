@@ -106,8 +106,13 @@ BodyShape ordered(const SkeletonTree& tree, const BranchPair& upper, const Branc
     return chest_root ? BodyShape{lower, upper} : BodyShape{upper, lower};
   }
   const int head = third_branch(tree, upper, lower);
-  if (head < 0)
-    return upper.length >= lower.length ? BodyShape{upper, lower} : BodyShape{lower, upper};
+  if (head < 0) {
+    // without their roots, where a trunk may be missing, legs are the longer limbs
+    const auto limb = [&](const BranchPair& pair) {
+      return pair.length - norm(tree.at(pair.branch[0]) - tree.at(pair.node));
+    };
+    return limb(upper) >= limb(lower) ? BodyShape{upper, lower} : BodyShape{lower, upper};
+  }
   const Vec3d up = tree.at(tree.farthest(head)) - tree.at(upper.node);
   const auto height = [&](const BranchPair& pair) {
     return dot(up, tree.at(tree.farthest(pair.branch[0])) + tree.at(tree.farthest(pair.branch[1])));

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>

@@ -13,10 +13,6 @@ constexpr double kStatureMax = 2.5;
 constexpr double kMassMin = 2.0;  // kg
 constexpr double kMassMax = 300.0;
 
-bool is_built_in(const std::string& source) {
-  return source == "half_body" || source == "full_body";
-}
-
 Result<void> check_range(const char* what, const std::optional<double>& value, double low,
                          double high, const char* unit) {
   if (!value || (*value >= low && *value <= high)) return {};
@@ -26,25 +22,27 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
       "character");
 }
 
-Result<void> check_source(const std::string& source) {
-  if (std::filesystem::path(source).extension() == ".bvh" ||
-      std::filesystem::path(source).extension() == ".BVH") {
-    return {};
-  }
-  const std::vector<std::string> names{"half_body", "full_body"};
-  return fail(ErrorCode::invalid_argument,
-              unknown_name("character", source, names) + ", or a file that ends in .bvh",
-              "character");
+}  // namespace
+
+bool is_built_in(const CharacterSpec& spec) {
+  return spec.source == "half_body" || spec.source == "full_body";
 }
 
-}  // namespace
+Result<void> check_source(const CharacterSpec& spec) {
+  const std::string ending = std::filesystem::path(spec.source).extension().string();
+  if (spec.landmarks || is_built_in(spec) || ending == ".bvh" || ending == ".BVH") return {};
+  const std::vector<std::string> names{"half_body", "full_body"};
+  return fail(ErrorCode::invalid_argument,
+              unknown_name("character", spec.source, names) + ", or a file that ends in .bvh",
+              "character");
+}
 
 Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path& folder) {
   if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
     return ok;
   }
-  if (spec.landmarks || is_built_in(spec.source)) return {};
-  if (const auto ok = check_source(spec.source); !ok) return ok;
+  if (spec.landmarks || is_built_in(spec)) return {};
+  if (const auto ok = check_source(spec); !ok) return ok;
   const std::filesystem::path path = folder / spec.source;
   const std::string name = path.filename().string();
   const Result<SkeletonMotion> file = read_bvh(path);

@@ -83,13 +83,15 @@ std::string file_name(std::size_t index, const char* format) {
   return fmt::format("candidate-{}.{}", index + 1, format);
 }
 
-// removes what an earlier result with more candidates left in the folder
-void remove_surplus(const std::filesystem::path& folder, std::size_t candidates) {
+// Removes what an earlier result left in the folder and this one does not have: more candidates, or
+// other formats. Nothing of an older motion may stand beside a new one.
+void remove_surplus(const std::filesystem::path& folder, const std::vector<CandidateFiles>& files) {
   constexpr std::size_t kMany = 1000;
   std::error_code ignored;
-  for (std::size_t i = candidates; i < kMany; ++i) {
-    bool any = false;
+  for (std::size_t i = 0; i < kMany; ++i) {
+    bool any = i < files.size();
     for (const auto& [name, format] : kFormats) {
+      if (i < files.size() && files[i].contains(name)) continue;
       any = std::filesystem::remove(folder / file_name(i, name), ignored) || any;
     }
     if (!any) return;
@@ -102,10 +104,12 @@ Result<std::vector<ExportFormat>> parse_formats(std::string_view list) {
   std::vector<ExportFormat> formats;
   std::vector<std::string> names;
   for (const auto& [name, format] : kFormats) names.emplace_back(name);
-  while (!list.empty()) {
+  bool more = !list.empty();
+  while (more) {
     const std::size_t comma = list.find(',');
     const std::string_view word = list.substr(0, comma);
-    list = comma == list.npos ? std::string_view{} : list.substr(comma + 1);
+    more = comma != list.npos;
+    list = more ? list.substr(comma + 1) : std::string_view{};
     bool found = false;
     for (const auto& [name, format] : kFormats) {
       if (word == name) formats.push_back(format);
@@ -117,6 +121,9 @@ Result<std::vector<ExportFormat>> parse_formats(std::string_view list) {
 }
 
 Result<void> prepare_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) {
+    return fail(ErrorCode::invalid_argument, "the folder for the result has an empty name");
+  }
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder)) {
@@ -165,7 +172,7 @@ Result<std::string> write_result(const std::filesystem::path& folder, const Task
       files[i][format_name(format)] = name;
     }
   }
-  remove_surplus(folder, files.size());
+  remove_surplus(folder, files);
   const std::string summary = format_result(file, task, generation, info, files);
   if (const auto written = write_file(folder / kSummaryName, summary); !written) {
     return tl::unexpected(written.error());

@@ -3,44 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <shigusa/core/names.hpp>
-#include <shigusa/core/result.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <shigusa/math/vec3.hpp>
 #include <string>
 #include <vector>
 
+#include "json_text.hpp"
+
 namespace shigusa {
-
-using Json = nlohmann::ordered_json;
-
-// Nothing that shigusa reads is nested deeper; walking a tree of unlimited depth overflows the
-// stack.
-inline constexpr int kJsonMaxDepth = 32;
-
-// Parses JSON text; the error tells line and column.
-[[nodiscard]] inline Result<Json> parse_json(std::string_view text, std::string_view name) {
-  bool deep = false;
-  const auto shallow = [&deep](int depth, Json::parse_event_t, const Json&) {
-    deep = deep || depth > kJsonMaxDepth;
-    return depth <= kJsonMaxDepth;
-  };
-  try {
-    Json json = Json::parse(text, shallow);
-    if (!deep) return json;
-    return fail(ErrorCode::parse, fmt::format("nested deeper than {} levels", kJsonMaxDepth),
-                std::string(name));
-  } catch (const Json::exception& error) {
-    const std::string_view what = error.what();
-    const std::size_t cut = what.find("] ");
-    return fail(ErrorCode::parse,
-                "not JSON: " + std::string(cut == what.npos ? what : what.substr(cut + 2)),
-                std::string(name));
-  }
-}
 
 // Reads one JSON object member by member and remembers the first thing that is wrong with it, so
 // that a caller reads everything and asks once. Every member must be asked for: finish() names
@@ -52,7 +26,7 @@ class JsonReader {
   }
 
   [[nodiscard]] bool has(const char* key) {
-    known_.emplace_back(key);
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
     return object_->is_object() && object_->contains(key);
   }
 
@@ -87,8 +61,10 @@ class JsonReader {
     const Json& member = value(key);
     if (!member.is_number_unsigned() || member.get<std::uint64_t>() < low ||
         member.get<std::uint64_t>() > high) {
-      return wrong(key, fmt::format("is {}; allowed are whole numbers from {} to {}", shown(member),
-                                    low, high));
+      const std::string allowed =
+          low == high ? fmt::format("allowed is {}", low)
+                      : fmt::format("allowed are whole numbers from {} to {}", low, high);
+      return wrong(key, "is " + shown(member) + "; " + allowed);
     }
     into = static_cast<Integer>(member.get<std::uint64_t>());
   }
@@ -104,9 +80,9 @@ class JsonReader {
   template <class Enum>
   void choice(const char* key, Enum& into,
               const std::vector<std::pair<std::string, Enum>>& choices) {
+    if (!has(key)) return;
     std::string word;
     text(key, word);
-    if (word.empty()) return;
     std::vector<std::string> names;
     for (const auto& [name, meaning] : choices) {
       if (name == word) {
@@ -141,7 +117,7 @@ class JsonReader {
 
   void wrong(const std::string& key, const std::string& message) {
     if (!error_) {
-      error_ = Error{ErrorCode::parse, message, key.empty() ? place_ : place_of(key)};
+      error_ = Error{ErrorCode::parse, message, key.empty() ? place() : place_of(key)};
     }
   }
   void absorb(const std::optional<Error>& nested) {
@@ -154,12 +130,17 @@ class JsonReader {
     for (const auto& item : object_->items()) {
       bool asked = false;
       for (const std::string& key : known_) asked = asked || key == item.key();
-      if (!asked) wrong(item.key(), unknown_name("key", item.key(), known_));
+      if (!asked) wrong("", unknown_name("key", item.key(), known_));
     }
     return error_;
   }
 
  private:
+  // the object itself; the outermost has its name alone
+  [[nodiscard]] std::string place() const {
+    return place_.ends_with(": ") ? place_.substr(0, place_.size() - 2) : place_;
+  }
+
   // a value as it stands in a message, cut short
   static std::string shown(const Json& value) {
     std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);

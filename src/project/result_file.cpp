@@ -116,6 +116,7 @@ Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
     reader.absorb(weights.finish());
   }
   if (reader.has("locked")) {
+    if (!reader.value("locked").is_array()) reader.wrong("locked", "must be a list [ … ] of texts");
     for (const Json& name : reader.value("locked")) {
       const auto dof = name.is_string() ? body.find_dof(name.get<std::string>()) : std::nullopt;
       if (dof) {
@@ -129,6 +130,16 @@ Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
   (void)reader.has("posture");
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return parameters;
+}
+
+Result<void> check_version(const Json& json, const std::string& place) {
+  const auto version = json.find("version");
+  if (version != json.end() && *version == kResultVersion) return {};
+  return fail(ErrorCode::parse,
+              fmt::format("version is {}; allowed is {}",
+                          version == json.end() ? "missing" : version->dump().substr(0, 60),
+                          kResultVersion),
+              place);
 }
 
 Result<double> parse_weight(std::string_view text) {
@@ -185,15 +196,19 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
       !(*json)["candidates"].is_array()) {
     return fail(ErrorCode::parse, "not a result of shigusa: it has no task and candidates", place);
   }
+  if (const auto known = check_version(*json, place); !known) return tl::unexpected(known.error());
   Result<TaskFile> task = task_from_json((*json)["task"], place + ": task");
   if (!task) return tl::unexpected(task.error());
   StoredResult result{std::move(*task), {}};
-  if (const auto measured = measure_character(result.task.character, {}); !measured) {
-    return tl::unexpected(measured.error());
+  const CharacterSpec& character = result.task.character;
+  if (!is_built_in(character) && !character.landmarks) {
+    return fail(ErrorCode::parse, "landmarks_m is missing: a result holds the person as measured",
+                place + ": task.character");
   }
-  const Result<BodyModel> body = build_character(result.task.character);
+  const Result<BodyModel> body = build_character(character);
   if (!body) return tl::unexpected(body.error());
   const Json& candidates = (*json)["candidates"];
+  if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     Result<Parameters> parameters =
         read_parameters(*body, candidates[i], fmt::format("{}: candidates[{}]", place, i));

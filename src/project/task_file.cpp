@@ -11,6 +11,7 @@ namespace {
 constexpr double kLengthRange = 100.0;  // m, of landmarks
 constexpr double kCriteriaRange = 1e6;  // weights and reference scales
 constexpr double kCriteriaTiny = 1e-9;  // reference scales are above 0
+constexpr std::size_t kGoalsMax = 64;    // far more than any body has effectors
 constexpr std::uint64_t kFrameMax = 1'000'000;
 constexpr std::uint64_t kCandidatesMax = 1000;
 constexpr std::uint64_t kEvaluationsMax = 1'000'000'000;
@@ -44,7 +45,7 @@ Json character_to_json(const CharacterSpec& c) {
   if (c.stature) json["stature_m"] = *c.stature;
   if (c.mass) json["mass_kg"] = *c.mass;
   json["sex"] = c.sex == Sex::male ? "male" : "female";
-  if (c.source == "half_body" || c.source == "full_body") return json;
+  if (is_built_in(c)) return json;
   json["extent"] = c.extent == BodyExtent::half ? "half" : "full";
   json["frame"] = c.frame;
   if (!c.doubts.empty()) json["doubts"] = c.doubts;
@@ -80,9 +81,35 @@ void check_segments(JsonReader& reader, const Landmarks& p) {
   }
 }
 
+void read_landmarks(JsonReader& reader, CharacterSpec& c) {
+  if (!reader.has("landmarks_m")) return;
+  JsonReader landmarks = reader.object("landmarks_m");
+  Landmarks person;
+  for_each_landmark(person, [&](const char* name, Vec3d& p) {
+    landmarks.require(name);
+    landmarks.vector(name, p, kLengthRange);
+  });
+  reader.absorb(landmarks.finish());
+  reader.require("stature_m");
+  check_segments(reader, person);
+  c.landmarks = person;
+}
+
+void check_character(JsonReader& reader, const CharacterSpec& c) {
+  if (const auto known = check_source(c); !known) reader.wrong("source", known.error().message);
+  for (const char* key : {"extent", "frame", "doubts", "landmarks_m"}) {
+    if (!reader.has(key) || !is_built_in(c)) continue;
+    reader.wrong(key, "is of a person from a file, and " + c.source + " is built in: leave it out");
+  }
+}
+
 void read_character(JsonReader& task, CharacterSpec& c) {
   if (!task.has("character")) return;
-  if (task.value("character").is_string()) return task.text("character", c.source);
+  if (task.value("character").is_string()) {
+    task.text("character", c.source);
+    if (const auto known = check_source(c); !known) task.wrong("character", known.error().message);
+    return;
+  }
   JsonReader reader = task.object("character");
   reader.require("source");
   reader.text("source", c.source);
@@ -93,18 +120,8 @@ void read_character(JsonReader& task, CharacterSpec& c) {
                             {{"half", BodyExtent::half}, {"full", BodyExtent::full}});
   reader.integer("frame", c.frame, 0, kFrameMax);
   read_doubts(reader, c.doubts);
-  if (reader.has("landmarks_m")) {
-    JsonReader landmarks = reader.object("landmarks_m");
-    Landmarks person;
-    for_each_landmark(person, [&](const char* name, Vec3d& p) {
-      landmarks.require(name);
-      landmarks.vector(name, p, kLengthRange);
-    });
-    reader.absorb(landmarks.finish());
-    reader.require("stature_m");
-    check_segments(reader, person);
-    c.landmarks = person;
-  }
+  read_landmarks(reader, c);
+  check_character(reader, c);
   task.absorb(reader.finish());
 }
 
@@ -112,6 +129,10 @@ void read_goals(JsonReader& task, std::vector<Goal>& goals) {
   if (!task.has("goals")) return;
   const Json& list = task.value("goals");
   if (!list.is_array()) return task.wrong("goals", "must be a list [ … ] of goals");
+  if (list.size() > kGoalsMax) {
+    return task.wrong("goals", "are " + std::to_string(list.size()) + "; allowed are " +
+                                   std::to_string(kGoalsMax) + " at most");
+  }
   for (std::size_t i = 0; i < list.size(); ++i) {
     JsonReader reader(list[i], task.place_of("goals[" + std::to_string(i) + "]"));
     Goal goal;
@@ -119,6 +140,11 @@ void read_goals(JsonReader& task, std::vector<Goal>& goals) {
     reader.text("effector", goal.effector);
     reader.require("position_m");
     reader.vector("position_m", goal.position, kGoalRange);
+    for (const Goal& earlier : goals) {
+      if (earlier.effector != goal.effector) continue;
+      reader.wrong("effector", "is a second goal for '" + goal.effector.substr(0, 80) +
+                                   "'; allowed is one for each effector");
+    }
     task.absorb(reader.finish());
     goals.push_back(std::move(goal));
   }
@@ -150,6 +176,9 @@ void read_criteria(JsonReader& task, CriteriaSettings& criteria) {
     members.number("weight", criteria.*criterion.weight, 0.0, kCriteriaRange);
     members.number(criterion.scale_name, criterion.scale(criteria), kCriteriaTiny, kCriteriaRange);
     reader.absorb(members.finish());
+  }
+  if (criteria.joint_range_weight + criteria.balance_weight + criteria.torque_weight <= 0.0) {
+    reader.wrong("", "all weights are 0; allowed are weights of which one or more is above 0");
   }
   task.absorb(reader.finish());
 }

@@ -44,7 +44,9 @@ class Descent {
     std::vector<double> angles(body_.start().begin(), body_.start().end());
     std::vector<double> aim(angles);
     for (std::size_t d = 0; d < aim.size(); ++d) {
-      aim[d] = random.uniform(body_.dofs()[d].lower, body_.dofs()[d].upper);
+      const double anywhere = random.uniform(body_.dofs()[d].lower, body_.dofs()[d].upper);
+      // a limb that bears no goal and no foot has nothing to do
+      if (moves_target(static_cast<int>(d))) aim[d] = anywhere;
     }
     forward_kinematics<double>(body_, angles, kinematics_);
     std::vector<double> pull(aim);
@@ -88,6 +90,12 @@ class Descent {
   }
 
  private:
+  [[nodiscard]] bool moves_target(int dof) const {
+    return std::any_of(targets_.begin(), targets_.end(), [&](const IkTarget<double>& target) {
+      return body_.moves(dof, target.link);
+    });
+  }
+
   [[nodiscard]] std::span<const IkTarget<double>> contacts() const {
     return std::span<const IkTarget<double>>(targets_).subspan(problem_.goals.size());
   }

@@ -257,6 +257,17 @@ TEST(HumanoidMap, RootInTheChestIsFollowedToTheHips) {
   EXPECT_EQ((*map)[Bone::left_upper_leg], 5);
 }
 
+TEST(HumanoidMap, ArmsAndLegsMayLeaveOneNode) {
+  StickFigure figure = standing_figure();
+  for (const char* name : {"LeftShoulder", "RightShoulder", "Neck"}) figure[name].parent = 0;
+  const auto map = find(figure.nameless());
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ(mapped(figure.skeleton(), *map), kCaptureNames);
+  const auto headless = find(figure.without("Neck").without("Spine").nameless());
+  ASSERT_TRUE(headless) << headless.error().to_string();
+  EXPECT_EQ((*headless)[Bone::left_upper_leg], 1);
+}
+
 TEST(HumanoidMap, HelperAtTheHipsIsNoThigh) {
   StickFigure figure = called(
       sided("Left", "Right", {"Hips", "Neck", "Head"},

@@ -53,7 +53,8 @@ refuses() {
 fresh
 write src/hierarchy/a.cpp '#include <shigusa/search/b.hpp>' '#include "c.hpp"' '#include <fmt/core.h>'
 write src/project/a.cpp '#include <shigusa/io/b.hpp>' '#include "../io/c.hpp"'
-write examples/one/main.cpp '#include <shigusa/io/b.hpp>' '#include "local.hpp"'
+write include/shigusa/shigusa.hpp '#include <shigusa/project/b.hpp>'
+write examples/one/main.cpp '#include <shigusa/shigusa.hpp>' '#include <shigusa/io/b.hpp>' '#include "local.hpp"'
 write tests/search/a_test.cpp '#include <shigusa/body/b.hpp>' '#include "io/internal.hpp"'
 accepts check_layers.sh
 public=include/shigusa
@@ -64,6 +65,7 @@ refuses check_layers.sh src/hierarchy/a.cpp '#include <shigusa/io/b.hpp>' 'hiera
 refuses check_layers.sh src/io/a.cpp '#include <shigusa/project/b.hpp>' 'io must not include project'
 refuses check_layers.sh src/math/a.cpp '#include "../body/b.hpp"' 'math must not include body'
 refuses check_layers.sh src/math/a.cpp '#include "body/b.hpp"' 'math must not include body'
+refuses check_layers.sh src/project/a.cpp '#include <shigusa/shigusa.hpp>' 'project must not include shigusa.hpp'
 refuses check_layers.sh $public/core/a.hpp '#include <shigusa/extra/b.hpp>' '"extra" is not a room'
 refuses check_layers.sh $public/extra/a.hpp '#include <string>' '"extra" is not a room'
 refuses check_layers.sh $public/io/a.hpp '#include <nlohmann/json.hpp>' 'a public header must not include'

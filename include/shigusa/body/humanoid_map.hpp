@@ -52,6 +52,14 @@ struct HumanoidMap {
 // posture that tells left from right and up from down (nodes, as world_transforms gives). Neck,
 // head and toes may stay unmapped, each with a doubt; any other missing bone is an error that names
 // it and what was found instead.
+//
+// Names: motion capture (LeftUpLeg; LeftHip, LeftKnee; CMU's lfemur), Mixamo, Blender and Rigify,
+// Unreal, Xsens, VRM, VRoid, 3ds Max, Poser, SMPL, Kinect and MMD, in any case and with any
+// separators. A word of two meanings (LeftShoulder, LeftLeg, LeftFoot) is read by the chain that it
+// stands in. Of joints at one point the bone is the first; but a hip or neck joint at the very
+// place of its parent is a helper, and the next one is the bone. If the limbs' names are
+// incomplete, all limbs are found by shape, and the names tell only the sides; without those the
+// feet do. Hips are where legs and spine meet, or what is called so just above.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Skeleton& skeleton,
                                                 const std::vector<Transformd>& world);
 

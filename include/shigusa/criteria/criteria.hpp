@@ -21,7 +21,7 @@ struct UserCriterion {
   std::string name;
   double weight = 0.1;  // ≥ 0
   double scale = 1.0;   // value at which the penalty is full, > 0
-  std::function<double(const BodyModel&, const Motion&)> value;
+  std::function<double(const BodyModel&, const Motion&)> value{};
 };
 
 // What a motion is scored by: score = Σ weight · penalty, lower is better.
@@ -29,10 +29,10 @@ struct CriteriaSettings {
   double joint_range_weight = kPaperRangeWeight;  // ≥ 0
   double balance_weight = kPaperBalanceWeight;    // ≥ 0
   double torque_weight = kPaperTorqueWeight;      // ≥ 0
-  JointRangeSettings joint_range;
-  BalanceSettings balance;
-  TorqueSettings torque;
-  std::vector<UserCriterion> user;
+  JointRangeSettings joint_range{};
+  BalanceSettings balance{};
+  TorqueSettings torque{};
+  std::vector<UserCriterion> user{};
 };
 
 // One line of a score's breakdown.

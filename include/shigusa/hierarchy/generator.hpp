@@ -66,7 +66,7 @@ struct Generation {
 
 // Two motions whose joint angles never differ by more than this, root mean square over the dofs,
 // are one candidate (rad).
-inline constexpr double kDistinctPosture = radians(1.0);
+inline constexpr double kDistinctPosture = radians(5.0);
 // How near (m) a candidate must come to the closest point where the goal is out of reach.
 inline constexpr double kEdgeTolerance = 5e-3;
 

@@ -34,16 +34,16 @@ inline constexpr double kTaskDurationMax = 60.0;  // s
 // What is asked for.
 struct Task {
   BodyModel body;
-  std::vector<Goal> goals;         // 1 or more, each for another effector
-  std::optional<double> duration;  // s; from the distance (reach_duration) when not given
+  std::vector<Goal> goals{};         // 1 or more, each for another effector
+  std::optional<double> duration{};  // s; from the distance (reach_duration) when not given
   Preset preset = Preset::paper;
-  CriteriaSettings criteria;
-  GeneticSettings genetic;            // with the seed
+  CriteriaSettings criteria{};
+  GeneticSettings genetic{};            // with the seed
   int candidates = kPaperPopulation;  // at most so many are delivered, ≥ 1
   // Motions that the search may score, at least a population's. When given, the genetic algorithm
   // starts again, with other random numbers, until it is used up, and candidates come from all its
   // final populations; when not, it runs once.
-  std::optional<int> evaluations;
+  std::optional<int> evaluations{};
 };
 
 // The problem that a task poses to the search: paths from the start posture to the goals, and the

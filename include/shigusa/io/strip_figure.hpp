@@ -51,10 +51,10 @@ struct StripSettings {
 //
 // Limbs, trunk, head and feet get an anatomical look where the humanoid bones are known; any other
 // node is drawn as a plain bone, dark near the viewer and light away from it. A figure that stays
-// within half its size of one place is drawn about the place of its feet in each slot, so that planted
-// feet stand still from pose to pose; one that travels further is re-centred on its hips in each
-// pose. Poses never overlap: their distance is that of the widest neighbours, and the scale is what
-// fills the width. A goal too far away to be drawn in its slot becomes an arrow towards it.
+// within half its size of one place is drawn about the place of its feet in each slot, so that
+// planted feet stand still from pose to pose; one that travels further is re-centred on its hips in
+// each pose. Poses never overlap: their distance is that of the widest neighbours, and the scale is
+// what fills the width. A goal too far away to be drawn in its slot becomes an arrow towards it.
 //
 // Fails when a setting is out of its range (the message tells it), when the motion has no frame or
 // no node, when a position is not finite, when an overlay is neither empty nor as long as the clip,

@@ -26,7 +26,7 @@ struct GeneticSettings {
   double fitness_offset = kPaperFitnessOffset;             // 1e-12..1e12
   std::uint64_t seed = 0;
   std::uint64_t stream = 0;            // other random numbers for the same seed: restarts
-  std::optional<int> max_evaluations;  // genomes that may be scored, ≥ population; absent: no limit
+  std::optional<int> max_evaluations{};  // genomes that may be scored, ≥ population; absent: no limit
 };
 
 // The paper's genetic algorithm (section 3.2, with rule R7 for what it leaves open); its steps are

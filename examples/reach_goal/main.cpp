@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The smallest use of shigusa: a body, a goal, and the motions that get there.
+#include <cstdio>
+#include <shigusa/io/file.hpp>
+#include <shigusa/shigusa.hpp>
+
+int main() {
+  shigusa::Task task{.body = shigusa::full_body({.stature = 1.70, .mass = 65.0})};
+  task.goals = {{"right_hand", {0.25, 0.55, 0.50}}};  // metres; +Y up, facing +Z, left is +X
+  task.evaluations = 2000;
+
+  const auto result = shigusa::generate(task);
+  if (!result) return std::fprintf(stderr, "%s\n", result.error().to_string().c_str()), 2;
+  for (const shigusa::Candidate& candidate : result->candidates) {
+    std::printf("score %.4f, hand %.3f mm from its goal\n", candidate.score.total,
+                1e3 * candidate.goals[0].error);
+  }
+  const auto bvh =
+      shigusa::export_candidate(task, result->candidates[0], shigusa::ExportFormat::bvh);
+  return bvh && shigusa::write_file("reach.bvh", *bvh) ? 0 : 1;
+}

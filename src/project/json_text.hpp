@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <shigusa/core/result.hpp>
+#include <string_view>
+
+namespace shigusa {
+
+using Json = nlohmann::ordered_json;
+
+// What a file may hold at most. Walking a tree of unlimited depth overflows the stack; finding a
+// member is a search through all of its object's; a value takes far more memory than its text.
+inline constexpr int kJsonMaxDepth = 32;
+inline constexpr std::size_t kJsonMaxMembers = 256;      // of one object
+inline constexpr std::size_t kJsonMaxValues = 1'000'000;  // a result of 1000 candidates: 200,000
+
+// Parses JSON text. Fails on text that is not JSON (the error tells line and column), that passes
+// the limits above, or that has a key twice in one object.
+[[nodiscard]] Result<Json> parse_json(std::string_view text, std::string_view name);
+
+}  // namespace shigusa

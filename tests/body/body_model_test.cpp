@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <shigusa/core/check.hpp>
+
+#include "support/bodies.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+// A trunk on one hinge with two arms of one hinge each.
+BodyDefinition two_arms() {
+  BodyDefinition body = chain_definition({{}, {}, {}});
+  body.dofs[2].parent = 0;
+  body.effectors = {{"left_hand", "left_hand", 1, {0, 1, 0}, 1},
+                    {"right_hand", "right_hand", 2, {0, 1, 0}, 2}};
+  return body;
+}
+
+TEST(BodyModel, KnowsWhichDofsMoveALink) {
+  const BodyModel body(two_arms());
+  EXPECT_TRUE(body.moves(0, 0));
+  EXPECT_TRUE(body.moves(0, 1));
+  EXPECT_TRUE(body.moves(0, 2));
+  EXPECT_TRUE(body.moves(1, 1));
+  EXPECT_FALSE(body.moves(1, 0));
+  EXPECT_FALSE(body.moves(1, 2));
+  EXPECT_FALSE(body.moves(2, 1));
+}
+
+TEST(BodyModel, NothingMovesTheBase) {
+  const BodyModel body(two_arms());
+  for (int d = 0; d < body.dof_count(); ++d) EXPECT_FALSE(body.moves(d, kBaseLink));
+}
+
+TEST(BodyModel, FindsEffectorsAndDofsByName) {
+  const BodyModel body(two_arms());
+  EXPECT_EQ(body.find_effector("right_hand"), 1);
+  EXPECT_EQ(body.find_effector("nose"), std::nullopt);
+  EXPECT_EQ(body.find_dof("hinge_2.flexion"), 2);
+  EXPECT_EQ(body.find_dof("hinge_2"), std::nullopt);
+}
+
+TEST(BodyModel, GivesTheMassOfEachLinkAndOfTheBase) {
+  BodyDefinition definition = two_arms();
+  definition.base_mass.mass = 7.0;
+  definition.masses[1].mass = 2.5;
+  const BodyModel body(definition);
+  EXPECT_EQ(body.link_mass(kBaseLink).mass, 7.0);
+  EXPECT_EQ(body.link_mass(1).mass, 2.5);
+}
+
+// Each of these breaks a sound definition in one place.
+struct Fault {
+  const char* name;
+  void (*commit)(BodyDefinition&);
+};
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+class BrokenDefinition : public testing::TestWithParam<Fault> {};
+
+TEST_P(BrokenDefinition, IsRefused) {
+  BodyDefinition body = two_arms();
+  body.feet = {{.name = "foot", .node = "foot", .link = 1, .centre = {}, .outline = {}}};
+  body.nodes = {{.name = "hips", .parent = -1, .link = 0}};
+  body.couplings = {{.dof = 0, .driver = 1, .gain = 0.1, .driver_full = 1.0}};
+  ASSERT_NO_THROW(BodyModel{body});
+  GetParam().commit(body);
+  EXPECT_THROW(BodyModel{body}, PreconditionError);
+}
+
+using Body = BodyDefinition;
+INSTANTIATE_TEST_SUITE_P(
+    Faults, BrokenDefinition,
+    testing::Values(
+        Fault{"no_dofs", [](Body& b) { b = {}; }},
+        Fault{"one_mass_too_few", [](Body& b) { b.masses.pop_back(); }},
+        Fault{"one_start_angle_too_many", [](Body& b) { b.start.push_back(0); }},
+        Fault{"own_parent", [](Body& b) { b.dofs[1].parent = 1; }},
+        Fault{"later_parent", [](Body& b) { b.dofs[1].parent = 2; }},
+        Fault{"parent_below_base", [](Body& b) { b.dofs[1].parent = -2; }},
+        Fault{"limits_turned_round", [](Body& b) { b.dofs[1].lower = b.dofs[1].upper; }},
+        Fault{"sign_of_two", [](Body& b) { b.dofs[1].sign = 2.0; }},
+        Fault{"no_strength", [](Body& b) { b.dofs[1].torque_negative = 0.0; }},
+        Fault{"effector_on_no_link", [](Body& b) { b.effectors[0].link = 3; }},
+        Fault{"effector_without_limb", [](Body& b) { b.effectors[0].limb_root = kBaseLink; }},
+        Fault{"foot_on_no_link", [](Body& b) { b.feet[0].link = 3; }},
+        Fault{"node_on_no_link", [](Body& b) { b.nodes[0].link = -2; }},
+        Fault{"node_under_itself", [](Body& b) { b.nodes[0].parent = 0; }},
+        Fault{"coupling_of_no_dof", [](Body& b) { b.couplings[0].dof = -1; }},
+        Fault{"coupling_by_no_dof", [](Body& b) { b.couplings[0].driver = 3; }},
+        Fault{"coupling_over_nothing", [](Body& b) { b.couplings[0].driver_full = 0.0; }}),
+    [](const testing::TestParamInfo<Fault>& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace shigusa

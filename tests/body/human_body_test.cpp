@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <shigusa/dynamics/centre_of_mass.hpp>
+
+#include "support/bodies.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+std::vector<std::string> dof_names(const BodyModel& body) {
+  std::vector<std::string> names;
+  for (const Dof& dof : body.dofs()) names.push_back(dof.name);
+  return names;
+}
+
+TEST(HalfBody, HasThePapersNineDofs) {
+  EXPECT_EQ(dof_names(half_body()),
+            (std::vector<std::string>{
+                "right_ankle.flexion", "right_knee.flexion", "right_hip.rotation",
+                "right_hip.abduction", "right_hip.flexion", "right_shoulder.flexion",
+                "right_shoulder.abduction", "right_shoulder.rotation", "right_elbow.flexion"}));
+}
+
+TEST(FullBody, HasTwiceTheHalfBodysDofs) {
+  const std::vector<std::string> names = dof_names(full_body());
+  EXPECT_EQ(names.size(), 18u);
+  for (const std::string& name : dof_names(half_body())) {
+    const std::string left = "left" + name.substr(5);
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+    EXPECT_EQ(std::count(names.begin(), names.end(), left), 1) << left;
+  }
+}
+
+TEST(HalfBody, ReachesWithTheRightHand) {
+  const BodyModel body = half_body();
+  ASSERT_EQ(body.effectors().size(), 1u);
+  EXPECT_EQ(body.effectors()[0].name, "right_hand");
+  EXPECT_EQ(body.effectors()[0].limb_root, body.find_dof("right_shoulder.flexion"));
+  ASSERT_EQ(body.feet().size(), 1u);
+  EXPECT_EQ(body.feet()[0].link, kBaseLink);
+}
+
+TEST(FullBody, ReachesWithBothHandsOnBothFeet) {
+  const BodyModel body = full_body();
+  EXPECT_TRUE(body.find_effector("right_hand") && body.find_effector("left_hand"));
+  ASSERT_EQ(body.feet().size(), 2u);
+  EXPECT_EQ(body.feet()[0].name, "right_foot");
+  EXPECT_EQ(body.feet()[0].link, kBaseLink);
+  EXPECT_EQ(body.feet()[1].name, "left_foot");
+  EXPECT_EQ(body.feet()[1].link, body.find_dof("left_ankle.flexion"));
+}
+
+TEST(HumanBody, WeighsWhatIsAsked) {
+  EXPECT_NEAR(half_body({1.741, 73.0, Sex::male}).mass(), 73.0, 1e-10);
+  EXPECT_NEAR(full_body({1.6, 90.0, Sex::male}).mass(), 90.0, 1e-10);
+  // the printed women's table adds up to 0.9999
+  EXPECT_NEAR(full_body({1.735, 61.9, Sex::female}).mass(), 0.9999 * 61.9, 1e-10);
+}
+
+TEST(HumanBody, StandsWithItsCentreOfMassWherePeopleHaveIt) {
+  // an upright mean person has it at 0.575 of the stature by de Leva's lengths, at 0.55 to 0.58 in
+  // the literature, and some centimetres ahead of the ankles
+  for (const BodyModel& body : {half_body(), full_body(), full_body({1.735, 61.9, Sex::female})}) {
+    const Vec3d com = centre_of_mass(body, placed(body, body.start()));
+    EXPECT_NEAR(com.x, 0.0, 1e-10);
+    EXPECT_GT(com.y, 0.55 * body.stature());
+    EXPECT_LT(com.y, 0.58 * body.stature());
+    EXPECT_GT(com.z, body.base().translation.z + 0.02);
+    EXPECT_LT(com.z, body.base().translation.z + 0.07);
+  }
+}
+
+TEST(HalfBody, WeighsAndStandsAsTheWholePerson) {
+  const Landmarks person = standing_landmarks(1.7, 0.0);
+  const BodyModel half = build_human(person, {"half", BodyExtent::half, 1.7, 70.0, Sex::male});
+  const BodyModel full = build_human(person, {"full", BodyExtent::full, 1.7, 70.0, Sex::male});
+  EXPECT_NEAR(half.mass(), full.mass(), 1e-10);
+  EXPECT_LT(norm(centre_of_mass(half, placed(half, half.start())) -
+                 centre_of_mass(full, placed(full, full.start()))),
+            1e-12);
+}
+
+TEST(HalfBody, LegsCountForBoth) {
+  const BodyModel half = half_body();
+  const BodyModel full = full_body();
+  for (const char* name : {"right_ankle.flexion", "right_knee.flexion", "right_hip.flexion"}) {
+    const Dof& one = half.dof(*half.find_dof(name));
+    const Dof& two = full.dof(*full.find_dof(name));
+    EXPECT_DOUBLE_EQ(one.torque_positive, 2 * two.torque_positive) << name;
+    EXPECT_DOUBLE_EQ(one.torque_negative, 2 * two.torque_negative) << name;
+  }
+  const Dof& elbow = half.dof(*half.find_dof("right_elbow.flexion"));
+  EXPECT_DOUBLE_EQ(elbow.torque_positive, kElbowFlexion.torque_positive);
+}
+
+TEST(HumanBody, StrengthGrowsWithMassAndIsSmallerInWomen) {
+  const auto elbow = [](const BodyModel& body) {
+    return body.dof(*body.find_dof("right_elbow.flexion")).torque_positive;
+  };
+  EXPECT_DOUBLE_EQ(elbow(full_body({1.741, 73.0, Sex::male})), 70.0);
+  EXPECT_DOUBLE_EQ(elbow(full_body({1.741, 146.0, Sex::male})), 140.0);
+  EXPECT_DOUBLE_EQ(elbow(full_body({1.735, 61.9, Sex::female})), 42.0);
+}
+
+TEST(HumanBody, ThighHasDeLevasInertia) {
+  // the thigh alone is the link that the right knee moves; its frame has y along the segment
+  const BodyModel body = full_body();
+  const SegmentParameters& p = segment_table(Sex::male).thigh;
+  const double length = StatureFractions::kThigh * body.stature();
+  const double mass = p.mass * body.mass();
+  const MassProperties& thigh = body.link_mass(*body.find_dof("right_knee.flexion"));
+  EXPECT_NEAR(thigh.mass, mass, 1e-12);
+  EXPECT_LT(norm(thigh.com - Vec3d{0, length * (1 - p.com), 0}), 1e-12);
+  const auto moment = [&](double radius) { return mass * radius * length * radius * length; };
+  EXPECT_NEAR(thigh.inertia.cx.x, moment(p.r_transverse), 1e-10);
+  EXPECT_NEAR(thigh.inertia.cy.y, moment(p.r_long), 1e-10);
+  EXPECT_NEAR(thigh.inertia.cz.z, moment(p.r_sagittal), 1e-10);
+  EXPECT_NEAR(thigh.inertia.cy.x, 0.0, 1e-10);
+  EXPECT_NEAR(thigh.inertia.cz.x, 0.0, 1e-10);
+  EXPECT_NEAR(thigh.inertia.cz.y, 0.0, 1e-10);
+}
+
+// Each landmark with where the body's start posture has it, through the nodes of its skeleton.
+class NodePlaces {
+ public:
+  explicit NodePlaces(const BodyModel& body)
+      : body_(body), kinematics_(placed(body, body.start())) {}
+
+  [[nodiscard]] Vec3d of(const std::string& name) const { return at(find(name)); }
+  // the end site under the node
+  [[nodiscard]] Vec3d tip_of(const std::string& name) const {
+    const auto nodes = body_.nodes();
+    const auto tip = std::find_if(nodes.begin(), nodes.end(), [&](const BodyNode& node) {
+      return node.end_site && node.parent == find(name);
+    });
+    return at(static_cast<int>(tip - nodes.begin()));
+  }
+
+ private:
+  [[nodiscard]] int find(const std::string& name) const {
+    const auto nodes = body_.nodes();
+    return static_cast<int>(
+        std::find_if(nodes.begin(), nodes.end(),
+                     [&](const BodyNode& node) { return node.name == name; }) -
+        nodes.begin());
+  }
+  [[nodiscard]] Vec3d at(int index) const {
+    if (index >= static_cast<int>(body_.nodes().size())) return {NAN, NAN, NAN};
+    const BodyNode& node = body_.nodes()[static_cast<std::size_t>(index)];
+    return kinematics_.point(node.link, node.point);
+  }
+
+  const BodyModel& body_;
+  Kinematics<double> kinematics_;
+};
+
+// Largest distance (m) of a landmark from where the body has it.
+double misplacement(const Landmarks& person, const BodyModel& body, bool left_too = true) {
+  const NodePlaces nodes(body);
+  double largest = 0.0;
+  const auto compare = [&](const Vec3d& expected, const Vec3d& seen) {
+    const double distance = norm(expected - seen);
+    largest = distance <= largest ? largest : distance;  // keeps a NaN
+  };
+  compare(person.neck, nodes.of("neck"));
+  compare(person.head_top, nodes.tip_of("head"));
+  compare((person.left_leg.hip + person.right_leg.hip) * 0.5, nodes.of("hips"));
+  for (const Side side : {Side::left, Side::right}) {
+    if (side == Side::left && !left_too) continue;
+    const std::string prefix = side == Side::left ? "left_" : "right_";
+    const Landmarks::Leg& leg = person.leg(side);
+    compare(leg.hip, nodes.of(prefix + "upper_leg"));
+    compare(leg.knee, nodes.of(prefix + "lower_leg"));
+    compare(leg.ankle, nodes.of(prefix + "foot"));
+    compare(leg.toe, nodes.tip_of(prefix + "toes"));
+    const Landmarks::Arm& arm = person.arm(side);
+    compare(arm.shoulder, nodes.of(prefix + "upper_arm"));
+    compare(arm.elbow, nodes.of(prefix + "lower_arm"));
+    compare(arm.wrist, nodes.of(prefix + "hand"));
+    compare(arm.fingertip, nodes.tip_of(prefix + "hand_grip"));
+    const Vec3d grip = arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction;
+    compare(grip, nodes.of(prefix + "hand_grip"));
+    compare(grip, effector_position(body, body.start(), (prefix + "hand").c_str()));
+  }
+  return largest;
+}
+
+// Distances of 2 m through ten rotations, each exact to rounding.
+constexpr double kExact = 1e-13;
+
+TEST(BuildHuman, StandsWhereTheLandmarksAre) {
+  const Landmarks person = standing_landmarks(1.75, radians(7));
+  EXPECT_LT(misplacement(person, build_human(person, {})), kExact);
+  EXPECT_LT(misplacement(person, build_human(person, {.extent = BodyExtent::half}), false), kExact);
+}
+
+TEST(BuildHuman, PlacesUnevenPeopleExactly) {
+  Random random(71);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Landmarks person = perturbed(standing_landmarks(1.6, radians(10)), 0.03, random);
+    ASSERT_LT(misplacement(person, build_human(person, {})), kExact);
+    ASSERT_LT(misplacement(person, build_human(person, {.extent = BodyExtent::half}), false),
+              kExact);
+  }
+}
+
+TEST(BuildHuman, PlacesArmsInAnyDirectionExactly) {
+  Random random(72);
+  for (int trial = 0; trial < 500; ++trial) {
+    Landmarks person = standing_landmarks(1.741, 0.1);
+    for (Landmarks::Arm* arm : {&person.left_arm, &person.right_arm}) {
+      point_arm(*arm, random_direction(random), random_direction(random));
+    }
+    ASSERT_LT(misplacement(person, build_human(person, {})), kExact);
+  }
+}
+
+TEST(BuildHuman, PlacesStraightArmsInAnyDirectionExactly) {
+  Random random(73);
+  for (int trial = 0; trial < 500; ++trial) {
+    Landmarks person = standing_landmarks(1.741, 0.1);
+    for (Landmarks::Arm* arm : {&person.left_arm, &person.right_arm}) {
+      const Vec3d along = random_direction(random);
+      point_arm(*arm, along, along);
+    }
+    ASSERT_LT(misplacement(person, build_human(person, {})), kExact);
+  }
+}
+
+TEST(BuildHuman, PlacesSquatsExactly) {
+  Random random(74);
+  for (int trial = 0; trial < 200; ++trial) {
+    Landmarks person = perturbed(standing_landmarks(1.741, 0.2), 0.01, random);
+    // hips and all above go down and back, knees forwards and apart
+    const Vec3d down{0, random.uniform(-0.5, 0.0), random.uniform(-0.3, 0.0)};
+    for (Vec3d* point : all_points(person)) {
+      if (point->y > 0.6) *point += down;
+    }
+    for (Landmarks::Leg* leg : {&person.left_leg, &person.right_leg}) {
+      const double side = leg == &person.left_leg ? 1.0 : -1.0;
+      leg->knee = (leg->hip + leg->ankle) * 0.5 +
+                  Vec3d{side * random.uniform(0.0, 0.2), 0.0, random.uniform(0.1, 0.4)};
+    }
+    ASSERT_LT(misplacement(person, build_human(person, {})), kExact);
+  }
+}
+
+// Straight out to both sides.
+Landmarks t_pose() {
+  Landmarks person = standing_landmarks(1.741, 0.1);
+  point_arm(person.left_arm, {1, 0, 0}, {1, 0, 0});
+  point_arm(person.right_arm, {-1, 0, 0}, {-1, 0, 0});
+  return person;
+}
+
+TEST(BuildHuman, TPoseIsArmsAbductedByARightAngle) {
+  const Landmarks person = t_pose();
+  const BodyModel body = build_human(person, {});
+  EXPECT_LT(misplacement(person, body), kExact);
+  for (const char* side : {"left_", "right_"}) {
+    const auto angle = [&](const char* freedom) {
+      const int d = body.find_dof(std::string(side) + "shoulder." + freedom).value();
+      return degrees(body.start()[static_cast<std::size_t>(d)]);
+    };
+    EXPECT_NEAR(angle("abduction"), 90.0, 1e-6);
+    EXPECT_NEAR(angle("flexion"), 0.0, 1e-6);
+    EXPECT_NEAR(angle("rotation"), 0.0, 1e-6);
+  }
+  EXPECT_TRUE(body.doubts().empty());
+}
+
+TEST(BuildHuman, ArmsRaisedSidewaysStayWithinTheLimits) {
+  // 60° to 165° of abduction, through the right angle where flexion and rotation meet
+  for (double abduction = 60.0; abduction < 166.0; abduction += 1.0) {
+    const SinCos<double> a = sin_cos(radians(abduction));
+    Landmarks person = standing_landmarks(1.741, 0.1);
+    point_arm(person.left_arm, {a.sin, -a.cos, 0}, {a.sin, -a.cos, 0});
+    const BodyModel body = build_human(person, {});
+    ASSERT_LT(misplacement(person, body), kExact);
+    ASSERT_TRUE(body.doubts().empty()) << abduction << ": " << body.doubts()[0];
+  }
+}
+
+TEST(BuildHuman, LimbAtTheSingularityIsPlacedToAMicrometre) {
+  // within 1e-6 rad of straight out the flexion is taken for 0, which moves the hand by that much
+  Random random(75);
+  for (int trial = 0; trial < 200; ++trial) {
+    Landmarks person = t_pose();
+    const double noise = std::pow(10.0, random.uniform(-16.0, -5.0));
+    const Vec3d along = Vec3d{1, 0, 0} + random_direction(random) * noise;
+    point_arm(person.left_arm, along, along);
+    ASSERT_LT(misplacement(person, build_human(person, {})), 1.1e-6);
+  }
+}
+
+TEST(BuildHuman, StandsOnTheLeftFootWhereTheRightIsLifted) {
+  Landmarks person = standing_landmarks(1.741, 0.1);
+  lift_leg(person.right_leg, 1.0);
+  const BodyModel body = build_human(person, {});
+  EXPECT_LT(misplacement(person, body), kExact);
+  ASSERT_EQ(body.feet().size(), 1u);
+  EXPECT_EQ(body.feet()[0].name, "left_foot");
+  EXPECT_EQ(body.feet()[0].link, kBaseLink);
+  EXPECT_EQ(body.dof(0).name, "left_ankle.flexion");
+  EXPECT_FALSE(body.doubts().empty());
+}
+
+TEST(BuildHuman, StandsOnTheRightFootWhereTheLeftIsLifted) {
+  Landmarks person = standing_landmarks(1.741, 0.1);
+  lift_leg(person.left_leg, 1.0);
+  const BodyModel body = build_human(person, {});
+  EXPECT_LT(misplacement(person, body), kExact);
+  ASSERT_EQ(body.feet().size(), 1u);
+  EXPECT_EQ(body.feet()[0].name, "right_foot");
+}
+
+TEST(BuildHuman, FeetLieOnTheFloorInTheirDirection) {
+  const BodyModel body = full_body();
+  const Kinematics<double> kinematics = placed(body, body.start());
+  for (const Foot& foot : body.feet()) {
+    double left_most = -1.0;
+    double length = 0.0;
+    for (const Vec3d& corner : foot.outline) {
+      const Vec3d at = kinematics.point(foot.link, corner);
+      EXPECT_NEAR(at.y, 0.0, 1e-12);
+      left_most = std::max(left_most, at.x);
+      for (const Vec3d& other : foot.outline) {
+        length = std::max(length, norm(at - kinematics.point(foot.link, other)));
+      }
+    }
+    // the diagonal of the sole
+    const double h = body.stature();
+    EXPECT_NEAR(length, std::hypot(0.152 * h, 0.055 * h), 1e-12);
+    EXPECT_EQ(left_most > 0.0, foot.name == "left_foot");
+  }
+}
+
+TEST(BuildHuman, LimitsHoldTheStartPosture) {
+  Random random(76);
+  for (int trial = 0; trial < 100; ++trial) {
+    Landmarks person = perturbed(standing_landmarks(1.741, 0.1), 0.05, random);
+    for (Landmarks::Arm* arm : {&person.left_arm, &person.right_arm}) {
+      point_arm(*arm, random_direction(random), random_direction(random));
+    }
+    const BodyModel body = build_human(person, {});
+    for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+      ASSERT_GE(body.start()[d], body.dofs()[d].lower);
+      // hips: the widened limit counts on the bend of the knee
+      if (body.dofs()[d].name.ends_with("hip.flexion")) continue;
+      ASSERT_LE(body.start()[d], body.dofs()[d].upper);
+    }
+  }
+}
+
+TEST(BuildHuman, SaysWhichLimitItWidened) {
+  Landmarks person = standing_landmarks(1.741, 0.1);
+  // a hyperextended elbow: the forearm 30° back
+  point_arm(person.left_arm, {0, -1, 0}, {0, -0.87, -0.5});
+  const BodyModel body = build_human(person, {});
+  const Dof& elbow = body.dof(*body.find_dof("left_elbow.flexion"));
+  EXPECT_LT(elbow.lower, radians(-29));
+  ASSERT_EQ(body.doubts().size(), 1u);
+  EXPECT_NE(body.doubts()[0].find("left_elbow.flexion"), std::string::npos) << body.doubts()[0];
+}
+
+TEST(BuildHuman, KeepsTheDoubtsItIsGiven) {
+  const BodyModel body = build_human(standing_landmarks(1.7, 0.1), {}, {"the unit is a guess"});
+  ASSERT_EQ(body.doubts().size(), 1u);
+  EXPECT_EQ(body.doubts()[0], "the unit is a guess");
+}
+
+TEST(BuildHuman, AnatomicalAnglesOfAKnownPosture) {
+  // left thigh raised forwards by 90°, its shank hanging: hip and knee flexed by 90°, ankle by 0
+  Landmarks person = standing_landmarks(1.741, 0.0);
+  Landmarks::Leg& leg = person.left_leg;
+  const double thigh = norm(leg.knee - leg.hip);
+  const double shank = norm(leg.ankle - leg.knee);
+  const Vec3d foot = leg.toe - leg.ankle;
+  leg.knee = leg.hip + Vec3d{0, 0, thigh};
+  leg.ankle = leg.knee - Vec3d{0, shank, 0};
+  leg.toe = leg.ankle + foot;
+  const BodyModel body = build_human(person, {});
+  const auto angle = [&](const char* name) {
+    return degrees(body.start()[static_cast<std::size_t>(body.find_dof(name).value())]);
+  };
+  EXPECT_NEAR(angle("left_hip.flexion"), 90.0, 1e-9);
+  EXPECT_NEAR(angle("left_hip.abduction"), 0.0, 1e-9);
+  EXPECT_NEAR(angle("left_hip.rotation"), 0.0, 1e-9);
+  EXPECT_NEAR(angle("left_knee.flexion"), 90.0, 1e-9);
+  EXPECT_NEAR(angle("left_ankle.flexion"), 0.0, 1e-9);
+}
+
+TEST(BuildHuman, BothSidesTurnTheSameWayIntoTheirLimits) {
+  // a symmetric posture has the same anatomical angles on both sides, standing leg or not
+  Random random(77);
+  for (int trial = 0; trial < 50; ++trial) {
+    Landmarks person = perturbed(standing_landmarks(1.741, 0.15), 0.05, random);
+    point_arm(person.left_arm, random_direction(random), random_direction(random));
+    const auto mirrored = [](Vec3d p) {
+      p.x = -p.x;
+      return p;
+    };
+    for (Vec3d* middle : {&person.neck, &person.head_top}) middle->x = 0.0;
+    const Landmarks::Leg& leg = person.left_leg;
+    const Landmarks::Arm& arm = person.left_arm;
+    person.right_leg = {mirrored(leg.hip), mirrored(leg.knee), mirrored(leg.ankle),
+                        mirrored(leg.toe)};
+    person.right_arm = {mirrored(arm.shoulder), mirrored(arm.elbow), mirrored(arm.wrist),
+                        mirrored(arm.fingertip)};
+    const BodyModel body = build_human(person, {});
+    for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+      const std::string& name = body.dofs()[d].name;
+      if (!name.starts_with("right_")) continue;
+      const auto left = static_cast<std::size_t>(body.find_dof("left_" + name.substr(6)).value());
+      ASSERT_NEAR(body.start()[d], body.start()[left], 1e-9) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <shigusa/core/names.hpp>
+#include <vector>
+
+namespace shigusa {
+namespace {
+
+const std::vector<std::string> kHands{"left_hand", "right_hand"};
+
+TEST(NearestName, MendsATransposition) {
+  EXPECT_EQ(nearest_name("right_hnad", kHands), "right_hand");
+}
+
+TEST(NearestName, SuggestsNothingForAnotherWord) { EXPECT_EQ(nearest_name("zzzzz", kHands), ""); }
+
+TEST(NearestName, OfNoNamesIsEmpty) { EXPECT_EQ(nearest_name("hand", {}), ""); }
+
+TEST(NearestName, TakesTheFirstAmongEquals) {
+  EXPECT_EQ(nearest_name("_hand", kHands), "left_hand");
+}
+
+TEST(UnknownName, SuggestsAndListsWhatIsKnown) {
+  EXPECT_EQ(unknown_name("effector", "right_hnad", kHands),
+            "unknown effector 'right_hnad'; did you mean 'right_hand'? Known: left_hand, "
+            "right_hand");
+}
+
+TEST(UnknownName, CutsEndlessNames) {
+  EXPECT_LT(unknown_name("key", std::string(1'000'000, 'a'), kHands).size(), 200U);
+}
+
+}  // namespace
+}  // namespace shigusa

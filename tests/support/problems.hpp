@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <shigusa/rollout/rollout.hpp>
+
+#include "support/bodies.hpp"
+
+// Reaching problems for tests, and what their motions must keep, measured from the joint angles
+// alone.
+namespace shigusa::testing_support {
+
+// A reach of one effector from the start posture in 1 s.
+inline ReachProblem reach_with(const BodyModel& body, const char* effector, const Vec3d& goal) {
+  ReachProblem problem;
+  problem.body = &body;
+  problem.goals.push_back({body.find_effector(effector).value(),
+                           {effector_position(body, body.start(), effector), goal}});
+  return problem;
+}
+
+// A goal for the right hand that its arm alone could reach, neither stretched out nor folded up:
+// 0.2 to 0.5 m from the shoulder, as is all of the way there.
+inline Vec3d near_goal(const BodyModel& body, Random& random) {
+  const auto shoulder = static_cast<std::size_t>(body.find_dof("right_shoulder.flexion").value());
+  const Vec3d centre = placed(body, body.start()).origin[shoulder];
+  const Vec3d from = effector_position(body, body.start(), "right_hand");
+  for (;;) {
+    const Vec3d goal = centre + random_direction(random) * random.uniform(0.2, 0.5);
+    const Vec3d way = goal - from;
+    const double nearest = clamp(dot(centre - from, way) / dot(way, way), 0.0, 1.0);
+    if (norm(from + way * nearest - centre) > 0.2) return goal;
+  }
+}
+
+// (dofs) weights of the paper's code 1..15
+inline Parameters random_parameters(const BodyModel& body, Random& random) {
+  Parameters parameters = uniform_parameters(body);
+  for (JointWeight& joint : parameters.joints) joint.weight = 1.0 + random.below(15);
+  return parameters;
+}
+
+// What a clip really does, by forward kinematics of each frame.
+struct MeasuredMotion {
+  double start_error = 0.0;    // rad, largest difference of the first frame from the start posture
+  double path_error = 0.0;     // m, of any goal's effector at any frame
+  double goal_error = 0.0;     // m, of any goal's effector at the last frame
+  double contact_slide = 0.0;  // m, of any foot
+  double contact_tilt = 0.0;   // rad, of any foot
+  double largest_step = 0.0;   // rad, of any angle from one frame to the next
+  bool finite = true;
+
+  MeasuredMotion(const ReachProblem& problem, const Clip& clip) {
+    const BodyModel& body = *problem.body;
+    const Kinematics<double> start = placed(body, body.start());
+    for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+      start_error = std::fmax(start_error, std::fabs(clip.frame(0)[d] - body.start()[d]));
+    }
+    for (const double angle : clip.angles) finite = finite && std::isfinite(angle);
+    for (int f = 0; f < clip.frames; ++f) {
+      const Kinematics<double> now = placed(body, clip.frame(f));
+      measure_hands(problem, now, f, clip.frames - 1);
+      measure_feet(body, start, now);
+      for (std::size_t d = 0; f > 0 && d < body.dofs().size(); ++d) {
+        const double step = clip.frame(f)[d] - clip.frame(f - 1)[d];
+        largest_step = std::fmax(largest_step, std::fabs(step));
+      }
+    }
+  }
+
+ private:
+  void measure_hands(const ReachProblem& problem, const Kinematics<double>& now, int frame,
+                     int last) {
+    for (const ReachGoal& goal : problem.goals) {
+      const Effector& effector =
+          problem.body->effectors()[static_cast<std::size_t>(goal.effector)];
+      const Vec3d at = now.point(effector.link, effector.point);
+      const Vec3d wanted = goal.path.at(static_cast<double>(frame) / last);
+      path_error = std::fmax(path_error, norm(at - wanted));
+      if (frame == last) goal_error = std::fmax(goal_error, norm(at - goal.path.goal));
+    }
+  }
+
+  void measure_feet(const BodyModel& body, const Kinematics<double>& start,
+                    const Kinematics<double>& now) {
+    for (const Foot& foot : body.feet()) {
+      for (const Vec3d& corner : foot.outline) {
+        const Vec3d moved = now.point(foot.link, corner) - start.point(foot.link, corner);
+        contact_slide = std::fmax(contact_slide, norm(moved));
+      }
+      const Mat3d turned = now.link_rotation(foot.link) * transpose(start.link_rotation(foot.link));
+      contact_tilt = std::fmax(contact_tilt, norm(rotation_vector(turned)));
+    }
+  }
+};
+
+}  // namespace shigusa::testing_support
