@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <shigusa/project/character.hpp>
 
@@ -35,18 +36,25 @@ Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
   return json;
 }
 
+// rounded, so that nothing is printed as -0
+double tenths(double degrees) {
+  const double rounded = std::round(10.0 * degrees) / 10.0;
+  return rounded == 0.0 ? 0.0 : rounded;
+}
+
 void print_body(const BodyModel& body, const CharacterSpec& spec) {
-  fmt::print("{}: {:.3f} m, {:.1f} kg, {} dof\n", body.name(), body.stature(), body.mass(),
-             body.dof_count());
+  fmt::print("{}: {:.3f} m, {:.1f} kg, {} dof\n", printable(body.name()), body.stature(),
+             body.mass(), body.dof_count());
   fmt::print("{:<26} {:>8} {:>16} {:>18}\n", "freedom", "start °", "limits °", "strength N m");
   for (int d = 0; d < body.dof_count(); ++d) {
     const Dof& dof = body.dof(d);
     fmt::print("{:<26} {:>8.1f} {:>7.0f} to {:>5.0f} {:>8.0f} to {:>5.0f}\n", dof.name,
-               degrees(body.start()[static_cast<std::size_t>(d)]), degrees(dof.lower),
-               degrees(dof.upper), -dof.torque_negative, dof.torque_positive);
+               tenths(degrees(body.start()[static_cast<std::size_t>(d)])),
+               tenths(degrees(dof.lower)), tenths(degrees(dof.upper)), -dof.torque_negative,
+               dof.torque_positive);
   }
   for (const auto& [bone, node] : spec.humanoid) fmt::print("{:<18} {}\n", bone, node);
-  for (const std::string& doubt : body.doubts()) fmt::print("note: {}\n", doubt);
+  for (const std::string& doubt : body.doubts()) fmt::print("note: {}\n", printable(doubt));
 }
 
 }  // namespace
@@ -54,12 +62,8 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
 int body(const BodyOptions& options) {
   CharacterSpec spec;
   spec.source = options.source;
-  spec.stature = options.stature;
-  spec.mass = options.mass;
-  if (options.frame) spec.frame = *options.frame;
-  if (options.sex) spec.sex = *options.sex == "female" ? Sex::female : Sex::male;
-  if (options.extent) {
-    spec.extent = *options.extent == "half" ? BodyExtent::half : BodyExtent::full;
+  if (const auto applied = apply_character_options(options.person, spec); !applied) {
+    return report(applied.error());
   }
   if (const auto measured = measure_character(spec, {}); !measured) {
     return report(measured.error());

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <shigusa/core/progress.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/project/character.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shigusa::app {
@@ -17,14 +18,19 @@ inline constexpr int kFault = 1;        // a fault of the program
 inline constexpr int kWrongInput = 2;   // the call or an input file is wrong
 inline constexpr int kUnreachable = 3;  // a goal is out of reach; the closest motion is written
 
-struct ReachOptions {
-  std::string task;  // file, or empty
-  std::optional<std::string> character;
+// What is told of a character beside its source.
+struct CharacterOptions {
   std::optional<std::string> extent;
   std::optional<int> frame;
   std::optional<double> stature;  // m
   std::optional<double> mass;     // kg
   std::optional<std::string> sex;
+};
+
+struct ReachOptions {
+  std::string task;  // file, or empty
+  std::optional<std::string> character;
+  CharacterOptions person;
   std::vector<std::string> goals;  // EFFECTOR=X,Y,Z
   std::optional<double> duration;  // s
   std::optional<std::string> preset;
@@ -57,11 +63,7 @@ struct RenderOptions {
 
 struct BodyOptions {
   std::string source;
-  std::optional<std::string> extent;
-  std::optional<int> frame;
-  std::optional<double> stature;
-  std::optional<double> mass;
-  std::optional<std::string> sex;
+  CharacterOptions person;
   bool json = false;
 };
 
@@ -70,11 +72,20 @@ int edit(const EditOptions& options);
 int render(const RenderOptions& options);
 int body(const BodyOptions& options);
 
+// Fails on what a built-in body, or a person who was measured before, cannot be told.
+[[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,
+                                                   CharacterSpec& spec);
+
+// A text from a file as it may stand on a terminal: control characters become '?'.
+[[nodiscard]] std::string printable(std::string_view text);
+
 // Prints "shigusa: place: message" to stderr and returns the exit code that the error means.
 int report(const Error& error);
 
-// Ctrl-C sets this; a second one ends the program at once.
-const std::atomic<bool>& interrupted();
+// Prints "shigusa: place: note: message" to stderr.
+void note(std::string_view place, std::string_view message);
+
+// Ctrl-C cancels terminal_progress(); a second one ends the program at once.
 void catch_interrupts();
 
 // A progress line on stderr, only where that is a terminal.

@@ -9,10 +9,21 @@
 namespace shigusa::app {
 namespace {
 
-// "edit-1", "edit-2", … beside the result: an edit never writes over what it started from.
-std::filesystem::path new_folder(const std::filesystem::path& result) {
+// The folder that the edit goes to; one that the user gives, or else "edit-1", "edit-2", … beside
+// the result. An edit never writes over what it started from.
+Result<std::filesystem::path> edit_folder(const EditOptions& options) {
+  const std::filesystem::path result = options.result;
   std::error_code ignored;
   const auto base = std::filesystem::is_directory(result, ignored) ? result : result.parent_path();
+  const std::filesystem::path out = options.out;
+  if (!out.empty() && !std::filesystem::equivalent(out, base.empty() ? "." : base, ignored)) {
+    return out;
+  }
+  if (!out.empty()) {
+    return fail(ErrorCode::invalid_argument,
+                "is the result's own folder, which an edit never writes over; give another",
+                "--out " + options.out);
+  }
   for (int k = 1;; ++k) {
     const auto folder = base / fmt::format("edit-{}", k);
     if (!std::filesystem::exists(folder, ignored)) return folder;
@@ -24,6 +35,8 @@ std::filesystem::path new_folder(const std::filesystem::path& result) {
 int edit(const EditOptions& options) {
   const Result<std::vector<ExportFormat>> formats = parse_formats(options.formats);
   if (!formats) return report(formats.error());
+  const Result<std::filesystem::path> folder = edit_folder(options);
+  if (!folder) return report(folder.error());
   Result<StoredResult> stored = read_result(options.result);
   if (!stored) return report(stored.error());
   const auto count = static_cast<int>(stored->candidates.size());
@@ -47,10 +60,8 @@ int edit(const EditOptions& options) {
   RunInfo info{.search = "edit"};
   info.elapsed_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  const auto folder =
-      options.out.empty() ? new_folder(options.result) : std::filesystem::path(options.out);
-  if (const auto ready = prepare_folder(folder); !ready) return report(ready.error());
-  return deliver(folder, stored->task, *task, *generation, info, *formats, options.json);
+  if (const auto ready = prepare_folder(*folder); !ready) return report(ready.error());
+  return deliver(*folder, stored->task, *task, *generation, info, *formats, options.json);
 }
 
 }  // namespace shigusa::app

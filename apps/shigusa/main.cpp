@@ -1,38 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 
 #include "commands.hpp"
+#include "usage.hpp"
 
 namespace {
 
 using namespace shigusa::app;
 
+void add_character_options(CLI::App& c, CharacterOptions& o) {
+  c.add_option("--extent", o.extent, "Of a person from a file: full (18 dof) or half (9 dof)")
+      ->check(CLI::IsMember({"full", "half"}));
+  c.add_option("--frame", o.frame, "Frame of the file that is the start posture (from 0)")
+      ->check(whole_number(0, 1'000'000));
+  c.add_option("--stature", o.stature, "Standing height in metres");
+  c.add_option("--mass", o.mass, "Mass in kilograms");
+  c.add_option("--sex", o.sex, "male or female: mass distribution and strength")
+      ->check(CLI::IsMember({"male", "female"}));
+}
+
 void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("reach", "Find natural motions that bring hands to their goals");
   c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
   c->add_option("--character", o.character, "half_body, full_body, or a BVH file of a person");
-  c->add_option("--extent", o.extent, "Of a person from a file: full (18 dof) or half (9 dof)")
-      ->check(CLI::IsMember({"full", "half"}));
-  c->add_option("--frame", o.frame, "Frame of the file that is the start posture (from 0)")
-      ->check(CLI::NonNegativeNumber);
-  c->add_option("--stature", o.stature, "Standing height in metres");
-  c->add_option("--mass", o.mass, "Mass in kilograms");
-  c->add_option("--sex", o.sex, "male or female: mass distribution and strength")
-      ->check(CLI::IsMember({"male", "female"}));
+  add_character_options(*c, o.person);
   c->add_option("--goal", o.goals,
-                "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X; repeatable");
+                "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X; repeatable")
+      ->allow_extra_args(false);
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
   c->add_option("--preset", o.preset, "paper");
   c->add_option("--criteria", o.criteria, "paper: the paper's weights whatever the task file says");
   c->add_option("--search", o.search, "paper_ga");
   c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
-      ->check(CLI::Range(8, 1'000'000'000));
+      ->check(whole_number(8, 1'000'000'000));
   c->add_option("--candidates", o.candidates, "Candidates to deliver, at most")
-      ->check(CLI::Range(1, 1000));
-  c->add_option("--seed", o.seed, "Same seed, same bytes (default 0)");
+      ->check(whole_number(1, 1000));
+  c->add_option("--seed", o.seed, "Same seed, same bytes (default 0)")
+      ->check(whole_number(0, UINT64_MAX));
   c->add_option("--out", o.out, "Folder for the result")->capture_default_str();
   c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
@@ -45,7 +52,8 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
   c->add_option("--set", o.assignments,
                 "NAME.weight=NUMBER or NAME.locked=true|false; NAME is a joint or a freedom, "
-                "such as right_shoulder.flexion; repeatable");
+                "such as right_shoulder.flexion; repeatable")
+      ->allow_extra_args(false);
   c->add_option("--out", o.out, "Folder for the new result (default: edit-N beside the old one)");
   c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
@@ -66,12 +74,7 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
   c->add_option("source", o.source, "half_body, full_body, or a BVH file")->required();
-  c->add_option("--extent", o.extent, "Of a person from a file: full or half")
-      ->check(CLI::IsMember({"full", "half"}));
-  c->add_option("--frame", o.frame, "Frame of the file")->check(CLI::NonNegativeNumber);
-  c->add_option("--stature", o.stature, "Standing height in metres");
-  c->add_option("--mass", o.mass, "Mass in kilograms");
-  c->add_option("--sex", o.sex, "male or female")->check(CLI::IsMember({"male", "female"}));
+  add_character_options(*c, o.person);
   c->add_flag("--json", o.json, "Print JSON");
   c->callback([&] { exit_code = body(o); });
 }
@@ -94,10 +97,17 @@ int main(int argc, char** argv) {
   add_body(app, body_options, exit_code);
   try {
     app.parse(argc, argv);
+    // a full disk behind a redirected output shows only now
+    if (std::fflush(stdout) != 0) {
+      fmt::print(stderr, "shigusa: cannot write to the standard output\n");
+      return kFault;
+    }
     return exit_code;
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? kDone : kWrongInput;
+    // asking for help or the version comes as an "error" too
+    if (error.get_exit_code() != 0) return report_usage(app, error);
+    app.exit(error);
+    return kDone;
   } catch (const std::exception& error) {
     fmt::print(stderr, "shigusa: internal fault: {}\n", error.what());
     return kFault;

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <shigusa/core/names.hpp>
 
 #include "commands.hpp"
@@ -25,9 +26,11 @@ Result<Goal> parse_goal(const std::string& text) {
   for (int k = 0; k < 3; ++k) {
     if (at < end && *at == '+') ++at;
     const auto [next, code] = std::from_chars(at, end, goal.position[k]);
-    // a number too large for a double is as infinite as it gets: told apart where ranges are
     if (code == std::errc::invalid_argument || next == at) return wrong();
-    if (code == std::errc::result_out_of_range) goal.position[k] = 1e308;
+    // too large or too small for a double: infinity or 0, and ranges are told where they are known
+    if (code == std::errc::result_out_of_range) {
+      goal.position[k] = std::strtod(std::string(at, next).c_str(), nullptr);
+    }
     const bool last = k == 2;
     if (last ? next != end : next == end || *next != ',') return wrong();
     at = next + 1;
@@ -59,12 +62,6 @@ Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
     }
   }
   if (options.criteria) file.criteria = {};
-  if (options.sex) {
-    file.character.sex = *options.sex == "female" ? Sex::female : Sex::male;
-  }
-  if (options.extent) {
-    file.character.extent = *options.extent == "half" ? BodyExtent::half : BodyExtent::full;
-  }
   return {};
 }
 
@@ -73,9 +70,9 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
     file.character = {};
     file.character.source = *options.character;
   }
-  if (options.stature) file.character.stature = *options.stature;
-  if (options.mass) file.character.mass = *options.mass;
-  if (options.frame) file.character.frame = *options.frame;
+  if (const auto applied = apply_character_options(options.person, file.character); !applied) {
+    return applied;
+  }
   if (options.duration) file.duration = *options.duration;
   if (options.seed) file.seed = *options.seed;
   if (options.candidates) file.candidates = *options.candidates;
@@ -87,6 +84,21 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
     file.goals.push_back(std::move(*goal));
   }
   return apply_words(options, file);
+}
+
+// Where the goals stand in the task file, an error about them names it.
+Error in_task(const Error& error, const ReachOptions& options) {
+  if (options.task.empty() || !options.goals.empty()) return error;
+  return {error.code, error.to_string(), std::filesystem::path(options.task).filename().string()};
+}
+
+// The feet know the floor; the hands do not.
+void note_goals_below_floor(const Task& task) {
+  for (const Goal& goal : task.goals) {
+    if (goal.position.y >= 0.0) continue;
+    note("goal of " + goal.effector,
+         fmt::format("{:g} m below the floor: the hand goes through it", -goal.position.y));
+  }
 }
 
 }  // namespace
@@ -105,7 +117,10 @@ int reach(const ReachOptions& options) {
                           : std::filesystem::path(options.task).parent_path();
   const Result<Task> task = make_task(*file, folder);
   if (!task) return report(task.error());
-  if (const auto problem = make_problem(*task); !problem) return report(problem.error());
+  if (const auto problem = make_problem(*task); !problem) {
+    return report(in_task(problem.error(), options));
+  }
+  note_goals_below_floor(*task);
   if (const auto ready = prepare_folder(options.out); !ready) return report(ready.error());
   const auto begin = std::chrono::steady_clock::now();
   const Result<Generation> generation = generate(*task, terminal_progress());

@@ -30,49 +30,78 @@ Result<void> parse_frames(const std::string& text, StripSettings& settings) {
   const auto first = std::from_chars(text.data(), end, settings.first_frame);
   if (first.ec == std::errc{} && first.ptr != end && *first.ptr == ':') {
     const auto last = std::from_chars(first.ptr + 1, end, settings.last_frame);
-    if (last.ec == std::errc{} && last.ptr == end) return {};
+    const bool whole = last.ec == std::errc{} && last.ptr == end;
+    if (whole && settings.first_frame >= 0 && settings.last_frame >= 0) return {};
   }
-  return fail(ErrorCode::invalid_argument, "--frames '" + text + "' is not FIRST:LAST");
+  return fail(ErrorCode::invalid_argument,
+              "'" + text.substr(0, 80) + "' is not FIRST:LAST, two frame numbers from 0",
+              "--frames");
 }
 
-// what is known of the figure: axes, scale and bones; anything else is drawn as it stands
-void understand_figure(const SkeletonMotion& motion, const RenderOptions& options,
-                       StripSettings& settings) {
-  const int frame = std::min(std::max(settings.first_frame, 0), motion.clip.frames - 1);
+// Metres per unit of a figure that is no whole person: nobody is 3 m tall, so it is in centimetres,
+// as animation tools expect of BVH and shigusa writes it.
+double guessed_unit(const std::vector<Transformd>& world, std::optional<double> stature) {
+  constexpr double kTallest = 3.0;
+  double low = world.front().translation.y;
+  double high = low;
+  for (const Transformd& node : world) {
+    low = min(low, node.translation.y);
+    high = max(high, node.translation.y);
+  }
+  if (stature && high > low) return *stature / (high - low);
+  return high - low > kTallest ? 0.01 : 1.0;
+}
+
+// What is known of the figure: axes, scale and bones; anything else is drawn as it stands.
+Result<void> understand_figure(const SkeletonMotion& motion, const RenderOptions& options,
+                               StripSettings& settings) {
+  const int frame = std::min(settings.first_frame, motion.clip.frames - 1);
   const std::vector<Transformd> world = world_transforms(motion.skeleton, motion.clip, frame);
   const Result<HumanoidMap> map = find_humanoid(motion.skeleton, world);
-  if (!map) {
-    fmt::print(stderr, "shigusa: {}: note: drawn as plain bones, +Y up: {}\n", options.clip,
-               map.error().to_string());
-    return;
-  }
-  settings.humanoid = *map;
   const Result<MeasuredPerson> person =
-      measure_person(motion.skeleton, world, *map, {.stature = options.stature});
-  if (!person) {
-    fmt::print(stderr, "shigusa: {}: note: {}\n", options.clip, person.error().to_string());
-    return;
+      map ? measure_person(motion.skeleton, world, *map, {.stature = options.stature})
+          : Result<MeasuredPerson>(tl::unexpected(map.error()));
+  if (map) settings.humanoid = *map;
+  if (person) {
+    settings.metres_per_unit = person->unit;
+    settings.up = person->up;
+    return {};
   }
-  settings.metres_per_unit = person->unit;
-  settings.up = person->up;
+  if (options.stature && !(*options.stature >= 0.5 && *options.stature <= 2.5)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("is {} m; allowed are 0.5 to 2.5 m", *options.stature), "--stature");
+  }
+  settings.metres_per_unit = guessed_unit(world, options.stature);
+  note(options.clip, fmt::format("no whole person: {}; drawn as it stands, +Y up, 1 unit = {:g} m",
+                                 person.error().to_string(), settings.metres_per_unit));
+  return {};
 }
 
 }  // namespace
 
 int render(const RenderOptions& options) {
-  const std::filesystem::path out =
-      options.out.empty() ? std::filesystem::path(options.clip).filename().replace_extension(".svg")
-                          : std::filesystem::path(options.out);
-  const Result<FigureFormat> format = format_of(out);
-  if (!format) return report(format.error());
+  const std::filesystem::path clip = options.clip;
+  const std::filesystem::path out = options.out.empty() ? clip.filename().replace_extension(".svg")
+                                                        : std::filesystem::path(options.out);
   StripSettings settings;
   settings.poses = options.poses;
   if (const auto ok = parse_frames(options.frames, settings); !ok) return report(ok.error());
-  const Result<SkeletonMotion> motion = read_bvh(options.clip);
+  const Result<SkeletonMotion> motion = read_bvh(clip);
   if (!motion) return report(motion.error());
-  understand_figure(*motion, options, settings);
+  const Result<FigureFormat> format = format_of(out);
+  if (!format) return report(format.error());
+  std::error_code ignored;
+  if (std::filesystem::equivalent(clip, out, ignored)) {
+    return report(
+        {ErrorCode::invalid_argument,
+         "is the clip itself, which the picture would replace; give another name by --out",
+         out.string()});
+  }
+  if (const auto known = understand_figure(*motion, options, settings); !known) {
+    return report(known.error());
+  }
   const Result<std::string> picture = draw_strip(*motion, {}, settings, *format);
-  if (!picture) return report(picture.error());
+  if (!picture) return report({picture.error().code, picture.error().to_string(), options.clip});
   if (const auto written = write_file(out, *picture); !written) return report(written.error());
   fmt::print("{}\n", out.string());
   return kDone;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "commands.hpp"
 
 namespace shigusa::app {
@@ -37,7 +39,8 @@ std::string candidate_table(const Generation& generation) {
 
 std::string headline(const Task& task, const Generation& generation, const RunInfo& info) {
   const bool reached = generation.status == ReachStatus::reached;
-  std::string text = fmt::format("{}: {}", reached ? "reached" : "unreachable", task.body.name());
+  std::string text =
+      fmt::format("{}: {}", reached ? "reached" : "unreachable", printable(task.body.name()));
   for (const Goal& goal : task.goals) {
     text += fmt::format(", {} at ({:g}, {:g}, {:g}) m", goal.effector, goal.position.x,
                         goal.position.y, goal.position.z);
@@ -56,21 +59,19 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
             const std::vector<ExportFormat>& formats, bool json) {
   const Result<std::string> summary = write_result(folder, file, task, generation, info, formats);
   if (!summary) return report(summary.error());
-  for (const std::string& doubt : task.body.doubts()) {
-    fmt::print(stderr, "shigusa: {}: note: {}\n", task.body.name(), doubt);
-  }
+  for (const std::string& doubt : task.body.doubts()) note(task.body.name(), doubt);
   const bool reached = generation.status == ReachStatus::reached;
   if (!reached) {
-    fmt::print(stderr, "shigusa: out of reach: the closest motion ends {:.1f} mm from the goal\n",
-               1e3 * generation.remaining_distance);
+    fmt::print(stderr, "shigusa: out of reach: the closest motion ends {:.1f} mm from the goal{}\n",
+               1e3 * generation.remaining_distance, task.goals.size() > 1 ? "s" : "");
   }
   if (json) {
     fmt::print("{}", *summary);
   } else {
     fmt::print("{}{}", headline(task, generation, info), candidate_table(generation));
     for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
-      const auto picture = folder / fmt::format("candidate-{}.png", i + 1);
-      if (std::filesystem::exists(picture)) fmt::print("{}\n", picture.string());
+      if (std::find(formats.begin(), formats.end(), ExportFormat::png) == formats.end()) break;
+      fmt::print("{}\n", (folder / fmt::format("candidate-{}.png", i + 1)).string());
     }
     fmt::print("{}\n", (folder / kSummaryName).string());
   }

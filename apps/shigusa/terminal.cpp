@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 
@@ -20,13 +21,24 @@ void on_interrupt(int) {
 
 }  // namespace
 
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = '?';
+  }
+  return result;
+}
+
 int report(const Error& error) {
   end_progress_line();
-  fmt::print(stderr, "shigusa: {}\n", error.to_string());
+  fmt::print(stderr, "shigusa: {}\n", printable(error.to_string()));
   return kWrongInput;
 }
 
-const std::atomic<bool>& interrupted() { return interrupt_flag; }
+void note(std::string_view place, std::string_view message) {
+  fmt::print(stderr, "shigusa: {}: note: {}\n", printable(place), printable(message));
+}
 
 void catch_interrupts() {
   struct sigaction action {};

@@ -23,6 +23,9 @@ void check_definition(const BodyDefinition& body) {
     SHG_CHECK(is_link(effector.link), effector.name);
     SHG_CHECK(effector.limb_root >= 0 && effector.limb_root < count, effector.name);
   }
+  for (const Capsule& capsule : body.capsules) {
+    SHG_CHECK(is_link(capsule.link) && capsule.radius > 0.0, capsule.name);
+  }
   for (const Foot& foot : body.feet) SHG_CHECK(is_link(foot.link), foot.name);
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     SHG_CHECK(is_link(body.nodes[i].link), body.nodes[i].name);

@@ -104,6 +104,8 @@ class HumanBuilder {
         add_dof(joint, "abduction", rotation, {}, Axis::z, -s, kHipAbduction, hip.abduction);
     trunk_ = add_dof(joint, "flexion", abduction, {}, Axis::x, 1.0, kHipFlexion, hip.flexion);
     couple_hip(trunk_, knee);
+    add_capsule(prefix + "thigh", knee, frame.thigh, leg.knee, leg.knee, leg.hip, kThighRadius);
+    add_trunk_capsule();
     trunk_origin_ = leg.hip;
     add_standing_masses(side, ankle, knee);
     add_foot(side, kBaseLink, frame.foot, leg.ankle);
@@ -146,6 +148,8 @@ class HumanBuilder {
     const int fore =
         add_dof(prefix + "elbow", "flexion", upper, local(frame.upper_arm, arm.shoulder, arm.elbow),
                 Axis::x, -1.0, kElbowFlexion, -hinge_angle(frame.upper_arm, frame.forearm));
+    add_capsule(prefix + "forearm", fore, frame.forearm, arm.elbow, arm.elbow, arm.fingertip,
+                kForearmRadius);
     set_mass(upper, masses_.upper_arm(side).in_frame(frame.upper_arm, arm.shoulder));
     set_mass(fore, masses_.forearm_and_hand(side).in_frame(frame.forearm, arm.elbow));
     const Vec3d grip = arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction;
@@ -174,10 +178,26 @@ class HumanBuilder {
         add_dof(prefix + "ankle", "flexion", shank, local(frame.shank, leg.knee, leg.ankle),
                 Axis::x, -1.0, kAnkleFlexion, -hinge_angle(frame.shank, frame.foot));
     couple_hip(flexion, shank);
+    add_capsule(prefix + "thigh", thigh, frame.thigh, leg.hip, leg.hip, leg.knee, kThighRadius);
     set_mass(thigh, masses_.thigh(side).in_frame(frame.thigh, leg.hip));
     set_mass(shank, masses_.shank(side).in_frame(frame.shank, leg.knee));
     set_mass(foot, masses_.foot(side).in_frame(frame.foot, leg.ankle));
     if (other_stands_) add_foot(side, foot, frame.foot, leg.ankle);
+  }
+
+  void add_capsule(const std::string& name, int link, const Mat3d& frame, const Vec3d& origin,
+                   const Vec3d& from, const Vec3d& to, double radius) {
+    body_.capsules.push_back({name, link, local(frame, origin, from), local(frame, origin, to),
+                              radius * settings_.stature});
+  }
+
+  void add_trunk_capsule() {
+    const Vec3d hips = (person_.left_leg.hip + person_.right_leg.hip) * 0.5;
+    const Vec3d shoulders = (person_.left_arm.shoulder + person_.right_arm.shoulder) * 0.5;
+    // the ends are round: they begin a radius within
+    const Vec3d inset = normalized(shoulders - hips) * (kTrunkRadius * settings_.stature);
+    add_capsule("trunk", trunk_, frames_.trunk, trunk_origin_, hips, shoulders - inset,
+                kTrunkRadius);
   }
 
   void set_mass(int link, const MassProperties& mass) {

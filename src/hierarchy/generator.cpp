@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 #include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <utility>
 
@@ -12,7 +13,8 @@ namespace {
 
 // Ways to the goals, tried in this order until one leads there: a straight hand path; the same with
 // the null space drawn to a posture that is known to arrive; that posture alone.
-std::vector<ReachProblem> ways_to_goal(const ReachProblem& problem, const ClosestReach& reach) {
+std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
+  if (reach.reached()) add_detours(problem);
   ReachProblem guided = problem;
   guided.guide = reach.angles;
   ReachProblem posture = guided;

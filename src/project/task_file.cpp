@@ -11,7 +11,7 @@ namespace {
 constexpr double kLengthRange = 100.0;  // m, of landmarks
 constexpr double kCriteriaRange = 1e6;  // weights and reference scales
 constexpr double kCriteriaTiny = 1e-9;  // reference scales are above 0
-constexpr std::size_t kGoalsMax = 64;    // far more than any body has effectors
+constexpr std::size_t kGoalsMax = 64;   // far more than any body has effectors
 constexpr std::uint64_t kFrameMax = 1'000'000;
 constexpr std::uint64_t kCandidatesMax = 1000;
 constexpr std::uint64_t kEvaluationsMax = 1'000'000'000;

@@ -51,6 +51,12 @@ struct StatureFractions {
   static constexpr double kHeadLength = 0.1395;  // vertex – C7: 0.2429 m of 1.741 m, de Leva
 };
 
+// Radii of capsules around the bones, as fractions of stature: rough, from a trunk about 0.23 m deep
+// and a thigh, a forearm 0.16 m and 0.08 m thick in a man of 1.74 m.
+inline constexpr double kTrunkRadius = 0.066;
+inline constexpr double kThighRadius = 0.043;
+inline constexpr double kForearmRadius = 0.020;
+
 // Share of the foot's length that lies behind the ankle joint.
 inline constexpr double kHeelShare = 0.25;
 // Where an object is held: the third knuckle, 86.2 mm of the hand's 189.9 mm from the wrist to the

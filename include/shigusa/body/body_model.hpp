@@ -53,6 +53,15 @@ struct Effector {
   int limb_root = 0;  // first dof of the limb that it ends: the shoulder's
 };
 
+// A part of the body as a line with a thickness; moves with `link`.
+struct Capsule {
+  std::string name;  // "trunk"
+  int link = kBaseLink;
+  Vec3d from{};         // m, link frame
+  Vec3d to{};           // m, link frame
+  double radius = 0.0;  // m, > 0
+};
+
 // A foot on the floor. It bears weight for the whole motion and must not move.
 struct Foot {
   std::string name;  // "left_foot"
@@ -83,6 +92,7 @@ struct BodyDefinition {
   std::vector<MassProperties> masses;  // (dofs), of the link that each dof moves
   std::vector<Effector> effectors;
   std::vector<Foot> feet;
+  std::vector<Capsule> capsules;
   std::vector<BodyNode> nodes;
   std::vector<double> start;        // (dofs) rad, the posture that motions start from
   std::vector<std::string> doubts;  // what was guessed when the body was made, for a person
@@ -112,6 +122,7 @@ class BodyModel {
   }
   [[nodiscard]] std::span<const Effector> effectors() const { return definition_.effectors; }
   [[nodiscard]] std::span<const Foot> feet() const { return definition_.feet; }
+  [[nodiscard]] std::span<const Capsule> capsules() const { return definition_.capsules; }
   [[nodiscard]] std::span<const BodyNode> nodes() const { return definition_.nodes; }
   [[nodiscard]] std::span<const double> start() const { return definition_.start; }
   [[nodiscard]] std::span<const std::string> doubts() const { return definition_.doubts; }

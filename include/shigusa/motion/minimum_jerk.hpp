@@ -12,13 +12,37 @@ namespace shigusa {
   return t * t * t * (10.0 - t * (15.0 - 6.0 * t));
 }
 
-// Where an effector is to be at each moment: a straight minimum-jerk line from start to goal.
+// The minimum-jerk detour: 1 at τ = peak, at rest at 0 for τ = 0 and 1 (clamped). Added to a
+// minimum-jerk line it gives the path of least jerk through a via point (Flash and Hogan 1985): a
+// quintic whose fifth derivative jumps at the peak. peak in (0, 1).
+[[nodiscard]] constexpr double minimum_jerk_detour(double tau, double peak) {
+  const double u = 1.0 - peak;
+  // a3 t³ + a4 t⁴ + a5 t⁵ + (t - peak)₊⁵ and its first two derivatives vanish at t = 1
+  const double end = -u * u * u * u * u;
+  const double end_speed = -5.0 * u * u * u * u;
+  const double end_acceleration = -20.0 * u * u * u;
+  const double a3 = 10.0 * end - 4.0 * end_speed + 0.5 * end_acceleration;
+  const double a4 = -15.0 * end + 7.0 * end_speed - end_acceleration;
+  const double a5 = 6.0 * end - 3.0 * end_speed + 0.5 * end_acceleration;
+  const auto rise = [&](double t) { return t * t * t * (a3 + t * (a4 + t * a5)); };
+  const double t = tau < 0.0 ? 0.0 : tau > 1.0 ? 1.0 : tau;
+  const double late = t > peak ? t - peak : 0.0;
+  return (rise(t) + late * late * late * late * late) / rise(peak);
+}
+
+// Where an effector is to be at each moment: a minimum-jerk line from start to goal, straight or by
+// way of a detour.
 struct EffectorPath {
-  Vec3d start{};  // m, world
-  Vec3d goal{};   // m, world
+  Vec3d start{};             // m, world
+  Vec3d goal{};              // m, world
+  Vec3d detour{};            // m, world: how far the path leaves the straight line at its peak
+  double detour_peak = 0.5;  // in (0, 1): when, as a share of the duration
 
   // Position (m, world) at tau = time / duration in [0, 1].
-  [[nodiscard]] Vec3d at(double tau) const { return start + (goal - start) * minimum_jerk(tau); }
+  [[nodiscard]] Vec3d at(double tau) const {
+    return start + (goal - start) * minimum_jerk(tau) +
+           detour * minimum_jerk_detour(tau, detour_peak);
+  }
 };
 
 // Rule R9: T = clamp(0.45 s + 0.75 s/m · D, 0.6 s, 2.0 s), and 0.14 s more where the trunk and the

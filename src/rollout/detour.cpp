@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/kinematics/penetration.hpp>
+#include <shigusa/rollout/detour.hpp>
+#include <shigusa/rollout/rollout.hpp>
+
+namespace shigusa {
+namespace {
+
+// The deepest moment of one goal's limb during the motion of uniform weights.
+struct DeepestMoment {
+  double start_depth = 0.0;  // m, at the first frame
+  Penetration deepest;
+  int frame = 0;
+};
+
+DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
+  const auto index = static_cast<std::size_t>(problem.goals[goal].effector);
+  const Effector& effector = problem.body->effectors()[index];
+  const std::vector<double> uniform = inverse_weights(uniform_parameters(*problem.body));
+  DeepestMoment moment;
+  int frame = 0;
+  Rollout<double> rollout(problem);
+  rollout.run(uniform, [&](const MotionFrame<double>&, const Kinematics<double>& kinematics) {
+    const Penetration now = limb_penetration(*problem.body, kinematics, effector);
+    if (frame == 0) moment.start_depth = now.depth;
+    if (frame == 0 || now.depth > moment.deepest.depth) {
+      moment.deepest = now;
+      moment.frame = frame;
+    }
+    ++frame;
+  });
+  return moment;
+}
+
+}  // namespace
+
+void add_detours(ReachProblem& problem) {
+  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+    const DeepestMoment moment = find_deepest(problem, g);
+    const double allowed = max(moment.start_depth, 0.0) + kDetourDepth;
+    const bool inside = moment.frame > 0 && moment.frame < problem.steps;
+    if (moment.deepest.depth <= allowed || !inside) continue;
+    ReachProblem around = problem;
+    EffectorPath& path = around.goals[g].path;
+    path.detour = moment.deepest.outward * (moment.deepest.depth + kDetourClearance);
+    path.detour_peak = static_cast<double>(moment.frame) / problem.steps;
+    if (find_deepest(around, g).deepest.depth < moment.deepest.depth) problem = around;
+  }
+}
+
+}  // namespace shigusa
