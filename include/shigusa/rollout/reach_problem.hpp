@@ -36,6 +36,9 @@ struct ReachProblem {
   // the last frame has the hand at rest: there the goal itself is to be met
   double goal_tolerance = 1e-6;  // m
   int goal_corrections = 12;
+  // where a planted foot is off by more than this after all, up to so many steps correct it alone
+  double contact_slack = 1e-4;  // m
+  int contact_corrections = 8;
 };
 
 // What a motion must keep whatever its score: met goals and planted feet.

@@ -29,6 +29,7 @@ class Rollout {
         accelerations_(speeds_),
         torques_(speeds_),
         step_(speeds_),
+        unlocked_(speeds_),
         reference_(problem.guide.size()) {}
 
   // inverse_weights (dofs): see weighted_ik_step. visit(const MotionFrame<S>&, const
@@ -40,6 +41,7 @@ class Rollout {
     for (std::size_t i = 0; i < targets_.size(); ++i) targets_[i].lag = S(0);
     for (std::size_t d = 0; d < speeds_.size(); ++d) {
       angles_[0][d] = angles_[1][d] = S(body.start()[d]);
+      unlocked_[d] = select(inverse_weights[d] > S(0), S(1), S(0));
     }
     forward_kinematics<S>(body, angles_[1], kinematics_[0]);
     for (int frame = 0; frame < problem_->steps; ++frame) {
@@ -59,7 +61,6 @@ class Rollout {
  private:
   // moves the angles of the next frame to where the paths are then
   void follow(int frame, std::span<const S> inverse_weights, ReachOutcome& outcome) {
-    const BodyModel& body = *problem_->body;
     const bool last = frame == problem_->steps;
     const double tau = static_cast<double>(frame) / problem_->steps;
     for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
@@ -71,14 +72,32 @@ class Rollout {
     std::span<const S> reference = reference_;
     const std::size_t skipped = problem_->follow_path || last ? 0 : problem_->goals.size();
     const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
+    ReachOutcome now;
     for (int k = 0; k <= corrections; ++k) {
-      weighted_ik_step<S>(body, kinematics_[1], targets, inverse_weights, reference, problem_->ik,
-                          ik_, step_);
+      step(targets, inverse_weights, reference);
       reference = {};
-      for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[2][d] + step_[d];
-      forward_kinematics<S>(body, angles_[2], kinematics_[1]);
-      if (measure(targets, outcome, k == corrections, tolerance, last)) break;
+      now = measure(targets);
+      if (now.path_error <= tolerance && contact_error(now) <= tolerance) break;
     }
+    // a goal out of reach, or weights that are far apart, do not take a planted foot along
+    const auto contacts = std::span<const IkTarget<S>>(targets_).subspan(problem_->goals.size());
+    for (int k = 0; k < problem_->contact_corrections; ++k) {
+      if (contact_error(now) <= problem_->contact_slack) break;
+      step(contacts, unlocked_, {});
+      now = measure(targets);
+    }
+    outcome.path_error = max(outcome.path_error, now.path_error);
+    outcome.contact_slide = max(outcome.contact_slide, now.contact_slide);
+    outcome.contact_tilt = max(outcome.contact_tilt, now.contact_tilt);
+    if (last) outcome.goal_error = now.path_error;
+  }
+
+  void step(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
+            std::span<const S> reference) {
+    weighted_ik_step<S>(*problem_->body, kinematics_[1], targets, inverse_weights, reference,
+                        problem_->ik, ik_, step_);
+    for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[2][d] + step_[d];
+    forward_kinematics<S>(*problem_->body, angles_[2], kinematics_[1]);
   }
 
   // the step that, taken in every frame, follows the minimum-jerk profile into the guide posture
@@ -90,9 +109,8 @@ class Rollout {
     }
   }
 
-  // true when all targets are within the tolerance; then, or when told so, records the errors
-  bool measure(std::span<IkTarget<S>> targets, ReachOutcome& outcome, bool record, double tolerance,
-               bool last) {
+  // how far the targets are missed now
+  ReachOutcome measure(std::span<IkTarget<S>> targets) {
     ReachOutcome now;
     for (IkTarget<S>& target : targets) {
       const S miss = norm(target.position - kinematics_[1].point(target.link, target.point));
@@ -106,15 +124,11 @@ class Rollout {
       now.contact_tilt =
           max(now.contact_tilt, norm(rotation_vector(target.orientation * transpose(turned))));
     }
-    const bool near = now.path_error <= tolerance && now.contact_slide <= tolerance &&
-                      now.contact_tilt * kContactLength <= tolerance;
-    if (near || record) {
-      outcome.path_error = max(outcome.path_error, now.path_error);
-      outcome.contact_slide = max(outcome.contact_slide, now.contact_slide);
-      outcome.contact_tilt = max(outcome.contact_tilt, now.contact_tilt);
-      if (last) outcome.goal_error = now.path_error;
-    }
-    return near;
+    return now;
+  }
+
+  static double contact_error(const ReachOutcome& outcome) {
+    return max(outcome.contact_slide, kContactLength * outcome.contact_tilt);
   }
 
   // shows the current frame: speeds by central differences to its neighbours
@@ -147,6 +161,7 @@ class Rollout {
   std::vector<S> accelerations_;
   std::vector<S> torques_;
   std::vector<S> step_;
+  std::vector<S> unlocked_;   // (dofs) 1, or 0 where locked
   std::vector<S> reference_;  // (dofs), or empty without a guide
 };
 
