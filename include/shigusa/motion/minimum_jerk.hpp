@@ -26,6 +26,8 @@ namespace shigusa {
   const double a5 = 6.0 * end - 3.0 * end_speed + 0.5 * end_acceleration;
   const auto rise = [&](double t) { return t * t * t * (a3 + t * (a4 + t * a5)); };
   const double t = tau < 0.0 ? 0.0 : tau > 1.0 ? 1.0 : tau;
+  // what cancels there does so exactly
+  if (t >= 1.0) return 0.0;
   const double late = t > peak ? t - peak : 0.0;
   return (rise(t) + late * late * late * late * late) / rise(peak);
 }
