@@ -153,16 +153,23 @@ double miss_of(const Candidate& candidate) {
   return sqrt(squares);
 }
 
-// The candidate that comes nearest over all ways, for parameters that no way brings to the goal.
-Candidate nearest_candidate(const Task& task, const std::vector<ReachProblem>& ways,
-                            const Parameters& parameters) {
+// The parameters' motion on the first way that brings them to the goal; where none does, the one
+// that comes nearest, but rather one that is farther off than one whose foot slides.
+Candidate only_candidate(const Task& task, const std::vector<ReachProblem>& ways, double tolerance,
+                         const Parameters& parameters) {
   std::optional<Candidate> best;
+  bool best_stands = false;
   for (const ReachProblem& way : ways) {
     RolledOut rolled = roll_out(way, parameters);
-    // a foot that slides is worse than a goal that is missed
-    const bool stands = rolled.outcome.contact_slide <= kReachTolerance;
+    const bool arrives = rolled.outcome.met(tolerance);
+    const bool stands = rolled.outcome.stands();
     Candidate candidate = make_candidate(task, way, parameters, std::move(rolled));
-    if (!best || (stands && miss_of(candidate) < miss_of(*best))) best = std::move(candidate);
+    if (arrives) return candidate;
+    const bool nearer = best && miss_of(candidate) < miss_of(*best);
+    if (!best || (stands == best_stands ? nearer : stands)) {
+      best = std::move(candidate);
+      best_stands = stands;
+    }
   }
   return std::move(*best);
 }
@@ -214,7 +221,8 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
     if (!generation.candidates.empty() || found.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {
-    generation.candidates.push_back(nearest_candidate(task, ways, uniform_parameters(task.body)));
+    generation.candidates.push_back(
+        only_candidate(task, ways, tolerance, uniform_parameters(task.body)));
   }
   finish(reach, generation);
   return generation;
@@ -231,15 +239,7 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
   const double tolerance = reach.reached() ? kReachTolerance : kEdgeTolerance;
   Generation generation;
   generation.duration = problem->duration;
-  for (const ReachProblem& way : ways) {
-    RolledOut rolled = roll_out(way, parameters);
-    if (!rolled.outcome.met(tolerance)) continue;
-    generation.candidates.push_back(make_candidate(task, way, parameters, std::move(rolled)));
-    break;
-  }
-  if (generation.candidates.empty()) {
-    generation.candidates.push_back(nearest_candidate(task, ways, parameters));
-  }
+  generation.candidates.push_back(only_candidate(task, ways, tolerance, parameters));
   finish(reach, generation);
   return generation;
 }

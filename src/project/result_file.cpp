@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdlib>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
@@ -247,6 +248,10 @@ Result<void> assign_parameter(const BodyModel& body, std::string_view assignment
   bool found = false;
   for (std::size_t d = 0; d < body.dofs().size(); ++d) {
     names.push_back(body.dofs()[d].name);
+    const std::string& joint_name = body.dofs()[d].joint;
+    if (std::find(names.begin(), names.end(), joint_name) == names.end()) {
+      names.push_back(joint_name);
+    }
     if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
     found = true;
     JointWeight& joint = parameters.joints[d];

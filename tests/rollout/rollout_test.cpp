@@ -222,6 +222,23 @@ RC_GTEST_PROP(RollOutProperty, StartsInTheStartPostureAndKeepsTheFeetPlanted,
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
 }
 
+RC_GTEST_PROP(RollOutProperty, FeetStandWhateverIsAsked, (std::uint64_t seed)) {
+  // goals in and out of reach, weights up to a million times apart, locks until nothing can move
+  Random random(seed);
+  const Vec3d goal{random.uniform(-1.5, 1.5), random.uniform(0.0, 2.5), random.uniform(-1.5, 1.5)};
+  const ReachProblem problem = reach_with(full(), "right_hand", goal);
+  const double locked = random.uniform(0.0, 0.9);
+  const double spread = random.uniform(0.0, 3.0);
+  Parameters parameters = uniform_parameters(full());
+  for (JointWeight& joint : parameters.joints) {
+    joint = {std::pow(10.0, random.uniform(-spread, spread)), random.chance(locked)};
+  }
+  const MeasuredMotion measured(problem, roll_out(problem, parameters).motion.clip);
+  RC_ASSERT(measured.finite);
+  RC_ASSERT(measured.contact_slide <= kReachTolerance);
+  RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
+}
+
 RC_GTEST_PROP(RollOutProperty, HandIsOnItsPathAtEveryFrameWhateverTheWeights,
               (std::uint64_t seed)) {
   const RandomReach reach(half(), seed);

@@ -48,9 +48,12 @@ struct ReachOutcome {
   double contact_slide = 0.0;  // m, largest displacement of a planted foot at any frame
   double contact_tilt = 0.0;   // rad, largest rotation of a planted foot at any frame
 
+  // The planted feet stay where they are.
+  [[nodiscard]] bool stands() const {
+    return contact_slide <= kReachTolerance && contact_tilt <= kTiltTolerance;
+  }
   [[nodiscard]] bool met(double goal_tolerance = kReachTolerance) const {
-    return goal_error <= goal_tolerance && contact_slide <= kReachTolerance &&
-           contact_tilt <= kTiltTolerance;
+    return goal_error <= goal_tolerance && stands();
   }
 };
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// A thousand random goals per body, inside and outside its reach, judged by the exported BVH's own
+// forward kinematics.
+#include <gtest/gtest.h>
+
+#include <shigusa/project/export.hpp>
+
+#include "support/exported.hpp"
+#include "support/reach_bounds.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr double kMillimetre = 1e-3;
+constexpr double kTenthOfADegree = radians(0.1);
+constexpr int kGoals = 250;  // of each of four parts, which machines with several cores run at once
+
+// (m) about half of them within a body's reach
+Vec3d random_goal(Random& random) {
+  return {random.uniform(-1.3, 1.1), random.uniform(-0.2, 2.4), random.uniform(-1.1, 1.3)};
+}
+
+// By geometry alone; for the full body it is known of some goals only that they are out of reach.
+void judge_status(const BodyModel& body, const Vec3d& goal, bool reached) {
+  if (body.name() == "half_body") {
+    ASSERT_EQ(half_body_distance(body, goal) <= kMillimetre, reached);
+  } else if (stretched_distance(body, goal) > kMillimetre) {
+    ASSERT_FALSE(reached);
+  }
+}
+
+void judge(const Task& task, const Generation& generation, const Candidate& candidate) {
+  const auto bvh = export_candidate(task, candidate, ExportFormat::bvh);
+  const ExportedMotion exported(bvh.value(), BvhFormat{}.unit);
+  ASSERT_TRUE(exported.finite());
+  for (const ContactResult& foot : candidate.contacts) {
+    ASSERT_LE(exported.slide(foot.node), kMillimetre) << foot.node;
+    ASSERT_LE(exported.tilt(foot.node), kTenthOfADegree) << foot.node;
+  }
+  double miss = 0.0;
+  for (const GoalResult& goal : candidate.goals) {
+    miss = std::fmax(miss, norm(exported.at_end(goal.node) - goal.goal));
+  }
+  ASSERT_EQ(miss <= kMillimetre, generation.status == ReachStatus::reached) << miss << " m";
+}
+
+// Generates and judges; the search is cut down to its first population, since where motions end
+// does not depend on how well they score.
+ReachStatus generate_and_judge(TaskFile& file) {
+  Task task = make_task(file, {}).value();
+  task.genetic.max_generations = 0;
+  task.candidates = 2;
+  const Generation generation = generate(task).value();
+  EXPECT_FALSE(generation.candidates.empty());
+  for (const Candidate& candidate : generation.candidates) judge(task, generation, candidate);
+  if (task.goals.size() == 1) {
+    const bool reached = generation.status == ReachStatus::reached;
+    judge_status(task.body, task.goals[0].position, reached);
+  }
+  return generation.status;
+}
+
+struct Part {
+  const char* body;
+  std::uint64_t index;
+  bool both_hands = false;
+};
+
+class RandomGoals : public testing::TestWithParam<Part> {};
+
+TEST_P(RandomGoals, AreMetOrMissedAsTheStatusTells) {
+  Random random(2024, GetParam().index);
+  int reached = 0;
+  for (int k = 0; k < kGoals; ++k) {
+    TaskFile file;
+    file.character.source = GetParam().body;
+    file.goals = {{"right_hand", random_goal(random)}};
+    if (GetParam().both_hands) file.goals.push_back({"left_hand", random_goal(random)});
+    file.seed = random.next();
+    SCOPED_TRACE(format_task(file));
+    reached += generate_and_judge(file) == ReachStatus::reached ? 1 : 0;
+    ASSERT_FALSE(HasFailure());
+  }
+  // otherwise the goals show nothing of one side
+  EXPECT_GT(reached, kGoals / 20);
+  EXPECT_LT(reached, kGoals - kGoals / 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(HalfBody, RandomGoals,
+                         testing::Values(Part{"half_body", 0}, Part{"half_body", 1},
+                                         Part{"half_body", 2}, Part{"half_body", 3}));
+INSTANTIATE_TEST_SUITE_P(FullBody, RandomGoals,
+                         testing::Values(Part{"full_body", 0}, Part{"full_body", 1},
+                                         Part{"full_body", 2}, Part{"full_body", 3},
+                                         Part{"full_body", 4, true}));
+
+}  // namespace
+}  // namespace shigusa
