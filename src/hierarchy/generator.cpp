@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/rollout/detour.hpp>
@@ -103,6 +104,11 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
   return candidate;
 }
 
+// Orders scores, a NaN last.
+double ranking(const Score& score) {
+  return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
+}
+
 // Largest root-mean-square difference of two motions' joint angles over their frames (rad).
 double posture_distance(const Clip& a, const Clip& b) {
   double largest = 0.0;
@@ -118,8 +124,24 @@ double posture_distance(const Clip& a, const Clip& b) {
   return sqrt(largest);
 }
 
+struct Arrival {
+  const ReachProblem* way = nullptr;
+  RolledOut rolled;
+};
+
+// The parameters' motion on the first way that brings them to the goal: the same parameters always
+// give the same motion, whichever way they were found on.
+std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways, double tolerance,
+                                     const Parameters& parameters) {
+  for (const ReachProblem& way : ways) {
+    RolledOut rolled = roll_out(way, parameters);
+    if (rolled.outcome.met(tolerance)) return Arrival{&way, std::move(rolled)};
+  }
+  return std::nullopt;
+}
+
 // Re-plays the final genomes and keeps those that arrive and differ, best first.
-void collect_candidates(const Task& task, const ReachProblem& problem, double tolerance,
+void collect_candidates(const Task& task, std::span<const ReachProblem> ways, double tolerance,
                         const SearchResult& found, Generation& generation) {
   std::vector<Individual> ranked;
   std::set<std::vector<std::uint16_t>> known;
@@ -131,20 +153,25 @@ void collect_candidates(const Task& task, const ReachProblem& problem, double to
   for (const Individual& individual : ranked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
     const Parameters parameters = decode_paper_genes(individual.genes);
-    RolledOut rolled = roll_out(problem, parameters);
-    if (!rolled.outcome.met(tolerance)) {
+    std::optional<Arrival> arrival = first_arrival(ways, tolerance, parameters);
+    if (!arrival) {
       ++generation.missed;
       continue;
     }
     const auto is_copy = [&](const Candidate& better) {
-      return posture_distance(better.motion.clip, rolled.motion.clip) < kDistinctPosture;
+      return posture_distance(better.motion.clip, arrival->rolled.motion.clip) < kDistinctPosture;
     };
     if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
       ++generation.near_copies;
       continue;
     }
-    generation.candidates.push_back(make_candidate(task, problem, parameters, std::move(rolled)));
+    generation.candidates.push_back(
+        make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled)));
   }
+  // on an earlier way than they were searched on, motions may have other scores
+  std::stable_sort(
+      generation.candidates.begin(), generation.candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
 }
 
 double miss_of(const Candidate& candidate) {
@@ -155,16 +182,17 @@ double miss_of(const Candidate& candidate) {
 
 // The parameters' motion on the first way that brings them to the goal; where none does, the one
 // that comes nearest, but rather one that is farther off than one whose foot slides.
-Candidate only_candidate(const Task& task, const std::vector<ReachProblem>& ways, double tolerance,
+Candidate only_candidate(const Task& task, std::span<const ReachProblem> ways, double tolerance,
                          const Parameters& parameters) {
+  if (std::optional<Arrival> arrival = first_arrival(ways, tolerance, parameters)) {
+    return make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled));
+  }
   std::optional<Candidate> best;
   bool best_stands = false;
   for (const ReachProblem& way : ways) {
     RolledOut rolled = roll_out(way, parameters);
-    const bool arrives = rolled.outcome.met(tolerance);
     const bool stands = rolled.outcome.stands();
     Candidate candidate = make_candidate(task, way, parameters, std::move(rolled));
-    if (arrives) return candidate;
     const bool nearer = best && miss_of(candidate) < miss_of(*best);
     if (!best || (stands == best_stands ? nearer : stands)) {
       best = std::move(candidate);
@@ -208,8 +236,8 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   const double tolerance = reach.reached() ? kReachTolerance : kEdgeTolerance;
   Generation generation;
   generation.duration = problem->duration;
-  for (const ReachProblem& way : ways) {
-    const SearchResult found = search_weights(way, task, tolerance, progress);
+  for (std::size_t w = 0; w < ways.size(); ++w) {
+    const SearchResult found = search_weights(ways[w], task, tolerance, progress);
     generation.evaluations += found.evaluations;
     generation.generations = found.generations;
     generation.rejected_nan += found.rejected_nan;
@@ -217,7 +245,7 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
     generation.best_seen = decode_paper_genes(found.best_seen.genes);
     generation.best_seen_score = found.best_seen.score;
     generation.missed = 0;
-    collect_candidates(task, way, tolerance, found, generation);
+    collect_candidates(task, std::span(ways).first(w + 1), tolerance, found, generation);
     if (!generation.candidates.empty() || found.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {

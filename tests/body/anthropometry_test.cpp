@@ -23,7 +23,7 @@ TEST(SegmentTable, MassesAreTheWholeBody) {
 // De Leva 1996, table 4: mass, centre of mass and the three radii of gyration, in percent.
 struct Row {
   const char* name;
-  SegmentParameters SegmentTable::* segment;
+  SegmentParameters SegmentTable::*segment;
   double male[5];
   double female[5];
 };

@@ -144,10 +144,9 @@ class NodePlaces {
  private:
   [[nodiscard]] int find(const std::string& name) const {
     const auto nodes = body_.nodes();
-    return static_cast<int>(
-        std::find_if(nodes.begin(), nodes.end(),
-                     [&](const BodyNode& node) { return node.name == name; }) -
-        nodes.begin());
+    return static_cast<int>(std::find_if(nodes.begin(), nodes.end(),
+                                         [&](const BodyNode& node) { return node.name == name; }) -
+                            nodes.begin());
   }
   [[nodiscard]] Vec3d at(int index) const {
     if (index >= static_cast<int>(body_.nodes().size())) return {NAN, NAN, NAN};

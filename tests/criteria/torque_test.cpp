@@ -45,8 +45,8 @@ TEST(Torque, IsTheRootMeanSquareOverFrames) {
 TEST(Torque, IsTheRootMeanSquareOverJoints) {
   BodyDefinition definition = chain_definition({{}, {}});
   for (Dof& dof : definition.dofs) dof.torque_positive = dof.torque_negative = 50.0;
-  EXPECT_NEAR(penalty_of(BodyModel(definition), {20, -10}),
-              std::sqrt((0.16 + 0.04) / 2) / 0.6, 1e-15);
+  EXPECT_NEAR(penalty_of(BodyModel(definition), {20, -10}), std::sqrt((0.16 + 0.04) / 2) / 0.6,
+              1e-15);
 }
 
 TEST(Torque, IsFullAtItsShareAndBeyond) {

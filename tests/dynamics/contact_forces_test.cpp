@@ -96,8 +96,8 @@ TEST_F(TwoFeet, SecondPartReachesTheJointsThroughItsJacobian) {
   const Vec3d moment = part.moment - cross(at, part.force);
   for (int d = 0; d < body.dof_count(); ++d) {
     const auto k = static_cast<std::size_t>(d);
-    const double power = dot(position_column(kinematics, d, at), part.force) +
-                         dot(kinematics.axis[k], moment);
+    const double power =
+        dot(position_column(kinematics, d, at), part.force) + dot(kinematics.axis[k], moment);
     EXPECT_NEAR(before[k] - after[k], body.moves(d, second.link) ? power : 0.0, 1e-11);
   }
 }
@@ -107,8 +107,7 @@ TEST_F(TwoFeet, SymmetricStanceLoadsBothLegsAlike) {
   DynamicsWorkspace<double> work(body);
   const Vector still(body.dofs().size(), 0.0);
   Vector tau(still.size());
-  const Wrench<double> ground =
-      inverse_dynamics<double>(body, kinematics, still, still, work, tau);
+  const Wrench<double> ground = inverse_dynamics<double>(body, kinematics, still, still, work, tau);
   share_ground_wrench<double>(body, kinematics, ground, first, second, tau);
   for (const char* joint : {"hip.flexion", "hip.abduction", "knee.flexion", "ankle.flexion"}) {
     const auto left = static_cast<std::size_t>(*body.find_dof(std::string("left_") + joint));

@@ -124,8 +124,8 @@ struct Momenta {
       const Vec3d own = r * (m.inertia * transpose_times(r, spin));
       linear += velocity * m.mass;
       angular += cross(com, velocity) * m.mass + own;
-      energy += 0.5 * m.mass * dot(velocity, velocity) + 0.5 * dot(spin, own) +
-                m.mass * kGravity * com.y;
+      energy +=
+          0.5 * m.mass * dot(velocity, velocity) + 0.5 * dot(spin, own) + m.mass * kGravity * com.y;
     }
   }
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <shigusa/hierarchy/generator.hpp>
 
@@ -55,7 +56,8 @@ std::vector<double> numbers(const Candidate& c) {
   for (const auto& path : c.motion.effectors) {
     for (const Vec3d& p : path) all.insert(all.end(), {p.x, p.y, p.z});
   }
-  for (const JointWeight& j : c.parameters.joints) all.insert(all.end(), {j.weight, double(j.locked)});
+  for (const JointWeight& j : c.parameters.joints)
+    all.insert(all.end(), {j.weight, double(j.locked)});
   all.push_back(c.score.total);
   for (const ScoreTerm& t : c.score.terms) all.insert(all.end(), {t.weight, t.penalty});
   for (const GoalResult& g : c.goals) all.insert(all.end(), {g.reached.x, g.reached.y, g.error});
@@ -65,9 +67,9 @@ std::vector<double> numbers(const Candidate& c) {
 }
 
 std::vector<double> numbers(const Generation& g) {
-  std::vector<double> all{g.remaining_distance, g.duration, double(g.evaluations),
-                          double(g.generations), double(g.near_copies), double(g.missed),
-                          g.best_seen_score};
+  std::vector<double> all{
+      g.remaining_distance,  g.duration,       double(g.evaluations), double(g.generations),
+      double(g.near_copies), double(g.missed), g.best_seen_score};
   for (const Candidate& c : g.candidates) {
     const std::vector<double> more = numbers(c);
     all.insert(all.end(), more.begin(), more.end());
@@ -99,8 +101,8 @@ TEST(Generate, CandidatesMeetTheGoal) {
     EXPECT_EQ(goal.goal, kFrontLow);
     EXPECT_LE(goal.error, kReachTolerance);
     EXPECT_DOUBLE_EQ(goal.error, norm(goal.goal - goal.reached));
-    EXPECT_EQ(goal.reached, effector_position(full_body(), candidate.motion.clip.frame(60),
-                                              "right_hand"));
+    EXPECT_EQ(goal.reached,
+              effector_position(full_body(), candidate.motion.clip.frame(60), "right_hand"));
   }
 }
 
@@ -190,6 +192,43 @@ TEST(Generate, BothHandsReachTogether) {
   }
 }
 
+// The largest change (rad) of any angle of these joints during a motion.
+double largest_change(const BodyModel& body, const Clip& clip,
+                      const std::function<bool(const Dof&)>& counts) {
+  double largest = 0.0;
+  for (int f = 0; f < clip.frames; ++f) {
+    for (int d = 0; d < body.dof_count(); ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      if (!counts(body.dof(d))) continue;
+      largest = std::fmax(largest, std::fabs(clip.frame(f)[k] - body.start()[k]));
+    }
+  }
+  return largest;
+}
+
+TEST(Generate, LimbsThatNoGoalNeedsKeepTheirAngles) {
+  // the other arm, and a leg that is lifted at the start; in reach and out of it
+  Landmarks person = standing_landmarks(1.7, 0.1);
+  lift_leg(person.left_leg, 1.0);
+  const BodyModel body = build_human(person, {"one_leg_up", BodyExtent::full, 1.7, 70.0});
+  const auto is_left = [](const Dof& dof) { return dof.joint.starts_with("left_"); };
+  for (const Vec3d& goal : {kFrontLow, kOutOfReach}) {
+    for (const Candidate& candidate : generated(task_for(body, goal)).candidates) {
+      EXPECT_EQ(largest_change(body, candidate.motion.clip, is_left), 0.0);
+      EXPECT_GT(largest_change(body, candidate.motion.clip, std::not_fn(is_left)), 0.1);
+    }
+  }
+}
+
+TEST(Generate, PeopleOfAllSizesReachInProportion) {
+  for (const double stature : {0.5, 1.0, 2.5}) {
+    const BodyModel body = full_body({stature, 70.0, Sex::female});
+    const Generation generation = generated(task_for(body, kFrontLow * (stature / 1.741)));
+    EXPECT_EQ(generation.status, ReachStatus::reached) << stature;
+    EXPECT_LE(generation.candidates[0].goals[0].error, kReachTolerance);
+  }
+}
+
 TEST(Generate, WrongTaskIsAnError) {
   Task task = task_for(half_body(), kFrontLow);
   task.goals[0].effector = "left_hand";
@@ -232,7 +271,8 @@ TEST(Generate, MotionTowardsAnUnreachableGoalIsCalm) {
 
 TEST(Generate, CancelledBeforeItBeganStillGivesAMotion) {
   const std::atomic<bool> cancel = true;
-  const Generation generation = generated(task_for(full_body(), kFrontLow), {.report = {}, .cancel = &cancel});
+  const Generation generation =
+      generated(task_for(full_body(), kFrontLow), {.report = {}, .cancel = &cancel});
   EXPECT_EQ(generation.end, SearchEnd::cancelled);
   ASSERT_FALSE(generation.candidates.empty());
   EXPECT_EQ(generation.status, ReachStatus::reached);
@@ -297,10 +337,10 @@ TEST(Generate, OwnCriterionChangesWhatIsChosen) {
 TEST(Generate, CriterionThatIsAlwaysZeroChangesNothing) {
   Task task = task_for(half_body(), kFrontLow);
   const Generation without = generated(task);
-  task.criteria.user = {{.name = "none",
-                         .weight = 1.0,
-                         .scale = 1.0,
-                         .value = [](const BodyModel&, const Motion&) { return 0.0; }}};
+  task.criteria.user = {
+      {.name = "none", .weight = 1.0, .scale = 1.0, .value = [](const BodyModel&, const Motion&) {
+         return 0.0;
+       }}};
   const Generation with = generated(task);
   ASSERT_EQ(with.candidates.size(), without.candidates.size());
   for (std::size_t i = 0; i < with.candidates.size(); ++i) {

@@ -127,9 +127,8 @@ TEST(MakeProblem, RefusesWeightsThatSayNothing) {
   EXPECT_NE(refusal_of_criteria([](C& c) { c.joint_range_weight = -0.1; }), "");
   EXPECT_NE(refusal_of_criteria([](C& c) { c.balance_weight = kNaN; }), "");
   EXPECT_NE(refusal_of_criteria([](C& c) { c.torque_weight = kInfinity; }), "");
-  EXPECT_NE(refusal_of_criteria([](C& c) {
-              c.joint_range_weight = c.balance_weight = c.torque_weight = 0.0;
-            }),
+  EXPECT_NE(refusal_of_criteria(
+                [](C& c) { c.joint_range_weight = c.balance_weight = c.torque_weight = 0.0; }),
             "");
   EXPECT_EQ(refusal_of_criteria([](C& c) { c.joint_range_weight = c.balance_weight = 0.0; }), "");
 }

@@ -33,8 +33,7 @@ TEST(ForwardKinematics, NegativeSignTurnsTheOtherWay) {
 TEST(ForwardKinematics, AnglesOfParallelHingesAddUp) {
   const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 0.5}});
   const std::vector<double> q{0.4, 0.7};
-  const Vec3d expected{0, std::cos(0.4) + 0.5 * std::cos(1.1),
-                       std::sin(0.4) + 0.5 * std::sin(1.1)};
+  const Vec3d expected{0, std::cos(0.4) + 0.5 * std::cos(1.1), std::sin(0.4) + 0.5 * std::sin(1.1)};
   EXPECT_LT(norm(effector_position(body, q, "tip") - expected), 1e-15);
 }
 
@@ -71,8 +70,8 @@ TEST(ForwardKinematics, JacobianColumnsAreDerivatives) {
       q[k] = angle - kStep;
       const Vec3d before = placed(body, q).point(effector.link, effector.point);
       q[k] = angle;
-      const Vec3d column = body.moves(d, effector.link) ? position_column(kinematics, d, at)
-                                                        : Vec3d{};
+      const Vec3d column =
+          body.moves(d, effector.link) ? position_column(kinematics, d, at) : Vec3d{};
       EXPECT_LT(norm(column - (after - before) * (0.5 / kStep)), 1e-9) << body.dof(d).name;
     }
   }

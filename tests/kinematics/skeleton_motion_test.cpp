@@ -84,8 +84,7 @@ TEST(SkeletonMotion, EffectorsAndFeetAreNodesOfTheSkeleton) {
 TEST(BodySkeleton, RestIsTheBodyWithAllAnglesZero) {
   const BodyModel body = character();
   const Skeleton skeleton = body_skeleton(body);
-  const Kinematics<double> kinematics =
-      placed(body, std::vector<double>(body.dofs().size(), 0.0));
+  const Kinematics<double> kinematics = placed(body, std::vector<double>(body.dofs().size(), 0.0));
   std::vector<Vec3d> rest;
   for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
     const SkeletonNode& node = skeleton.nodes[i];

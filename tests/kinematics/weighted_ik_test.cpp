@@ -120,8 +120,7 @@ TEST(WeightedIk, GoalThatLagsIsDampedByTheSquareOfItsLag) {
 
 TEST(WeightedIk, ContactIsHeldAgainstAGoalThatPullsAway) {
   // the tip is planted, the middle is asked for what the one freedom left cannot do: it gives way
-  const BodyModel body =
-      chain({{Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}});
+  const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}});
   const Vector q{0.3, 0.5, 0.6, 0.4};
   Targets targets = tip_moves_by(body, q, {0, 0, 0});
   const Kinematics<double> kinematics = placed(body, q);
@@ -147,8 +146,13 @@ TEST(WeightedIk, ContactIsHeldAgainstAGoalThatPullsAway) {
 }
 
 TEST(WeightedIk, TiltedContactIsTurnedBack) {
-  const BodyModel body = chain({{Axis::x, 1.0}, {Axis::y, 1.0}, {Axis::x, 1.0}, {Axis::z, 1.0},
-                                {Axis::x, 1.0}, {Axis::y, 1.0}, {Axis::z, 1.0}});
+  const BodyModel body = chain({{Axis::x, 1.0},
+                                {Axis::y, 1.0},
+                                {Axis::x, 1.0},
+                                {Axis::z, 1.0},
+                                {Axis::x, 1.0},
+                                {Axis::y, 1.0},
+                                {Axis::z, 1.0}});
   const Vector upright{0.3, 0.1, -0.8, 0.2, 0.5, -0.3, 0.1};
   Targets targets = tip_moves_by(body, upright, {});
   targets[0].contact = true;
@@ -234,7 +238,8 @@ RC_GTEST_PROP(WeightedIkProperty, ScalingAllWeightsChangesNothing, (std::uint64_
 
 RC_GTEST_PROP(WeightedIkProperty, LockedJointsDoNotMoveAtAll, (std::uint64_t seed)) {
   RandomStep step(seed);
-  const auto locked = *rc::gen::container<std::vector<bool>>(step.q.size(), rc::gen::arbitrary<bool>());
+  const auto locked =
+      *rc::gen::container<std::vector<bool>>(step.q.size(), rc::gen::arbitrary<bool>());
   for (std::size_t d = 0; d < step.q.size(); ++d) {
     if (locked[d]) step.inverse_weights[d] = 0.0;
   }

@@ -38,8 +38,7 @@ TEST(MinimumJerk, StartsAndEndsWithoutSpeedOrAcceleration) {
   EXPECT_NEAR(minimum_jerk(h) / h, 0.0, 11 * h * h);
   EXPECT_NEAR((1 - minimum_jerk(1 - h)) / h, 0.0, 11 * h * h);
   EXPECT_NEAR((minimum_jerk(2 * h) - 2 * minimum_jerk(h)) / (h * h), 0.0, 61 * h);
-  EXPECT_NEAR((1 - minimum_jerk(1 - 2 * h) - 2 * (1 - minimum_jerk(1 - h))) / (h * h), 0.0,
-              61 * h);
+  EXPECT_NEAR((1 - minimum_jerk(1 - 2 * h) - 2 * (1 - minimum_jerk(1 - h))) / (h * h), 0.0, 61 * h);
 }
 
 TEST(MinimumJerk, DifferenceQuotientsAreItsDerivatives) {
@@ -50,7 +49,8 @@ TEST(MinimumJerk, DifferenceQuotientsAreItsDerivatives) {
     // errors h² / 6 and h² / 12 times the third and fourth derivatives, which are below 60 and 360,
     // and rounding over h²
     EXPECT_NEAR((after - before) / (2 * h), speed(t), 10 * h * h);
-    EXPECT_NEAR((after - 2 * minimum_jerk(t) + before) / (h * h), acceleration(t), 31 * h * h + 1e-7);
+    EXPECT_NEAR((after - 2 * minimum_jerk(t) + before) / (h * h), acceleration(t),
+                31 * h * h + 1e-7);
   }
 }
 

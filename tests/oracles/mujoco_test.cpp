@@ -164,8 +164,8 @@ TEST_P(MujocoOracleOnTwoFeet, SecondFootRelievesTheJointsByItsJacobian) {
   const Foot& second = body.feet()[1];
   at_random_states([&](const Kinematics<double>& kinematics, const State& state) {
     Torques torques(body, kinematics, state);
-    const Wrench<double> part = share_ground_wrench<double>(
-        body, kinematics, torques.ground, body.feet()[0], second, torques.tau);
+    const Wrench<double> part = share_ground_wrench<double>(body, kinematics, torques.ground,
+                                                            body.feet()[0], second, torques.tau);
     const Vec3d at = kinematics.point(second.link, second.centre);
     const Vec3d moment = part.moment - cross(at, part.force);
     const MujocoBody::PointJacobian jacobian = mujoco.jacobian(second.link, at);

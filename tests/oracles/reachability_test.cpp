@@ -107,6 +107,7 @@ class ManyGoals {
       const Result<Generation> generation = generate(task_);
       ASSERT_TRUE(generation);
       check_candidates(*generation);
+      if (trial % 10 == 0) check_regeneration(*generation);
       (generation->status == ReachStatus::reached ? reached_ : unreachable_) += 1;
       check(make_problem(task_).value(), *generation);
       if (testing::Test::HasFatalFailure()) return;
@@ -132,6 +133,14 @@ class ManyGoals {
       if (generation.status == ReachStatus::reached) {
         ASSERT_LE(measured.goal_error, 1e-3);
       }
+    }
+  }
+
+  void check_regeneration(const Generation& generation) {
+    for (const Candidate& candidate : generation.candidates) {
+      const Generation again = regenerate(task_, candidate.parameters).value();
+      ASSERT_EQ(again.status, generation.status);
+      ASSERT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
     }
   }
 

@@ -19,7 +19,8 @@ using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
 // Goals are to be met exactly and no step is cut short.
-const IkSettings kExact{.damping = 0.0, .lag_damping = 0.0, .contact_damping = 0.0, .max_step = 1e3};
+const IkSettings kExact{
+    .damping = 0.0, .lag_damping = 0.0, .contact_damping = 0.0, .max_step = 1e3};
 
 struct Step {
   std::vector<double> q{};
@@ -47,8 +48,7 @@ std::vector<double> random_inverse_weights(const BodyModel& body, Random& random
 // An effector's goal up to 10 cm from where it is.
 IkTarget<double> random_goal(const Kinematics<double>& kinematics, const Effector& effector,
                              Random& random) {
-  const Vec3d away{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1),
-                   random.uniform(-0.1, 0.1)};
+  const Vec3d away{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
   return {.link = effector.link,
           .point = effector.point,
           .position = kinematics.point(effector.link, effector.point) + away};
@@ -72,10 +72,9 @@ KDL::Chain kdl_chain(const BodyModel& body, const Effector& effector) {
     int next = d + 1;
     while (!last && !body.moves(next, effector.link)) ++next;
     const Vec3d tip = last ? effector.point : body.dof(next).offset;
-    const auto type = static_cast<KDL::Joint::JointType>(KDL::Joint::RotX +
-                                                         static_cast<int>(dof.axis));
-    chain.addSegment(
-        KDL::Segment(KDL::Joint(dof.name, type, dof.sign), KDL::Frame(vector(tip))));
+    const auto type =
+        static_cast<KDL::Joint::JointType>(KDL::Joint::RotX + static_cast<int>(dof.axis));
+    chain.addSegment(KDL::Segment(KDL::Joint(dof.name, type, dof.sign), KDL::Frame(vector(tip))));
   }
   return chain;
 }
@@ -105,8 +104,7 @@ TEST(WeightedIkAgainstKdl, OneHandTakesTheSameStep) {
       q(static_cast<unsigned>(d)) = step.q[static_cast<std::size_t>(d)];
     }
     solver.setWeightJS(m);
-    const Vec3d way =
-        step.targets[0].position - kinematics.point(hand.link, hand.point);
+    const Vec3d way = step.targets[0].position - kinematics.point(hand.link, hand.point);
     KDL::JntArray expected(chain.getNrOfJoints());
     solver.CartToJnt(q, KDL::Twist(KDL::Vector(way.x, way.y, way.z), KDL::Vector::Zero()),
                      expected);
@@ -163,8 +161,8 @@ class KktSystem {
     Vector e = Vector::Zero(count);
     for (int k = 0; k < 3; ++k) e(k) = error[k];
     if (target.contact) {
-      const Vec3d tilt = rotation_vector(target.orientation *
-                                         transpose(kinematics.link_rotation(target.link)));
+      const Vec3d tilt =
+          rotation_vector(target.orientation * transpose(kinematics.link_rotation(target.link)));
       for (int k = 0; k < 3; ++k) e(3 + k) = kContactLength * tilt[k];
     }
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -179,8 +177,7 @@ class KktSystem {
       }
     }
     const double ratio = target.lag / step_.settings.lag_scale;
-    const double share =
-        step_.settings.damping + step_.settings.lag_damping * ratio * ratio;
+    const double share = step_.settings.damping + step_.settings.lag_damping * ratio * ratio;
     if (target.contact || share == 0.0) return add_constraint(j, e);
     double trace = 0.0;
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -267,9 +264,8 @@ TEST(WeightedIkAgainstKkt, DoesWithoutLockedJoints) {
 }
 
 TEST(WeightedIkAgainstKkt, DampedGoalsGiveWayAndContactsDoNot) {
-  compare_with_kkt([](Step& step, Random& random) {
-    step.settings.damping = random.uniform(0.01, 1.0);
-  });
+  compare_with_kkt(
+      [](Step& step, Random& random) { step.settings.damping = random.uniform(0.01, 1.0); });
 }
 
 TEST(WeightedIkAgainstKkt, DampingGrowsWithTheSquareOfTheLag) {

@@ -69,8 +69,10 @@ TEST(RollOut, SaysWhereTheHandAndTheCentreOfMassAre) {
   const Motion motion = roll_out(problem, uniform_parameters(full())).motion;
   for (int f = 0; f < motion.clip.frames; ++f) {
     const auto k = static_cast<std::size_t>(f);
-    EXPECT_EQ(motion.effectors[0][k], effector_position(full(), motion.clip.frame(f), "right_hand"));
-    EXPECT_EQ(motion.centre_of_mass[k], centre_of_mass(full(), placed(full(), motion.clip.frame(f))));
+    EXPECT_EQ(motion.effectors[0][k],
+              effector_position(full(), motion.clip.frame(f), "right_hand"));
+    EXPECT_EQ(motion.centre_of_mass[k],
+              centre_of_mass(full(), placed(full(), motion.clip.frame(f))));
   }
 }
 
@@ -91,7 +93,8 @@ TEST(RollOut, OutcomeIsWhatTheMotionDoes) {
 }
 
 TEST(RollOut, TheHandArrivesAtRest) {
-  // the profile's last steps: s'' near the end is 60 τ², so the last of 60 moves 10 / 60³ of the way
+  // the profile's last steps: s'' near the end is 60 τ², so the last of 60 moves 10 / 60³ of the
+  // way
   const ReachProblem problem = reach_with(half(), "right_hand", kLow);
   const Motion motion = roll_out(problem, uniform_parameters(half())).motion;
   const double way = norm(problem.goals[0].path.goal - problem.goals[0].path.start);

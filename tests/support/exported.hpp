@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <shigusa/core/check.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <string>
 #include <string_view>

@@ -70,8 +70,8 @@ class MjcfWriter {
     const double s = dof.sign;
     const Vec3d axis{dof.axis == Axis::x ? s : 0, dof.axis == Axis::y ? s : 0,
                      dof.axis == Axis::z ? s : 0};
-    text_ += fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"{}\"/>", dof.name,
-                         numbers(axis));
+    text_ +=
+        fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"{}\"/>", dof.name, numbers(axis));
   }
 
   void add_children(int link) {
@@ -181,9 +181,7 @@ class MujocoBody {
 
  private:
   static Vec3d vector(const double* v) { return {v[0], v[1], v[2]}; }
-  [[nodiscard]] int address(std::size_t dof) const {
-    return model_->jnt_dofadr[joints_[dof]];
-  }
+  [[nodiscard]] int address(std::size_t dof) const { return model_->jnt_dofadr[joints_[dof]]; }
   [[nodiscard]] int body_of(int link) const {
     return link == kBaseLink ? mj_name2id(model_.get(), mjOBJ_BODY, "base")
                              : model_->jnt_bodyid[joints_[static_cast<std::size_t>(link)]];

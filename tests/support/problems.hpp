@@ -72,8 +72,7 @@ struct MeasuredMotion {
   void measure_hands(const ReachProblem& problem, const Kinematics<double>& now, int frame,
                      int last) {
     for (const ReachGoal& goal : problem.goals) {
-      const Effector& effector =
-          problem.body->effectors()[static_cast<std::size_t>(goal.effector)];
+      const Effector& effector = problem.body->effectors()[static_cast<std::size_t>(goal.effector)];
       const Vec3d at = now.point(effector.link, effector.point);
       const Vec3d wanted = goal.path.at(static_cast<double>(frame) / last);
       path_error = std::fmax(path_error, norm(at - wanted));

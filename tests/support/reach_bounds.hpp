@@ -26,8 +26,7 @@ inline double half_body_distance(const BodyModel& body, const Vec3d& goal) {
   const double leg = chain_length(body, hip, 0);
   const double rest = chain_length(body, hand.link, hip) + norm(hand.point);
   // in the standing foot's frame the leg's plane is x = const.
-  const Vec3d at =
-      transpose_times(body.base().rotation, goal - body.base().translation);
+  const Vec3d at = transpose_times(body.base().rotation, goal - body.base().translation);
   const double in_plane = std::fmax(0.0, std::hypot(at.y, at.z) - leg);
   const double across = at.x - body.dof(1).offset.x - body.dof(hip).offset.x;
   return std::fmax(0.0, std::hypot(across, in_plane) - rest);

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "support/person_file.hpp"
+#include "support/run_program.hpp"
+#include "support/work_folder.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+using testing::Not;
+using Words = std::vector<std::string>;
+using Json = nlohmann::ordered_json;
+
+class Body : public testing::Test {
+ protected:
+  Body() { work_.put("person.bvh", person_bvh()); }
+
+  ProgramRun body(Words arguments) {
+    arguments.insert(arguments.begin(), "body");
+    return run_shigusa(arguments, {.folder = work_.path()});
+  }
+  Json json(Words arguments) {
+    arguments.push_back("--json");
+    return Json::parse(body(arguments).out);
+  }
+
+  WorkFolder work_;
+};
+
+TEST_F(Body, JsonHasTheFieldsOfTheContract) {
+  for (const char* source : {"half_body", "full_body", "person.bvh"}) {
+    const Json object = json({source});
+    EXPECT_EQ(object.at("name"), source);
+    EXPECT_NEAR(object.at("stature_m").get<double>(), 1.741, 1e-3);
+    EXPECT_GT(object.at("mass_kg").get<double>(), 50.0);
+    EXPECT_EQ(object.at("dof"), object.at("joints").size());
+    EXPECT_TRUE(object.at("humanoid").is_object());
+    EXPECT_TRUE(object.at("doubts").is_array());
+    for (const Json& joint : object.at("joints")) {
+      EXPECT_TRUE(joint.at("name").is_string());
+      EXPECT_TRUE(joint.at("parent").is_null() || joint.at("parent").is_string());
+      EXPECT_EQ(joint.at("dof"), 1);
+      EXPECT_LT(joint.at("limits_rad").at(0), joint.at("limits_rad").at(1));
+    }
+  }
+}
+
+TEST_F(Body, HalfHasNineFreedomsAndFullEighteen) {
+  EXPECT_EQ(json({"half_body"}).at("dof"), 9);
+  EXPECT_EQ(json({"full_body"}).at("dof"), 18);
+  EXPECT_EQ(json({"person.bvh", "--extent", "half"}).at("dof"), 9);
+}
+
+TEST_F(Body, HumanoidMapNamesTheFilesNodes) {
+  const Json humanoid = json({"person.bvh"}).at("humanoid");
+  EXPECT_EQ(humanoid.at("right_hand"), "right_hand");
+  EXPECT_EQ(humanoid.at("hips"), "hips");
+}
+
+TEST_F(Body, FrameIsTheStartPosture) {
+  // the file's person bends the elbow by 0.2 rad from frame to frame
+  const auto elbow = [](const Json& object) {
+    for (const Json& joint : object.at("joints")) {
+      if (joint.at("name") == "right_elbow.flexion") return joint.at("start_rad").get<double>();
+    }
+    return std::nan("");
+  };
+  EXPECT_NEAR(elbow(json({"person.bvh", "--frame", "2"})) - elbow(json({"person.bvh"})), 0.4, 1e-4);
+}
+
+TEST_F(Body, StatureMassAndSexAreTaken) {
+  const Json object = json({"half_body", "--stature", "1.6", "--mass", "55", "--sex", "female"});
+  EXPECT_EQ(object.at("stature_m"), 1.6);
+  EXPECT_EQ(object.at("mass_kg"), 55.0);
+  EXPECT_EQ(json({"person.bvh", "--stature", "1.5"}).at("stature_m"), 1.5);
+}
+
+TEST_F(Body, TextListsEveryFreedomInDegrees) {
+  const ProgramRun run = body({"half_body"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, testing::StartsWith("half_body: 1.741 m, 73.0 kg, 9 dof\n"));
+  EXPECT_THAT(run.out, testing::ContainsRegex("right_elbow.flexion +10.0 +0 to +150"));
+  EXPECT_THAT(run.out, Not(HasSubstr("-0.0 "))) << "nothing is minus zero";
+}
+
+}  // namespace
+}  // namespace shigusa

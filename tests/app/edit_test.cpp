@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "app/result_checks.hpp"
+#include "support/person_file.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::Each;
+using testing::HasSubstr;
+using Words = std::vector<std::string>;
+
+class Edit : public testing::Test {
+ protected:
+  // A result of the half body in the folder "result".
+  void SetUp() override { reach({"--goal", "right_hand=0.25,0.55,0.5", "--seed", "1"}); }
+
+  void reach(Words more) {
+    Words call{"reach", "--candidates", "2", "--formats", "bvh,csv,svg", "--out", "result"};
+    call.insert(call.end(), more.begin(), more.end());
+    const ProgramRun run = run_shigusa(call, {.folder = work_.path()});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+
+  ProgramRun edit(const std::string& result, Words more = {}) {
+    Words call{"edit", result, "--formats", "bvh,csv,svg"};
+    call.insert(call.end(), more.begin(), more.end());
+    return run_shigusa(call, {.folder = work_.path()});
+  }
+
+  WorkFolder work_;
+};
+
+TEST_F(Edit, KeepsTheHandOnItsGoalWithoutASearch) {
+  const ProgramRun run =
+      edit("result", {"--candidate", "1", "--set", "right_shoulder.flexion.weight=12"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const StoredRun stored(work_, "result/edit-1");
+  EXPECT_EQ(stored.summary().at("evaluations"), 0);
+  EXPECT_EQ(stored.summary().at("search"), "edit");
+  EXPECT_EQ(stored.candidate(1).at("parameters").at("weights").at("right_shoulder.flexion"), 12.0);
+  expect_promises_kept(stored);
+}
+
+TEST_F(Edit, ChangesTheMotion) {
+  ASSERT_EQ(edit("result", {"--set", "right_hip.flexion.weight=1e-3"}).exit_code, 0);
+  EXPECT_NE(work_.get("result/edit-1/candidate-1.bvh"), work_.get("result/candidate-1.bvh"));
+}
+
+TEST_F(Edit, WithoutChangesGivesTheSameBytes) {
+  ASSERT_EQ(edit("result", {"--candidate", "2"}).exit_code, 0);
+  const StoredRun edited(work_, "result/edit-1");
+  for (const std::string ending : {"bvh", "csv", "svg"}) {
+    EXPECT_EQ(edited.get("candidate-1." + ending), work_.get("result/candidate-2." + ending));
+  }
+  EXPECT_EQ(edited.candidate(1).at("score"), StoredRun(work_, "result").candidate(2).at("score"));
+}
+
+TEST_F(Edit, LeavesTheOriginalUntouchedAndTakesANewFolderEachTime) {
+  const auto before = work_.contents();
+  ASSERT_EQ(edit("result").exit_code, 0);
+  ASSERT_EQ(edit("result/summary.json").exit_code, 0);
+  auto after = work_.contents();
+  EXPECT_TRUE(after.contains("result/edit-1/summary.json"));
+  EXPECT_TRUE(after.contains("result/edit-2/summary.json"));
+  std::erase_if(after, [](const auto& entry) { return entry.first.starts_with("result/edit-"); });
+  EXPECT_EQ(after, before);
+}
+
+TEST_F(Edit, GoesToTheFolderThatIsGiven) {
+  ASSERT_EQ(edit("result", {"--out", "mine/first"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(work_ / "mine/first/candidate-1.bvh"));
+  EXPECT_FALSE(std::filesystem::exists(work_ / "result/edit-1"));
+}
+
+TEST_F(Edit, OfAnEditGoesOnFromThere) {
+  ASSERT_EQ(edit("result", {"--set", "right_hip.weight=5"}).exit_code, 0);
+  ASSERT_EQ(edit("result/edit-1", {"--set", "right_elbow.weight=7"}).exit_code, 0);
+  const StoredRun stored(work_, "result/edit-1/edit-1");
+  const Json& weights = stored.candidate(1).at("parameters").at("weights");
+  EXPECT_EQ(weights.at("right_hip.rotation"), 5.0);
+  EXPECT_EQ(weights.at("right_elbow.flexion"), 7.0);
+  expect_promises_kept(stored);
+}
+
+TEST_F(Edit, LockedFreedomKeepsItsAngle) {
+  ASSERT_EQ(edit("result", {"--set", "right_knee.flexion.locked=true"}).exit_code, 0);
+  const StoredRun stored(work_, "result/edit-1");
+  EXPECT_THAT(stored.candidate(1).at("parameters").at("locked").dump(),
+              HasSubstr("right_knee.flexion"));
+  const std::vector<double> angles =
+      csv_column(stored.get("candidate-1.csv"), "right_knee.flexion [rad]");
+  EXPECT_THAT(angles, Each(angles.front()));
+  expect_promises_kept(stored);
+}
+
+TEST_F(Edit, FreedAgainTheFreedomMoves) {
+  ASSERT_EQ(edit("result", {"--set", "right_elbow.locked=true", "--set", "right_elbow.locked=false",
+                            "--set", "right_elbow.weight=0.01"})
+                .exit_code,
+            0);
+  const std::string csv = work_.get("result/edit-1/candidate-1.csv");
+  const std::vector<double> angles = csv_column(csv, "right_elbow.flexion [rad]");
+  EXPECT_NE(angles.front(), angles.back());
+}
+
+TEST_F(Edit, LocksThatKeepTheHandFromItsGoalAreToldAsOutOfReach) {
+  const ProgramRun run =
+      edit("result", {"--set", "right_ankle.locked=true", "--set", "right_knee.locked=true",
+                      "--set", "right_hip.locked=true"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.err, HasSubstr("out of reach"));
+  const StoredRun stored(work_, "result/edit-1");
+  EXPECT_EQ(stored.summary().at("status"), "unreachable");
+  EXPECT_GT(stored.summary().at("remaining_mm").get<double>(), 100.0);
+}
+
+TEST_F(Edit, OfAPersonFromAFileNeedsTheFileNoMore) {
+  work_.put("person.bvh", person_bvh());
+  reach({"--character", "person.bvh", "--frame", "2", "--goal", "left_hand=0.1,0.9,0.45"});
+  std::filesystem::remove(work_ / "person.bvh");
+  ASSERT_EQ(edit("result").exit_code, 0);
+  EXPECT_EQ(work_.get("result/edit-1/candidate-1.bvh"), work_.get("result/candidate-1.bvh"));
+  expect_promises_kept(StoredRun(work_, "result/edit-1"));
+}
+
+TEST_F(Edit, NeverOpensAFileThatAResultNames) {
+  // a result from elsewhere may name any file of this machine
+  work_.put("person.bvh", person_bvh());
+  Json summary = Json::parse(work_.get("result/summary.json"));
+  summary["task"]["character"] = {{"source", (work_ / "person.bvh").string()}};
+  work_.put("result/summary.json", summary.dump());
+  const ProgramRun run = edit("result");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("landmarks_m is missing"));
+}
+
+TEST_F(Edit, NamesFromAResultReachTheTerminalWithoutControlCharacters) {
+  work_.put("person.bvh", person_bvh());
+  reach({"--character", "person.bvh", "--goal", "left_hand=0.1,0.9,0.45"});
+  Json summary = Json::parse(work_.get("result/summary.json"));
+  summary["task"]["character"]["source"] = "\x1b[31mred.bvh";
+  summary["task"]["character"]["doubts"] = {"\x1b[2J"};
+  work_.put("result/summary.json", summary.dump());
+  const ProgramRun run = edit("result");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out + run.err, testing::Not(HasSubstr("\x1b")));
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "app/result_checks.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using Words = std::vector<std::string>;
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> names;
+  for (const auto& member : object.items()) names.push_back(member.key());
+  return names;
+}
+
+std::vector<std::string> example_tasks() {
+  std::vector<std::string> names;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(SHIGUSA_SOURCE_DIR "/examples/tasks")) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class ExampleTask : public testing::TestWithParam<std::string> {
+ protected:
+  ExampleTask()
+      : run_(run_shigusa({"reach", SHIGUSA_SOURCE_DIR "/examples/tasks/" + GetParam() + ".json",
+                          "--formats", "bvh,csv,svg,png,pdf", "--out", "out"},
+                         {.folder = work_.path()})),
+        stored_(work_, "out") {}
+
+  WorkFolder work_;
+  ProgramRun run_;
+  StoredRun stored_;
+};
+
+TEST_P(ExampleTask, ReachesItsGoalsWithPlantedFeet) {
+  EXPECT_EQ(run_.exit_code, 0) << run_.err;
+  expect_promises_kept(stored_);
+}
+
+TEST_P(ExampleTask, SummaryHasTheFieldsOfTheContract) {
+  const Json& summary = stored_.summary();
+  for (const char* key : {"version", "status", "seed", "evaluations", "elapsed_ms", "threads",
+                          "simd", "character", "preset", "search", "goals", "candidates"}) {
+    EXPECT_THAT(keys(summary), Contains(key));
+  }
+  EXPECT_EQ(summary.at("version"), 1);
+  for (const Json& goal : summary.at("goals")) {
+    EXPECT_THAT(keys(goal), testing::ElementsAre("effector", "position_m"));
+  }
+  int rank = 0;
+  for (const Json& candidate : summary.at("candidates")) {
+    EXPECT_EQ(candidate.at("rank"), ++rank);
+    for (const char* key : {"score", "criteria", "reached", "contacts", "duration_s", "frames",
+                            "parameters", "files", "bvh_unit_m"}) {
+      EXPECT_THAT(keys(candidate), Contains(key));
+    }
+    EXPECT_THAT(keys(candidate.at("criteria")),
+                AllOf(Contains("joint_range"), Contains("balance"), Contains("torque")));
+    EXPECT_THAT(keys(candidate.at("parameters")),
+                AllOf(Contains("weights"), Contains("contractions"), Contains("posture")));
+    EXPECT_THAT(keys(candidate.at("reached").at(0)),
+                testing::ElementsAre("effector", "joint", "goal_m", "reached_m", "error_mm"));
+    EXPECT_THAT(keys(candidate.at("contacts").at(0)),
+                testing::ElementsAre("effector", "joint", "max_slide_mm"));
+  }
+}
+
+TEST_P(ExampleTask, EveryListedFileIsThereAndNoOther) {
+  std::set<std::string> listed{"summary.json"};
+  for (const Json& candidate : stored_.summary().at("candidates")) {
+    EXPECT_EQ(candidate.at("files").size(), 5u);
+    for (const auto& file : candidate.at("files").items()) listed.insert(file.value());
+  }
+  EXPECT_EQ(stored_.files(), listed);
+}
+
+TEST_P(ExampleTask, CandidatesComeBestFirst) {
+  double last = 0.0;
+  for (const Json& candidate : stored_.summary().at("candidates")) {
+    EXPECT_GE(candidate.at("score").get<double>(), last);
+    last = candidate.at("score");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, ExampleTask, testing::ValuesIn(example_tasks()),
+                         [](const auto& info) { return info.param; });
+
+class Reach : public testing::Test {
+ protected:
+  // Runs `shigusa reach` with 8 motions, which is enough where it does not matter how good they
+  // are.
+  ProgramRun reach(Words more, const std::string& out = "out") {
+    Words call{"reach", "--evaluations", "8", "--formats", "bvh,csv", "--out", out};
+    call.insert(call.end(), more.begin(), more.end());
+    return run_shigusa(call, {.folder = work_.path()});
+  }
+
+  WorkFolder work_;
+};
+
+TEST_F(Reach, BothHandsHaveTheirGoals) {
+  const ProgramRun run = reach({"--character", "full_body", "--goal", "right_hand=-0.3,1.2,0.35",
+                                "--goal", "left_hand=0.3,0.9,0.4"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const StoredRun stored(work_, "out");
+  EXPECT_EQ(stored.candidate(1).at("reached").size(), 2u);
+  EXPECT_EQ(stored.candidate(1).at("contacts").size(), 2u);
+  expect_promises_kept(stored);
+}
+
+TEST_F(Reach, GoalsOfTheCallReplaceThoseOfTheTaskFile) {
+  const std::string task =
+      work_.put("task.json",
+                R"({"seed": 4, "goals": [{"effector": "right_hand", "position_m": [0, 9, 0]}]})");
+  const ProgramRun run = reach({"--goal", "right_hand=-0.2,1.1,0.4", task});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const StoredRun stored(work_, "out");
+  EXPECT_EQ(stored.summary().at("seed"), 4);
+  EXPECT_EQ(to_vec(stored.summary().at("goals").at(0).at("position_m")), (Vec3d{-0.2, 1.1, 0.4}));
+}
+
+TEST_F(Reach, TaskOfASummaryIsATaskFile) {
+  ASSERT_EQ(reach({"--goal", "right_hand=-0.2,1.1,0.4", "--seed", "3"}).exit_code, 0);
+  const StoredRun first(work_, "out");
+  const std::string task = work_.put("task.json", first.summary().at("task").dump());
+  ASSERT_EQ(reach({task}, "again").exit_code, 0);
+  EXPECT_EQ(StoredRun(work_, "again").get("candidate-1.bvh"), first.get("candidate-1.bvh"));
+}
+
+TEST_F(Reach, AShorterResultLeavesNoFileOfALongerOne) {
+  const Words goal{"--goal", "right_hand=-0.2,1.1,0.4"};
+  ASSERT_EQ(reach({goal[0], goal[1], "--formats", "bvh,svg"}).exit_code, 0);
+  ASSERT_GE(StoredRun(work_, "out").summary().at("candidates").size(), 2u);
+  work_.put("out/notes.txt", "mine");
+  ASSERT_EQ(reach({goal[0], goal[1], "--formats", "bvh", "--candidates", "1"}).exit_code, 0);
+  EXPECT_EQ(StoredRun(work_, "out").files(),
+            (std::set<std::string>{"candidate-1.bvh", "notes.txt", "summary.json"}));
+}
+
+TEST_F(Reach, WithoutFormatsWritesTheSummaryAlone) {
+  ASSERT_EQ(reach({"--goal", "right_hand=-0.2,1.1,0.4", "--formats", ""}).exit_code, 0);
+  EXPECT_EQ(StoredRun(work_, "out").files(), std::set<std::string>{"summary.json"});
+}
+
+TEST_F(Reach, GoalBelowTheFloorIsNoted) {
+  const ProgramRun run = reach({"--goal", "right_hand=-0.2,-0.1,0.3"});
+  EXPECT_THAT(run.err, HasSubstr("goal of right_hand: note: 0.1 m below the floor"));
+}
+
+TEST_F(Reach, TorquesAndTimesStandInTheCsv) {
+  ASSERT_EQ(reach({"--goal", "right_hand=-0.2,1.1,0.4", "--duration", "1.2"}).exit_code, 0);
+  const StoredRun stored(work_, "out");
+  const std::string csv = stored.get("candidate-1.csv");
+  const std::vector<double> times = csv_column(csv, "time [s]");
+  EXPECT_EQ(times.front(), 0.0);
+  EXPECT_NEAR(times.back(), 1.2, 1e-12);
+  EXPECT_EQ(csv_column(csv, "right_knee.flexion torque [N m]").size(), times.size());
+  const Vec3d end{csv_column(csv, "right_hand.x [m]").back(),
+                  csv_column(csv, "right_hand.y [m]").back(),
+                  csv_column(csv, "right_hand.z [m]").back()};
+  EXPECT_LE(norm(end - Vec3d{-0.2, 1.1, 0.4}), kMillimetre);
+}
+
+}  // namespace
+}  // namespace shigusa

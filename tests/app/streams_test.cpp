@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What goes where, the same bytes for the same seed, and how a long search is stopped.
+#include "app/result_checks.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+using testing::Not;
+using Words = std::vector<std::string>;
+using std::chrono_literals::operator""ms;
+
+class Streams : public testing::Test {
+ protected:
+  ProgramRun reach(const std::string& out, Words more = {}, RunSettings settings = {}) {
+    Words call{"reach", "--goal", "right_hand=-0.2,1.1,0.4", "--out", out};
+    call.insert(call.end(), more.begin(), more.end());
+    settings.folder = work_.path();
+    return run_shigusa(call, settings);
+  }
+
+  // All files of a folder; the summary without the time it took.
+  std::map<std::string, std::string> bytes(const std::string& folder) {
+    const StoredRun stored(work_, folder);
+    std::map<std::string, std::string> all;
+    for (const std::string& name : stored.files()) all[name] = stored.get(name);
+    Json summary = stored.summary();
+    summary.erase("elapsed_ms");
+    all["summary.json"] = summary.dump();
+    return all;
+  }
+
+  // Enough for hours.
+  const Words long_search_{"--evaluations", "100000000"};
+  WorkFolder work_;
+};
+
+TEST_F(Streams, SameSeedSameBytes) {
+  const Words settings{"--seed", "7", "--formats", "bvh,csv,svg,png,pdf"};
+  ASSERT_EQ(reach("one", settings).exit_code, 0);
+  ASSERT_EQ(reach("two", settings).exit_code, 0);
+  EXPECT_EQ(bytes("one"), bytes("two"));
+  EXPECT_GE(bytes("one").size(), 6u);
+}
+
+TEST_F(Streams, AnotherSeedOtherMotions) {
+  ASSERT_EQ(reach("one", {"--seed", "7"}).exit_code, 0);
+  ASSERT_EQ(reach("two", {"--seed", "8"}).exit_code, 0);
+  EXPECT_NE(bytes("one")["candidate-1.bvh"], bytes("two")["candidate-1.bvh"]);
+}
+
+TEST_F(Streams, LargestSeedIsKeptExactly) {
+  ASSERT_EQ(reach("one", {"--seed", "18446744073709551615"}).exit_code, 0);
+  EXPECT_EQ(StoredRun(work_, "one").summary().at("seed"), UINT64_MAX);
+}
+
+TEST_F(Streams, JsonIsTheSummaryOfTheFolder) {
+  EXPECT_EQ(reach("one", {"--json"}).out, work_.get("one/summary.json"));
+  const ProgramRun edited = run_shigusa({"edit", "one", "--json"}, {.folder = work_.path()});
+  EXPECT_EQ(edited.out, work_.get("one/edit-1/summary.json"));
+}
+
+TEST_F(Streams, ResultsGoToStdoutAndNothingElseDoes) {
+  const ProgramRun run = reach("one");
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, testing::StartsWith("reached: half_body, right_hand at (-0.2, 1.1, 0.4) m"));
+  EXPECT_THAT(run.out, HasSubstr("one/candidate-1.png\n"));
+  EXPECT_THAT(run.out, testing::EndsWith("one/summary.json\n"));
+}
+
+TEST_F(Streams, TableNamesOnlyPicturesOfThisRun) {
+  ASSERT_EQ(reach("one").exit_code, 0);
+  EXPECT_THAT(reach("one", {"--formats", "bvh"}).out, Not(HasSubstr(".png")));
+}
+
+TEST_F(Streams, MessagesGoToStderr) {
+  const ProgramRun run = run_shigusa(
+      {"reach", "--goal", "right_hand=0,4,0", "--json", "--out", "far"}, {.folder = work_.path()});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.err, HasSubstr("out of reach"));
+  EXPECT_EQ(Json::parse(run.out).at("status"), "unreachable");
+}
+
+TEST_F(Streams, NoColoursAndNoProgressWhereNobodyLooks) {
+  const ProgramRun run = reach("one", {"--evaluations", "4000"});
+  EXPECT_THAT(run.out + run.err, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(run.out + run.err, Not(HasSubstr("\r")));
+}
+
+TEST_F(Streams, ProgressIsShownOnATerminal) {
+  const ProgramRun run = reach("one", long_search_, {.terminal = true, .interrupt_after = 800ms});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr(" motions, best score "));
+  EXPECT_THAT(run.err, testing::EndsWith("\r\x1b[K")) << "the line is taken away at the end";
+}
+
+TEST_F(Streams, InterruptedSearchGivesTheBestSoFar) {
+  const auto start = std::chrono::steady_clock::now();
+  const ProgramRun run = reach("one", long_search_, {.interrupt_after = 500ms});
+  // a generation and the writing of eight candidates; a sanitizer on a busy machine takes long
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 30'000ms);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("stopped early"));
+  const StoredRun stored(work_, "one");
+  EXPECT_EQ(stored.summary().at("search_detail").at("end"), "cancelled");
+  EXPECT_GE(stored.summary().at("evaluations").get<int>(), 8);
+  expect_promises_kept(stored);
+}
+
+TEST_F(Streams, HelpAndVersionAreResults) {
+  for (const Words& call : std::vector<Words>{{"--help"},
+                                              {"reach", "--help"},
+                                              {"edit", "--help"},
+                                              {"render", "--help"},
+                                              {"body", "--help"},
+                                              {"--version"}}) {
+    const ProgramRun run = run_shigusa(call);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_NE(run.out, "");
+    EXPECT_EQ(run.err, "");
+  }
+}
+
+TEST_F(Streams, AFullDiskBehindStdoutIsAFault) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const std::string call =
+      std::string("'") + SHIGUSA_BINARY + "' body half_body >/dev/full 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 1);
+}
+
+}  // namespace
+}  // namespace shigusa

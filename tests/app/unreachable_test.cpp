@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "app/result_checks.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+
+struct FarGoal {
+  const char* name;
+  const char* body;
+  const char* goal;
+};
+
+class Unreachable : public testing::TestWithParam<FarGoal> {
+ protected:
+  Unreachable()
+      : run_(run_shigusa(
+            {"reach", "--character", GetParam().body, "--goal",
+             std::string("right_hand=") + GetParam().goal, "--formats", "bvh,csv", "--out", "out"},
+            {.folder = work_.path()})),
+        stored_(work_, "out") {}
+
+  // Calls visit(name, angles) for each freedom's angles (frames, rad) of each candidate.
+  template <class Visit>
+  void for_each_freedom(const Visit& visit) const {
+    for (const Json& candidate : stored_.summary().at("candidates")) {
+      const std::string csv = stored_.get(candidate.at("files").at("csv"));
+      for (const auto& weight : candidate.at("parameters").at("weights").items()) {
+        visit(weight.key(), csv_column(csv, weight.key() + " [rad]"));
+      }
+    }
+  }
+
+  [[nodiscard]] double frame_time() const {
+    const Json& candidate = stored_.candidate(1);
+    return candidate.at("duration_s").get<double>() / (candidate.at("frames").get<double>() - 1.0);
+  }
+
+  WorkFolder work_;
+  ProgramRun run_;
+  StoredRun stored_;
+};
+
+TEST_P(Unreachable, IsToldWithTheDistanceThatRemains) {
+  EXPECT_EQ(run_.exit_code, 3) << run_.err;
+  EXPECT_THAT(run_.err, HasSubstr("out of reach: the closest motion ends "));
+  EXPECT_EQ(stored_.summary().at("status"), "unreachable");
+  const Json& best = stored_.candidate(1);
+  EXPECT_GT(stored_.summary().at("remaining_mm").get<double>(), 1.0);
+  EXPECT_EQ(stored_.summary().at("remaining_mm"), best.at("reached").at(0).at("error_mm"));
+}
+
+TEST_P(Unreachable, ClosestMotionIsWrittenWithPlantedFeet) {
+  for (const Json& candidate : stored_.summary().at("candidates")) {
+    const ExportedMotion motion = stored_.motion(candidate);
+    EXPECT_TRUE(motion.finite());
+    expect_ends_as_told(motion, candidate);
+    expect_feet_stand(motion, candidate);
+  }
+}
+
+TEST_P(Unreachable, NoJointIsFasterThanAQuickReachAsksFor) {
+  // a joint that turns by all of its range (some 4 rad) with minimum jerk in the shortest reach
+  // peaks at 1.875 · 4 rad / 0.6 s = 12.5 rad/s
+  constexpr double kFast = 15.0;  // rad/s
+  for_each_freedom([&](const std::string& name, const std::vector<double>& angles) {
+    for (std::size_t f = 1; f < angles.size(); ++f) {
+      EXPECT_LE(std::fabs(angles[f] - angles[f - 1]) / frame_time(), kFast) << name << ' ' << f;
+    }
+  });
+}
+
+TEST_P(Unreachable, NoJointShakes) {
+  // Shaking is to turn round and back again at once. A smooth motion of one second has no reason to
+  // turn a joint round twice within a tenth of it; steps below half a degree are not seen.
+  constexpr double kSeen = radians(0.5);
+  constexpr std::size_t kAtOnce = 6;  // frames
+  for_each_freedom([&](const std::string& name, const std::vector<double>& angles) {
+    double before = 0.0;
+    std::size_t turned = 0;
+    for (std::size_t f = 1; f < angles.size(); ++f) {
+      const double step = angles[f] - angles[f - 1];
+      if (std::fabs(step) < kSeen) continue;
+      if (step * before < 0.0) {
+        EXPECT_TRUE(turned == 0 || f - turned > kAtOnce) << name << ' ' << f;
+        turned = f;
+      }
+      before = step;
+    }
+  });
+}
+
+TEST_P(Unreachable, MotionEndsAtRest) {
+  // Of a minimum-jerk way, 10 (1/60)³ is left to the last of 60 frames: 0.1 mm of 2 m. A limb that
+  // straightens turns its joints with the root of what is left, so they still creep.
+  for (const Json& candidate : stored_.summary().at("candidates")) {
+    const ExportedMotion motion = stored_.motion(candidate);
+    const std::string joint = candidate.at("reached").at(0).at("joint");
+    EXPECT_LE(norm(motion.at_end(joint) - motion.at(joint, motion.frames() - 2)), kMillimetre);
+  }
+  for_each_freedom([&](const std::string& name, const std::vector<double>& angles) {
+    EXPECT_LE(std::fabs(angles.back() - angles[angles.size() - 2]), radians(1.5)) << name;
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Goal, Unreachable,
+                         testing::Values(FarGoal{"OverheadHalf", "half_body", "0,3,0"},
+                                         FarGoal{"AheadHalf", "half_body", "-0.2,1.2,2"},
+                                         FarGoal{"LeftHalf", "half_body", "1.5,1,0.5"},
+                                         FarGoal{"OverheadFull", "full_body", "0,3,0"},
+                                         FarGoal{"RightFull", "full_body", "-1.5,1.2,0.5"},
+                                         FarGoal{"FarAwayFull", "full_body", "60,40,-90"}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace shigusa
