@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <shigusa/core/random.hpp>
+#include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
@@ -51,7 +52,8 @@ double quantile(std::vector<double> values, double q) {
 
 // The best score among random genomes of the paper's code.
 double best_of_random(const Task& task, int count, std::uint64_t seed) {
-  const ReachProblem problem = make_problem(task).value();
+  ReachProblem problem = make_problem(task).value();
+  add_detours(problem);
   Random random(seed, 99);
   double best = worst_score(task.criteria);
   for (int i = 0; i < count; ++i) {
