@@ -34,8 +34,7 @@ build() {
 run_tests() {
   local preset=$1
   shift
-  local ctest=(ctest --test-dir "build/$preset" --output-on-failure --no-tests=error
-    --no-label-summary --parallel "$jobs" "$@")
+  local ctest=(ctest --preset "$preset" --no-tests=error --no-label-summary --parallel "$jobs" "$@")
   if [ -t 1 ]; then
     "${ctest[@]}"
   else

@@ -238,7 +238,10 @@ Result<TaskFile> read_task(const std::filesystem::path& path) {
   return parse_task(*text, path.filename().string());
 }
 
-std::string format_task(const TaskFile& task) { return task_to_json(task).dump(2) + "\n"; }
+std::string format_task(const TaskFile& task) {
+  // a file's name may hold anything; what is not UTF-8 is replaced
+  return task_to_json(task).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
   if (const auto measured = measure_character(file.character, folder); !measured) {

@@ -11,6 +11,7 @@ struct DeepestMoment {
   double start_depth = 0.0;  // m, at the first frame
   Penetration deepest;
   int frame = 0;
+  bool arrives = false;  // the motion meets its goals
 };
 
 DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
@@ -20,7 +21,7 @@ DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
   DeepestMoment moment;
   int frame = 0;
   Rollout<double> rollout(problem);
-  rollout.run(uniform, [&](const MotionFrame<double>&, const Kinematics<double>& kinematics) {
+  const auto look = [&](const MotionFrame<double>&, const Kinematics<double>& kinematics) {
     const Penetration now = limb_penetration(*problem.body, kinematics, effector);
     if (frame == 0) moment.start_depth = now.depth;
     if (frame == 0 || now.depth > moment.deepest.depth) {
@@ -28,7 +29,8 @@ DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
       moment.frame = frame;
     }
     ++frame;
-  });
+  };
+  moment.arrives = rollout.run(uniform, look).met();
   return moment;
 }
 
@@ -43,8 +45,11 @@ void add_detours(ReachProblem& problem) {
     ReachProblem around = problem;
     EffectorPath& path = around.goals[g].path;
     path.detour = moment.deepest.outward * (moment.deepest.depth + kDetourClearance);
-    path.detour_peak = static_cast<double>(moment.frame) / problem.steps;
-    if (find_deepest(around, g).deepest.depth < moment.deepest.depth) problem = around;
+    path.detour_peak = clamp(static_cast<double>(moment.frame) / problem.steps, kDetourMargin,
+                             1.0 - kDetourMargin);
+    const DeepestMoment detoured = find_deepest(around, g);
+    const bool leads_there = detoured.arrives || !moment.arrives;
+    if (leads_there && detoured.deepest.depth < moment.deepest.depth) problem = around;
   }
 }
 

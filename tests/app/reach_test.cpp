@@ -90,14 +90,15 @@ TEST_P(ExampleTask, CandidatesComeBestFirst) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ExampleTask, testing::ValuesIn(example_tasks()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& of) { return of.param; });
 
 class Reach : public testing::Test {
  protected:
   // Runs `shigusa reach` with 8 motions, which is enough where it does not matter how good they
   // are.
-  ProgramRun reach(Words more, const std::string& out = "out") {
-    Words call{"reach", "--evaluations", "8", "--formats", "bvh,csv", "--out", out};
+  ProgramRun reach(const Words& more, const std::string& formats = "bvh,csv",
+                   const std::string& out = "out") {
+    Words call{"reach", "--evaluations", "8", "--formats", formats, "--out", out};
     call.insert(call.end(), more.begin(), more.end());
     return run_shigusa(call, {.folder = work_.path()});
   }
@@ -130,22 +131,22 @@ TEST_F(Reach, TaskOfASummaryIsATaskFile) {
   ASSERT_EQ(reach({"--goal", "right_hand=-0.2,1.1,0.4", "--seed", "3"}).exit_code, 0);
   const StoredRun first(work_, "out");
   const std::string task = work_.put("task.json", first.summary().at("task").dump());
-  ASSERT_EQ(reach({task}, "again").exit_code, 0);
+  ASSERT_EQ(reach({task}, "bvh", "again").exit_code, 0);
   EXPECT_EQ(StoredRun(work_, "again").get("candidate-1.bvh"), first.get("candidate-1.bvh"));
 }
 
 TEST_F(Reach, AShorterResultLeavesNoFileOfALongerOne) {
-  const Words goal{"--goal", "right_hand=-0.2,1.1,0.4"};
-  ASSERT_EQ(reach({goal[0], goal[1], "--formats", "bvh,svg"}).exit_code, 0);
+  const std::string goal = "--goal=right_hand=-0.2,1.1,0.4";
+  ASSERT_EQ(reach({goal}, "bvh,svg").exit_code, 0);
   ASSERT_GE(StoredRun(work_, "out").summary().at("candidates").size(), 2u);
   work_.put("out/notes.txt", "mine");
-  ASSERT_EQ(reach({goal[0], goal[1], "--formats", "bvh", "--candidates", "1"}).exit_code, 0);
+  ASSERT_EQ(reach({goal, "--candidates", "1"}, "bvh").exit_code, 0);
   EXPECT_EQ(StoredRun(work_, "out").files(),
             (std::set<std::string>{"candidate-1.bvh", "notes.txt", "summary.json"}));
 }
 
 TEST_F(Reach, WithoutFormatsWritesTheSummaryAlone) {
-  ASSERT_EQ(reach({"--goal", "right_hand=-0.2,1.1,0.4", "--formats", ""}).exit_code, 0);
+  ASSERT_EQ(reach({"--goal", "right_hand=-0.2,1.1,0.4"}, "").exit_code, 0);
   EXPECT_EQ(StoredRun(work_, "out").files(), std::set<std::string>{"summary.json"});
 }
 

@@ -56,7 +56,8 @@ TEST_F(Streams, LargestSeedIsKeptExactly) {
 }
 
 TEST_F(Streams, JsonIsTheSummaryOfTheFolder) {
-  EXPECT_EQ(reach("one", {"--json"}).out, work_.get("one/summary.json"));
+  const ProgramRun reached = reach("one", {"--json"});
+  EXPECT_EQ(reached.out, work_.get("one/summary.json"));
   const ProgramRun edited = run_shigusa({"edit", "one", "--json"}, {.folder = work_.path()});
   EXPECT_EQ(edited.out, work_.get("one/edit-1/summary.json"));
 }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a task file to the problem that it poses: nothing may crash, hang or fill the
-// memory, no file is opened, and what was read can be written and read again.
+// From the bytes of a task file to a motion in a BVH file: nothing may crash, hang or fill the
+// memory, no file is opened, every number stays finite, and what was read can be written and read
+// again.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/kinematics/skeleton_motion.hpp>
 #include <shigusa/project/task_file.hpp>
+#include <shigusa/rollout/rollout.hpp>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -14,12 +18,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text = format_task(*file);
   const auto again = parse_task(text, "written.json");
   if (!again || format_task(*again) != text) std::abort();
-  const CharacterSpec& character = file->character;
-  const bool built_in = character.source == "half_body" || character.source == "full_body";
-  if (!built_in && !character.landmarks) return 0;
+  if (!is_built_in(file->character) && !file->character.landmarks) return 0;
   const auto task = make_task(*file, {});
   if (!task) return 0;
   const auto problem = make_problem(*task);
-  if (problem && !(problem->duration > 0.0)) std::abort();
+  if (!problem) return 0;
+  if (!(problem->duration > 0.0)) std::abort();
+  // any people in any posture: all angles and torques are numbers
+  const Motion motion = roll_out(*problem, uniform_parameters(task->body)).motion;
+  if (!is_finite(score_motion(task->body, motion, task->criteria).total)) std::abort();
+  if (!parse_bvh(format_bvh(skeleton_motion(task->body, motion.clip)), "written.bvh")) std::abort();
   return 0;
 }

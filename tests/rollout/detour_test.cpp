@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <shigusa/body/human_body.hpp>
+#include <shigusa/core/random.hpp>
 #include <shigusa/kinematics/penetration.hpp>
 #include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/rollout.hpp>
@@ -62,6 +63,32 @@ TEST(AddDetours, GoesAroundTheBellyToTheOtherSide) {
   const double straight = deepest(problem);
   add_detours(problem);
   EXPECT_LT(deepest(problem), straight - 0.01);
+}
+
+TEST(AddDetours, NeverSwingFarOutAndAlwaysArrive) {
+  // the deepest moment may come right before the end, where a via point would fling the hand away
+  const BodyModel body = full_body();
+  const Parameters uniform = uniform_parameters(body);
+  Random random(111);
+  int detours = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vec3d goal{random.uniform(-1.0, 1.0), random.uniform(0.0, 2.0),
+                     random.uniform(-1.0, 1.0)};
+    ReachProblem problem = problem_of(body, goal);
+    if (!roll_out(problem, uniform).outcome.met()) continue;
+    add_detours(problem);
+    const EffectorPath& path = problem.goals[0].path;
+    if (path.detour == Vec3d{}) continue;
+    ++detours;
+    double farthest = 0.0;
+    for (double tau = 0.0; tau <= 1.0; tau += 0.01) {
+      const double share = minimum_jerk_detour(tau, path.detour_peak);
+      farthest = std::max(farthest, norm(path.detour) * share);
+    }
+    ASSERT_LT(farthest, 0.5) << trial;
+    ASSERT_TRUE(roll_out(problem, uniform).outcome.met()) << trial;
+  }
+  EXPECT_GT(detours, 30);
 }
 
 TEST(AddDetours, HasRuleR9sClearance) { EXPECT_EQ(kDetourClearance, 0.05); }

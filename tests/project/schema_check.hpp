@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <shigusa/core/check.hpp>
+#include <shigusa/io/file.hpp>
+#include <string>
+
+namespace shigusa::testing_support {
+
+// Judges JSON by a schema (2020-12): those of its keywords that shigusa's schemas use. Any other
+// keyword is refused, so that no rule of a schema goes unread.
+class SchemaCheck {
+ public:
+  using Json = nlohmann::json;
+
+  // `name`: a file of docs/, "task.schema.json"
+  explicit SchemaCheck(const std::string& name) : root_(load(name)) {}
+
+  // What is wrong with the value, or nothing: "candidates[0].rank: is above the maximum".
+  [[nodiscard]] std::string judge(const Json& value) const { return judge(root_, value, "value"); }
+
+ private:
+  static Json load(const std::string& name) {
+    const auto text = read_text_file(SHIGUSA_SOURCE_DIR "/docs/" + name, 1 << 20);
+    SHG_CHECK(text.has_value(), "the schema " + name);
+    return Json::parse(*text);
+  }
+
+  std::string judge(const Json& schema, const Json& value, const std::string& place) const {
+    for (const auto& [keyword, rule] : schema.items()) {
+      std::string wrong = judge_keyword(schema, keyword, rule, value, place);
+      if (!wrong.empty()) return wrong;
+    }
+    return {};
+  }
+
+  std::string judge_keyword(const Json& schema, const std::string& keyword, const Json& rule,
+                            const Json& value, const std::string& place) const {
+    const auto unless = [&](bool right, const char* wrong) {
+      return right ? std::string() : place + ": " + wrong + " " + rule.dump();
+    };
+    if (keyword == "type") return unless(has_type(value, rule), "is not of type");
+    if (keyword == "const") return unless(value == rule, "is not");
+    if (keyword == "enum") {
+      return unless(std::find(rule.begin(), rule.end(), value) != rule.end(), "is none of");
+    }
+    if (keyword == "minimum")
+      return unless(!value.is_number() || number(value) >= number(rule), "is below");
+    if (keyword == "maximum")
+      return unless(!value.is_number() || number(value) <= number(rule), "is above");
+    if (keyword == "minItems")
+      return unless(!value.is_array() || value.size() >= rule, "has below");
+    if (keyword == "maxItems")
+      return unless(!value.is_array() || value.size() <= rule, "has above");
+    if (keyword == "$ref") return judge_reference(rule, value, place);
+    if (keyword == "anyOf") {
+      bool any = false;
+      for (const Json& choice : rule) any = any || judge(choice, value, place).empty();
+      return unless(any, "is none of");
+    }
+    if (keyword == "items") return judge_items(rule, value, place);
+    if (keyword == "required") return judge_required(rule, value, place);
+    if (keyword == "properties" || keyword == "additionalProperties") {
+      return keyword == "properties" && schema.contains("additionalProperties")
+                 ? std::string()
+                 : judge_members(schema, value, place);
+    }
+    const bool remark = keyword == "description" || keyword == "title" || keyword == "$schema" ||
+                        keyword == "$defs";
+    SHG_CHECK(remark, "a keyword that is not read: " + keyword);
+    return {};
+  }
+
+  // so that signed and unsigned whole numbers compare by their values
+  static double number(const Json& value) { return value.get<double>(); }
+
+  static bool has_type(const Json& value, const std::string& type) {
+    if (type == "object") return value.is_object();
+    if (type == "array") return value.is_array();
+    if (type == "string") return value.is_string();
+    if (type == "number") return value.is_number();
+    SHG_CHECK(type == "integer", "a type that is not read: " + type);
+    return value.is_number_integer();
+  }
+
+  std::string judge_reference(const std::string& to, const Json& value,
+                              const std::string& place) const {
+    if (!to.starts_with("#")) return place_before(place, SchemaCheck(to).judge(value));
+    return judge(root_.at(Json::json_pointer(to.substr(1))), value, place);
+  }
+
+  // the other schema calls the value "value"
+  static std::string place_before(const std::string& place, const std::string& wrong) {
+    return wrong.empty() ? wrong : place + " " + wrong;
+  }
+
+  std::string judge_items(const Json& rule, const Json& value, const std::string& place) const {
+    for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
+      std::string wrong = judge(rule, value[i], place + "[" + std::to_string(i) + "]");
+      if (!wrong.empty()) return wrong;
+    }
+    return {};
+  }
+
+  static std::string judge_required(const Json& rule, const Json& value, const std::string& place) {
+    for (const std::string key : rule) {
+      if (value.is_object() && !value.contains(key)) return place + "." + key + ": is missing";
+    }
+    return {};
+  }
+
+  std::string judge_members(const Json& schema, const Json& value, const std::string& place) const {
+    const Json properties = schema.value("properties", Json::object());
+    const Json others = schema.value("additionalProperties", Json(true));
+    if (!value.is_object()) return {};
+    for (const auto& [key, member] : value.items()) {
+      const std::string at = place + "." + key;
+      const bool known = properties.contains(key);
+      if (!known && others == false) return at + ": is not known";
+      const Json& rule = known ? properties.at(key) : others;
+      std::string wrong = rule.is_object() ? judge(rule, member, at) : std::string();
+      if (!wrong.empty()) return wrong;
+    }
+    return {};
+  }
+
+  Json root_;
+};
+
+}  // namespace shigusa::testing_support

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+
+#include "project/task_samples.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+
+RC_GTEST_PROP(TaskFile, IsReadBackBitForBit, ()) {
+  const TaskFile task = any_task();
+  const Result<TaskFile> again = parse_task(format_task(task), "task.json");
+  if (!again) RC_FAIL(again.error().to_string() + format_task(task));
+  RC_ASSERT(bits(*again) == bits(task));
+  RC_ASSERT(words(*again) == words(task));
+}
+
+RC_GTEST_PROP(TaskFile, FormatsTheSameTextAgain, ()) {
+  const std::string text = format_task(any_task());
+  RC_ASSERT(format_task(parse_task(text, "task.json").value()) == text);
+}
+
+RC_GTEST_PROP(TaskFile, CutAnywhereIsAnErrorThatNamesTheFile, ()) {
+  const std::string text = format_task(any_task());
+  const std::size_t length = *rc::gen::inRange<std::size_t>(0, text.size() - 2);
+  const Result<TaskFile> task = parse_task(text.substr(0, length), "cut.json");
+  RC_ASSERT(!task);
+  RC_ASSERT(task.error().code == ErrorCode::parse);
+  RC_ASSERT(task.error().to_string().starts_with("cut.json: "));
+}
+
+TEST(TaskFile, EmptyObjectIsTheDefaultTask) {
+  const TaskFile task = parse_task("{}", "task.json").value();
+  EXPECT_EQ(bits(task), bits(TaskFile{}));
+  EXPECT_EQ(task.character.source, "half_body");
+}
+
+TEST(TaskFile, CharacterMayBeItsNameAlone) {
+  const TaskFile task = parse_task(R"({"character": "walk.bvh"})", "task.json").value();
+  EXPECT_EQ(task.character.source, "walk.bvh");
+}
+
+TEST(TaskFile, NameThatIsNoUtf8IsWrittenAllTheSame) {
+  TaskFile task;
+  task.character.source = "caf\xe9.bvh";
+  EXPECT_THAT(format_task(task), HasSubstr("caf\xef\xbf\xbd.bvh"));
+}
+
+TEST(TaskFile, CoincidingJointsAreAnError) {
+  TaskFile task;
+  task.character.source = "walk.bvh";
+  task.character.stature = 1.7;
+  task.character.landmarks = asymmetric_person();
+  task.character.landmarks->left_leg.knee = task.character.landmarks->left_leg.hip;
+  const auto again = parse_task(format_task(task), "task.json");
+  ASSERT_FALSE(again);
+  EXPECT_THAT(again.error().to_string(), HasSubstr("landmarks_m"));
+}
+
+TEST(MakeTask, TakesSeedAndBudgetOver) {
+  TaskFile file;
+  file.goals = {{"right_hand", {-0.2, 1.1, 0.4}}};
+  file.seed = 9;
+  file.evaluations = 80;
+  file.candidates = 3;
+  const Task task = make_task(file, {}).value();
+  EXPECT_EQ(task.genetic.seed, 9u);
+  EXPECT_EQ(task.evaluations, 80);
+  EXPECT_EQ(task.candidates, 3);
+  EXPECT_EQ(task.body.name(), "half_body");
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <bit>
+#include <cstdint>
+#include <shigusa/project/task_file.hpp>
+
+#include "support/bodies.hpp"
+
+// Random tasks, and whether two are the same to the last bit.
+namespace shigusa::testing_support {
+
+// Any number of the range, its ends and numbers of very different sizes among them.
+inline double any_number(double low, double high) {
+  const double share = static_cast<double>(*rc::gen::arbitrary<std::uint32_t>()) / 4294967295.0;
+  const double tiny = share * 1e-300;
+  const double value = *rc::gen::element(low + share * (high - low), low, high, tiny, -tiny, -0.0);
+  return clamp(value, low, high);
+}
+
+inline Vec3d any_point(double range) {
+  return {any_number(-range, range), any_number(-range, range), any_number(-range, range)};
+}
+
+inline CharacterSpec any_character() {
+  CharacterSpec spec;
+  spec.source =
+      *rc::gen::element<std::string>("half_body", "full_body", "walk.bvh", "歩く \"1\".bvh");
+  if (*rc::gen::arbitrary<bool>()) spec.stature = any_number(0.5, 2.5);
+  if (*rc::gen::arbitrary<bool>()) spec.mass = any_number(2.0, 300.0);
+  spec.sex = *rc::gen::element(Sex::male, Sex::female);
+  if (is_built_in(spec)) return spec;
+  spec.extent = *rc::gen::element(BodyExtent::full, BodyExtent::half);
+  spec.frame = *rc::gen::inRange(0, 1'000'001);
+  if (!*rc::gen::arbitrary<bool>()) return spec;
+  spec.stature = any_number(0.5, 2.5);
+  spec.doubts = *rc::gen::container<std::vector<std::string>>(
+      rc::gen::element<std::string>("a guess", "", "日本\n\t\"\\"));
+  // any way apart that a limb's joints stand, but never at one point
+  Landmarks person = asymmetric_person();
+  for (Vec3d* point : all_points(person)) *point += any_point(1e-3);
+  spec.landmarks = person;
+  return spec;
+}
+
+inline TaskFile any_task() {
+  TaskFile task;
+  task.character = any_character();
+  for (const char* name : {"right_hand", "left_hand", "", "目"}) {
+    if (*rc::gen::arbitrary<bool>()) task.goals.push_back({name, any_point(kGoalRange)});
+  }
+  if (*rc::gen::arbitrary<bool>()) task.duration = any_number(0.05, 60.0);
+  for (double* weight : {&task.criteria.joint_range_weight, &task.criteria.balance_weight,
+                         &task.criteria.torque_weight}) {
+    *weight = any_number(0.0, 1e6);
+  }
+  // not all may be 0
+  task.criteria.torque_weight = any_number(1e-3, 1e6);
+  for (double* scale : {&task.criteria.joint_range.margin, &task.criteria.balance.lean,
+                        &task.criteria.torque.share}) {
+    *scale = any_number(1e-9, 1e6);
+  }
+  task.seed =
+      *rc::gen::element<std::uint64_t>(0, 1, UINT64_MAX, *rc::gen::arbitrary<std::uint64_t>());
+  task.candidates = *rc::gen::inRange(1, 1001);
+  if (*rc::gen::arbitrary<bool>()) task.evaluations = *rc::gen::inRange(8, 1'000'000'001);
+  return task;
+}
+
+// All numbers of a task as bits; -0 is not 0 here.
+inline std::vector<std::uint64_t> bits(const TaskFile& task) {
+  std::vector<std::uint64_t> all;
+  const auto add = [&all](double x) { all.push_back(std::bit_cast<std::uint64_t>(x)); };
+  const auto add_point = [&add](const Vec3d& p) { add(p.x), add(p.y), add(p.z); };
+  const CharacterSpec& c = task.character;
+  for (const auto& optional : {c.stature, c.mass, task.duration}) {
+    all.push_back(optional.has_value());
+    add(optional.value_or(0.0));
+  }
+  all.insert(all.end(), {static_cast<std::uint64_t>(c.sex), static_cast<std::uint64_t>(c.extent),
+                         static_cast<std::uint64_t>(c.frame), c.landmarks.has_value(), task.seed,
+                         static_cast<std::uint64_t>(task.candidates),
+                         static_cast<std::uint64_t>(task.evaluations.value_or(-1))});
+  if (c.landmarks) {
+    Landmarks person = *c.landmarks;
+    for (const Vec3d* point : all_points(person)) add_point(*point);
+  }
+  for (const Goal& goal : task.goals) add_point(goal.position);
+  const CriteriaSettings& k = task.criteria;
+  for (const double x : {k.joint_range_weight, k.balance_weight, k.torque_weight,
+                         k.joint_range.margin, k.balance.lean, k.torque.share}) {
+    add(x);
+  }
+  return all;
+}
+
+// All words of a task.
+inline std::vector<std::string> words(const TaskFile& task) {
+  std::vector<std::string> all{task.character.source, std::string(preset_name(task.preset))};
+  all.insert(all.end(), task.character.doubts.begin(), task.character.doubts.end());
+  for (const Goal& goal : task.goals) all.push_back(goal.effector);
+  return all;
+}
+
+}  // namespace shigusa::testing_support
