@@ -37,8 +37,8 @@ struct HumanFrames {
 [[nodiscard]] HumanFrames human_frames(const Landmarks& person);
 
 // Flexion, abduction and lateral rotation (rad) of a ball joint:
-// R = Rx(-flexion) · Rz(side · abduction) · Ry(side · rotation), of the two ways to write a rotation
-// so the one with the smaller angles.
+// R = Rx(-flexion) · Rz(side · abduction) · Ry(side · rotation), of the two ways to write a
+// rotation so the one with the smaller angles.
 struct BallAngles {
   double flexion = 0.0;
   double abduction = 0.0;

@@ -465,7 +465,7 @@ TEST(Regenerate, AnyOneWeightMayBeAnythingInItsRange) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, kFrontLow);
     for (std::size_t d = 0; d < body.dofs().size(); ++d) {
-      for (const double weight : {kWeightMin, 1e-3, 1e3, kWeightMax}) {
+      for (const double weight : {kWeightMin, 0.1, 10.0, kWeightMax}) {
         Parameters parameters = uniform_parameters(body);
         parameters.joints[d].weight = weight;
         const Generation generation = regenerate(task, parameters).value();

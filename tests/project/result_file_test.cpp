@@ -116,7 +116,7 @@ TEST(ResultFile, WrongParametersAreNamedByTheirPlace) {
   EXPECT_THAT(with(Json::json_pointer("/candidates/0"), 1), HasSubstr("candidates[0].parameters"));
   EXPECT_THAT(with(parameters, Json::object()), HasSubstr("parameters.weights: is missing"));
   EXPECT_THAT(with(parameters / "weights" / "right_knee.flexion", 0),
-              HasSubstr("right_knee.flexion: is 0; allowed are numbers from 1e-06 to 1e+06"));
+              HasSubstr("right_knee.flexion: is 0; allowed are numbers from 0.001 to 1000"));
   EXPECT_THAT(with(parameters / "weights" / "tail.flexion", 1), HasSubstr("'tail.flexion'"));
   EXPECT_THAT(with(parameters / "locked", {"tail"}), HasSubstr("parameters.locked"));
   EXPECT_THAT(with(parameters / "locked", "right_knee.flexion"), HasSubstr("must be a list"));
@@ -139,8 +139,8 @@ TEST(AssignParameter, FollowsItsTable) {
   const Assignment table[] = {
       {"right_knee.flexion.weight=12", nullptr, {knee}, {12.0, false}},
       {"right_knee.weight=0.5", nullptr, {knee}, {0.5, false}},
-      {"right_knee.weight=1e-6", nullptr, {knee}, {1e-6, false}},
-      {"right_knee.weight=1e6", nullptr, {knee}, {1e6, false}},
+      {"right_knee.weight=1e-3", nullptr, {knee}, {1e-3, false}},
+      {"right_knee.weight=1e3", nullptr, {knee}, {1e3, false}},
       {"right_hip.weight=3", nullptr, hip, {3.0, false}},
       {"right_hip.flexion.weight=3", nullptr, {hip[2]}, {3.0, false}},
       {"right_hip.locked=true", nullptr, hip, {1.0, true}},
@@ -156,7 +156,7 @@ TEST(AssignParameter, FollowsItsTable) {
       {"right_knee.weight=", "weight is ''"},
       {"right_knee.weight=0", "weight is '0'"},
       {"right_knee.weight=-1", "weight is '-1'"},
-      {"right_knee.weight=1e7", "allowed are numbers from 1e-06 to 1e+06"},
+      {"right_knee.weight=1e4", "allowed are numbers from 0.001 to 1000"},
       {"right_knee.weight=nan", "weight is 'nan'"},
       {"right_knee.weight=inf", "weight is 'inf'"},
       {"right_knee.weight=3 kg", "weight is '3 kg'"},

@@ -16,6 +16,7 @@ class SchemaCheck {
 
   // `name`: a file of docs/, "task.schema.json"
   explicit SchemaCheck(const std::string& name) : root_(load(name)) {}
+  explicit SchemaCheck(Json schema) : root_(std::move(schema)) {}
 
   // What is wrong with the value, or nothing: "candidates[0].rank: is above the maximum".
   [[nodiscard]] std::string judge(const Json& value) const { return judge(root_, value, "value"); }

@@ -51,8 +51,8 @@ struct StatureFractions {
   static constexpr double kHeadLength = 0.1395;  // vertex – C7: 0.2429 m of 1.741 m, de Leva
 };
 
-// Radii of capsules around the bones, as fractions of stature: rough, from a trunk about 0.23 m deep
-// and a thigh, a forearm 0.16 m and 0.08 m thick in a man of 1.74 m.
+// Radii of capsules around the bones, as fractions of stature: rough, from a trunk about 0.23 m
+// deep and a thigh, a forearm 0.16 m and 0.08 m thick in a man of 1.74 m.
 inline constexpr double kTrunkRadius = 0.066;
 inline constexpr double kThighRadius = 0.043;
 inline constexpr double kForearmRadius = 0.020;

@@ -78,7 +78,7 @@ inline constexpr double kEdgeTolerance = 5e-3;
 // Generates one motion from given parameters, without a search: the parameter editor (paper,
 // section 4.2). The hand still meets its goal, or comes as near as the given locks allow; the
 // status tells. Fails on a task or parameters that are wrong (count of joints, weights not in
-// 1e-6..1e6).
+// 1e-3..1e3).
 [[nodiscard]] Result<Generation> regenerate(const Task& task, const Parameters& parameters);
 
 }  // namespace shigusa

@@ -38,7 +38,7 @@ struct Task {
   std::optional<double> duration{};  // s; from the distance (reach_duration) when not given
   Preset preset = Preset::paper;
   CriteriaSettings criteria{};
-  GeneticSettings genetic{};            // with the seed
+  GeneticSettings genetic{};          // with the seed
   int candidates = kPaperPopulation;  // at most so many are delivered, ≥ 1
   // Motions that the search may score, at least a population's. When given, the genetic algorithm
   // starts again, with other random numbers, until it is used up, and candidates come from all its

@@ -32,8 +32,8 @@ struct TaskFile {
 [[nodiscard]] Result<TaskFile> parse_task(std::string_view text, std::string_view name);
 [[nodiscard]] Result<TaskFile> read_task(const std::filesystem::path& path);
 
-// The task as JSON text: parse_task of it gives the same task, bit for bit (names that are not UTF-8
-// and what a built-in body does not use excepted).
+// The task as JSON text: parse_task of it gives the same task, bit for bit (names that are not
+// UTF-8 and what a built-in body does not use excepted).
 [[nodiscard]] std::string format_task(const TaskFile& task);
 
 // Measures the character where needed (see measure_character) and makes the task to be generated.

@@ -8,9 +8,10 @@
 
 namespace shigusa {
 
-// Weights that a person may set; only their ratios matter.
-inline constexpr double kWeightMin = 1e-6;
-inline constexpr double kWeightMax = 1e6;
+// Weights that a person may set; only their ratios matter. Over wider ratios the damping, which is
+// relative, would blunt the goals.
+inline constexpr double kWeightMin = 1e-3;
+inline constexpr double kWeightMax = 1e3;
 
 // How readily one joint freedom moves.
 struct JointWeight {

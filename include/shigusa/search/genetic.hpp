@@ -25,8 +25,9 @@ struct GeneticSettings {
   int unchanged_generations = kPaperUnchangedGenerations;  // ≥ 1
   double fitness_offset = kPaperFitnessOffset;             // 1e-12..1e12
   std::uint64_t seed = 0;
-  std::uint64_t stream = 0;            // other random numbers for the same seed: restarts
-  std::optional<int> max_evaluations{};  // genomes that may be scored, ≥ population; absent: no limit
+  std::uint64_t stream = 0;  // other random numbers for the same seed: restarts
+  std::optional<int>
+      max_evaluations{};  // genomes that may be scored, ≥ population; absent: no limit
 };
 
 // The paper's genetic algorithm (section 3.2, with rule R7 for what it leaves open); its steps are
@@ -66,7 +67,6 @@ struct GeneticSettings {
 // The final population is that of all runs together, in their order; generations are summed.
 [[nodiscard]] SearchResult restarted_genetic_search(const DiscreteProblem& problem,
                                                     const GeneticSettings& settings,
-                                                    int evaluations,
-                                                    const Progress& progress = {});
+                                                    int evaluations, const Progress& progress = {});
 
 }  // namespace shigusa
