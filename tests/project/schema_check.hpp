@@ -14,20 +14,19 @@ class SchemaCheck {
  public:
   using Json = nlohmann::json;
 
-  // `name`: a file of docs/, "task.schema.json"
-  explicit SchemaCheck(const std::string& name) : root_(load(name)) {}
   explicit SchemaCheck(Json schema) : root_(std::move(schema)) {}
+
+  // `name`: a file of docs/, "task.schema.json"
+  static SchemaCheck in_docs(const std::string& name) {
+    const auto text = read_text_file(SHIGUSA_SOURCE_DIR "/docs/" + name, 1 << 20);
+    SHG_CHECK(text.has_value(), "the schema " + name);
+    return SchemaCheck(Json::parse(*text));
+  }
 
   // What is wrong with the value, or nothing: "candidates[0].rank: is above the maximum".
   [[nodiscard]] std::string judge(const Json& value) const { return judge(root_, value, "value"); }
 
  private:
-  static Json load(const std::string& name) {
-    const auto text = read_text_file(SHIGUSA_SOURCE_DIR "/docs/" + name, 1 << 20);
-    SHG_CHECK(text.has_value(), "the schema " + name);
-    return Json::parse(*text);
-  }
-
   std::string judge(const Json& schema, const Json& value, const std::string& place) const {
     for (const auto& [keyword, rule] : schema.items()) {
       std::string wrong = judge_keyword(schema, keyword, rule, value, place);
@@ -87,7 +86,7 @@ class SchemaCheck {
 
   std::string judge_reference(const std::string& to, const Json& value,
                               const std::string& place) const {
-    if (!to.starts_with("#")) return place_before(place, SchemaCheck(to).judge(value));
+    if (!to.starts_with("#")) return place_before(place, in_docs(to).judge(value));
     return judge(root_.at(Json::json_pointer(to.substr(1))), value, place);
   }
 

@@ -15,11 +15,11 @@ using namespace testing_support;
 using Json = nlohmann::json;
 
 const SchemaCheck& task_schema() {
-  static const SchemaCheck schema("task.schema.json");
+  static const SchemaCheck schema = SchemaCheck::in_docs("task.schema.json");
   return schema;
 }
 const SchemaCheck& result_schema() {
-  static const SchemaCheck schema("result.schema.json");
+  static const SchemaCheck schema = SchemaCheck::in_docs("result.schema.json");
   return schema;
 }
 
