@@ -45,14 +45,10 @@ class SchemaCheck {
     if (keyword == "enum") {
       return unless(std::find(rule.begin(), rule.end(), value) != rule.end(), "is none of");
     }
-    if (keyword == "minimum")
-      return unless(!value.is_number() || number(value) >= number(rule), "is below");
-    if (keyword == "maximum")
-      return unless(!value.is_number() || number(value) <= number(rule), "is above");
-    if (keyword == "minItems")
-      return unless(!value.is_array() || value.size() >= rule, "has below");
-    if (keyword == "maxItems")
-      return unless(!value.is_array() || value.size() <= rule, "has above");
+    if (keyword == "minimum" || keyword == "minItems")
+      return unless(at_least(value, rule), "is below");
+    if (keyword == "maximum" || keyword == "maxItems")
+      return unless(at_least(rule, value), "is above");
     if (keyword == "$ref") return judge_reference(rule, value, place);
     if (keyword == "anyOf") {
       bool any = false;
@@ -72,8 +68,15 @@ class SchemaCheck {
     return {};
   }
 
-  // so that signed and unsigned whole numbers compare by their values
-  static double number(const Json& value) { return value.get<double>(); }
+  // Compares numbers, and a list by its length; the bound of either is a number. Signed and
+  // unsigned ones compare by their values.
+  static bool at_least(const Json& a, const Json& b) {
+    const auto size = [](const Json& x) {
+      return x.is_array() ? static_cast<double>(x.size()) : x.get<double>();
+    };
+    const bool comparable = (a.is_number() || a.is_array()) && (b.is_number() || b.is_array());
+    return !comparable || size(a) >= size(b);
+  }
 
   static bool has_type(const Json& value, const std::string& type) {
     if (type == "object") return value.is_object();
