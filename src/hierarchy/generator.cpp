@@ -81,6 +81,11 @@ std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
   return result;
 }
 
+PathKind path_kind(const ReachProblem& problem, const EffectorPath& path) {
+  if (!problem.follow_path) return PathKind::free;
+  return path.detour == Vec3d{} ? PathKind::straight : PathKind::detour;
+}
+
 Candidate make_candidate(const Task& task, const ReachProblem& problem,
                          const Parameters& parameters, RolledOut rolled) {
   const BodyModel& body = task.body;
@@ -92,8 +97,10 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
     const Effector& effector = body.effectors()[index];
     const Vec3d reached = rolled.motion.effectors[g].back();
     const Vec3d goal = task.goals[g].position;
-    candidate.goals.push_back({effector.name, effector.node, goal, reached, norm(goal - reached)});
+    candidate.goals.push_back({effector.name, effector.node, goal, reached, norm(goal - reached),
+                               path_kind(problem, problem.goals[g].path)});
   }
+  candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
     // the base cannot move; what another foot does was measured in every frame
     const double slide = foot.link == kBaseLink ? 0.0 : rolled.outcome.contact_slide;

@@ -25,6 +25,18 @@ Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
   return json;
 }
 
+const char* path_name(PathKind path) {
+  switch (path) {
+    case PathKind::straight:
+      return "straight";
+    case PathKind::detour:
+      return "detour";
+    case PathKind::free:
+      return "free";
+  }
+  return "";
+}
+
 Json goals_to_json(const Candidate& candidate) {
   Json list = Json::array();
   for (const GoalResult& goal : candidate.goals) {
@@ -32,7 +44,8 @@ Json goals_to_json(const Candidate& candidate) {
                     {"joint", goal.node},
                     {"goal_m", to_json(goal.goal)},
                     {"reached_m", to_json(goal.reached)},
-                    {"error_mm", goal.error * kMillimetres}});
+                    {"error_mm", goal.error * kMillimetres},
+                    {"path", path_name(goal.path)}});
   }
   return list;
 }
@@ -56,6 +69,7 @@ Json candidate_to_json(const BodyModel& body, const Generation& generation, std:
   json["criteria"] = Json::object();
   for (const ScoreTerm& term : candidate.score.terms) json["criteria"][term.name] = term.penalty;
   json["reached"] = goals_to_json(candidate);
+  json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(candidate);
   json["over_limit"] = Json::array();
   for (const LimitExcess& excess : candidate.over_limit) {

@@ -31,7 +31,9 @@ TEST(ReachOutcome, IsMetWithinAMillimetreAndATenthOfADegree) {
   EXPECT_FALSE((ReachOutcome{.goal_error = 1.1e-3}.met()));
   EXPECT_FALSE((ReachOutcome{.contact_slide = 1.1e-3}.met()));
   EXPECT_FALSE((ReachOutcome{.contact_tilt = radians(0.11)}.met()));
-  EXPECT_TRUE((ReachOutcome{.goal_error = 4e-3, .path_error = 1.0}.met(5e-3)));
+  EXPECT_FALSE((ReachOutcome{.path_error = 1.1e-3}.met()));
+  EXPECT_TRUE((ReachOutcome{.goal_error = 4e-3, .path_error = 4e-3}.met(5e-3)));
+  EXPECT_FALSE((ReachOutcome{.goal_error = 4e-3, .path_error = 6e-3}.met(5e-3)));
 }
 
 TEST(IkTargets, AreTheGoalsAndThenThePlantedFoot) {
@@ -182,6 +184,7 @@ TEST(RollOut, WithoutAPathOnlyTheLastFrameIsAtTheGoal) {
   guided.follow_path = false;
   const RolledOut rolled = roll_out(guided, uniform_parameters(full()));
   EXPECT_TRUE(rolled.outcome.met());
+  EXPECT_EQ(rolled.outcome.path_error, rolled.outcome.goal_error);
   const MeasuredMotion measured(guided, rolled.motion.clip);
   EXPECT_LT(measured.goal_error, kReachTolerance);
   EXPECT_GT(measured.path_error, kReachTolerance);

@@ -47,7 +47,8 @@ struct Score {
   std::vector<ScoreTerm> terms;  // joint_range, balance, torque, then the user's in their order
 };
 
-// The score that a motion gets which misses its goal or moves a planted foot: no other is worse.
+// The score that a motion gets which misses its goal, leaves its path or moves a planted foot: no
+// other is worse.
 [[nodiscard]] double worst_score(const CriteriaSettings& settings);
 
 // Scores a whole motion.

@@ -16,6 +16,13 @@ enum class ReachStatus {
   unreachable,  // the body cannot; candidates end at the closest point
 };
 
+// How an effector goes to its goal.
+enum class PathKind {
+  straight,  // along the minimum-jerk line
+  detour,    // by way of a via point around the body
+  free,      // as the posture takes it: no path leads there with these parameters
+};
+
 // Where a goal's effector ends.
 struct GoalResult {
   std::string effector;
@@ -23,6 +30,7 @@ struct GoalResult {
   Vec3d goal{};        // m, world
   Vec3d reached{};     // m, world
   double error = 0.0;  // m
+  PathKind path = PathKind::straight;
 };
 
 // How well a planted foot stood.
@@ -44,6 +52,7 @@ struct Candidate {
   Motion motion;
   Score score;
   std::vector<GoalResult> goals;
+  double path_error = 0.0;  // m, largest distance from the path at any frame that follows it
   std::vector<ContactResult> contacts;
   std::vector<LimitExcess> over_limit;  // the worst first
 };

@@ -41,10 +41,10 @@ struct ReachProblem {
   int contact_corrections = 8;
 };
 
-// What a motion must keep whatever its score: met goals and planted feet.
+// What a motion must keep whatever its score: met goals, effectors on their paths, planted feet.
 struct ReachOutcome {
   double goal_error = 0.0;     // m, largest distance of an effector from its path's end
-  double path_error = 0.0;     // m, largest distance from the path at any frame
+  double path_error = 0.0;     // m, largest distance from the path at any frame that follows it
   double contact_slide = 0.0;  // m, largest displacement of a planted foot at any frame
   double contact_tilt = 0.0;   // rad, largest rotation of a planted foot at any frame
 
@@ -52,8 +52,8 @@ struct ReachOutcome {
   [[nodiscard]] bool stands() const {
     return contact_slide <= kReachTolerance && contact_tilt <= kTiltTolerance;
   }
-  [[nodiscard]] bool met(double goal_tolerance = kReachTolerance) const {
-    return goal_error <= goal_tolerance && stands();
+  [[nodiscard]] bool met(double tolerance = kReachTolerance) const {
+    return goal_error <= tolerance && path_error <= tolerance && stands();
   }
 };
 
