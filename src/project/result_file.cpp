@@ -44,8 +44,15 @@ Json goals_to_json(const Candidate& candidate) {
                     {"joint", goal.node},
                     {"goal_m", to_json(goal.goal)},
                     {"reached_m", to_json(goal.reached)},
-                    {"error_mm", goal.error * kMillimetres},
-                    {"path", path_name(goal.path)}});
+                    {"error_mm", goal.error * kMillimetres}});
+  }
+  return list;
+}
+
+Json paths_to_json(const Candidate& candidate) {
+  Json list = Json::array();
+  for (const GoalResult& goal : candidate.goals) {
+    list.push_back({{"effector", goal.effector}, {"kind", path_name(goal.path)}});
   }
   return list;
 }
@@ -69,6 +76,7 @@ Json candidate_to_json(const BodyModel& body, const Generation& generation, std:
   json["criteria"] = Json::object();
   for (const ScoreTerm& term : candidate.score.terms) json["criteria"][term.name] = term.penalty;
   json["reached"] = goals_to_json(candidate);
+  json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(candidate);
   json["over_limit"] = Json::array();
