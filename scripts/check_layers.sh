@@ -30,7 +30,7 @@ function check_room(target) {
 BEGIN {
   allow("core", "")
   allow("math", "core")
-  allow("simd", "core")
+  allow("simd", "math core")
   allow("body", "math core")
   allow("motion", "body math core")
   allow("kinematics", "motion body math core")

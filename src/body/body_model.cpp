@@ -6,7 +6,7 @@
 namespace shigusa {
 namespace {
 
-void check_definition(const BodyDefinition& body) {
+BodyDefinition checked(BodyDefinition body) {
   const int count = static_cast<int>(body.dofs.size());
   SHG_CHECK(count > 0, "a body needs at least one dof");
   SHG_CHECK(body.masses.size() == body.dofs.size(), "one mass per dof of " + body.name);
@@ -36,6 +36,7 @@ void check_definition(const BodyDefinition& body) {
     SHG_CHECK(coupling.driver >= 0 && coupling.driver < count, "limit coupling");
     SHG_CHECK(coupling.driver_full > 0.0, "limit coupling");
   }
+  return body;
 }
 
 template <class Items>
@@ -48,8 +49,10 @@ std::optional<int> find_named(const Items& items, std::string_view name) {
 
 }  // namespace
 
-BodyModel::BodyModel(BodyDefinition definition) : definition_(std::move(definition)) {
-  check_definition(definition_);
+BodyModel::BodyModel(BodyDefinition definition)
+    : definition_(checked(std::move(definition))),
+      constants_(definition_),
+      constants_float_(definition_) {
   const std::size_t count = definition_.dofs.size();
   ancestry_.assign(count * count, 0);
   for (std::size_t link = 0; link < count; ++link) {
@@ -57,7 +60,12 @@ BodyModel::BodyModel(BodyDefinition definition) : definition_(std::move(definiti
          d = definition_.dofs[static_cast<std::size_t>(d)].parent) {
       ancestry_[link * count + static_cast<std::size_t>(d)] = 1;
     }
+    chain_begin_.push_back(chains_.size());
+    for (std::size_t d = 0; d < count; ++d) {
+      if (ancestry_[link * count + d] != 0) chains_.push_back(static_cast<int>(d));
+    }
   }
+  chain_begin_.push_back(chains_.size());
 }
 
 std::optional<int> BodyModel::find_effector(std::string_view name) const {

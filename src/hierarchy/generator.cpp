@@ -5,12 +5,17 @@
 #include <limits>
 #include <set>
 #include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <utility>
 
 namespace shigusa {
 namespace {
+
+// Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn fast
+// and would jolt into the last frame.
+constexpr int kEdgeCorrections = 3;
 
 // Ways to the goals, tried in this order until one leads there: a straight hand path; the same with
 // the null space drawn to a posture that is known to arrive; that posture alone.
@@ -22,42 +27,55 @@ std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach&
   posture.follow_path = false;
   if (reach.reached()) return {problem, guided, posture};
   // the edge of reach: the path ends at the closest point
+  // where limbs are stretched out, the hand lags behind a path that it needs not to keep
+  guided.tolerance = posture.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
+  guided.corrections = posture.corrections = kEdgeCorrections;
   for (std::size_t g = 0; g < problem.goals.size(); ++g) {
     guided.goals[g].path.goal = posture.goals[g].path.goal = reach.positions[g];
   }
   return {guided, posture};
 }
 
-// Scores a batch of genomes of the paper's code.
-void evaluate_genomes(const ReachProblem& problem, const CriteriaSettings& criteria,
-                      double tolerance, std::span<const std::uint16_t> genomes,
-                      std::span<double> scores) {
+// The score in double of what was searched in single precision.
+double replayed_score(const ReachProblem& problem, const Task& task, const Parameters& parameters) {
+  const RolledOut rolled = roll_out(problem, parameters);
+  return rolled.outcome.met(problem.tolerance)
+             ? score_motion(*problem.body, rolled.motion, task.criteria).total
+             : worst_score(task.criteria);
+}
+
+// Scores genomes of the paper's code in lanes.
+void evaluate_in_lanes(std::span<const std::uint16_t> genomes, BatchRollout& batch,
+                       std::span<double> scores) {
+  std::vector<float> inverse;
+  for (const std::uint16_t gene : genomes) {
+    inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
+  }
+  batch.score(inverse, scores);
+}
+
+// Scores genomes with criteria of the user's own, which want whole motions: one after the other.
+void evaluate_one_by_one(const ReachProblem& problem, const Task& task,
+                         std::span<const std::uint16_t> genomes, std::span<double> scores) {
   const std::size_t genes = problem.body->dofs().size();
-  Rollout<double> rollout(problem);
   for (std::size_t i = 0; i < scores.size(); ++i) {
-    const Parameters parameters = decode_paper_genes(genomes.subspan(i * genes, genes));
-    if (!criteria.user.empty()) {
-      const RolledOut rolled = roll_out(problem, parameters);
-      scores[i] = rolled.outcome.met(tolerance)
-                      ? score_motion(*problem.body, rolled.motion, criteria).total
-                      : worst_score(criteria);
-      continue;
-    }
-    BuiltInCriteria<double> built_in(*problem.body, criteria);
-    const ReachOutcome outcome = rollout.run(
-        inverse_weights(parameters),
-        [&](const MotionFrame<double>& frame, const Kinematics<double>&) { built_in.add(frame); });
-    scores[i] = outcome.met(tolerance) ? built_in.score() : worst_score(criteria);
+    scores[i] =
+        replayed_score(problem, task, decode_paper_genes(genomes.subspan(i * genes, genes)));
   }
 }
 
-SearchResult search_weights(const ReachProblem& problem, const Task& task, double tolerance,
+SearchResult search_weights(const ReachProblem& problem, const Task& task,
                             const Progress& progress) {
   DiscreteProblem discrete;
   discrete.genes = problem.body->dof_count();
   discrete.bits_per_gene = kPaperBitsPerGene;
+  BatchRollout batch(problem, task.criteria, task.batch);
   discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
-    evaluate_genomes(problem, task.criteria, tolerance, genomes, scores);
+    if (task.criteria.user.empty()) {
+      evaluate_in_lanes(genomes, batch, scores);
+    } else {
+      evaluate_one_by_one(problem, task, genomes, scores);
+    }
   };
   if (!task.evaluations) return genetic_search(discrete, task.genetic, progress);
   return restarted_genetic_search(discrete, task.genetic, *task.evaluations, progress);
@@ -138,17 +156,17 @@ struct Arrival {
 
 // The parameters' motion on the first way that brings them to the goal: the same parameters always
 // give the same motion, whichever way they were found on.
-std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways, double tolerance,
+std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
                                      const Parameters& parameters) {
   for (const ReachProblem& way : ways) {
     RolledOut rolled = roll_out(way, parameters);
-    if (rolled.outcome.met(tolerance)) return Arrival{&way, std::move(rolled)};
+    if (rolled.outcome.met(way.tolerance)) return Arrival{&way, std::move(rolled)};
   }
   return std::nullopt;
 }
 
 // Re-plays the final genomes and keeps those that arrive and differ, best first.
-void collect_candidates(const Task& task, std::span<const ReachProblem> ways, double tolerance,
+void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
                         const SearchResult& found, Generation& generation) {
   std::vector<Individual> ranked;
   std::set<std::vector<std::uint16_t>> known;
@@ -160,7 +178,7 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways, do
   for (const Individual& individual : ranked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
     const Parameters parameters = decode_paper_genes(individual.genes);
-    std::optional<Arrival> arrival = first_arrival(ways, tolerance, parameters);
+    std::optional<Arrival> arrival = first_arrival(ways, parameters);
     if (!arrival) {
       ++generation.missed;
       continue;
@@ -174,6 +192,11 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways, do
     }
     generation.candidates.push_back(
         make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled)));
+    if (arrival->way != &ways.back()) continue;
+    // it was searched on this way, in single precision
+    const double difference = abs(generation.candidates.back().score.total - individual.score);
+    if (difference > kReplayTolerance) ++generation.replay_differs;
+    generation.replay_difference = max(generation.replay_difference, difference);
   }
   // on an earlier way than they were searched on, motions may have other scores
   std::stable_sort(
@@ -189,9 +212,9 @@ double miss_of(const Candidate& candidate) {
 
 // The parameters' motion on the first way that brings them to the goal; where none does, the one
 // that comes nearest, but rather one that is farther off than one whose foot slides.
-Candidate only_candidate(const Task& task, std::span<const ReachProblem> ways, double tolerance,
+Candidate only_candidate(const Task& task, std::span<const ReachProblem> ways,
                          const Parameters& parameters) {
-  if (std::optional<Arrival> arrival = first_arrival(ways, tolerance, parameters)) {
+  if (std::optional<Arrival> arrival = first_arrival(ways, parameters)) {
     return make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled));
   }
   std::optional<Candidate> best;
@@ -240,24 +263,23 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   if (!problem) return tl::unexpected(problem.error());
   const ClosestReach reach = closest_reach(*problem);
   const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
-  const double tolerance = reach.reached() ? kReachTolerance : kEdgeTolerance;
   Generation generation;
   generation.duration = problem->duration;
   for (std::size_t w = 0; w < ways.size(); ++w) {
-    const SearchResult found = search_weights(ways[w], task, tolerance, progress);
+    const SearchResult found = search_weights(ways[w], task, progress);
     generation.evaluations += found.evaluations;
     generation.generations = found.generations;
     generation.rejected_nan += found.rejected_nan;
     generation.end = found.end;
     generation.best_seen = decode_paper_genes(found.best_seen.genes);
-    generation.best_seen_score = found.best_seen.score;
-    generation.missed = 0;
-    collect_candidates(task, std::span(ways).first(w + 1), tolerance, found, generation);
+    generation.best_seen_score = replayed_score(ways[w], task, *generation.best_seen);
+    generation.missed = generation.replay_differs = 0;
+    generation.replay_difference = 0.0;
+    collect_candidates(task, std::span(ways).first(w + 1), found, generation);
     if (!generation.candidates.empty() || found.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {
-    generation.candidates.push_back(
-        only_candidate(task, ways, tolerance, uniform_parameters(task.body)));
+    generation.candidates.push_back(only_candidate(task, ways, uniform_parameters(task.body)));
   }
   finish(reach, generation);
   return generation;
@@ -271,10 +293,9 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
   }
   const ClosestReach reach = closest_reach(*problem);
   const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
-  const double tolerance = reach.reached() ? kReachTolerance : kEdgeTolerance;
   Generation generation;
   generation.duration = problem->duration;
-  generation.candidates.push_back(only_candidate(task, ways, tolerance, parameters));
+  generation.candidates.push_back(only_candidate(task, ways, parameters));
   finish(reach, generation);
   return generation;
 }

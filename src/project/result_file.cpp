@@ -111,7 +111,9 @@ Json search_to_json(const BodyModel& body, const Generation& generation) {
             {"generations", generation.generations},
             {"missed", generation.missed},
             {"near_copies", generation.near_copies},
-            {"rejected_nan", generation.rejected_nan}};
+            {"rejected_nan", generation.rejected_nan},
+            {"replay_differs", generation.replay_differs},
+            {"replay_difference", generation.replay_difference}};
   if (generation.best_seen) {
     json["best_seen"] = {{"score", generation.best_seen_score},
                          {"parameters", parameters_to_json(body, *generation.best_seen)}};

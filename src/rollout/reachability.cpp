@@ -127,8 +127,7 @@ class Descent {
   [[nodiscard]] double distance(const Kinematics<double>& kinematics) const {
     double squares = 0.0;
     for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
-      const IkTarget<double>& target = targets_[g];
-      const Vec3d miss = target.position - kinematics.point(target.link, target.point);
+      const Vec3d miss = position_error(kinematics, targets_[g]);
       squares += dot(miss, miss);
     }
     return sqrt(squares);
@@ -138,10 +137,8 @@ class Descent {
     double worst = 0.0;
     for (std::size_t i = problem_.goals.size(); i < targets_.size(); ++i) {
       const IkTarget<double>& target = targets_[i];
-      const Mat3d& turned = kinematics.link_rotation(target.link);
-      worst = max(worst, norm(target.position - kinematics.point(target.link, target.point)));
-      worst = max(worst,
-                  kContactLength * norm(rotation_vector(target.orientation * transpose(turned))));
+      worst = max(worst, norm(position_error(kinematics, target)));
+      worst = max(worst, kContactLength * tilt(kinematics, target));
     }
     return worst;
   }

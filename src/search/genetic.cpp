@@ -47,42 +47,42 @@ class Scorer {
   Scorer(const DiscreteProblem& problem, SearchResult& result)
       : problem_(problem), result_(result) {}
 
-  // True when scoring these genomes would keep to the limit.
-  [[nodiscard]] bool affords(const std::vector<Genome>& genomes, std::optional<int> limit) const {
-    if (!limit) return true;
+  // How many genomes have been scored or are about to be.
+  [[nodiscard]] int planned() const {
+    return result_.evaluations + static_cast<int>(batch_.size());
+  }
+
+  // Adds what is new among these genomes to the next batch, if all of it keeps to the limit.
+  bool plan(const std::vector<Genome>& genomes, std::optional<int> limit) {
     std::set<Genome> fresh;
     for (const Genome& genome : genomes) {
       if (!scores_.contains(genome)) fresh.insert(genome);
     }
-    return result_.evaluations + static_cast<int>(fresh.size()) <= *limit;
+    if (limit && planned() + static_cast<int>(fresh.size()) > *limit) return false;
+    for (const Genome& genome : genomes) {
+      const auto [entry, is_new] = scores_.try_emplace(genome, kWorst);
+      if (is_new) batch_.push_back(entry);
+    }
+    return true;
   }
 
-  std::vector<Individual> scored(std::vector<Genome> genomes) {
-    evaluate_new(genomes);
-    std::vector<Individual> individuals;
-    for (Genome& genome : genomes) {
-      const double score = scores_.at(genome);
-      individuals.push_back({std::move(genome), score});
+  void score_batch() {
+    if (batch_.empty()) return;
+    std::vector<std::uint16_t> packed;
+    for (const auto& entry : batch_) {
+      packed.insert(packed.end(), entry->first.begin(), entry->first.end());
     }
-    return individuals;
+    std::vector<double> scores(batch_.size(), std::numeric_limits<double>::quiet_NaN());
+    problem_.evaluate(packed, scores);
+    for (std::size_t i = 0; i < batch_.size(); ++i) keep(*batch_[i], scores[i]);
+    batch_.clear();
+  }
+
+  [[nodiscard]] Individual scored(const Genome& genome) const {
+    return {genome, scores_.at(genome)};
   }
 
  private:
-  void evaluate_new(const std::vector<Genome>& genomes) {
-    std::vector<std::map<Genome, double>::iterator> batch;
-    std::vector<std::uint16_t> packed;
-    for (const Genome& genome : genomes) {
-      const auto [entry, is_new] = scores_.try_emplace(genome, kWorst);
-      if (!is_new) continue;
-      batch.push_back(entry);
-      packed.insert(packed.end(), genome.begin(), genome.end());
-    }
-    if (batch.empty()) return;
-    std::vector<double> scores(batch.size(), std::numeric_limits<double>::quiet_NaN());
-    problem_.evaluate(packed, scores);
-    for (std::size_t i = 0; i < batch.size(); ++i) keep(*batch[i], scores[i]);
-  }
-
   void keep(std::pair<const Genome, double>& entry, double score) {
     const bool first = result_.evaluations++ == 0;
     if (std::isnan(score)) {
@@ -98,12 +98,8 @@ class Scorer {
   const DiscreteProblem& problem_;
   SearchResult& result_;
   std::map<Genome, double> scores_;
+  std::vector<std::map<Genome, double>::iterator> batch_;
 };
-
-void append(std::vector<Individual>& pool, std::vector<Individual> more) {
-  pool.insert(pool.end(), std::make_move_iterator(more.begin()),
-              std::make_move_iterator(more.end()));
-}
 
 std::vector<Individual> next_population(std::vector<Individual> pool,
                                         const GeneticSettings& settings, Random& random) {
@@ -118,10 +114,136 @@ std::vector<Individual> next_population(std::vector<Individual> pool,
   return selected;
 }
 
-void report(const Progress& progress, const SearchResult& result, int max_generations) {
+// One run of the algorithm, a generation at a time, so that several runs are scored together.
+class Run {
+ public:
+  Run(const DiscreteProblem& problem, const GeneticSettings& settings)
+      : bits_(problem.bits_per_gene),
+        settings_(settings),
+        random_(settings.seed, settings.stream),
+        test_(settings.unchanged_generations) {
+    for (int i = 0; i < settings.population; ++i) {
+      wanted_.push_back(random_genome(problem.genes, bits_, random_));
+    }
+  }
+
+  // The genomes that the next step needs the scores of; meaningless once it has ended.
+  [[nodiscard]] const std::vector<Genome>& wanted() const { return wanted_; }
+  [[nodiscard]] bool ended() const { return ended_; }
+  [[nodiscard]] bool converged() const { return converged_; }
+  [[nodiscard]] int generations() const { return generations_; }
+  [[nodiscard]] std::vector<Individual>& population() { return population_; }
+
+  void end() { ended_ = true; }
+
+  // The initial population, or the next one from the one before and its offspring.
+  void step(const Scorer& scorer) {
+    const bool initial = population_.empty();
+    for (const Genome& genome : wanted_) population_.push_back(scorer.scored(genome));
+    if (!initial) {
+      population_ = next_population(std::move(population_), settings_, random_);
+      ++generations_;
+    }
+    converged_ = test_.converged(population_);
+    ended_ = converged_ || generations_ == settings_.max_generations;
+    if (!ended_) want_offspring();
+  }
+
+ private:
+  void want_offspring() {
+    wanted_ = children_of(population_, settings_.crossover_rate, bits_, random_);
+    for (Genome& mutant : mutants_of(population_, settings_.mutation_rate, bits_, random_)) {
+      wanted_.push_back(std::move(mutant));
+    }
+  }
+
+  int bits_;
+  GeneticSettings settings_;
+  Random random_;
+  ConvergenceTest test_;
+  std::vector<Individual> population_;
+  std::vector<Genome> wanted_;
+  int generations_ = 0;
+  bool converged_ = false;
+  bool ended_ = false;
+};
+
+// Runs side by side, all their new genomes scored together, generation by generation.
+class Runs {
+ public:
+  Runs(const DiscreteProblem& problem, const GeneticSettings& settings)
+      : problem_(problem),
+        settings_(settings),
+        limit_(settings.max_evaluations),
+        scorer_(problem, result_) {}
+
+  void start() {
+    GeneticSettings settings = settings_;
+    settings.stream += runs_.size();
+    runs_.emplace_back(problem_, settings);
+  }
+
+  // Starts runs up to so many at once, as far as the limit lets all have their initial population.
+  void refill(int at_once) {
+    int wanted = result_.evaluations;
+    int going = 0;
+    for (const Run& run : runs_) {
+      if (run.ended()) continue;
+      ++going;
+      wanted += static_cast<int>(run.wanted().size());
+    }
+    for (; going < at_once && wanted + settings_.population <= *limit_; ++going) {
+      start();
+      wanted += settings_.population;
+    }
+  }
+
+  [[nodiscard]] bool going() const {
+    return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return !run.ended(); });
+  }
+
+  // One step of each run that goes on; what exceeds the limit ends instead.
+  void step() {
+    std::vector<Run*> stepping;
+    for (Run& run : runs_) {
+      if (run.ended()) continue;
+      if (scorer_.plan(run.wanted(), limit_)) {
+        stepping.push_back(&run);
+      } else {
+        run.end();
+      }
+    }
+    scorer_.score_batch();
+    result_.generations = 0;
+    for (Run* run : stepping) run->step(scorer_);
+    for (const Run& run : runs_) result_.generations += run.generations();
+  }
+
+  [[nodiscard]] const SearchResult& so_far() const { return result_; }
+  [[nodiscard]] const Run& first() const { return runs_.front(); }
+
+  SearchResult finish(SearchEnd end) {
+    result_.end = end;
+    for (Run& run : runs_) {
+      std::vector<Individual>& population = run.population();
+      result_.final_population.insert(result_.final_population.end(),
+                                      std::make_move_iterator(population.begin()),
+                                      std::make_move_iterator(population.end()));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  const DiscreteProblem& problem_;
+  GeneticSettings settings_;
+  std::optional<int> limit_;
+  SearchResult result_;
+  Scorer scorer_;
+  std::vector<Run> runs_;  // by stream
+};
+
+void report(const Progress& progress, const SearchResult& result, double fraction) {
   if (!progress.report) return;
-  const double fraction =
-      max_generations == 0 ? 1.0 : static_cast<double>(result.generations) / max_generations;
   progress.report({"search", fraction, result.evaluations, result.best_seen.score});
 }
 
@@ -130,73 +252,38 @@ void report(const Progress& progress, const SearchResult& result, int max_genera
 SearchResult genetic_search(const DiscreteProblem& problem, const GeneticSettings& settings,
                             const Progress& progress) {
   check(problem, settings);
-  SearchResult result;
-  Scorer scorer(problem, result);
-  Random random(settings.seed, settings.stream);
-
-  // generation 0
-  std::vector<Genome> initial;
-  for (int i = 0; i < settings.population; ++i) {
-    initial.push_back(random_genome(problem.genes, problem.bits_per_gene, random));
+  Runs runs(problem, settings);
+  runs.start();
+  while (runs.going()) {
+    const bool began = runs.so_far().evaluations > 0;
+    if (began && progress.cancelled()) return runs.finish(SearchEnd::cancelled);
+    const int before = runs.first().generations();
+    runs.step();
+    const int now = runs.first().generations();
+    // nothing to tell where the limit did not let it step
+    if (began && now == before) break;
+    report(
+        progress, runs.so_far(),
+        settings.max_generations == 0 ? 1.0 : static_cast<double>(now) / settings.max_generations);
   }
-  std::vector<Individual> population = scorer.scored(std::move(initial));
-  ConvergenceTest test(settings.unchanged_generations);
-  bool converged = test.converged(population);
-  report(progress, result, settings.max_generations);
-
-  while (!converged && result.generations < settings.max_generations) {
-    if (progress.cancelled()) {
-      result.end = SearchEnd::cancelled;
-      break;
-    }
-    std::vector<Genome> offspring =
-        children_of(population, settings.crossover_rate, problem.bits_per_gene, random);
-    for (Genome& mutant :
-         mutants_of(population, settings.mutation_rate, problem.bits_per_gene, random)) {
-      offspring.push_back(std::move(mutant));
-    }
-    if (!scorer.affords(offspring, settings.max_evaluations)) break;
-    std::vector<Individual> pool = std::move(population);
-    append(pool, scorer.scored(std::move(offspring)));
-    population = next_population(std::move(pool), settings, random);
-    ++result.generations;
-    converged = test.converged(population);
-    report(progress, result, settings.max_generations);
-  }
-  if (converged) result.end = SearchEnd::converged;
-  result.final_population = std::move(population);
-  return result;
+  const bool converged = runs.first().converged();
+  return runs.finish(converged ? SearchEnd::converged : SearchEnd::budget);
 }
 
 SearchResult restarted_genetic_search(const DiscreteProblem& problem,
                                       const GeneticSettings& settings, int evaluations,
                                       const Progress& progress) {
-  SearchResult all;
-  Progress overall = progress;
-  if (progress.report) {
-    overall.report = [&](const ProgressReport& run) {
-      ProgressReport sum = run;
-      sum.evaluations += all.evaluations;
-      sum.fraction = static_cast<double>(sum.evaluations) / evaluations;
-      const bool first = all.evaluations == 0;
-      sum.best_score = first ? run.best_score : std::min(run.best_score, all.best_seen.score);
-      progress.report(sum);
-    };
+  GeneticSettings limited = settings;
+  limited.max_evaluations = evaluations;
+  check(problem, limited);
+  const int at_once = std::clamp(evaluations / kEvaluationsPerRun, 1, kRunsAtOnce);
+  Runs runs(problem, limited);
+  for (runs.refill(at_once); runs.going(); runs.refill(at_once)) {
+    if (runs.so_far().evaluations > 0 && progress.cancelled()) break;
+    runs.step();
+    report(progress, runs.so_far(), static_cast<double>(runs.so_far().evaluations) / evaluations);
   }
-  GeneticSettings run_settings = settings;
-  do {
-    run_settings.max_evaluations = evaluations - all.evaluations;
-    SearchResult run = genetic_search(problem, run_settings, overall);
-    const bool first = all.evaluations == 0;
-    if (first || run.best_seen.score < all.best_seen.score) all.best_seen = run.best_seen;
-    append(all.final_population, std::move(run.final_population));
-    all.evaluations += run.evaluations;
-    all.rejected_nan += run.rejected_nan;
-    all.generations += run.generations;
-    ++run_settings.stream;
-  } while (evaluations - all.evaluations >= settings.population && !progress.cancelled());
-  all.end = progress.cancelled() ? SearchEnd::cancelled : SearchEnd::budget;
-  return all;
+  return runs.finish(progress.cancelled() ? SearchEnd::cancelled : SearchEnd::budget);
 }
 
 }  // namespace shigusa

@@ -258,7 +258,7 @@ TEST(Ldlt, LanesOfAPackAreSolvedEachOnItsOwn) {
     }
     Two x[n];
     for (int i = 0; i < n; ++i) x[i] = Two(b[static_cast<std::size_t>(i)]);
-    ldlt_solve(a, x, n, 1e-10);
+    ldlt_solve(a, x, n, Two(1e-10));
     const Vector alone_first = solved(first, b);
     const Vector alone_second = solved(second, b);
     for (int i = 0; i < n; ++i) {

@@ -162,7 +162,7 @@ class KktSystem {
     for (int k = 0; k < 3; ++k) e(k) = error[k];
     if (target.contact) {
       const Vec3d tilt =
-          rotation_vector(target.orientation * transpose(kinematics.link_rotation(target.link)));
+          rotation_sine(kinematics.link_rotation(target.link), target.orientation);
       for (int k = 0; k < 3; ++k) e(3 + k) = kContactLength * tilt[k];
     }
     for (Eigen::Index i = 0; i < n; ++i) {

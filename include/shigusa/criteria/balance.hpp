@@ -27,6 +27,12 @@ class Balance {
   explicit Balance(const BodyModel& body, const BalanceSettings& settings = {})
       : support_(to_scalar<S>(support_centre(body))), lean_(settings.lean) {}
 
+  // Forgets the frames seen.
+  void reset() {
+    sum_ = largest_ = S(0);
+    frames_ = 0;
+  }
+
   void add(const MotionFrame<S>& frame) {
     const Vec3<S> d = frame.centre_of_mass - support_;
     // a centre of mass at the floor or below it leans without bound

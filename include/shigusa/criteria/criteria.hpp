@@ -65,6 +65,13 @@ class BuiltInCriteria {
         balance_(body, settings.balance),
         torque_(body, settings.torque) {}
 
+  // Forgets the frames seen.
+  void reset() {
+    joint_range_.reset();
+    balance_.reset();
+    torque_.reset();
+  }
+
   void add(const MotionFrame<S>& frame) {
     joint_range_.add(frame);
     balance_.add(frame);

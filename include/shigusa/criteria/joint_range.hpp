@@ -33,35 +33,74 @@ template <class S>
 template <class S>
 class JointRange {
  public:
-  explicit JointRange(const BodyModel& body, const JointRangeSettings& settings = {})
-      : body_(&body), margin_(settings.margin), worst_(body.dofs().size(), S(0)) {}
+  explicit JointRange(const BodyModel& body, const JointRangeSettings& settings = {}) {
+    for (const Dof& dof : body.dofs()) {
+      limits_.push_back({static_cast<T>(dof.lower), static_cast<T>(dof.upper),
+                         static_cast<T>(1.0 / (settings.margin * (dof.upper - dof.lower)))});
+    }
+    for (const LimitCoupling& c : body.couplings()) {
+      couplings_.push_back({static_cast<std::size_t>(c.dof), static_cast<std::size_t>(c.driver),
+                            static_cast<T>(c.gain), static_cast<T>(1.0 / c.driver_full)});
+    }
+    lowest_.resize(limits_.size());
+    highest_.resize(limits_.size());
+    widened_.resize(limits_.size());
+    reset();
+  }
+
+  // Forgets the frames seen.
+  void reset() {
+    for (std::size_t k = 0; k < limits_.size(); ++k) {
+      lowest_[k] = S(kUnseen);
+      highest_[k] = S(-kUnseen);
+    }
+  }
 
   void add(const MotionFrame<S>& frame) {
-    for (int i = 0; i < body_->dof_count(); ++i) {
-      const Dof& dof = body_->dof(i);
-      const auto k = static_cast<std::size_t>(i);
-      const S above = frame.angles[k] - upper_limit(*body_, i, frame.angles);
-      const S below = S(dof.lower) - frame.angles[k];
-      const S scale(1.0 / (margin_ * (dof.upper - dof.lower)));
-      worst_[k] = max(worst_[k], max(above, below) * scale);
+    // angles as their upper limits see them: less by what the couplings add to the limit
+    for (const Coupling& c : couplings_) widened_[c.dof] = S(0);
+    for (const Coupling& c : couplings_) {
+      const S share = clamp(frame.angles[c.driver] * S(c.per_driver), S(0), S(1));
+      widened_[c.dof] = widened_[c.dof] + share * S(c.gain);
+    }
+    for (std::size_t k = 0; k < limits_.size(); ++k) {
+      lowest_[k] = min(lowest_[k], frame.angles[k]);
+      highest_[k] = max(highest_[k], frame.angles[k] - widened_[k]);
     }
   }
 
   [[nodiscard]] S penalty() const {
     S largest(0);
     S sum(0);
-    for (const S& worst : worst_) {
-      const S v = min(worst, S(1));
+    for (std::size_t k = 0; k < limits_.size(); ++k) {
+      const S excess = max(highest_[k] - S(limits_[k].upper), S(limits_[k].lower) - lowest_[k]);
+      const S v = clamp(excess * S(limits_[k].per_margin), S(0), S(1));
       largest = max(largest, v);
       sum = sum + v;
     }
-    return S(0.5) * largest + S(0.5) * sum * S(1.0 / static_cast<double>(worst_.size()));
+    return S(0.5) * largest + S(0.5) * sum * S(1.0 / static_cast<double>(limits_.size()));
   }
 
  private:
-  const BodyModel* body_;
-  double margin_;
-  std::vector<S> worst_;  // (dofs) largest excess so far, as a share of the margin
+  using T = Element<S>;
+  static constexpr double kUnseen = 1e30;  // rad
+  struct Limit {
+    T lower;
+    T upper;
+    T per_margin;
+  };
+  struct Coupling {
+    std::size_t dof;
+    std::size_t driver;
+    T gain;
+    T per_driver;
+  };
+
+  std::vector<Limit> limits_;
+  std::vector<Coupling> couplings_;
+  std::vector<S> lowest_;   // (dofs) rad, so far
+  std::vector<S> highest_;  // (dofs) rad, so far, less what the couplings added
+  std::vector<S> widened_;  // (dofs) rad, what the couplings add now
 };
 
 // The penalty of a whole motion.

@@ -4,6 +4,7 @@
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/motion/motion.hpp>
+#include <vector>
 
 namespace shigusa {
 
@@ -22,29 +23,46 @@ template <class S>
 class Torque {
  public:
   explicit Torque(const BodyModel& body, const TorqueSettings& settings = {})
-      : body_(&body), share_(settings.share) {}
+      : per_share_(static_cast<T>(1.0 / settings.share)) {
+    for (const Dof& dof : body.dofs()) {
+      strengths_.push_back(
+          {static_cast<T>(1.0 / dof.torque_positive), static_cast<T>(1.0 / dof.torque_negative)});
+    }
+  }
+
+  // Forgets the frames seen.
+  void reset() {
+    sum_ = S(0);
+    frames_ = 0;
+  }
 
   void add(const MotionFrame<S>& frame) {
     S squares(0);
-    for (int i = 0; i < body_->dof_count(); ++i) {
-      const Dof& dof = body_->dof(i);
-      const S tau = frame.torques[static_cast<std::size_t>(i)];
+    for (std::size_t k = 0; k < strengths_.size(); ++k) {
+      const S tau = frame.torques[k];
       const S load =
-          tau * select(tau > S(0), S(1.0 / dof.torque_positive), S(1.0 / dof.torque_negative));
+          tau * select(tau > S(0), S(strengths_[k].per_positive), S(strengths_[k].per_negative));
       squares = squares + load * load;
     }
-    sum_ = sum_ + squares * S(1.0 / body_->dof_count());
+    sum_ = sum_ + squares;
     frames_ += 1;
   }
 
   [[nodiscard]] S penalty() const {
     if (frames_ == 0) return S(0);
-    return min(S(1), sqrt(sum_ * S(1.0 / frames_)) * S(1.0 / share_));
+    const double count = static_cast<double>(strengths_.size()) * frames_;
+    return min(S(1), sqrt(sum_ * S(1.0 / count)) * S(per_share_));
   }
 
  private:
-  const BodyModel* body_;
-  double share_;
+  using T = Element<S>;
+  struct Strength {
+    T per_positive;  // 1/(N·m)
+    T per_negative;
+  };
+
+  std::vector<Strength> strengths_;  // (dofs)
+  T per_share_;
   S sum_{};
   int frames_ = 0;
 };

@@ -8,12 +8,12 @@ namespace shigusa {
 // Centre of mass of the whole body (m, world): Σ m_i c_i / Σ m_i.
 template <class S>
 [[nodiscard]] Vec3<S> centre_of_mass(const BodyModel& body, const Kinematics<S>& kinematics) {
-  Vec3<S> moment{};
-  for (int link = kBaseLink; link < body.dof_count(); ++link) {
-    const MassProperties& m = body.link_mass(link);
-    if (m.mass > 0.0) moment += kinematics.point(link, m.com) * S(m.mass);
+  const BodyConstants<Element<S>>& constants = body.constants<Element<S>>();
+  Vec3<S> moment = kinematics.point(kBaseLink, constants.base_com) * S(constants.base_mass);
+  for (const auto& joint : constants.joints) {
+    if (joint.massive) moment += kinematics.point(joint.link, joint.com) * S(joint.mass);
   }
-  return moment * S(1.0 / body.mass());
+  return moment * S(Element<S>(1) / constants.total_mass);
 }
 
 }  // namespace shigusa

@@ -19,34 +19,53 @@ struct Wrench {
 // Scratch of inverse_dynamics; make one per thread.
 template <class S>
 struct DynamicsWorkspace {
-  std::vector<Vec3<S>> spin;          // (dofs) rad/s, world
-  std::vector<Vec3<S>> spin_rate;     // (dofs) rad/s², world
-  std::vector<Vec3<S>> acceleration;  // (dofs) m/s², of the joint centre, less gravity
-  std::vector<Wrench<S>> carried;     // (dofs) through the joint, moment about its centre
+  // What is known of one rigid piece of the body (BodyConstants::Joint).
+  struct Piece {
+    Vec3<S> spin{};          // rad/s, world
+    Vec3<S> spin_rate{};     // rad/s², world
+    Vec3<S> acceleration{};  // m/s², of the joint's centre, less gravity
+    Mat3<S> turning{};       // 1/s²: times a point's place seen from the centre, its acceleration
+    Wrench<S> carried{};     // through the joint, moment about its centre
+  };
+  std::vector<Piece> pieces;
+  // Σ mass · place of the pieces' centres of mass (kg·m, world), the base's included: a by-product
+  Vec3<S> mass_moment{};
 
   explicit DynamicsWorkspace(const BodyModel& body)
-      : spin(body.dofs().size()),
-        spin_rate(body.dofs().size()),
-        acceleration(body.dofs().size()),
-        carried(body.dofs().size()) {}
+      : pieces(body.constants<Element<S>>().joints.size()) {}
 };
+
+// Centre of mass of the whole body (m, world) at the placement that inverse_dynamics saw last.
+template <class S>
+[[nodiscard]] Vec3<S> centre_of_mass(const BodyModel& body, const DynamicsWorkspace<S>& work) {
+  return work.mass_moment * S(Element<S>(1) / body.constants<Element<S>>().total_mass);
+}
 
 namespace dynamics_detail {
 
-// the wrench that moves one link, moment about its joint centre
+// [α]× + [ω]× [ω]×: the acceleration of a rigid piece's points, per place
 template <class S>
-[[nodiscard]] Wrench<S> link_wrench(const MassProperties& m, const Mat3<S>& rotation,
-                                    const Vec3<S>& spin, const Vec3<S>& spin_rate,
-                                    const Vec3<S>& acceleration) {
-  const Vec3<S> com = rotation * to_scalar<S>(m.com);
-  const Vec3<S> com_acceleration =
-      acceleration + cross(spin_rate, com) + cross(spin, cross(spin, com));
-  const Vec3<S> force = com_acceleration * S(m.mass);
-  const Mat3<S> inertia = to_scalar<S>(m.inertia);
-  const auto turn = [&](const Vec3<S>& v) {
-    return rotation * (inertia * transpose_times(rotation, v));
-  };
-  return {force, turn(spin_rate) + cross(spin, turn(spin)) + cross(com, force)};
+[[nodiscard]] Mat3<S> turning(const Vec3<S>& spin, const Vec3<S>& rate) {
+  const S xx = spin.x * spin.x;
+  const S yy = spin.y * spin.y;
+  const S zz = spin.z * spin.z;
+  const S xy = spin.x * spin.y;
+  const S xz = spin.x * spin.z;
+  const S yz = spin.y * spin.z;
+  return {{-(yy + zz), xy + rate.z, xz - rate.y},
+          {xy - rate.z, -(xx + zz), yz + rate.x},
+          {xz + rate.y, yz - rate.x, -(xx + yy)}};
+}
+
+// inertia times v, both in world axes
+template <class S, class Joint>
+[[nodiscard]] Vec3<S> inertia_times(const Joint& joint, const Mat3<S>& rotation, const Vec3<S>& v) {
+  const Vec3<S> local = transpose_times(rotation, v);
+  if (joint.principal) {
+    return rotation * Vec3<S>{local.x * S(joint.inertia.cx.x), local.y * S(joint.inertia.cy.y),
+                              local.z * S(joint.inertia.cz.z)};
+  }
+  return rotation * (to_scalar<S>(joint.inertia) * local);
 }
 
 }  // namespace dynamics_detail
@@ -60,41 +79,66 @@ template <class S>
 Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematics,
                            std::span<const S> qd, std::span<const S> qdd,
                            DynamicsWorkspace<S>& work, std::span<S> tau) {
+  const BodyConstants<Element<S>>& constants = body.constants<Element<S>>();
+  const std::size_t count = constants.joints.size();
   // accelerating upwards by g replaces the weight
   const Vec3<S> lift{S(0), S(kGravity), S(0)};
-  const int n = body.dof_count();
-  for (int i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const int parent = body.dof(i).parent;
-    const auto p = static_cast<std::size_t>(parent == kBaseLink ? 0 : parent);
-    const bool root = parent == kBaseLink;
-    const Vec3<S> spin = root ? Vec3<S>{} : work.spin[p];
-    const Vec3<S> rate = root ? Vec3<S>{} : work.spin_rate[p];
-    const Vec3<S> arm = kinematics.origin[k] - kinematics.link_origin(parent);
-    const Vec3<S> own = kinematics.axis[k] * qd[k];
-    work.acceleration[k] =
-        (root ? lift : work.acceleration[p]) + cross(rate, arm) + cross(spin, cross(spin, arm));
-    work.spin[k] = spin + own;
-    work.spin_rate[k] = rate + kinematics.axis[k] * qdd[k] + cross(spin, own);
-    const MassProperties& mass = body.link_mass(i);
-    work.carried[k] = mass.mass > 0.0
-                          ? dynamics_detail::link_wrench(mass, kinematics.rotation[k], work.spin[k],
-                                                         work.spin_rate[k], work.acceleration[k])
-                          : Wrench<S>{};
+  const Vec3<S> base_com = kinematics.point(kBaseLink, constants.base_com);
+  work.mass_moment = base_com * S(constants.base_mass);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& joint = constants.joints[i];
+    auto& piece = work.pieces[i];
+    const auto first = static_cast<std::size_t>(joint.first);
+    const auto link = static_cast<std::size_t>(joint.link);
+    piece.acceleration = lift;
+    Vec3<S> spin{};
+    Vec3<S> rate{};
+    if (joint.parent >= 0) {
+      const auto p = static_cast<std::size_t>(joint.parent);
+      const auto parent_link = static_cast<std::size_t>(constants.joints[p].link);
+      const auto& parent = work.pieces[p];
+      const Vec3<S> arm = kinematics.origin[first] - kinematics.origin[parent_link];
+      piece.acceleration = parent.acceleration + parent.turning * arm;
+      spin = parent.spin;
+      rate = parent.spin_rate;
+    }
+    for (std::size_t d = first; d <= link; ++d) {
+      const Vec3<S> own = kinematics.axis[d] * qd[d];
+      rate += kinematics.axis[d] * qdd[d] + cross(spin, own);
+      spin += own;
+    }
+    piece.spin = spin;
+    piece.spin_rate = rate;
+    piece.turning = dynamics_detail::turning(spin, rate);
+    piece.carried = {};
+    if (!joint.massive) continue;
+    const Mat3<S>& rotation = kinematics.rotation[link];
+    const Vec3<S> com = rotation * to_scalar<S>(joint.com);
+    const Vec3<S> force = (piece.acceleration + piece.turning * com) * S(joint.mass);
+    const Vec3<S> angular_momentum = dynamics_detail::inertia_times(joint, rotation, spin);
+    piece.carried = {force, dynamics_detail::inertia_times(joint, rotation, rate) +
+                                cross(spin, angular_momentum) + cross(com, force)};
+    work.mass_moment += (kinematics.origin[link] + com) * S(joint.mass);
   }
-  const MassProperties& base_mass = body.link_mass(kBaseLink);
   Wrench<S> base;
-  base.force = lift * S(base_mass.mass);
-  base.moment = cross(kinematics.point(kBaseLink, base_mass.com), base.force);
-  for (int i = n - 1; i >= 0; --i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Wrench<S>& w = work.carried[k];
-    tau[k] = dot(kinematics.axis[k], w.moment);
-    const int parent = body.dof(i).parent;
-    Wrench<S>& to = parent == kBaseLink ? base : work.carried[static_cast<std::size_t>(parent)];
-    const Vec3<S> from = parent == kBaseLink ? Vec3<S>{} : kinematics.link_origin(parent);
-    to.force += w.force;
-    to.moment += w.moment + cross(kinematics.origin[k] - from, w.force);
+  base.force = lift * S(constants.base_mass);
+  base.moment = cross(base_com, base.force);
+  for (std::size_t i = count; i-- > 0;) {
+    const auto& joint = constants.joints[i];
+    const auto first = static_cast<std::size_t>(joint.first);
+    const Wrench<S>& w = work.pieces[i].carried;
+    for (std::size_t d = first; d <= static_cast<std::size_t>(joint.link); ++d) {
+      tau[d] = dot(kinematics.axis[d], w.moment);
+    }
+    Vec3<S> arm = kinematics.origin[first];
+    Wrench<S>* to = &base;
+    if (joint.parent >= 0) {
+      const auto p = static_cast<std::size_t>(joint.parent);
+      arm = arm - kinematics.origin[static_cast<std::size_t>(constants.joints[p].link)];
+      to = &work.pieces[p].carried;
+    }
+    to->force += w.force;
+    to->moment += w.moment + cross(arm, w.force);
   }
   return base;
 }

@@ -65,9 +65,11 @@ struct Generation {
   double duration = 0.0;              // s
   int evaluations = 0;                // motions scored by the search
   int generations = 0;
-  int rejected_nan = 0;  // motions that a criterion scored NaN
-  int near_copies = 0;   // distinct genomes whose motions were all but a better one's
-  int missed = 0;        // final genomes that missed a goal or moved a foot
+  int rejected_nan = 0;    // motions that a criterion scored NaN
+  int near_copies = 0;     // distinct genomes whose motions were all but a better one's
+  int missed = 0;          // final genomes that missed a goal, left the path or moved a foot
+  int replay_differs = 0;  // candidates whose score in the search was off by over kReplayTolerance
+  double replay_difference = 0.0;  // the most that a candidate's score in the search was off by
   std::optional<Parameters> best_seen;  // the best of all genomes evaluated, kept or not
   double best_seen_score = 0.0;
   SearchEnd end = SearchEnd::converged;
@@ -76,6 +78,9 @@ struct Generation {
 // Two motions whose joint angles never differ by more than this, root mean square over the dofs,
 // are one candidate (rad).
 inline constexpr double kDistinctPosture = radians(5.0);
+// Searches score in single precision; every candidate is played again in double and scored anew.
+// What scores may differ by without being counted.
+inline constexpr double kReplayTolerance = 1e-3;
 // How near (m) a candidate must come to the closest point where the goal is out of reach.
 inline constexpr double kEdgeTolerance = 5e-3;
 

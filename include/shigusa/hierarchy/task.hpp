@@ -5,7 +5,7 @@
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/core/result.hpp>
 #include <shigusa/criteria/criteria.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <string>
 #include <vector>
@@ -44,6 +44,7 @@ struct Task {
   // starts again, with other random numbers, until it is used up, and candidates come from all its
   // final populations; when not, it runs once.
   std::optional<int> evaluations{};
+  BatchSettings batch{};  // SIMD set and threads; change no result
 };
 
 // The problem that a task poses to the search: paths from the start posture to the goals, and the

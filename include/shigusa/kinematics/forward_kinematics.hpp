@@ -26,29 +26,26 @@ struct Kinematics {
     return link == kBaseLink ? base_origin : origin[static_cast<std::size_t>(link)];
   }
   // World position (m) of a point that is fixed in a link.
-  [[nodiscard]] Vec3<S> point(int link, const Vec3d& local) const {
+  template <class T = double>
+  [[nodiscard]] Vec3<S> point(int link, const Vec3<T>& local) const {
     return link_origin(link) + link_rotation(link) * to_scalar<S>(local);
   }
 };
 
-template <class S>
-[[nodiscard]] Mat3<S> to_scalar(const Mat3d& m) {
-  return {to_scalar<S>(m.cx), to_scalar<S>(m.cy), to_scalar<S>(m.cz)};
-}
-
 // Places all links for the joint angles q (dofs, rad).
 template <class S>
 void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<S>& kinematics) {
-  kinematics.base_rotation = to_scalar<S>(body.base().rotation);
-  kinematics.base_origin = to_scalar<S>(body.base().translation);
-  const std::span<const Dof> dofs = body.dofs();
-  for (std::size_t i = 0; i < dofs.size(); ++i) {
-    const Dof& dof = dofs[i];
+  const BodyConstants<Element<S>>& constants = body.constants<Element<S>>();
+  kinematics.base_rotation = to_scalar<S>(constants.base_rotation);
+  kinematics.base_origin = to_scalar<S>(constants.base_origin);
+  for (std::size_t i = 0; i < constants.dofs.size(); ++i) {
+    const auto& dof = constants.dofs[i];
     const Mat3<S>& parent = kinematics.link_rotation(dof.parent);
-    const Vec3<S> axis = parent.column(static_cast<int>(dof.axis));
-    kinematics.axis[i] = dof.sign < 0.0 ? -axis : axis;
-    kinematics.origin[i] = kinematics.link_origin(dof.parent) + parent * to_scalar<S>(dof.offset);
-    kinematics.rotation[i] = rotated(parent, dof.axis, sin_cos(q[i] * S(dof.sign)));
+    const Vec3<S>& centre = kinematics.link_origin(dof.parent);
+    const Vec3<S>& axis = parent.column(static_cast<int>(dof.axis));
+    kinematics.axis[i] = dof.negative ? -axis : axis;
+    kinematics.origin[i] = dof.at_parent ? centre : centre + parent * to_scalar<S>(dof.offset);
+    kinematics.rotation[i] = rotated(parent, dof.axis, sin_cos(dof.negative ? -q[i] : q[i]));
   }
 }
 

@@ -14,11 +14,14 @@ namespace shigusa {
 template <class S>
 struct IkTarget {
   int link = 0;
-  Vec3d point{};          // m, in the link frame
-  Vec3<S> position{};     // m, world: where the point is to be
-  bool contact = false;   // a planted foot: position and orientation
-  Mat3<S> orientation{};  // R_WL wanted of the link; read for contacts only
-  S lag{};                // m, how far the goal was missed before: raises its damping
+  Vec3<Element<S>> point{};  // m, in the link frame
+  Vec3<S> position{};        // m, world: where the point is to be
+  bool contact = false;      // a planted foot: position and orientation
+  Mat3<S> orientation{};     // R_WL wanted of the link; read for contacts only
+  S lag{};                   // m, how far the goal was missed before: raises its damping
+  // What the step is known to fall short by, as joints move on arcs; added to the way that is left.
+  Vec3<S> lead{};       // m
+  Vec3<S> tilt_lead{};  // rad; read for contacts only
 };
 
 struct IkSettings {
@@ -34,19 +37,52 @@ struct IkSettings {
 
 // Size of the largest system: 2 hands × 3 rows, 2 feet × 6 rows, and room for more goals.
 inline constexpr int kMaxIkRows = 24;
+// Pivots below this share of the diagonal are rounding: their rows depend on others.
+template <class T>
+inline constexpr double kIkPivotFloor = 1e-14;
+template <>
+inline constexpr double kIkPivotFloor<float> = 1e-7;
 // m; one radian of a contact's tilt counts as this much displacement, about a foot's half length.
 inline constexpr double kContactLength = 0.1;
 
 // Scratch of weighted_ik_step; make one per thread.
 template <class S>
 struct IkWorkspace {
-  std::vector<S> jacobian;  // (rows × dofs) m/rad
+  // A target has a block of three rows for its position, and a contact one more for its tilt. Of a
+  // block's columns only those along the chain of dofs that move the target are kept.
+  struct Block {
+    std::span<const int> chain;
+    Vec3<S>* columns = nullptr;   // (chain) m/rad
+    Vec3<S>* weighted = nullptr;  // (chain) the same divided by the weights
+  };
+  std::vector<Vec3<S>> columns;
+  std::vector<Vec3<S>> weighted;
+  Block blocks[kMaxIkRows / 3];
   SmallSymmetric<S, kMaxIkRows> system;
   S residual[kMaxIkRows];
 
   explicit IkWorkspace(const BodyModel& body)
-      : jacobian(static_cast<std::size_t>(kMaxIkRows) * body.dofs().size()) {}
+      : columns(body.dofs().size() * kMaxIkRows / 3), weighted(columns) {}
 };
+
+// How far the target's point is from where it is to be (m, world).
+template <class S>
+[[nodiscard]] Vec3<S> position_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
+  return target.position - kinematics.point(target.link, target.point);
+}
+
+// How a contact's link must turn to have its orientation again (rad for small ones, world).
+template <class S>
+[[nodiscard]] Vec3<S> tilt_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
+  return rotation_sine(kinematics.link_rotation(target.link), target.orientation);
+}
+
+// How far a contact's link is turned from its orientation (rad for small turns, see
+// rotation_chord).
+template <class S>
+[[nodiscard]] S tilt(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
+  return rotation_chord(kinematics.link_rotation(target.link), target.orientation);
+}
 
 namespace ik_detail {
 
@@ -57,68 +93,90 @@ template <class S>
   return rows;
 }
 
-// fills the Jacobian's rows and the residual, target by target
+template <class S>
+void put(S* rows, const Vec3<S>& v) {
+  rows[0] = v.x;
+  rows[1] = v.y;
+  rows[2] = v.z;
+}
+
+// fills the blocks' columns and the residual, target by target
 template <class S>
 void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
-               std::span<const IkTarget<S>> targets, IkWorkspace<S>& workspace) {
-  const int n = body.dof_count();
-  int row = 0;
-  const auto put = [&](int r, int dof, const Vec3<S>& v) {
-    for (int k = 0; k < 3; ++k) {
-      workspace.jacobian[static_cast<std::size_t>((r + k) * n + dof)] = v[k];
+               std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
+               IkWorkspace<S>& workspace) {
+  const std::size_t n = body.dofs().size();
+  std::size_t b = 0;
+  const auto add_block = [&](const IkTarget<S>& target, const auto& column) {
+    typename IkWorkspace<S>::Block& block = workspace.blocks[b];
+    block.chain = body.chain(target.link);
+    block.columns = workspace.columns.data() + b * n;
+    block.weighted = workspace.weighted.data() + b * n;
+    for (std::size_t p = 0; p < block.chain.size(); ++p) {
+      const int dof = block.chain[p];
+      block.columns[p] = column(dof);
+      block.weighted[p] = block.columns[p] * inverse_weights[static_cast<std::size_t>(dof)];
     }
+    ++b;
   };
   for (const IkTarget<S>& target : targets) {
     const Vec3<S> at = kinematics.point(target.link, target.point);
-    const Vec3<S> error = target.position - at;
-    const Mat3<S>& now = kinematics.link_rotation(target.link);
-    const Vec3<S> tilt =
-        target.contact ? rotation_vector(target.orientation * transpose(now)) * S(kContactLength)
-                       : Vec3<S>{};
-    for (int k = 0; k < 3; ++k) {
-      workspace.residual[row + k] = error[k];
-      if (target.contact) workspace.residual[row + 3 + k] = tilt[k];
-    }
-    for (int dof = 0; dof < n; ++dof) {
-      const bool moves = body.moves(dof, target.link);
-      put(row, dof, moves ? position_column(kinematics, dof, at) : Vec3<S>{});
-      if (!target.contact) continue;
-      const Vec3<S> axis = kinematics.axis[static_cast<std::size_t>(dof)];
-      put(row + 3, dof, moves ? axis * S(kContactLength) : Vec3<S>{});
-    }
-    row += target.contact ? 6 : 3;
+    put(workspace.residual + 3 * b, target.position - at + target.lead);
+    add_block(target, [&](int dof) { return position_column(kinematics, dof, at); });
+    if (!target.contact) continue;
+    const Vec3<S> tilt = tilt_error(kinematics, target) + target.tilt_lead;
+    put(workspace.residual + 3 * b, tilt * S(kContactLength));
+    add_block(target, [&](int dof) {
+      return kinematics.axis[static_cast<std::size_t>(dof)] * S(kContactLength);
+    });
   }
 }
 
-// fills J A Jᵀ and adds the damping of each target to its rows
+// fills J A Jᵀ, block by block: chains of two targets share what lies before they part
 template <class S>
-void fill_system(int dofs, std::span<const S> inverse_weights, std::span<const IkTarget<S>> targets,
-                 const IkSettings& settings, IkWorkspace<S>& workspace) {
-  const int rows = row_count(targets);
-  for (int i = 0; i < rows; ++i) {
-    const S* a = workspace.jacobian.data() + i * dofs;
+void fill_products(int blocks, IkWorkspace<S>& workspace) {
+  for (int i = 0; i < blocks; ++i) {
+    const auto& a = workspace.blocks[i];
     for (int j = 0; j <= i; ++j) {
-      const S* b = workspace.jacobian.data() + j * dofs;
-      S sum(0);
-      for (int d = 0; d < dofs; ++d) {
-        sum = sum + a[d] * inverse_weights[static_cast<std::size_t>(d)] * b[d];
+      const auto& b = workspace.blocks[j];
+      const std::size_t most = a.chain.size() < b.chain.size() ? a.chain.size() : b.chain.size();
+      Mat3<S> product{{}, {}, {}};
+      for (std::size_t p = 0; p < most && a.chain[p] == b.chain[p]; ++p) {
+        const Vec3<S>& v = b.weighted[p];
+        product.cx += a.columns[p] * v.x;
+        product.cy += a.columns[p] * v.y;
+        product.cz += a.columns[p] * v.z;
       }
-      workspace.system(i, j) = sum;
+      for (int row = 0; row < 3; ++row) {
+        const int last = i == j ? row : 2;
+        for (int column = 0; column <= last; ++column) {
+          workspace.system(3 * i + row, 3 * j + column) = product.column(column)[row];
+        }
+      }
     }
   }
+}
+
+// adds the damping of each target to its rows; returns the largest mean diagonal of a target
+template <class S>
+S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
+              IkWorkspace<S>& workspace) {
   int row = 0;
+  S largest(0);
   for (const IkTarget<S>& target : targets) {
     const int count = target.contact ? 6 : 3;
     S trace(0);
     for (int i = row; i < row + count; ++i) trace = trace + workspace.system(i, i);
+    const S mean = trace * S(1.0 / count);
     const S ratio = target.lag * S(1.0 / settings.lag_scale);
     const S share = target.contact ? S(settings.contact_damping)
                                    : S(settings.damping) + S(settings.lag_damping) * ratio * ratio;
-    for (int i = row; i < row + count; ++i) {
-      workspace.system(i, i) = workspace.system(i, i) + share * trace * S(1.0 / count);
-    }
+    const S added = share * mean;
+    for (int i = row; i < row + count; ++i) workspace.system(i, i) = workspace.system(i, i) + added;
+    largest = max(largest, mean);
     row += count;
   }
+  return largest;
 }
 
 }  // namespace ik_detail
@@ -129,8 +187,9 @@ void fill_system(int dofs, std::span<const S> inverse_weights, std::span<const I
 //   Δq = Δq_ref + A Jᵀ (J A Jᵀ + D)⁻¹ (e - J Δq_ref),   A = diag(1 / w_i), 0 where locked,
 //
 // where e is the whole way from where the points are to where they are to be (closed loop with
-// gain 1) and D damps the goals, not the contacts. The step is scaled down as a whole where an
-// angle would change by more than settings.max_step. Scaling all weights changes nothing.
+// gain 1), with the targets' leads, and D damps the goals, not the contacts. The step is scaled
+// down as a whole where an angle would change by more than settings.max_step. Scaling all weights
+// changes nothing.
 //
 // inverse_weights (dofs): 1 / w_i > 0, or 0 for a locked joint, which then does not move at all.
 // reference (dofs, rad) or empty. At most kMaxIkRows rows in all. Result: dq (dofs, rad).
@@ -139,37 +198,41 @@ void weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
                       std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
                       std::span<const S> reference, const IkSettings& settings,
                       IkWorkspace<S>& workspace, std::span<S> dq) {
-  const int n = body.dof_count();
   const int rows = ik_detail::row_count(targets);
   SHG_CHECK(rows <= kMaxIkRows, "too many goals for one motion");
-  ik_detail::fill_rows(body, kinematics, targets, workspace);
-  ik_detail::fill_system(n, inverse_weights, targets, settings, workspace);
-  const auto reference_of = [&](int d) {
-    const auto i = static_cast<std::size_t>(d);
-    return reference.empty() ? S(0) : select(inverse_weights[i] > S(0), reference[i], S(0));
-  };
+  const int blocks = rows / 3;
+  ik_detail::fill_rows(body, kinematics, targets, inverse_weights, workspace);
+  ik_detail::fill_products(blocks, workspace);
+  const S diagonal = ik_detail::add_damping(targets, settings, workspace);
+  for (std::size_t d = 0; d < dq.size(); ++d) {
+    dq[d] = reference.empty() ? S(0) : select(inverse_weights[d] > S(0), reference[d], S(0));
+  }
   if (!reference.empty()) {
-    for (int r = 0; r < rows; ++r) {
-      for (int d = 0; d < n; ++d) {
-        workspace.residual[r] =
-            workspace.residual[r] -
-            workspace.jacobian[static_cast<std::size_t>(r * n + d)] * reference_of(d);
+    for (int b = 0; b < blocks; ++b) {
+      const auto& block = workspace.blocks[b];
+      for (std::size_t p = 0; p < block.chain.size(); ++p) {
+        const S along = dq[static_cast<std::size_t>(block.chain[p])];
+        for (int k = 0; k < 3; ++k) {
+          S& residual = workspace.residual[3 * b + k];
+          residual = residual - block.columns[p][k] * along;
+        }
       }
     }
   }
-  ldlt_solve(workspace.system, workspace.residual, rows, 1e-14);
-  S largest(0);
-  for (int d = 0; d < n; ++d) {
-    S sum(0);
-    for (int r = 0; r < rows; ++r) {
-      sum = sum + workspace.jacobian[static_cast<std::size_t>(r * n + d)] * workspace.residual[r];
+  ldlt_solve(workspace.system, workspace.residual, rows, diagonal * S(kIkPivotFloor<Element<S>>));
+  for (int b = 0; b < blocks; ++b) {
+    const auto& block = workspace.blocks[b];
+    const Vec3<S> force{workspace.residual[3 * b], workspace.residual[3 * b + 1],
+                        workspace.residual[3 * b + 2]};
+    for (std::size_t p = 0; p < block.chain.size(); ++p) {
+      S& step = dq[static_cast<std::size_t>(block.chain[p])];
+      step = step + dot(block.weighted[p], force);
     }
-    const S step = reference_of(d) + inverse_weights[static_cast<std::size_t>(d)] * sum;
-    dq[static_cast<std::size_t>(d)] = step;
-    largest = max(largest, abs(step));
   }
+  S largest(0);
+  for (const S& step : dq) largest = max(largest, abs(step));
   const S limit(settings.max_step);
-  const S scale = select(largest > limit, limit / max(largest, limit), S(1));
+  const S scale = limit / max(largest, limit);
   for (S& step : dq) step = step * scale;
 }
 

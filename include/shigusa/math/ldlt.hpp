@@ -37,26 +37,23 @@ struct SmallSymmetric {
 // rounding leaves up to about n · 1e-16 s² / d, with s the largest diagonal entry and d the
 // smallest pivot kept: only a floor above √(n · 1e-16) s is sure to drop every dependent row.
 //
-// Source: Golub and Van Loan, Matrix Computations, chapter 4 (LDLᵀ without pivoting), by rows.
+// Source: Golub and Van Loan, Matrix Computations, chapter 4 (LDLᵀ without pivoting), by outer
+// products: what follows a pivot does not wait for each other.
 template <class S, int Max>
-void ldlt_factorize(SmallSymmetric<S, Max>& a, int n, double pivot_floor) {
-  SHG_ASSERT(0 <= n && n <= Max && pivot_floor >= 0.0);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < i; ++j) {
-      // row i still holds L_ik D_k, row j holds L_jk already
-      S entry = a(i, j);
-      for (int k = 0; k < j; ++k) entry = entry - a(i, k) * a(j, k);
-      a(i, j) = entry;
-    }
-    S pivot = a(i, i);
-    for (int k = 0; k < i; ++k) {
-      const S scaled = a(i, k) * a(k, k);
-      pivot = pivot - a(i, k) * scaled;
-      a(i, k) = scaled;
-    }
-    const auto dropped = pivot <= S(pivot_floor);
+void ldlt_factorize(SmallSymmetric<S, Max>& a, int n, S pivot_floor) {
+  SHG_ASSERT(0 <= n && n <= Max);
+  for (int k = 0; k < n; ++k) {
+    const S pivot = a(k, k);
+    const auto dropped = pivot <= pivot_floor;
     // the divisor is made harmless first: a pack divides in all of its lanes
-    a(i, i) = select(dropped, S(0), S(1) / select(dropped, S(1), pivot));
+    const S inverse = select(dropped, S(0), S(1) / select(dropped, S(1), pivot));
+    a(k, k) = inverse;
+    // from the last row up: rows above still hold L_jk D_k
+    for (int i = n - 1; i > k; --i) {
+      const S factor = a(i, k) * inverse;
+      for (int j = k + 1; j <= i; ++j) a(i, j) = a(i, j) - factor * a(j, k);
+      a(i, k) = factor;
+    }
   }
 }
 
@@ -64,12 +61,12 @@ void ldlt_factorize(SmallSymmetric<S, Max>& a, int n, double pivot_floor) {
 // Components of dropped rows come out as 0; the others solve the equations that were kept.
 template <class S, int Max>
 void ldlt_substitute(const SmallSymmetric<S, Max>& a, S* b, int n) {
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < i; ++k) b[i] = b[i] - a(i, k) * b[k];
+  for (int k = 0; k < n; ++k) {
+    for (int i = k + 1; i < n; ++i) b[i] = b[i] - a(i, k) * b[k];
   }
-  for (int i = n - 1; i >= 0; --i) {
-    b[i] = b[i] * a(i, i);
-    for (int k = i + 1; k < n; ++k) b[i] = b[i] - a(k, i) * b[k];
+  for (int i = 0; i < n; ++i) b[i] = b[i] * a(i, i);
+  for (int k = n - 1; k > 0; --k) {
+    for (int i = 0; i < k; ++i) b[i] = b[i] - a(k, i) * b[k];
   }
 }
 
@@ -77,7 +74,7 @@ void ldlt_substitute(const SmallSymmetric<S, Max>& a, S* b, int n) {
 // the solution. If A is rank-deficient and b lies in its range (as J e does for A = J Jᵀ), x still
 // solves all n equations; otherwise those of the dropped rows are left unsolved.
 template <class S, int Max>
-void ldlt_solve(SmallSymmetric<S, Max>& a, S* b, int n, double pivot_floor) {
+void ldlt_solve(SmallSymmetric<S, Max>& a, S* b, int n, S pivot_floor) {
   ldlt_factorize(a, n, pivot_floor);
   ldlt_substitute(a, b, n);
 }

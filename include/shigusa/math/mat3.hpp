@@ -27,6 +27,11 @@ struct Mat3 {
 
 using Mat3d = Mat3<double>;
 
+template <class S, class T>
+[[nodiscard]] Mat3<S> to_scalar(const Mat3<T>& m) {
+  return {to_scalar<S>(m.cx), to_scalar<S>(m.cy), to_scalar<S>(m.cz)};
+}
+
 template <class S>
 [[nodiscard]] Mat3<S> transpose(const Mat3<S>& m) {
   return {{m.cx.x, m.cy.x, m.cz.x}, {m.cx.y, m.cy.y, m.cz.y}, {m.cx.z, m.cy.z, m.cz.z}};
@@ -56,6 +61,24 @@ template <class S>
 // Rotation about a coordinate axis by an angle in radians.
 [[nodiscard]] inline Mat3d rotation(Axis axis, double angle) {
   return rotated(Mat3d{}, axis, sin_cos(angle));
+}
+
+// How `from` must turn to become `to`: axis · sin(angle), world. Near 0 this is the rotation
+// vector, to the third order; beyond 90° it shrinks again.
+template <class S>
+[[nodiscard]] Vec3<S> rotation_sine(const Mat3<S>& from, const Mat3<S>& to) {
+  const Vec3<S> sum = cross(from.cx, to.cx) + cross(from.cy, to.cy) + cross(from.cz, to.cz);
+  return sum * S(0.5);
+}
+
+// How far two rotations are apart: 2 sin(angle / 2), which is the angle to the third order, and
+// grows up to 180°.
+template <class S>
+[[nodiscard]] S rotation_chord(const Mat3<S>& a, const Mat3<S>& b) {
+  const Vec3<S> x = a.cx - b.cx;
+  const Vec3<S> y = a.cy - b.cy;
+  const Vec3<S> z = a.cz - b.cz;
+  return sqrt((dot(x, x) + dot(y, y) + dot(z, z)) * S(0.5));
 }
 
 // Rotation vector (axis · angle, radians) of the rotation R, |angle| in [0, π]; error below 1e-14

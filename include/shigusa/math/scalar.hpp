@@ -11,6 +11,15 @@ namespace shigusa {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
+// What a scalar S of the kernel is made of: the type of the constants that it is computed with.
+template <class S>
+struct ScalarTraits {
+  using Element = S;
+  static constexpr int kLanes = 1;
+};
+template <class S>
+using Element = typename ScalarTraits<S>::Element;
+
 [[nodiscard]] constexpr double radians(double angle_deg) { return angle_deg * (kPi / 180.0); }
 [[nodiscard]] constexpr double degrees(double angle) { return angle * (180.0 / kPi); }
 

@@ -58,9 +58,9 @@ template <class Mask, class S>
   return length < 1e-12 ? fallback : a * (1.0 / length);
 }
 
-// The constants of a body as the kernel's scalar.
-template <class S>
-[[nodiscard]] Vec3<S> to_scalar(const Vec3d& a) {
+// A constant as the kernel's scalar.
+template <class S, class T>
+[[nodiscard]] Vec3<S> to_scalar(const Vec3<T>& a) {
   return {S(a.x), S(a.y), S(a.z)};
 }
 

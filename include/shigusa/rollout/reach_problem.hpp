@@ -12,6 +12,12 @@ inline constexpr int kMotionSteps = 60;          // IK steps per motion (rule R6
 inline constexpr double kReachTolerance = 1e-3;  // m: what counts as met, of goals and planted feet
 inline constexpr double kTiltTolerance = radians(0.1);  // rad: what a planted foot may turn
 
+// What counts as met.
+struct ReachTolerance {
+  double goal = kReachTolerance;  // m, of effectors at the end
+  double path = kReachTolerance;  // m, of effectors at each frame
+};
+
 // One effector with its way to the goal.
 struct ReachGoal {
   int effector = 0;  // index in the body's effectors
@@ -24,38 +30,44 @@ struct ReachProblem {
   std::vector<ReachGoal> goals;
   double duration = 1.0;  // s
   int steps = kMotionSteps;
+  ReachTolerance tolerance;
   // (dofs, rad) or empty: a posture that the null space is drawn to and the motion ends near; for
   // goals that a straight path alone does not lead to, such as the very edge of reach
   std::vector<double> guide;
   // false: the hands go where the guide takes them, and only the last frame has them at their goals
   bool follow_path = true;
   IkSettings ik;
-  // after each step, corrections follow until all targets are this near, or their number is used up
-  double path_tolerance = 1e-6;  // m
-  int corrections = 3;
-  // the last frame has the hand at rest: there the goal itself is to be met
-  double goal_tolerance = 1e-6;  // m
+  // A step falls short of its path by what joints on arcs leave the straight line. The shortfall
+  // changes little from frame to frame, so the next step allows for the last one's, up to this
+  // much; farther off, the goal is one that the body cannot follow.
+  double lead_limit = 2e-3;  // m
+  // the last frame has the hand at rest: there the goal itself is to be met, by so many more steps …
+  double goal_tolerance = 1e-5;  // m
   int goal_corrections = 12;
+  // … and by so many in every other frame, for goals at the very edge of reach
+  int corrections = 0;
   // where a planted foot is off by more than this after all, up to so many steps correct it alone
   double contact_slack = 1e-4;  // m
   int contact_corrections = 8;
 };
 
 // What a motion must keep whatever its score: met goals, effectors on their paths, planted feet.
-struct ReachOutcome {
-  double goal_error = 0.0;     // m, largest distance of an effector from its path's end
-  double path_error = 0.0;     // m, largest distance from the path at any frame that follows it
-  double contact_slide = 0.0;  // m, largest displacement of a planted foot at any frame
-  double contact_tilt = 0.0;   // rad, largest rotation of a planted foot at any frame
+template <class S>
+struct BasicReachOutcome {
+  S goal_error{};     // m, largest distance of an effector from its path's end
+  S path_error{};     // m, largest distance from the path at any frame that follows it
+  S contact_slide{};  // m, largest displacement of a planted foot at any frame
+  S contact_tilt{};   // rad (see rotation_chord), largest rotation of a planted foot at any frame
 
   // The planted feet stay where they are.
-  [[nodiscard]] bool stands() const {
-    return contact_slide <= kReachTolerance && contact_tilt <= kTiltTolerance;
+  [[nodiscard]] auto stands() const {
+    return (contact_slide <= S(kReachTolerance)) & (contact_tilt <= S(kTiltTolerance));
   }
-  [[nodiscard]] bool met(double tolerance = kReachTolerance) const {
-    return goal_error <= tolerance && path_error <= tolerance && stands();
+  [[nodiscard]] auto met(const ReachTolerance& tolerance = {}) const {
+    return (goal_error <= S(tolerance.goal)) & (path_error <= S(tolerance.path)) & stands();
   }
 };
+using ReachOutcome = BasicReachOutcome<double>;
 
 // The targets of weighted IK for a problem: its goals, then each planted foot but the base, held
 // where it stands in the start posture.

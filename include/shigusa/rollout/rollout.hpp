@@ -13,14 +13,15 @@
 namespace shigusa {
 
 // From parameters to a motion: follows the problem's paths by weighted IK, frame by frame, and
-// shows each frame, with torques and centre of mass, to a visitor. Holds its scratch memory, so
-// make one per thread and use it again and again.
+// shows each frame, with torques and centre of mass, to a visitor. S is double, or a pack: then
+// each lane has parameters of its own. Holds its scratch memory, so make one per thread and use it
+// again and again.
 template <class S>
 class Rollout {
  public:
   explicit Rollout(const ReachProblem& problem)
       : problem_(&problem),
-        targets_(ik_targets(problem)),
+        contacts_from_(problem.goals.size()),
         ik_(*problem.body),
         dynamics_(*problem.body),
         kinematics_{Kinematics<S>(*problem.body), Kinematics<S>(*problem.body)},
@@ -30,24 +31,40 @@ class Rollout {
         torques_(speeds_),
         step_(speeds_),
         unlocked_(speeds_),
-        reference_(problem.guide.size()) {}
+        reference_(problem.guide.size()) {
+    for (const IkTarget<double>& target : ik_targets(problem)) {
+      targets_.push_back({.link = target.link,
+                          .point = to_scalar<Element<S>>(target.point),
+                          .position = to_scalar<S>(target.position),
+                          .contact = target.contact,
+                          .orientation = to_scalar<S>(target.orientation)});
+    }
+    leads_.resize(targets_.size());
+    for (int frame = 0; frame <= problem.steps; ++frame) {
+      const double tau = static_cast<double>(frame) / problem.steps;
+      for (const ReachGoal& goal : problem.goals) {
+        paths_.push_back(to_scalar<Element<S>>(goal.path.at(tau)));
+      }
+    }
+  }
 
   // inverse_weights (dofs): see weighted_ik_step. visit(const MotionFrame<S>&, const
   // Kinematics<S>&) is called for the frames 0..steps in order.
   template <class Visitor>
-  ReachOutcome run(std::span<const S> inverse_weights, Visitor&& visit) {
+  BasicReachOutcome<S> run(std::span<const S> inverse_weights, Visitor&& visit) {
     const BodyModel& body = *problem_->body;
-    ReachOutcome outcome;
-    for (std::size_t i = 0; i < targets_.size(); ++i) targets_[i].lag = S(0);
+    BasicReachOutcome<S> outcome;
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      targets_[i].lag = S(0);
+      leads_[i] = {};
+    }
     for (std::size_t d = 0; d < speeds_.size(); ++d) {
       angles_[0][d] = angles_[1][d] = S(body.start()[d]);
       unlocked_[d] = select(inverse_weights[d] > S(0), S(1), S(0));
     }
     forward_kinematics<S>(body, angles_[1], kinematics_[0]);
-    for (int frame = 0; frame < problem_->steps; ++frame) {
-      angles_[2] = angles_[1];
-      kinematics_[1] = kinematics_[0];
-      follow(frame + 1, inverse_weights, outcome);
+    for (int frame = 1; frame <= problem_->steps; ++frame) {
+      follow(frame, inverse_weights, outcome);
       show_frame(visit);
       std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
       std::swap(kinematics_[0], kinematics_[1]);
@@ -59,31 +76,39 @@ class Rollout {
   }
 
  private:
+  struct Lead {
+    Vec3<S> position{};  // m
+    Vec3<S> tilt{};      // rad
+  };
+
   // moves the angles of the next frame to where the paths are then
-  void follow(int frame, std::span<const S> inverse_weights, ReachOutcome& outcome) {
+  void follow(int frame, std::span<const S> inverse_weights, BasicReachOutcome<S>& outcome) {
     const bool last = frame == problem_->steps;
-    const double tau = static_cast<double>(frame) / problem_->steps;
-    for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
-      targets_[g].position = to_scalar<S>(problem_->goals[g].path.at(tau));
+    for (std::size_t g = 0; g < contacts_from_; ++g) {
+      const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
+      targets_[g].position = to_scalar<S>(paths_[k]);
     }
-    const int corrections = last ? problem_->goal_corrections : problem_->corrections;
-    const double tolerance = last ? problem_->goal_tolerance : problem_->path_tolerance;
-    draw_to_guide(frame);
-    std::span<const S> reference = reference_;
-    const std::size_t skipped = problem_->follow_path || last ? 0 : problem_->goals.size();
+    const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
     const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
-    ReachOutcome now;
-    for (int k = 0; k <= corrections; ++k) {
-      step(targets, inverse_weights, reference);
-      reference = {};
+    const auto contacts = std::span<const IkTarget<S>>(targets_).subspan(contacts_from_);
+    draw_to_guide(frame);
+    lead(true);
+    step(kinematics_[0], angles_[1], targets, inverse_weights, reference_);
+    BasicReachOutcome<S> now = measure(targets);
+    learn_leads(targets, skipped);
+    lead(false);
+    const int corrections = last ? problem_->goal_corrections : problem_->corrections;
+    for (int k = 0; k < corrections; ++k) {
+      const auto off = max(now.path_error, contact_error(now)) > S(problem_->goal_tolerance);
+      if (!any(off)) break;
+      correct(targets, inverse_weights, off);
       now = measure(targets);
-      if (now.path_error <= tolerance && contact_error(now) <= tolerance) break;
     }
     // a goal out of reach, or weights that are far apart, do not take a planted foot along
-    const auto contacts = std::span<const IkTarget<S>>(targets_).subspan(problem_->goals.size());
     for (int k = 0; k < problem_->contact_corrections; ++k) {
-      if (contact_error(now) <= problem_->contact_slack) break;
-      step(contacts, unlocked_, {});
+      const auto off = contact_error(now) > S(problem_->contact_slack);
+      if (!any(off)) break;
+      correct(contacts, unlocked_, off);
       now = measure(targets);
     }
     outcome.path_error = max(outcome.path_error, now.path_error);
@@ -92,54 +117,92 @@ class Rollout {
     if (last) outcome.goal_error = now.path_error;
   }
 
-  void step(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
+  // one step of IK from a placement and its angles to the next frame's
+  void step(const Kinematics<S>& from, std::span<const S> angles,
+            std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
             std::span<const S> reference) {
-    weighted_ik_step<S>(*problem_->body, kinematics_[1], targets, inverse_weights, reference,
-                        problem_->ik, ik_, step_);
-    for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[2][d] + step_[d];
+    weighted_ik_step<S>(*problem_->body, from, targets, inverse_weights, reference, problem_->ik,
+                        ik_, step_);
+    for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles[d] + step_[d];
+    forward_kinematics<S>(*problem_->body, angles_[2], kinematics_[1]);
+  }
+
+  // one more step within the next frame, in the lanes that are off
+  template <class Condition>
+  void correct(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
+               const Condition& off) {
+    weighted_ik_step<S>(*problem_->body, kinematics_[1], targets, inverse_weights, {}, problem_->ik,
+                        ik_, step_);
+    for (std::size_t d = 0; d < step_.size(); ++d) {
+      angles_[2][d] = select(off, angles_[2][d] + step_[d], angles_[2][d]);
+    }
     forward_kinematics<S>(*problem_->body, angles_[2], kinematics_[1]);
   }
 
   // the step that, taken in every frame, follows the minimum-jerk profile into the guide posture
   void draw_to_guide(int frame) {
+    if (reference_.empty()) return;
     const double before = minimum_jerk(static_cast<double>(frame - 1) / problem_->steps);
     const double now = minimum_jerk(static_cast<double>(frame) / problem_->steps);
     for (std::size_t d = 0; d < reference_.size(); ++d) {
-      reference_[d] = (S(problem_->guide[d]) - angles_[2][d]) * S((now - before) / (1.0 - before));
+      reference_[d] = (S(problem_->guide[d]) - angles_[1][d]) * S((now - before) / (1.0 - before));
+    }
+  }
+
+  // gives the targets their leads, or takes them away
+  void lead(bool ahead) {
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      targets_[i].lead = ahead ? leads_[i].position : Vec3<S>{};
+      targets_[i].tilt_lead = ahead ? leads_[i].tilt : Vec3<S>{};
+    }
+  }
+
+  // adds to the leads what the step has missed
+  void learn_leads(std::span<const IkTarget<S>> targets, std::size_t first) {
+    const S limit(problem_->lead_limit);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      Lead& lead = leads_[first + i];
+      const IkTarget<S>& target = targets[i];
+      const auto follows = target.lag < limit;
+      lead.position = select(follows, lead.position + position_error(kinematics_[1], target), {});
+      if (!target.contact) continue;
+      lead.tilt = select(follows, lead.tilt + tilt_error(kinematics_[1], target), {});
     }
   }
 
   // how far the targets are missed now
-  ReachOutcome measure(std::span<IkTarget<S>> targets) {
-    ReachOutcome now;
+  BasicReachOutcome<S> measure(std::span<IkTarget<S>> targets) {
+    BasicReachOutcome<S> now;
     for (IkTarget<S>& target : targets) {
-      const S miss = norm(target.position - kinematics_[1].point(target.link, target.point));
+      const S miss = norm(position_error(kinematics_[1], target));
       if (!target.contact) {
         target.lag = miss;
         now.path_error = max(now.path_error, miss);
         continue;
       }
+      const S turned = tilt(kinematics_[1], target);
+      target.lag = miss + turned * S(kContactLength);
       now.contact_slide = max(now.contact_slide, miss);
-      const Mat3<S>& turned = kinematics_[1].link_rotation(target.link);
-      now.contact_tilt =
-          max(now.contact_tilt, norm(rotation_vector(target.orientation * transpose(turned))));
+      now.contact_tilt = max(now.contact_tilt, turned);
     }
     return now;
   }
 
-  static double contact_error(const ReachOutcome& outcome) {
-    return max(outcome.contact_slide, kContactLength * outcome.contact_tilt);
+  static S contact_error(const BasicReachOutcome<S>& outcome) {
+    return max(outcome.contact_slide, S(kContactLength) * outcome.contact_tilt);
   }
 
   // shows the current frame: speeds by central differences to its neighbours
   template <class Visitor>
   void show_frame(Visitor&& visit) {
     const BodyModel& body = *problem_->body;
-    const S rate(problem_->steps / problem_->duration);
+    const double rate = problem_->steps / problem_->duration;
+    const S half_rate(0.5 * rate);
+    const S square_rate(rate * rate);
     for (std::size_t d = 0; d < speeds_.size(); ++d) {
-      speeds_[d] = (angles_[2][d] - angles_[0][d]) * (S(0.5) * rate);
+      speeds_[d] = (angles_[2][d] - angles_[0][d]) * half_rate;
       accelerations_[d] =
-          ((angles_[2][d] - angles_[1][d]) - (angles_[1][d] - angles_[0][d])) * (rate * rate);
+          ((angles_[2][d] - angles_[1][d]) - (angles_[1][d] - angles_[0][d])) * square_rate;
     }
     const Wrench<S> ground =
         inverse_dynamics<S>(body, kinematics_[0], speeds_, accelerations_, dynamics_, torques_);
@@ -147,12 +210,15 @@ class Rollout {
       share_ground_wrench<S>(body, kinematics_[0], ground, body.feet()[0], body.feet()[1],
                              torques_);
     }
-    visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, kinematics_[0])},
+    visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_)},
           kinematics_[0]);
   }
 
   const ReachProblem* problem_;
-  std::vector<IkTarget<S>> targets_;
+  std::size_t contacts_from_;            // index of the first contact among the targets
+  std::vector<IkTarget<S>> targets_;     // the goals, then the contacts
+  std::vector<Lead> leads_;              // (targets)
+  std::vector<Vec3<Element<S>>> paths_;  // (frames × goals) m, world
   IkWorkspace<S> ik_;
   DynamicsWorkspace<S> dynamics_;
   std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next

@@ -62,9 +62,17 @@ struct GeneticSettings {
                                           const GeneticSettings& settings,
                                           const Progress& progress = {});
 
+// Runs that restarted_genetic_search has going at once, so that a batch fills many lanes: as many
+// as the budget lets run to their end, which takes about kEvaluationsPerRun, and kRunsAtOnce at
+// most.
+inline constexpr int kEvaluationsPerRun = 75;
+inline constexpr int kRunsAtOnce = 16;
+
 // The genetic algorithm again and again, with the streams 0, 1, 2, … of the seed, until less than a
 // population's scorings are left of `evaluations` (≥ population): an equal budget for every search.
-// The final population is that of all runs together, in their order; generations are summed.
+// Several runs go on side by side and are scored in one call; a genome that two of them come upon
+// is scored once. The final population is that of all runs together, by stream; generations are
+// summed.
 [[nodiscard]] SearchResult restarted_genetic_search(const DiscreteProblem& problem,
                                                     const GeneticSettings& settings,
                                                     int evaluations, const Progress& progress = {});

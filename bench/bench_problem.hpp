@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/core/random.hpp>
+#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/rollout/parameters.hpp>
+#include <string>
+#include <vector>
+
+// What is measured: the paper's first experiment, and random genomes of its code.
+namespace shigusa::bench {
+
+// (motions × dofs) of genomes of the paper's code
+inline std::vector<float> inverse_weights_of(std::span<const std::uint16_t> genomes) {
+  std::vector<float> inverse;
+  for (const std::uint16_t gene : genomes) {
+    inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
+  }
+  return inverse;
+}
+
+inline constexpr Vec3d kLowFrontLeft{0.25, 0.55, 0.50};  // m
+
+struct Measured {
+  Task task;
+  ReachProblem problem;
+  std::vector<Parameters> parameters;
+  std::vector<float> inverse_weights;  // (motions × dofs)
+
+  Measured(const char* character, int motions) : task{.body = build(character)} {
+    task.goals = {{"right_hand", kLowFrontLeft}};
+    problem = make_problem(task).value();
+    Random random(7);
+    for (int i = 0; i < motions; ++i) {
+      std::vector<std::uint16_t> genes;
+      for (int d = 0; d < task.body.dof_count(); ++d) {
+        genes.push_back(static_cast<std::uint16_t>(random.below(16)));
+      }
+      parameters.push_back(decode_paper_genes(genes));
+      for (const double inverse : shigusa::inverse_weights(parameters.back())) {
+        inverse_weights.push_back(static_cast<float>(inverse));
+      }
+    }
+  }
+  Measured(const Measured&) = delete;
+  Measured& operator=(const Measured&) = delete;
+
+  static BodyModel build(const std::string& character) {
+    return character == "half_body" ? half_body() : full_body();
+  }
+};
+
+}  // namespace shigusa::bench

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/math/transform.hpp>
+#include <vector>
+
+namespace shigusa {
+
+struct BodyDefinition;
+
+// A body as the kernel reads it, frame after frame: what BodyDefinition says, in the type that the
+// kernel computes with, and without what can be known to be 0.
+template <class T>
+struct BodyConstants {
+  struct Dof {
+    int parent = -1;
+    Axis axis = Axis::x;
+    bool negative = false;   // a positive angle turns about the axis reversed
+    bool at_parent = false;  // the joint's centre is the parent's: offset is 0
+    Vec3<T> offset{};        // m
+  };
+
+  // One joint and the rigid piece that it moves. The freedoms of a joint lie at one centre, one
+  // moves the next, and only the last one's link has mass or carries anything else.
+  struct Joint {
+    int first = 0;           // its freedoms are first … link
+    int link = 0;            // the piece that it moves
+    int parent = -1;         // joint that moves the piece which carries this one; -1: the base
+    bool massive = false;    // the piece has mass
+    bool principal = false;  // inertia has a diagonal only
+    T mass{};                // kg
+    Vec3<T> com{};           // m, in the link frame
+    Mat3<T> inertia{};       // kg·m², about the com, link axes
+  };
+
+  Mat3<T> base_rotation{};  // R_WB of the standing foot
+  Vec3<T> base_origin{};    // m, world
+  T base_mass{};            // kg
+  Vec3<T> base_com{};       // m, in the base's frame
+  T total_mass{};           // kg
+  std::vector<Dof> dofs;
+  std::vector<Joint> joints;
+
+  explicit BodyConstants(const BodyDefinition& body);
+};
+
+}  // namespace shigusa

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <shigusa/criteria/criteria.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/simd/simd_set.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// What scoring many motions at once is done with; none of it changes a score.
+struct BatchSettings {
+  SimdSet simd = widest_simd_set();
+  int threads = 0;  // 0: one for each core
+};
+
+class LaneScorer;
+
+// Scores motions by the built-in criteria, many at once: one in each lane of a vector register, on
+// all cores, in single precision. A motion's score depends on its parameters alone.
+class BatchRollout {
+ public:
+  // A motion that does not meet the problem's tolerance gets worst_score(criteria).
+  // Problem and criteria outlive the batch. PreconditionError where the machine lacks the SIMD set.
+  BatchRollout(const ReachProblem& problem, const CriteriaSettings& criteria,
+               const BatchSettings& settings = {});
+  ~BatchRollout();
+  BatchRollout(const BatchRollout&) = delete;
+  BatchRollout& operator=(const BatchRollout&) = delete;
+
+  // inverse_weights (motions × dofs): see weighted_ik_step. scores (motions); lower is better.
+  void score(std::span<const float> inverse_weights, std::span<double> scores);
+
+ private:
+  const ReachProblem* problem_;
+  const CriteriaSettings* criteria_;
+  BatchSettings settings_;
+  std::vector<std::unique_ptr<LaneScorer>> scorers_;  // one per thread, made when first needed
+};
+
+}  // namespace shigusa

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace shigusa {
+
+// How many motions a core scores at once, and by which instructions. The choice changes no result.
+enum class SimdSet {
+  scalar,   // one
+  lanes_4,  // four: what every machine of the kind has (SSE2, NEON, WASM SIMD)
+  avx2,     // eight
+  avx512,   // sixteen (AVX-512 F, VL, DQ)
+};
+
+// "scalar", "avx2", "avx512"; lanes_4 is "sse2" on x86 and "simd128" elsewhere.
+[[nodiscard]] std::string_view simd_name(SimdSet set);
+[[nodiscard]] std::optional<SimdSet> find_simd(std::string_view name);
+[[nodiscard]] int simd_lanes(SimdSet set);
+
+// The sets that this program has and this machine can run, narrowest first; asked once.
+[[nodiscard]] std::span<const SimdSet> usable_simd_sets();
+// The widest of them.
+[[nodiscard]] SimdSet widest_simd_set();
+
+}  // namespace shigusa

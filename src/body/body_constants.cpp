@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/body/body_model.hpp>
+
+namespace shigusa {
+namespace {
+
+template <class T>
+Mat3<T> matrix(const Mat3d& m) {
+  return {to_scalar<T>(m.cx), to_scalar<T>(m.cy), to_scalar<T>(m.cz)};
+}
+
+bool is_diagonal(const Mat3d& m) {
+  return m.cx.y == 0.0 && m.cx.z == 0.0 && m.cy.x == 0.0 && m.cy.z == 0.0 && m.cz.x == 0.0 &&
+         m.cz.y == 0.0;
+}
+
+// True when the dof only adds a freedom to its parent's joint.
+bool continues_joint(const BodyDefinition& body, int dof) {
+  const Dof& own = body.dofs[static_cast<std::size_t>(dof)];
+  if (own.parent == kBaseLink || own.parent != dof - 1 || own.offset != Vec3d{}) return false;
+  if (body.masses[static_cast<std::size_t>(own.parent)].mass > 0.0) return false;
+  int children = 0;
+  for (const Dof& other : body.dofs) children += other.parent == own.parent ? 1 : 0;
+  return children == 1;
+}
+
+}  // namespace
+
+template <class T>
+BodyConstants<T>::BodyConstants(const BodyDefinition& body)
+    : base_rotation(matrix<T>(body.base.rotation)),
+      base_origin(to_scalar<T>(body.base.translation)),
+      base_mass(static_cast<T>(body.base_mass.mass)),
+      base_com(to_scalar<T>(body.base_mass.com)),
+      total_mass(static_cast<T>(body.mass)) {
+  std::vector<int> joint_of(body.dofs.size());
+  for (std::size_t i = 0; i < body.dofs.size(); ++i) {
+    const shigusa::Dof& dof = body.dofs[i];
+    dofs.push_back(
+        {dof.parent, dof.axis, dof.sign < 0.0, dof.offset == Vec3d{}, to_scalar<T>(dof.offset)});
+    const int link = static_cast<int>(i);
+    if (!continues_joint(body, link)) {
+      const int parent =
+          dof.parent == kBaseLink ? -1 : joint_of[static_cast<std::size_t>(dof.parent)];
+      joints.push_back({.first = link, .parent = parent});
+    }
+    joint_of[i] = static_cast<int>(joints.size()) - 1;
+    const MassProperties& mass = body.masses[i];
+    Joint& joint = joints.back();
+    joint.link = link;
+    joint.massive = mass.mass > 0.0;
+    joint.principal = is_diagonal(mass.inertia);
+    joint.mass = static_cast<T>(mass.mass);
+    joint.com = to_scalar<T>(mass.com);
+    joint.inertia = matrix<T>(mass.inertia);
+  }
+}
+
+template struct BodyConstants<float>;
+template struct BodyConstants<double>;
+
+}  // namespace shigusa

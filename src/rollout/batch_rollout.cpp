@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <shigusa/core/check.hpp>
+#include <shigusa/core/parallel.hpp>
+#include <shigusa/rollout/batch_rollout.hpp>
+
+#include "lane_scorer.hpp"
+
+namespace shigusa {
+namespace {
+
+std::unique_ptr<LaneScorer> make_scorer(SimdSet set, const ReachProblem& problem,
+                                        const CriteriaSettings& criteria) {
+  switch (set) {
+    case SimdSet::scalar:
+      return make_scalar_scorer(problem, criteria);
+    case SimdSet::lanes_4:
+      return make_lanes_4_scorer(problem, criteria);
+#ifdef SHIGUSA_HAS_AVX
+    case SimdSet::avx2:
+      return make_avx2_scorer(problem, criteria);
+    case SimdSet::avx512:
+      return make_avx512_scorer(problem, criteria);
+#else
+    default:
+      break;
+#endif
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+BatchRollout::BatchRollout(const ReachProblem& problem, const CriteriaSettings& criteria,
+                           const BatchSettings& settings)
+    : problem_(&problem),
+      criteria_(&criteria),
+      settings_(settings),
+      scorers_(static_cast<std::size_t>(thread_count(settings.threads))) {
+  const auto usable = usable_simd_sets();
+  SHG_CHECK(std::find(usable.begin(), usable.end(), settings.simd) != usable.end(),
+            "this machine cannot run the SIMD set " + std::string(simd_name(settings.simd)));
+}
+
+BatchRollout::~BatchRollout() = default;
+
+void BatchRollout::score(std::span<const float> inverse_weights, std::span<double> scores) {
+  const std::size_t dofs = problem_->body->dofs().size();
+  SHG_CHECK(inverse_weights.size() == scores.size() * dofs, "one weight per motion and dof");
+  const auto lanes = static_cast<std::size_t>(simd_lanes(settings_.simd));
+  const std::size_t batches = (scores.size() + lanes - 1) / lanes;
+  const auto work = [&](int batch, int worker) {
+    const std::size_t first = static_cast<std::size_t>(batch) * lanes;
+    const std::size_t count = std::min(lanes, scores.size() - first);
+    std::unique_ptr<LaneScorer>& scorer = scorers_[static_cast<std::size_t>(worker)];
+    if (!scorer) scorer = make_scorer(settings_.simd, *problem_, *criteria_);
+    scorer->score(inverse_weights.subspan(first * dofs, count * dofs),
+                  scores.subspan(first, count));
+  };
+  parallel_for(static_cast<int>(batches), settings_.threads, work);
+}
+
+}  // namespace shigusa

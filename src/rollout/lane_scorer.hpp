@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <shigusa/rollout/batch_rollout.hpp>
+
+namespace shigusa {
+
+// Scores as many motions at once as a SIMD set has lanes. One per thread.
+class LaneScorer {
+ public:
+  virtual ~LaneScorer() = default;
+  // At most simd_lanes() motions; inverse_weights (motions × dofs), scores (motions).
+  virtual void score(std::span<const float> inverse_weights, std::span<double> scores) = 0;
+};
+
+// One per SIMD set, each in a source file that is compiled for it.
+std::unique_ptr<LaneScorer> make_scalar_scorer(const ReachProblem& problem,
+                                               const CriteriaSettings& criteria);
+std::unique_ptr<LaneScorer> make_lanes_4_scorer(const ReachProblem& problem,
+                                                const CriteriaSettings& criteria);
+std::unique_ptr<LaneScorer> make_avx2_scorer(const ReachProblem& problem,
+                                             const CriteriaSettings& criteria);
+std::unique_ptr<LaneScorer> make_avx512_scorer(const ReachProblem& problem,
+                                               const CriteriaSettings& criteria);
+
+}  // namespace shigusa

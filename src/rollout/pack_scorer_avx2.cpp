@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "pack_scorer.hpp"
+
+namespace shigusa {
+
+std::unique_ptr<LaneScorer> make_avx2_scorer(const ReachProblem& problem,
+                                             const CriteriaSettings& criteria) {
+  return std::make_unique<PackScorer<8>>(problem, criteria);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <shigusa/simd/simd_set.hpp>
+#include <utility>
+#include <vector>
+
+namespace shigusa {
+namespace {
+
+#if defined(__x86_64__) || defined(__i386__)
+constexpr const char* kFourLanes = "sse2";
+#else
+constexpr const char* kFourLanes = "simd128";
+#endif
+
+constexpr std::array<std::pair<SimdSet, const char*>, 4> kNames{{{SimdSet::scalar, "scalar"},
+                                                                 {SimdSet::lanes_4, kFourLanes},
+                                                                 {SimdSet::avx2, "avx2"},
+                                                                 {SimdSet::avx512, "avx512"}}};
+
+std::vector<SimdSet> find_usable() {
+  std::vector<SimdSet> sets{SimdSet::scalar, SimdSet::lanes_4};
+#ifdef SHIGUSA_HAS_AVX
+  if (__builtin_cpu_supports("avx2")) sets.push_back(SimdSet::avx2);
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512dq")) {
+    sets.push_back(SimdSet::avx512);
+  }
+#endif
+  return sets;
+}
+
+}  // namespace
+
+std::string_view simd_name(SimdSet set) {
+  for (const auto& [known, name] : kNames) {
+    if (known == set) return name;
+  }
+  return "";
+}
+
+std::optional<SimdSet> find_simd(std::string_view name) {
+  for (const auto& [set, known] : kNames) {
+    if (known == name) return set;
+  }
+  return std::nullopt;
+}
+
+int simd_lanes(SimdSet set) {
+  switch (set) {
+    case SimdSet::scalar:
+      return 1;
+    case SimdSet::lanes_4:
+      return 4;
+    case SimdSet::avx2:
+      return 8;
+    case SimdSet::avx512:
+      return 16;
+  }
+  return 1;
+}
+
+std::span<const SimdSet> usable_simd_sets() {
+  static const std::vector<SimdSet> sets = find_usable();
+  return sets;
+}
+
+SimdSet widest_simd_set() { return usable_simd_sets().back(); }
+
+}  // namespace shigusa
