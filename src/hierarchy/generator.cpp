@@ -13,8 +13,8 @@
 namespace shigusa {
 namespace {
 
-// Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn fast
-// and would jolt into the last frame.
+// Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn
+// fast and would jolt into the last frame.
 constexpr int kEdgeCorrections = 3;
 
 // Ways to the goals, tried in this order until one leads there: a straight hand path; the same with

@@ -161,8 +161,7 @@ class KktSystem {
     Vector e = Vector::Zero(count);
     for (int k = 0; k < 3; ++k) e(k) = error[k];
     if (target.contact) {
-      const Vec3d tilt =
-          rotation_sine(kinematics.link_rotation(target.link), target.orientation);
+      const Vec3d tilt = rotation_sine(kinematics.link_rotation(target.link), target.orientation);
       for (int k = 0; k < 3; ++k) e(3 + k) = kContactLength * tilt[k];
     }
     for (Eigen::Index i = 0; i < n; ++i) {

@@ -59,7 +59,9 @@ template <class S>
 
 // inertia times v, both in world axes
 template <class S, class Joint>
-[[nodiscard]] Vec3<S> inertia_times(const Joint& joint, const Mat3<S>& rotation, const Vec3<S>& v) {
+[[nodiscard, gnu::always_inline]] inline Vec3<S> inertia_times(const Joint& joint,
+                                                               const Mat3<S>& rotation,
+                                                               const Vec3<S>& v) {
   const Vec3<S> local = transpose_times(rotation, v);
   if (joint.principal) {
     return rotation * Vec3<S>{local.x * S(joint.inertia.cx.x), local.y * S(joint.inertia.cy.y),

@@ -132,6 +132,32 @@ void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
   }
 }
 
+// one 3 × 3 block of J A Jᵀ, below the diagonal: Σ a_p (weighted b_p)ᵀ over the first `count`
+// columns
+template <class S>
+[[nodiscard]] Mat3<S> block_product(const Vec3<S>* a, const Vec3<S>* b, std::size_t count) {
+  Mat3<S> sum{{}, {}, {}};
+  for (std::size_t p = 0; p < count; ++p) {
+    sum.cx += a[p] * b[p].x;
+    sum.cy += a[p] * b[p].y;
+    sum.cz += a[p] * b[p].z;
+  }
+  return sum;
+}
+
+// the same on the diagonal, where the block is symmetric; what lies above its diagonal stays 0
+template <class S>
+[[nodiscard]] Mat3<S> square_product(const Vec3<S>* a, const Vec3<S>* b, std::size_t count) {
+  Mat3<S> sum{{}, {}, {}};
+  for (std::size_t p = 0; p < count; ++p) {
+    sum.cx += a[p] * b[p].x;
+    sum.cy.y = sum.cy.y + a[p].y * b[p].y;
+    sum.cy.z = sum.cy.z + a[p].z * b[p].y;
+    sum.cz.z = sum.cz.z + a[p].z * b[p].z;
+  }
+  return sum;
+}
+
 // fills J A Jᵀ, block by block: chains of two targets share what lies before they part
 template <class S>
 void fill_products(int blocks, IkWorkspace<S>& workspace) {
@@ -139,21 +165,39 @@ void fill_products(int blocks, IkWorkspace<S>& workspace) {
     const auto& a = workspace.blocks[i];
     for (int j = 0; j <= i; ++j) {
       const auto& b = workspace.blocks[j];
+      if (i == j) {
+        const Mat3<S> m = square_product(a.columns, a.weighted, a.chain.size());
+        workspace.system(3 * i, 3 * i) = m.cx.x;
+        workspace.system(3 * i + 1, 3 * i) = m.cx.y;
+        workspace.system(3 * i + 1, 3 * i + 1) = m.cy.y;
+        put(&workspace.system(3 * i + 2, 3 * i), {m.cx.z, m.cy.z, m.cz.z});
+        continue;
+      }
       const std::size_t most = a.chain.size() < b.chain.size() ? a.chain.size() : b.chain.size();
-      Mat3<S> product{{}, {}, {}};
-      for (std::size_t p = 0; p < most && a.chain[p] == b.chain[p]; ++p) {
-        const Vec3<S>& v = b.weighted[p];
-        product.cx += a.columns[p] * v.x;
-        product.cy += a.columns[p] * v.y;
-        product.cz += a.columns[p] * v.z;
-      }
-      for (int row = 0; row < 3; ++row) {
-        const int last = i == j ? row : 2;
-        for (int column = 0; column <= last; ++column) {
-          workspace.system(3 * i + row, 3 * j + column) = product.column(column)[row];
-        }
-      }
+      std::size_t shared = 0;
+      while (shared < most && a.chain[shared] == b.chain[shared]) ++shared;
+      const Mat3<S> m = block_product(a.columns, b.weighted, shared);
+      put(&workspace.system(3 * i, 3 * j), {m.cx.x, m.cy.x, m.cz.x});
+      put(&workspace.system(3 * i + 1, 3 * j), {m.cx.y, m.cy.y, m.cz.y});
+      put(&workspace.system(3 * i + 2, 3 * j), {m.cx.z, m.cy.z, m.cz.z});
     }
+  }
+}
+
+// solves the system for the residual in place
+template <class S>
+void solve(int rows, S pivot_floor, IkWorkspace<S>& workspace) {
+  switch (rows) {
+    case 3:  // a hand
+      return ldlt_solve_fixed<3>(workspace.system, workspace.residual, pivot_floor);
+    case 6:  // two hands, or a foot
+      return ldlt_solve_fixed<6>(workspace.system, workspace.residual, pivot_floor);
+    case 9:  // a hand and a foot
+      return ldlt_solve_fixed<9>(workspace.system, workspace.residual, pivot_floor);
+    case 12:  // two hands and a foot
+      return ldlt_solve_fixed<12>(workspace.system, workspace.residual, pivot_floor);
+    default:
+      return ldlt_solve(workspace.system, workspace.residual, rows, pivot_floor);
   }
 }
 
@@ -219,7 +263,7 @@ void weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
       }
     }
   }
-  ldlt_solve(workspace.system, workspace.residual, rows, diagonal * S(kIkPivotFloor<Element<S>>));
+  ik_detail::solve(rows, diagonal * S(kIkPivotFloor<Element<S>>), workspace);
   for (int b = 0; b < blocks; ++b) {
     const auto& block = workspace.blocks[b];
     const Vec3<S> force{workspace.residual[3 * b], workspace.residual[3 * b + 1],

@@ -4,6 +4,14 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/math/scalar.hpp>
 
+#if defined(__clang__)
+#define SHG_UNROLL _Pragma("clang loop unroll(full)")
+#elif defined(__GNUC__)
+#define SHG_UNROLL _Pragma("GCC unroll 16")
+#else
+#define SHG_UNROLL
+#endif
+
 namespace shigusa {
 
 // A symmetric matrix of up to Max rows, stored as its lower triangle, row after row. How many rows
@@ -78,5 +86,38 @@ void ldlt_solve(SmallSymmetric<S, Max>& a, S* b, int n, S pivot_floor) {
   ldlt_factorize(a, n, pivot_floor);
   ldlt_substitute(a, b, n);
 }
+
+// The same for an n that the compiler knows: in the same order of operations, with all loops
+// unrolled, so that the system stays in registers as far as they go. `a` is left as it was.
+template <int n, class S, int Max>
+void ldlt_solve_fixed(const SmallSymmetric<S, Max>& a, S* b, S pivot_floor) {
+  static_assert(0 < n && n <= Max && n <= 16);
+  S l[static_cast<unsigned>(n * (n + 1) / 2)];
+  S x[static_cast<unsigned>(n)];
+  constexpr auto at = [](int i, int j) { return i * (i + 1) / 2 + j; };
+  SHG_UNROLL for (int i = 0; i < n * (n + 1) / 2; ++i) l[i] = a.lower[i];
+  SHG_UNROLL for (int i = 0; i < n; ++i) x[i] = b[i];
+  SHG_UNROLL for (int k = 0; k < n; ++k) {
+    const S pivot = l[at(k, k)];
+    const auto dropped = pivot <= pivot_floor;
+    const S inverse = select(dropped, S(0), S(1) / select(dropped, S(1), pivot));
+    l[at(k, k)] = inverse;
+    SHG_UNROLL for (int i = n - 1; i > k; --i) {
+      const S factor = l[at(i, k)] * inverse;
+      SHG_UNROLL for (int j = k + 1; j <= i; ++j) {
+        l[at(i, j)] = l[at(i, j)] - factor * l[at(j, k)];
+      }
+      l[at(i, k)] = factor;
+      x[i] = x[i] - factor * x[k];
+    }
+  }
+  SHG_UNROLL for (int i = 0; i < n; ++i) x[i] = x[i] * l[at(i, i)];
+  SHG_UNROLL for (int k = n - 1; k > 0; --k) {
+    SHG_UNROLL for (int i = 0; i < k; ++i) x[i] = x[i] - l[at(k, i)] * x[k];
+  }
+  SHG_UNROLL for (int i = 0; i < n; ++i) b[i] = x[i];
+}
+
+#undef SHG_UNROLL
 
 }  // namespace shigusa

@@ -39,7 +39,7 @@ class Rollout {
                           .contact = target.contact,
                           .orientation = to_scalar<S>(target.orientation)});
     }
-    leads_.resize(targets_.size());
+    leads_.reserve(targets_.size());
     for (int frame = 0; frame <= problem.steps; ++frame) {
       const double tau = static_cast<double>(frame) / problem.steps;
       for (const ReachGoal& goal : problem.goals) {
@@ -54,20 +54,21 @@ class Rollout {
   BasicReachOutcome<S> run(std::span<const S> inverse_weights, Visitor&& visit) {
     const BodyModel& body = *problem_->body;
     BasicReachOutcome<S> outcome;
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      targets_[i].lag = S(0);
-      leads_[i] = {};
+    for (IkTarget<S>& target : targets_) {
+      target.lag = S(0);
+      target.lead = target.tilt_lead = {};
     }
+    now_ = 0;
     for (std::size_t d = 0; d < speeds_.size(); ++d) {
       angles_[0][d] = angles_[1][d] = S(body.start()[d]);
       unlocked_[d] = select(inverse_weights[d] > S(0), S(1), S(0));
     }
-    forward_kinematics<S>(body, angles_[1], kinematics_[0]);
+    forward_kinematics<S>(body, angles_[1], now());
     for (int frame = 1; frame <= problem_->steps; ++frame) {
       follow(frame, inverse_weights, outcome);
       show_frame(visit);
       std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
-      std::swap(kinematics_[0], kinematics_[1]);
+      now_ = 1 - now_;
     }
     // the motion ends at rest
     angles_[2] = angles_[1];
@@ -76,10 +77,9 @@ class Rollout {
   }
 
  private:
-  struct Lead {
-    Vec3<S> position{};  // m
-    Vec3<S> tilt{};      // rad
-  };
+  // placements in this frame and in the next
+  [[nodiscard]] Kinematics<S>& now() { return kinematics_[now_]; }
+  [[nodiscard]] Kinematics<S>& next() { return kinematics_[1 - now_]; }
 
   // moves the angles of the next frame to where the paths are then
   void follow(int frame, std::span<const S> inverse_weights, BasicReachOutcome<S>& outcome) {
@@ -90,53 +90,59 @@ class Rollout {
     }
     const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
     const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
-    const auto contacts = std::span<const IkTarget<S>>(targets_).subspan(contacts_from_);
+    const auto contacts = std::span<IkTarget<S>>(targets_).subspan(contacts_from_);
     draw_to_guide(frame);
-    lead(true);
-    step(kinematics_[0], angles_[1], targets, inverse_weights, reference_);
-    BasicReachOutcome<S> now = measure(targets);
-    learn_leads(targets, skipped);
-    lead(false);
+    step(targets, inverse_weights);
+    BasicReachOutcome<S> missed = measure(targets);
+    learn_leads(targets);
     const int corrections = last ? problem_->goal_corrections : problem_->corrections;
     for (int k = 0; k < corrections; ++k) {
-      const auto off = max(now.path_error, contact_error(now)) > S(problem_->goal_tolerance);
+      const auto off = max(missed.path_error, contact_error(missed)) > S(problem_->goal_tolerance);
       if (!any(off)) break;
       correct(targets, inverse_weights, off);
-      now = measure(targets);
+      missed = measure(targets);
     }
     // a goal out of reach, or weights that are far apart, do not take a planted foot along
     for (int k = 0; k < problem_->contact_corrections; ++k) {
-      const auto off = contact_error(now) > S(problem_->contact_slack);
+      const auto off = contact_error(missed) > S(problem_->contact_slack);
       if (!any(off)) break;
       correct(contacts, unlocked_, off);
-      now = measure(targets);
+      missed = measure(targets);
     }
-    outcome.path_error = max(outcome.path_error, now.path_error);
-    outcome.contact_slide = max(outcome.contact_slide, now.contact_slide);
-    outcome.contact_tilt = max(outcome.contact_tilt, now.contact_tilt);
-    if (last) outcome.goal_error = now.path_error;
+    outcome.path_error = max(outcome.path_error, missed.path_error);
+    outcome.contact_slide = max(outcome.contact_slide, missed.contact_slide);
+    outcome.contact_tilt = max(outcome.contact_tilt, missed.contact_tilt);
+    if (last) outcome.goal_error = missed.path_error;
   }
 
-  // one step of IK from a placement and its angles to the next frame's
-  void step(const Kinematics<S>& from, std::span<const S> angles,
-            std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
-            std::span<const S> reference) {
-    weighted_ik_step<S>(*problem_->body, from, targets, inverse_weights, reference, problem_->ik,
+  // one step of IK from this frame to the next
+  void step(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights) {
+    weighted_ik_step<S>(*problem_->body, now(), targets, inverse_weights, reference_, problem_->ik,
                         ik_, step_);
-    for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles[d] + step_[d];
-    forward_kinematics<S>(*problem_->body, angles_[2], kinematics_[1]);
+    for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[1][d] + step_[d];
+    forward_kinematics<S>(*problem_->body, angles_[2], next());
   }
 
-  // one more step within the next frame, in the lanes that are off
+  // one more step within the next frame, in the lanes that are off; what is left to go is small, so
+  // it takes no lead
   template <class Condition>
-  void correct(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
+  void correct(std::span<IkTarget<S>> targets, std::span<const S> inverse_weights,
                const Condition& off) {
-    weighted_ik_step<S>(*problem_->body, kinematics_[1], targets, inverse_weights, {}, problem_->ik,
-                        ik_, step_);
+    leads_.clear();
+    for (IkTarget<S>& target : targets) {
+      leads_.push_back({target.lead, target.tilt_lead});
+      target.lead = target.tilt_lead = {};
+    }
+    weighted_ik_step<S>(*problem_->body, next(), targets, inverse_weights, {}, problem_->ik, ik_,
+                        step_);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      targets[i].lead = leads_[i].position;
+      targets[i].tilt_lead = leads_[i].tilt;
+    }
     for (std::size_t d = 0; d < step_.size(); ++d) {
       angles_[2][d] = select(off, angles_[2][d] + step_[d], angles_[2][d]);
     }
-    forward_kinematics<S>(*problem_->body, angles_[2], kinematics_[1]);
+    forward_kinematics<S>(*problem_->body, angles_[2], next());
   }
 
   // the step that, taken in every frame, follows the minimum-jerk profile into the guide posture
@@ -149,43 +155,33 @@ class Rollout {
     }
   }
 
-  // gives the targets their leads, or takes them away
-  void lead(bool ahead) {
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      targets_[i].lead = ahead ? leads_[i].position : Vec3<S>{};
-      targets_[i].tilt_lead = ahead ? leads_[i].tilt : Vec3<S>{};
-    }
-  }
-
   // adds to the leads what the step has missed
-  void learn_leads(std::span<const IkTarget<S>> targets, std::size_t first) {
+  void learn_leads(std::span<IkTarget<S>> targets) {
     const S limit(problem_->lead_limit);
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      Lead& lead = leads_[first + i];
-      const IkTarget<S>& target = targets[i];
+    for (IkTarget<S>& target : targets) {
       const auto follows = target.lag < limit;
-      lead.position = select(follows, lead.position + position_error(kinematics_[1], target), {});
+      target.lead = select(follows, target.lead + position_error(next(), target), Vec3<S>{});
       if (!target.contact) continue;
-      lead.tilt = select(follows, lead.tilt + tilt_error(kinematics_[1], target), {});
+      target.tilt_lead = select(follows, target.tilt_lead + tilt_error(next(), target), Vec3<S>{});
     }
   }
 
   // how far the targets are missed now
   BasicReachOutcome<S> measure(std::span<IkTarget<S>> targets) {
-    BasicReachOutcome<S> now;
+    BasicReachOutcome<S> missed;
     for (IkTarget<S>& target : targets) {
-      const S miss = norm(position_error(kinematics_[1], target));
+      const S miss = norm(position_error(next(), target));
       if (!target.contact) {
         target.lag = miss;
-        now.path_error = max(now.path_error, miss);
+        missed.path_error = max(missed.path_error, miss);
         continue;
       }
-      const S turned = tilt(kinematics_[1], target);
+      const S turned = tilt(next(), target);
       target.lag = miss + turned * S(kContactLength);
-      now.contact_slide = max(now.contact_slide, miss);
-      now.contact_tilt = max(now.contact_tilt, turned);
+      missed.contact_slide = max(missed.contact_slide, miss);
+      missed.contact_tilt = max(missed.contact_tilt, turned);
     }
-    return now;
+    return missed;
   }
 
   static S contact_error(const BasicReachOutcome<S>& outcome) {
@@ -205,23 +201,27 @@ class Rollout {
           ((angles_[2][d] - angles_[1][d]) - (angles_[1][d] - angles_[0][d])) * square_rate;
     }
     const Wrench<S> ground =
-        inverse_dynamics<S>(body, kinematics_[0], speeds_, accelerations_, dynamics_, torques_);
+        inverse_dynamics<S>(body, now(), speeds_, accelerations_, dynamics_, torques_);
     if (body.feet().size() == 2) {
-      share_ground_wrench<S>(body, kinematics_[0], ground, body.feet()[0], body.feet()[1],
-                             torques_);
+      share_ground_wrench<S>(body, now(), ground, body.feet()[0], body.feet()[1], torques_);
     }
-    visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_)},
-          kinematics_[0]);
+    visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_)}, now());
   }
+
+  struct Lead {
+    Vec3<S> position;  // m
+    Vec3<S> tilt;      // rad
+  };
 
   const ReachProblem* problem_;
   std::size_t contacts_from_;            // index of the first contact among the targets
   std::vector<IkTarget<S>> targets_;     // the goals, then the contacts
-  std::vector<Lead> leads_;              // (targets)
+  std::vector<Lead> leads_;              // put aside while a frame is corrected
   std::vector<Vec3<Element<S>>> paths_;  // (frames × goals) m, world
   IkWorkspace<S> ik_;
   DynamicsWorkspace<S> dynamics_;
-  std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next
+  std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, taking turns …
+  std::size_t now_ = 0;                    // … and which is this frame's
   std::vector<std::vector<S>> angles_;     // of the frame before, this one and the next
   std::vector<S> speeds_;
   std::vector<S> accelerations_;

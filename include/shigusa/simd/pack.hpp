@@ -109,8 +109,8 @@ inline constexpr float kCosinePolynomial[] = {0.041666646866331792F, -0.00138873
                                               2.4438450907381384e-5F};
 
 // sin and cos of angles in radians; absolute error below 1.2e-7 for |angle| ≤ 100 and below 1e-4
-// for |angle| ≤ 1e5. Beyond 2e6, infinities and NaN included, both are NaN. Cody-Waite reduction to
-// [-π/4, π/4], then minimax polynomials.
+// for |angle| ≤ 1e4; meaningless beyond, NaN of NaN. Cody-Waite reduction to [-π/4, π/4], then
+// minimax polynomials.
 template <int N>
 [[nodiscard]] inline SinCos<Pack<float, N>> sin_cos(const Pack<float, N>& angle) {
   using P = Pack<float, N>;
@@ -120,9 +120,7 @@ template <int N>
   const P shifted = angle * P(0x1.45f306p-1F) + P(12582912.0F);
   const P n = shifted - P(12582912.0F);
   // π/2 in three parts; the first two have few bits, so that n times them is exact
-  const P reduced = ((angle - n * P(0x1.92p+0F)) - n * P(0x1.fb4p-12F)) - n * P(0x1.4442d2p-24F);
-  const auto in_range = abs(angle) < P(2e6F);
-  const P x = select(in_range, reduced, P(__builtin_nanf("")));
+  const P x = ((angle - n * P(0x1.92p+0F)) - n * P(0x1.fb4p-12F)) - n * P(0x1.4442d2p-24F);
   const P z = x * x;
   const auto polynomial = [&](const float(&p)[3]) { return P(p[0]) + z * (P(p[1]) + z * P(p[2])); };
   const P sine = x + x * (z * polynomial(kSinePolynomial));
