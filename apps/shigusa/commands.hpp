@@ -39,6 +39,8 @@ struct ReachOptions {
   std::optional<int> evaluations;
   std::optional<int> candidates;
   std::optional<std::uint64_t> seed;
+  int threads = 0;  // 0: one for each core
+  std::optional<std::string> simd;
   std::string out = "out";
   std::string formats = "bvh,csv,svg,png";
   bool json = false;

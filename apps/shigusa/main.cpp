@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <shigusa/core/parallel.hpp>
 
 #include "commands.hpp"
 #include "usage.hpp"
@@ -40,6 +41,10 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
       ->check(whole_number(1, 1000));
   c->add_option("--seed", o.seed, "Same seed, same bytes (default 0)")
       ->check(whole_number(0, UINT64_MAX));
+  c->add_option("--threads", o.threads, "Threads of the search (default 0: one for each core)")
+      ->check(whole_number(0, shigusa::kMaxThreads));
+  c->add_option("--simd", o.simd,
+                "Instructions of the search (default: the widest of the machine)");
   c->add_option("--out", o.out, "Folder for the result")->capture_default_str();
   c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
   c->add_flag("--json", o.json, "Print summary.json instead of the table");

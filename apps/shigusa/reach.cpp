@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <shigusa/core/names.hpp>
+#include <shigusa/core/parallel.hpp>
 
 #include "commands.hpp"
 #include "table.hpp"
@@ -45,6 +46,20 @@ Result<std::size_t> pick(const char* what, const std::string& word,
     if (allowed[i] == word) return i;
   }
   return fail(ErrorCode::invalid_argument, unknown_name(what, word, allowed));
+}
+
+// How the search is computed; changes no result.
+Result<BatchSettings> batch_settings(const ReachOptions& options) {
+  BatchSettings batch;
+  batch.threads = options.threads;
+  if (!options.simd) return batch;
+  std::vector<std::string> names;
+  for (const SimdSet set : usable_simd_sets()) names.emplace_back(simd_name(set));
+  const Result<std::size_t> picked =
+      pick("SIMD set, or one that this machine lacks,", *options.simd, names);
+  if (!picked) return tl::unexpected(picked.error());
+  batch.simd = usable_simd_sets()[*picked];
+  return batch;
 }
 
 Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
@@ -106,6 +121,8 @@ void note_goals_below_floor(const Task& task) {
 int reach(const ReachOptions& options) {
   const Result<std::vector<ExportFormat>> formats = parse_formats(options.formats);
   if (!formats) return report(formats.error());
+  const Result<BatchSettings> batch = batch_settings(options);
+  if (!batch) return report(batch.error());
   Result<TaskFile> file = options.task.empty() ? TaskFile{} : read_task(options.task);
   if (!file) return report(file.error());
   if (const auto applied = apply_options(options, *file); !applied) {
@@ -115,8 +132,9 @@ int reach(const ReachOptions& options) {
   const auto folder = options.character || options.task.empty()
                           ? std::filesystem::path{}
                           : std::filesystem::path(options.task).parent_path();
-  const Result<Task> task = make_task(*file, folder);
+  Result<Task> task = make_task(*file, folder);
   if (!task) return report(task.error());
+  task->batch = *batch;
   if (const auto problem = make_problem(*task); !problem) {
     return report(in_task(problem.error(), options));
   }
@@ -127,6 +145,8 @@ int reach(const ReachOptions& options) {
   end_progress_line();
   if (!generation) return report(generation.error());
   RunInfo info;
+  info.threads = thread_count(batch->threads);
+  info.simd = simd_name(batch->simd);
   info.elapsed_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   return deliver(options.out, *file, *task, *generation, info, *formats, options.json);

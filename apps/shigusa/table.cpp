@@ -60,6 +60,12 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
   const Result<std::string> summary = write_result(folder, file, task, generation, info, formats);
   if (!summary) return report(summary.error());
   for (const std::string& doubt : task.body.doubts()) note(task.body.name(), doubt);
+  if (generation.replay_differs > 0) {
+    note("search", fmt::format("{} of {} candidates scored up to {:.4f} otherwise in the search's "
+                               "single precision than in double, whose scores are given",
+                               generation.replay_differs, generation.candidates.size(),
+                               generation.replay_difference));
+  }
   const bool reached = generation.status == ReachStatus::reached;
   if (!reached) {
     fmt::print(stderr, "shigusa: out of reach: the closest motion ends {:.1f} mm from the goal{}\n",

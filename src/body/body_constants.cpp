@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <shigusa/body/body_model.hpp>
 
 namespace shigusa {
@@ -9,16 +10,31 @@ Mat3<T> matrix(const Mat3d& m) {
   return {to_scalar<T>(m.cx), to_scalar<T>(m.cy), to_scalar<T>(m.cz)};
 }
 
-bool is_diagonal(const Mat3d& m) {
-  return m.cx.y == 0.0 && m.cx.z == 0.0 && m.cy.x == 0.0 && m.cy.z == 0.0 && m.cz.x == 0.0 &&
-         m.cz.y == 0.0;
+// What is as small beside its neighbours is left over from rounding, and taken for 0.
+constexpr double kRounding = 1e-12;
+
+bool is_upright(const Vec3d& com) { return max(abs(com.x), abs(com.z)) <= kRounding * abs(com.y); }
+
+bool is_principal(const Mat3d& inertia) {
+  const double off = max(abs(inertia.cx.y), max(abs(inertia.cx.z), abs(inertia.cy.z)));
+  return off <= kRounding * (inertia.cx.x + inertia.cy.y + inertia.cz.z);
+}
+
+// True when something besides other dofs hangs on the link.
+bool carries(const BodyDefinition& body, int link) {
+  const auto is_there = [link](const auto& thing) { return thing.link == link; };
+  return body.masses[static_cast<std::size_t>(link)].mass > 0.0 ||
+         std::any_of(body.effectors.begin(), body.effectors.end(), is_there) ||
+         std::any_of(body.feet.begin(), body.feet.end(), is_there) ||
+         std::any_of(body.capsules.begin(), body.capsules.end(), is_there) ||
+         std::any_of(body.nodes.begin(), body.nodes.end(), is_there);
 }
 
 // True when the dof only adds a freedom to its parent's joint.
 bool continues_joint(const BodyDefinition& body, int dof) {
   const Dof& own = body.dofs[static_cast<std::size_t>(dof)];
   if (own.parent == kBaseLink || own.parent != dof - 1 || own.offset != Vec3d{}) return false;
-  if (body.masses[static_cast<std::size_t>(own.parent)].mass > 0.0) return false;
+  if (carries(body, own.parent)) return false;
   int children = 0;
   for (const Dof& other : body.dofs) children += other.parent == own.parent ? 1 : 0;
   return children == 1;
@@ -37,7 +53,7 @@ BodyConstants<T>::BodyConstants(const BodyDefinition& body)
   for (std::size_t i = 0; i < body.dofs.size(); ++i) {
     const shigusa::Dof& dof = body.dofs[i];
     dofs.push_back(
-        {dof.parent, dof.axis, dof.sign < 0.0, dof.offset == Vec3d{}, to_scalar<T>(dof.offset)});
+        {dof.parent, dof.axis, dof.offset == Vec3d{}, dof.sign < 0.0, to_scalar<T>(dof.offset)});
     const int link = static_cast<int>(i);
     if (!continues_joint(body, link)) {
       const int parent =
@@ -49,7 +65,8 @@ BodyConstants<T>::BodyConstants(const BodyDefinition& body)
     Joint& joint = joints.back();
     joint.link = link;
     joint.massive = mass.mass > 0.0;
-    joint.principal = is_diagonal(mass.inertia);
+    joint.upright = is_upright(mass.com);
+    joint.principal = is_principal(mass.inertia);
     joint.mass = static_cast<T>(mass.mass);
     joint.com = to_scalar<T>(mass.com);
     joint.inertia = matrix<T>(mass.inertia);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <functional>
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
@@ -57,7 +58,7 @@ void BatchRollout::score(std::span<const float> inverse_weights, std::span<doubl
     scorer->score(inverse_weights.subspan(first * dofs, count * dofs),
                   scores.subspan(first, count));
   };
-  parallel_for(static_cast<int>(batches), settings_.threads, work);
+  parallel_for(static_cast<int>(batches), settings_.threads, std::cref(work));
 }
 
 }  // namespace shigusa

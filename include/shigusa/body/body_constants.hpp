@@ -15,9 +15,10 @@ struct BodyConstants {
   struct Dof {
     int parent = -1;
     Axis axis = Axis::x;
-    bool negative = false;   // a positive angle turns about the axis reversed
     bool at_parent = false;  // the joint's centre is the parent's: offset is 0
-    Vec3<T> offset{};        // m
+    bool negative = false;   // a positive angle turns about the axis reversed
+
+    Vec3<T> offset{};  // m
   };
 
   // One joint and the rigid piece that it moves. The freedoms of a joint lie at one centre, one
@@ -27,6 +28,7 @@ struct BodyConstants {
     int link = 0;            // the piece that it moves
     int parent = -1;         // joint that moves the piece which carries this one; -1: the base
     bool massive = false;    // the piece has mass
+    bool upright = false;    // com has a y only
     bool principal = false;  // inertia has a diagonal only
     T mass{};                // kg
     Vec3<T> com{};           // m, in the link frame

@@ -115,7 +115,8 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
     piece.carried = {};
     if (!joint.massive) continue;
     const Mat3<S>& rotation = kinematics.rotation[link];
-    const Vec3<S> com = rotation * to_scalar<S>(joint.com);
+    const Vec3<S> com =
+        joint.upright ? rotation.cy * S(joint.com.y) : rotation * to_scalar<S>(joint.com);
     const Vec3<S> force = (piece.acceleration + piece.turning * com) * S(joint.mass);
     const Vec3<S> angular_momentum = dynamics_detail::inertia_times(joint, rotation, spin);
     piece.carried = {force, dynamics_detail::inertia_times(joint, rotation, rate) +

@@ -13,11 +13,15 @@ struct Kinematics {
   std::vector<Mat3<S>> rotation;  // (dofs) R_WL of the link that the dof moves
   std::vector<Vec3<S>> origin;    // (dofs) m, joint centre in the world
   std::vector<Vec3<S>> axis;      // (dofs) unit vector, world: positive angles turn about it
+  std::vector<SinCos<S>> turn;    // (dofs) sine and cosine of the angle about the axis
   Mat3<S> base_rotation{};        // of the standing foot
   Vec3<S> base_origin{};          // m
 
   explicit Kinematics(const BodyModel& body)
-      : rotation(body.dofs().size()), origin(body.dofs().size()), axis(body.dofs().size()) {}
+      : rotation(body.dofs().size()),
+        origin(body.dofs().size()),
+        axis(body.dofs().size()),
+        turn(body.dofs().size()) {}
 
   [[nodiscard]] const Mat3<S>& link_rotation(int link) const {
     return link == kBaseLink ? base_rotation : rotation[static_cast<std::size_t>(link)];
@@ -38,6 +42,10 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
   const BodyConstants<Element<S>>& constants = body.constants<Element<S>>();
   kinematics.base_rotation = to_scalar<S>(constants.base_rotation);
   kinematics.base_origin = to_scalar<S>(constants.base_origin);
+  // first, as none of these waits for another
+  for (std::size_t i = 0; i < constants.dofs.size(); ++i) {
+    kinematics.turn[i] = sin_cos(constants.dofs[i].negative ? -q[i] : q[i]);
+  }
   for (std::size_t i = 0; i < constants.dofs.size(); ++i) {
     const auto& dof = constants.dofs[i];
     const Mat3<S>& parent = kinematics.link_rotation(dof.parent);
@@ -45,7 +53,7 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
     const Vec3<S>& axis = parent.column(static_cast<int>(dof.axis));
     kinematics.axis[i] = dof.negative ? -axis : axis;
     kinematics.origin[i] = dof.at_parent ? centre : centre + parent * to_scalar<S>(dof.offset);
-    kinematics.rotation[i] = rotated(parent, dof.axis, sin_cos(dof.negative ? -q[i] : q[i]));
+    kinematics.rotation[i] = rotated(parent, dof.axis, kinematics.turn[i]);
   }
 }
 

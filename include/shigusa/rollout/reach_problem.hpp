@@ -45,10 +45,13 @@ struct ReachProblem {
   // …
   double goal_tolerance = 1e-5;  // m
   int goal_corrections = 12;
-  // … and by so many in every other frame, for goals at the very edge of reach
+  // … and by so many in every other frame, for goals at the very edge of reach …
   int corrections = 0;
-  // where a planted foot is off by more than this after all, up to so many steps correct it alone
-  double contact_slack = 1e-4;  // m
+  // … but where more than this is missed, nothing is to be gained
+  double rescue_limit = 0.05;  // m
+  // where a planted foot is off by more than this after all, up to so many steps correct it alone;
+  // a tilt counts as the slide that has the same share of its tolerance
+  double contact_slack = 5e-4;  // m
   int contact_corrections = 8;
 };
 

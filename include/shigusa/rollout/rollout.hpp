@@ -93,21 +93,22 @@ class Rollout {
     const auto contacts = std::span<IkTarget<S>>(targets_).subspan(contacts_from_);
     draw_to_guide(frame);
     step(targets, inverse_weights);
-    BasicReachOutcome<S> missed = measure(targets);
-    learn_leads(targets);
+    BasicReachOutcome<S> missed = measure(targets, true);
     const int corrections = last ? problem_->goal_corrections : problem_->corrections;
     for (int k = 0; k < corrections; ++k) {
-      const auto off = max(missed.path_error, contact_error(missed)) > S(problem_->goal_tolerance);
+      const S worst = max(missed.path_error, contact_error(missed));
+      const auto off = (worst > S(problem_->goal_tolerance)) & (worst < S(problem_->rescue_limit));
       if (!any(off)) break;
       correct(targets, inverse_weights, off);
-      missed = measure(targets);
+      missed = measure(targets, false);
     }
     // a goal out of reach, or weights that are far apart, do not take a planted foot along
     for (int k = 0; k < problem_->contact_corrections; ++k) {
-      const auto off = contact_error(missed) > S(problem_->contact_slack);
+      const S tilt_as_slide = missed.contact_tilt * S(kReachTolerance / kTiltTolerance);
+      const auto off = max(missed.contact_slide, tilt_as_slide) > S(problem_->contact_slack);
       if (!any(off)) break;
       correct(contacts, unlocked_, off);
-      missed = measure(targets);
+      missed = measure(targets, false);
     }
     outcome.path_error = max(outcome.path_error, missed.path_error);
     outcome.contact_slide = max(outcome.contact_slide, missed.contact_slide);
@@ -155,31 +156,24 @@ class Rollout {
     }
   }
 
-  // adds to the leads what the step has missed
-  void learn_leads(std::span<IkTarget<S>> targets) {
+  // how far the targets are missed now; `learn`: adds that to the leads
+  BasicReachOutcome<S> measure(std::span<IkTarget<S>> targets, bool learn) {
+    BasicReachOutcome<S> missed;
     const S limit(problem_->lead_limit);
     for (IkTarget<S>& target : targets) {
-      const auto follows = target.lag < limit;
-      target.lead = select(follows, target.lead + position_error(next(), target), Vec3<S>{});
-      if (!target.contact) continue;
-      target.tilt_lead = select(follows, target.tilt_lead + tilt_error(next(), target), Vec3<S>{});
-    }
-  }
-
-  // how far the targets are missed now
-  BasicReachOutcome<S> measure(std::span<IkTarget<S>> targets) {
-    BasicReachOutcome<S> missed;
-    for (IkTarget<S>& target : targets) {
-      const S miss = norm(position_error(next(), target));
+      const Vec3<S> error = position_error(next(), target);
+      const S miss = norm(error);
+      target.lag = miss;
+      const auto follows = miss < limit;
+      if (learn) target.lead = select(follows, target.lead + error, Vec3<S>{});
       if (!target.contact) {
-        target.lag = miss;
         missed.path_error = max(missed.path_error, miss);
         continue;
       }
-      const S turned = tilt(next(), target);
-      target.lag = miss + turned * S(kContactLength);
+      const Vec3<S> error_tilt = tilt_error(next(), target);
+      if (learn) target.tilt_lead = select(follows, target.tilt_lead + error_tilt, Vec3<S>{});
       missed.contact_slide = max(missed.contact_slide, miss);
-      missed.contact_tilt = max(missed.contact_tilt, turned);
+      missed.contact_tilt = max(missed.contact_tilt, tilt(next(), target));
     }
     return missed;
   }
