@@ -36,6 +36,7 @@ Task make(const BodyModel& body, const Vec3d& goal, std::uint64_t seed) {
   Task task{.body = body};
   task.goals = {{"right_hand", goal}};
   task.genetic.seed = seed;
+  task.batch.threads = 1;
   return task;
 }
 
