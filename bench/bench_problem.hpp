@@ -6,28 +6,32 @@
 #include <shigusa/core/random.hpp>
 #include <shigusa/hierarchy/task.hpp>
 #include <shigusa/rollout/parameters.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 // What is measured: the paper's first experiment, and random genomes of its code.
 namespace shigusa::bench {
 
+inline constexpr int kMotions = 480;  // full lanes in every set
+
+inline constexpr Vec3d kLowFrontLeft{0.25, 0.55, 0.50};  // m
+
 // (motions × dofs) of genomes of the paper's code
 inline std::vector<float> inverse_weights_of(std::span<const std::uint16_t> genomes) {
   std::vector<float> inverse;
+  inverse.reserve(genomes.size());
   for (const std::uint16_t gene : genomes) {
     inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
   }
   return inverse;
 }
 
-inline constexpr Vec3d kLowFrontLeft{0.25, 0.55, 0.50};  // m
-
 struct Measured {
   Task task;
   ReachProblem problem;
-  std::vector<Parameters> parameters;
-  std::vector<float> inverse_weights;  // (motions × dofs)
+  std::vector<Parameters> parameters;  // (motions)
+  std::vector<float> inverse_weights;  // (motions × dofs), of the same motions
 
   Measured(const char* character, int motions) : task{.body = build(character)} {
     task.goals = {{"right_hand", kLowFrontLeft}};
@@ -39,9 +43,8 @@ struct Measured {
         genes.push_back(static_cast<std::uint16_t>(random.below(16)));
       }
       parameters.push_back(decode_paper_genes(genes));
-      for (const double inverse : shigusa::inverse_weights(parameters.back())) {
-        inverse_weights.push_back(static_cast<float>(inverse));
-      }
+      const std::vector<float> inverse = inverse_weights_of(genes);
+      inverse_weights.insert(inverse_weights.end(), inverse.begin(), inverse.end());
     }
   }
   Measured(const Measured&) = delete;

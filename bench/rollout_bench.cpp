@@ -2,34 +2,29 @@
 // One motion of 60 frames, and whole searches, by SIMD set; what threads bring.
 #include <benchmark/benchmark.h>
 
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/core/parallel.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/rollout/rollout.hpp>
+#include <shigusa/search/genetic.hpp>
 
 #include "bench_problem.hpp"
+#include "count_motions.hpp"
 
 namespace shigusa::bench {
 namespace {
 
-constexpr int kMotions = 480;  // full lanes in every set
+constexpr int kScalarMotions = 32;
 constexpr int kSearchMotions = 300;
-
-void count_motions(benchmark::State& state, double motions) {
-  state.counters["motions/s"] = benchmark::Counter(
-      motions * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
-  state.counters["us/motion"] =
-      benchmark::Counter(motions * static_cast<double>(state.iterations()) * 1e-6,
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
 
 // What delivers motions: double precision, one at a time.
 void rollout_double(benchmark::State& state, const char* character) {
-  const Measured measured(character, 32);
+  const Measured measured(character, kScalarMotions);
   const CriteriaSettings criteria;
   Rollout<double> rollout(measured.problem);
   BuiltInCriteria<double> built_in(measured.task.body, criteria);
   std::vector<std::vector<double>> weights;
   for (const Parameters& p : measured.parameters) weights.push_back(inverse_weights(p));
+  const MotionCounter counter(state);
   for (auto _ : state) {
     for (const std::vector<double>& inverse : weights) {
       built_in.reset();
@@ -39,7 +34,7 @@ void rollout_double(benchmark::State& state, const char* character) {
       benchmark::DoNotOptimize(built_in.score());
     }
   }
-  count_motions(state, static_cast<double>(weights.size()));
+  counter.count(kScalarMotions);
 }
 
 void rollout_lanes(benchmark::State& state, const char* character, SimdSet simd, int threads) {
@@ -47,62 +42,74 @@ void rollout_lanes(benchmark::State& state, const char* character, SimdSet simd,
   const CriteriaSettings criteria;
   BatchRollout batch(measured.problem, criteria, {simd, threads});
   std::vector<double> scores(kMotions);
+  // the first makes what each thread needs
+  batch.score(measured.inverse_weights, scores);
+  const MotionCounter counter(state);
   for (auto _ : state) {
     batch.score(measured.inverse_weights, scores);
     benchmark::DoNotOptimize(scores.data());
   }
-  count_motions(state, kMotions);
+  counter.count(kMotions);
 }
 
 // The search alone, as generate() runs it: the problem is at hand, nothing is delivered.
 void search(benchmark::State& state, const char* character, SimdSet simd) {
   const Measured measured(character, 1);
   const CriteriaSettings criteria;
-  const auto dofs = static_cast<std::size_t>(measured.task.body.dof_count());
-  int evaluations = 0;
+  DiscreteProblem discrete;
+  discrete.genes = measured.task.body.dof_count();
+  const auto lanes = static_cast<std::size_t>(simd_lanes(simd));
+  double evaluations = 0.0;
+  double places = 0.0;  // lanes of all batches
   std::uint64_t seed = 0;
   for (auto _ : state) {
     BatchRollout batch(measured.problem, criteria, {simd, 1});
-    DiscreteProblem discrete;
-    discrete.genes = static_cast<int>(dofs);
     discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
       batch.score(inverse_weights_of(genomes), scores);
+      evaluations += static_cast<double>(scores.size());
+      places += static_cast<double>((scores.size() + lanes - 1) / lanes * lanes);
     };
     GeneticSettings settings;
     settings.seed = ++seed;
     const SearchResult found = restarted_genetic_search(discrete, settings, kSearchMotions);
-    evaluations += found.evaluations;
     benchmark::DoNotOptimize(found.best_seen.score);
   }
   state.counters["evaluations"] =
       benchmark::Counter(evaluations, benchmark::Counter::kAvgIterations);
+  state.counters["lanes_filled"] = evaluations / places;
+}
+
+void register_set(SimdSet simd) {
+  using benchmark::RegisterBenchmark;
+  const std::string set = "/" + std::string(simd_name(simd));
+  for (const char* character : {"half_body", "full_body"}) {
+    const std::string name = "rollout/" + (character + set);
+    RegisterBenchmark(name.c_str(), rollout_lanes, character, simd, 1);
+  }
+  RegisterBenchmark(("search/paper_half" + set).c_str(), search, "half_body", simd)
+      ->Unit(benchmark::kMillisecond);
+  RegisterBenchmark(("search/paper_full" + set).c_str(), search, "full_body", simd)
+      ->Unit(benchmark::kMillisecond);
+}
+
+// One thread, two, four, … up to the machine's cores; "real_time" follows the name.
+void register_scaling() {
+  const int cores = thread_count(0);
+  for (int threads = 1; threads <= cores; threads *= 2) {
+    const std::string name = "scaling/threads/" + std::to_string(threads);
+    benchmark::RegisterBenchmark(name.c_str(), rollout_lanes, "full_body", widest_simd_set(),
+                                 threads)
+        ->UseRealTime();
+  }
 }
 
 const bool kRegistered = [] {
-  using benchmark::RegisterBenchmark;
-  const auto name = [](const char* what, const char* character, std::string_view set) {
-    return std::string(what) + character + "/" + std::string(set);
-  };
   for (const char* character : {"half_body", "full_body"}) {
-    RegisterBenchmark(name("rollout/", character, "double").c_str(), rollout_double, character);
-    for (const SimdSet simd : usable_simd_sets()) {
-      RegisterBenchmark(name("rollout/", character, simd_name(simd)).c_str(), rollout_lanes,
-                        character, simd, 1);
-    }
+    const std::string name = "rollout/" + std::string(character) + "/double";
+    benchmark::RegisterBenchmark(name.c_str(), rollout_double, character);
   }
-  for (const SimdSet simd : usable_simd_sets()) {
-    for (const auto& [label, character] :
-         {std::pair{"half", "half_body"}, std::pair{"full", "full_body"}}) {
-      RegisterBenchmark(name("search/paper_", label, simd_name(simd)).c_str(), search, character,
-                        simd)
-          ->Unit(benchmark::kMillisecond);
-    }
-  }
-  for (const int threads : {1, 2, 4, 8}) {
-    RegisterBenchmark(("scaling/threads/" + std::to_string(threads)).c_str(), rollout_lanes,
-                      "full_body", widest_simd_set(), threads)
-        ->UseRealTime();
-  }
+  for (const SimdSet simd : usable_simd_sets()) register_set(simd);
+  register_scaling();
   return true;
 }();
 

@@ -7,8 +7,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DEBIAN_FRONTEND=noninteractive
 jobs=$(nproc)
 
-# say TEXT: one line on what comes next
-say() { printf '== %s\n' "$*"; }
+# say TEXT: one line on what comes next, and when
+say() { printf '== %(%H:%M:%S)T %s\n' -1 "$*"; }
 
 # quietly COMMAND…: shows the command's output only when it fails
 quietly() {
@@ -28,6 +28,14 @@ build() {
   else
     quietly cmake --build "build/$1" --parallel "$jobs" -- --quiet
   fi
+}
+
+# build_target PRESET TARGET…: configures build/PRESET and builds only these
+build_target() {
+  local preset=$1
+  shift
+  quietly cmake --preset "$preset"
+  quietly cmake --build "build/$preset" --parallel "$jobs" --target "$@" -- --quiet
 }
 
 # run_tests PRESET CTEST_OPTION…: what passed or was skipped is only counted, unless on a terminal

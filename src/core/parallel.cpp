@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
 
@@ -7,8 +8,66 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
+#ifdef SHIGUSA_THREAD_SANITIZER
+#include <vector>
+extern "C" {
+void __tsan_acquire(void* address);
+void __tsan_release(void* address);
+}
+#endif
 
 namespace shigusa {
+#ifdef SHIGUSA_HAS_TBB
+namespace {
+
+#ifdef SHIGUSA_THREAD_SANITIZER
+// The thread sanitizer does not see into oneTBB, which orders calls by atomics of its own, and is
+// told: calls come after what was before parallel_for and before what follows it, and a worker's
+// calls come one after the other. Two workers' calls stay unordered, so their races are found.
+class Order {
+ public:
+  explicit Order(int workers) : workers_(static_cast<std::size_t>(workers)) {
+    __tsan_release(&begin_);
+  }
+  ~Order() { __tsan_acquire(&end_); }
+  Order(const Order&) = delete;
+  Order& operator=(const Order&) = delete;
+
+  class Call {
+   public:
+    Call(Order& order, int worker)
+        : order_(order), worker_(&order.workers_[static_cast<std::size_t>(worker)]) {
+      __tsan_acquire(&order_.begin_);
+      __tsan_acquire(worker_);
+    }
+    ~Call() {
+      __tsan_release(worker_);
+      __tsan_release(&order_.end_);
+    }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+   private:
+    Order& order_;
+    char* worker_;
+  };
+
+ private:
+  char begin_ = 0;
+  char end_ = 0;
+  std::vector<char> workers_;
+};
+#else
+struct Order {
+  explicit Order(int) {}
+  struct Call {
+    Call(Order&, int) {}
+  };
+};
+#endif
+
+}  // namespace
+#endif
 
 int thread_count(int threads) {
   SHG_CHECK(threads >= 0 && threads <= kMaxThreads, "threads are 0 (all cores) to 1024");
@@ -21,15 +80,21 @@ int thread_count(int threads) {
 
 void parallel_for(int count, int threads, const std::function<void(int, int)>& work) {
 #ifdef SHIGUSA_HAS_TBB
-  const int workers = thread_count(threads);
-  if (workers > 1 && count > 1) {
+  const int workers = std::min(thread_count(threads), count);
+  if (workers > 1) {
     // more threads than cores, where they are asked for
     const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(workers));
     tbb::task_arena arena(workers);
+    Order order(workers);
     arena.execute([&] {
       tbb::parallel_for(
-          0, count, [&](int index) { work(index, tbb::this_task_arena::current_thread_index()); },
+          0, count,
+          [&](int index) {
+            const int worker = tbb::this_task_arena::current_thread_index();
+            const Order::Call call(order, worker);
+            work(index, worker);
+          },
           tbb::simple_partitioner());
     });
     return;

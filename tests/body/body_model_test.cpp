@@ -35,6 +35,22 @@ TEST(BodyModel, NothingMovesTheBase) {
   for (int d = 0; d < body.dof_count(); ++d) EXPECT_FALSE(body.moves(d, kBaseLink));
 }
 
+TEST(BodyModel, ChainIsTheDofsThatMoveALinkFromTheBaseOn) {
+  const BodyModel arms(two_arms());
+  for (const BodyModel& body : {arms, half_body(), full_body()}) {
+    for (int link = 0; link < body.dof_count(); ++link) {
+      std::vector<int> movers;
+      for (int d = 0; d < body.dof_count(); ++d) {
+        if (body.moves(d, link)) movers.push_back(d);
+      }
+      const auto chain = body.chain(link);
+      EXPECT_EQ(std::vector<int>(chain.begin(), chain.end()), movers);
+      EXPECT_EQ(chain.back(), link);
+    }
+    EXPECT_TRUE(body.chain(kBaseLink).empty());
+  }
+}
+
 TEST(BodyModel, FindsEffectorsAndDofsByName) {
   const BodyModel body(two_arms());
   EXPECT_EQ(body.find_effector("right_hand"), 1);

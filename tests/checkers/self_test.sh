@@ -95,6 +95,44 @@ if sh "$scripts/check_c_math.sh" "$tree" "$tree/libhidden.a" >/dev/null 2>&1; th
   report "check_c_math.sh accepts a library that needs atan2"
 fi
 
+# what the files of a SIMD set share with others
+# scorers LINE…: a library whose scorers have these lines beside a function of their own pack
+scorers() {
+  fresh
+  rm -f "$tree/libscorers.a"
+  write other.cpp "$other"
+  "$compiler" -c "$tree/other.cpp" -o "$tree/other.o"
+  for set in avx2:8 avx512:16; do
+    write scorer.cpp 'template <int N> struct PackScorer { int lanes() const; };' \
+      'template <class T, int N> struct Pack { T lanes[N]; };' \
+      'template <int N> int PackScorer<N>::lanes() const { return N; }' \
+      "int lanes_${set%:*}() { return PackScorer<${set#*:}>().lanes(); }" "$@"
+    "$compiler" -c "$tree/scorer.cpp" -o "$tree/pack_scorer_${set%:*}.cpp.o"
+  done
+  ar cr "$tree/libscorers.a" "$tree"/*.o
+}
+simd_symbols() { sh "$scripts/check_simd_symbols.sh" "$tree/libscorers.a" 2>&1; }
+
+other='int other() { return 1; }'
+scorers 'static int own() { return 1; }' 'int both() { return own(); }' 'int shared_data = 1;'
+output=$(simd_symbols) || report "check_simd_symbols.sh refuses a good library: $output"
+scorers 'inline int helper() { return 1; }' 'int use() { return helper(); }'
+if output=$(simd_symbols); then report "check_simd_symbols.sh accepts a shared function"; fi
+case $output in
+  *"pack_scorer_avx2 shares with the rest of the program: helper()"*) ;;
+  *) report "check_simd_symbols.sh refuses a shared function for another reason: $output" ;;
+esac
+# the pack of one set is another file's in the other
+scorers 'inline int helper(const Pack<float, 8>&) { return 1; }' 'int use() { return helper({}); }'
+if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts the pack of another set"; fi
+other='template <class T, int N> struct Pack { T lanes[N]; };
+inline int lanes(Pack<float, 8>) { return 8; }
+int other() { return lanes({}); }'
+scorers 'static int own() { return 1; }' 'int both() { return own(); }'
+if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts a wide pack elsewhere"; fi
+ar d "$tree/libscorers.a" pack_scorer_avx2.cpp.o
+if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts a library without scorers"; fi
+
 # licences
 fresh
 write scripts/tool '#!/bin/sh' '# SPDX-License-Identifier: MIT'

@@ -174,6 +174,22 @@ TEST(CentreOfMass, IsTheMeanOfTheMasses) {
   EXPECT_LT(norm(com - Vec3d{0, 0.75, 1.0}), 1e-15);
 }
 
+TEST(CentreOfMass, IsAByProductOfInverseDynamics) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    Random random(31);
+    for (int trial = 0; trial < 100; ++trial) {
+      const Vector q = random_posture(body, random);
+      const Kinematics<double> kinematics = placed(body, q);
+      DynamicsWorkspace<double> work(body);
+      Vector tau(q.size());
+      inverse_dynamics<double>(body, kinematics, random_vector(body, -5.0, 5.0, random),
+                               random_vector(body, -50.0, 50.0, random), work, tau);
+      // sums of up to twenty terms of about 1 m, in another order
+      EXPECT_LT(norm(centre_of_mass(body, work) - centre_of_mass(body, kinematics)), 1e-14);
+    }
+  }
+}
+
 TEST(CentreOfMass, CountsTheBase) {
   BodyDefinition definition = chain_definition({{Axis::x, 1.0, 1.0}});
   definition.base = {Mat3d{}, {0, 0, 2}};

@@ -37,6 +37,18 @@ TEST(ForwardKinematics, AnglesOfParallelHingesAddUp) {
   EXPECT_LT(norm(effector_position(body, q, "tip") - expected), 1e-15);
 }
 
+TEST(ForwardKinematics, FreedomsAtOneCentreTurnAboutItInTheirOrder) {
+  BodyDefinition definition = chain_definition({{Axis::y, 1.0}, {Axis::x, 1.0}, {Axis::z, 1.0}});
+  definition.dofs[1].offset = definition.dofs[2].offset = {};
+  definition.dofs[1].sign = -1.0;
+  const std::vector<double> q{0.4, -0.9, 1.3};
+  const Mat3d turned = rotation(Axis::y, 0.4) * rotation(Axis::x, 0.9) * rotation(Axis::z, 1.3);
+  const Kinematics<double> kinematics = placed(BodyModel(definition), q);
+  EXPECT_LT(distance(kinematics.rotation[2], turned), 1e-15);
+  EXPECT_EQ(kinematics.origin[2], Vec3d{});
+  EXPECT_LT(norm(kinematics.axis[1] + rotation(Axis::y, 0.4).cx), 1e-15);
+}
+
 TEST(ForwardKinematics, BasePlacesTheWholeBody) {
   BodyDefinition definition = chain_definition({{Axis::x, 1.0}});
   definition.base = {rotation(Axis::y, kPi / 2), {1, 2, 3}};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <shigusa/core/random.hpp>
 #include <shigusa/math/ldlt.hpp>
@@ -266,6 +267,50 @@ TEST(Ldlt, LanesOfAPackAreSolvedEachOnItsOwn) {
       ASSERT_EQ(x[i].second, alone_second[static_cast<std::size_t>(i)]);
     }
   }
+}
+
+// ldlt_solve_fixed<n> beside ldlt_solve on systems of every rank.
+template <int n>
+void expect_fixed_gives_the_same_bits(double pivot_floor) {
+  Random random(70 + n);
+  for (int trial = 0; trial < 300; ++trial) {
+    const int rank = 1 + static_cast<int>(random.below(n + 3));
+    const Matrix a = gram(random_rows(n, rank, random));
+    Matrix kept = a;
+    Vector x = random_rows(1, n, random)[0];
+    const Vector expected = solved(a, x, pivot_floor);
+    ldlt_solve_fixed<n>(kept, x.data(), pivot_floor);
+    ASSERT_EQ(x, expected) << n << " rows of rank " << rank;
+    ASSERT_TRUE(std::equal(std::begin(a.lower), std::end(a.lower), std::begin(kept.lower)));
+  }
+}
+
+TEST(LdltFixed, GivesTheSameBitsAsOfAnySizeAndLeavesTheMatrix) {
+  for (const double pivot_floor : {0.0, 1e-10, 1e-3}) {
+    expect_fixed_gives_the_same_bits<1>(pivot_floor);
+    expect_fixed_gives_the_same_bits<2>(pivot_floor);
+    expect_fixed_gives_the_same_bits<3>(pivot_floor);
+    expect_fixed_gives_the_same_bits<6>(pivot_floor);
+    expect_fixed_gives_the_same_bits<9>(pivot_floor);
+    expect_fixed_gives_the_same_bits<12>(pivot_floor);
+  }
+}
+
+TEST(LdltFixed, LeavesNumbersBeyondNAlone) {
+  Matrix a{};
+  a(0, 0) = 2.0;
+  double b[] = {1.0, 5.0};
+  ldlt_solve_fixed<1>(a, b, 0.0);
+  EXPECT_EQ(b[0], 0.5);
+  EXPECT_EQ(b[1], 5.0);
+}
+
+TEST(LdltFixed, PassesNaNOn) {
+  Matrix a{};
+  a(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  double b[] = {1.0};
+  ldlt_solve_fixed<1>(a, b, 0.0);
+  EXPECT_TRUE(std::isnan(b[0]));
 }
 
 }  // namespace

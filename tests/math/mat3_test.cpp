@@ -127,5 +127,71 @@ TEST(RotationVector, AngleIsAtMostPi) {
   }
 }
 
+// A world rotation of some link, and the same turned by a rotation about a world axis.
+struct TurnedLink {
+  Vec3d axis;
+  double angle;
+  Mat3d from;
+  Mat3d to;
+
+  TurnedLink(double turned, Random& random)
+      : axis(random_direction(random)),
+        angle(turned),
+        from(rotation_about(random_direction(random), random.uniform(0.0, kPi))),
+        to(rotation_about(axis, angle) * from) {}
+};
+
+TEST(RotationSine, IsTheAxisTimesTheSineOfTheAngle) {
+  Random random(7);
+  for (int i = 0; i < 20000; ++i) {
+    const TurnedLink link(random.uniform(0.0, kPi), random);
+    // three cross products of unit vectors: a dozen roundings near 1
+    ASSERT_LT(norm(rotation_sine(link.from, link.to) - link.axis * std::sin(link.angle)), 2e-15);
+  }
+}
+
+TEST(RotationSine, IsTheRotationVectorToTheThirdOrder) {
+  Random random(8);
+  for (double angle = 1e-6; angle < 0.5; angle *= 1.5) {
+    const TurnedLink link(angle, random);
+    const Vec3d error = rotation_sine(link.from, link.to) - link.axis * angle;
+    ASSERT_LT(norm(error), angle * angle * angle / 6.0 + 2e-15) << angle;
+  }
+}
+
+TEST(RotationSine, OfTheSameRotationIsZero) {
+  Random random(9);
+  const TurnedLink link(0.0, random);
+  EXPECT_EQ(rotation_sine(link.from, link.from), Vec3d{});
+}
+
+TEST(RotationChord, IsTwiceTheSineOfHalfTheAngle) {
+  Random random(10);
+  for (int i = 0; i < 20000; ++i) {
+    const TurnedLink link(random.uniform(0.0, kPi), random);
+    // entries are off by a few roundings each, nine of them under the root
+    ASSERT_NEAR(rotation_chord(link.from, link.to), 2.0 * std::sin(link.angle / 2.0), 2e-15);
+  }
+}
+
+TEST(RotationChord, KeepsItsDigitsNearZeroAndGrowsToHalfATurn) {
+  Random random(11);
+  double before = 0.0;
+  for (double angle = 1e-7; angle < kPi; angle *= 1.3) {
+    const TurnedLink link(angle, random);
+    const double chord = rotation_chord(link.from, link.to);
+    ASSERT_GT(chord, before);
+    ASSERT_NEAR(chord, angle, angle * angle * angle / 24.0 + 1e-15) << angle;
+    before = chord;
+  }
+}
+
+TEST(RotationChord, DoesNotDependOnTheOrder) {
+  Random random(12);
+  const TurnedLink link(1.2, random);
+  EXPECT_EQ(rotation_chord(link.from, link.to), rotation_chord(link.to, link.from));
+  EXPECT_EQ(rotation_chord(link.from, link.from), 0.0);
+}
+
 }  // namespace
 }  // namespace shigusa

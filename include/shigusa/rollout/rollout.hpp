@@ -110,9 +110,9 @@ class Rollout {
       correct(contacts, unlocked_, off);
       missed = measure(targets, false);
     }
-    outcome.path_error = max(outcome.path_error, missed.path_error);
-    outcome.contact_slide = max(outcome.contact_slide, missed.contact_slide);
-    outcome.contact_tilt = max(outcome.contact_tilt, missed.contact_tilt);
+    outcome.path_error = worse(outcome.path_error, missed.path_error);
+    outcome.contact_slide = worse(outcome.contact_slide, missed.contact_slide);
+    outcome.contact_tilt = worse(outcome.contact_tilt, missed.contact_tilt);
     if (last) outcome.goal_error = missed.path_error;
   }
 
@@ -167,16 +167,19 @@ class Rollout {
       const auto follows = miss < limit;
       if (learn) target.lead = select(follows, target.lead + error, Vec3<S>{});
       if (!target.contact) {
-        missed.path_error = max(missed.path_error, miss);
+        missed.path_error = worse(missed.path_error, miss);
         continue;
       }
       const Vec3<S> error_tilt = tilt_error(next(), target);
       if (learn) target.tilt_lead = select(follows, target.tilt_lead + error_tilt, Vec3<S>{});
-      missed.contact_slide = max(missed.contact_slide, miss);
-      missed.contact_tilt = max(missed.contact_tilt, tilt(next(), target));
+      missed.contact_slide = worse(missed.contact_slide, miss);
+      missed.contact_tilt = worse(missed.contact_tilt, tilt(next(), target));
     }
     return missed;
   }
+
+  // the larger of both, and NaN once either was
+  static S worse(const S& before, const S& now) { return max(now, before) + (before - before); }
 
   static S contact_error(const BasicReachOutcome<S>& outcome) {
     return max(outcome.contact_slide, S(kContactLength) * outcome.contact_tilt);

@@ -102,15 +102,14 @@ template <int N>
 }
 
 // sin x = x + x³ p(x²) and cos x = 1 - x²/2 + x⁴ q(x²) on [-π/4, π/4]: minimax coefficients
-// (Remez), absolute error 1.8e-9 and 1e-10.
+// (Remez), rounded to float; absolute error 2.3e-9 and 5.1e-10.
 inline constexpr float kSinePolynomial[] = {-0.1666665066920138F, 0.0083319786578888195F,
                                             -0.0001949563556596963F};
 inline constexpr float kCosinePolynomial[] = {0.041666646866331792F, -0.0013887367510006495F,
                                               2.4438450907381384e-5F};
 
-// sin and cos of angles in radians; absolute error below 1.2e-7 for |angle| ≤ 100 and below 1e-4
-// for |angle| ≤ 1e4; meaningless beyond, NaN of NaN. Cody-Waite reduction to [-π/4, π/4], then
-// minimax polynomials.
+// sin and cos of angles in radians; absolute error below 1.2e-7 for |angle| ≤ 1e4; meaningless
+// beyond, NaN of NaN. Cody-Waite reduction to [-π/4, π/4], then minimax polynomials.
 template <int N>
 [[nodiscard]] inline SinCos<Pack<float, N>> sin_cos(const Pack<float, N>& angle) {
   using P = Pack<float, N>;

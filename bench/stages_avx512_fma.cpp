@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The pack has another name here, or the linker might take for the other kernels what is compiled
+// with fused multiply-add for this one.
+#define Pack FusedPack
+#include "pack_stages.hpp"
+
+namespace shigusa::bench {
+
+std::unique_ptr<Stages> make_avx512_fma_stages(const StagesInput& input) {
+  return std::make_unique<PackStages<Pack<float, 16>>>(input);
+}
+
+}  // namespace shigusa::bench

@@ -1,0 +1,41 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# check_simd_symbols.sh LIBRARY: fails when an object file of the static LIBRARY that is compiled for
+# a SIMD set (pack_scorer_avx2, pack_scorer_avx512) defines a function that other files may define
+# too, and that does not bear the set's pack in its name. Of such functions the linker keeps one
+# copy: the whole program might get the one with instructions that the machine lacks. And fails when
+# another file defines a function of such a pack, which it would hand over in other registers.
+set -eu
+library=${1:?which library?}
+
+# of what nm lists, W, w, i and u are functions (and unknown things) that files share; V is data
+shared='^[0-9a-f]* [Wwiu] '
+# clang's own; it calls two functions of the C++ runtime and nothing else
+harmless=' __clang_call_terminate$'
+
+# each line: the object file, a colon, the symbol as nm has it
+symbols=$(nm --defined-only --demangle "$library" | awk '
+  /^[^ ].*\.o(bj)?:$/ { file = substr($0, 1, length($0) - 1); next }
+  { print file ": " $0 }')
+
+bad=0
+for set in avx2:8 avx512:16; do
+  name=pack_scorer_${set%:*}
+  lanes=${set#*:}
+  own=$(printf '%s\n' "$symbols" | sed -n "s/^$name\\.[^:]*: //p")
+  if ! printf '%s\n' "$own" | grep -qF "PackScorer<$lanes>"; then
+    echo "check_simd_symbols: $library has no $name with PackScorer<$lanes>" >&2
+    bad=1
+    continue
+  fi
+  found=$(printf '%s\n' "$own" | grep -E "$shared" | grep -vE "$harmless" |
+    grep -vE "Pack<float, $lanes>|PackScorer<$lanes>") || continue
+  printf '%s\n' "$found" | sed -E "s/$shared/$name shares with the rest of the program: /"
+  bad=1
+done
+if printf '%s\n' "$symbols" | grep -v '^pack_scorer_avx' | grep -E ': [0-9a-f]* [WwiuTt] ' |
+  grep -E 'Pack<float, (8|16)>'; then
+  echo "check_simd_symbols: only pack_scorer_avx2 and pack_scorer_avx512 may use these packs"
+  bad=1
+fi
+exit "$bad"
