@@ -112,14 +112,23 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
     piece.spin = spin;
     piece.spin_rate = rate;
     piece.turning = dynamics_detail::turning(spin, rate);
-    piece.carried = {};
-    if (!joint.massive) continue;
+  }
+  // in a loop of its own, as these do not wait for each other
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& joint = constants.joints[i];
+    auto& piece = work.pieces[i];
+    if (!joint.massive) {
+      piece.carried = {};
+      continue;
+    }
+    const auto link = static_cast<std::size_t>(joint.link);
+    const Vec3<S> spin = piece.spin;
     const Mat3<S>& rotation = kinematics.rotation[link];
     const Vec3<S> com =
         joint.upright ? rotation.cy * S(joint.com.y) : rotation * to_scalar<S>(joint.com);
     const Vec3<S> force = (piece.acceleration + piece.turning * com) * S(joint.mass);
     const Vec3<S> angular_momentum = dynamics_detail::inertia_times(joint, rotation, spin);
-    piece.carried = {force, dynamics_detail::inertia_times(joint, rotation, rate) +
+    piece.carried = {force, dynamics_detail::inertia_times(joint, rotation, piece.spin_rate) +
                                 cross(spin, angular_momentum) + cross(com, force)};
     work.mass_moment += (kinematics.origin[link] + com) * S(joint.mass);
   }
