@@ -32,6 +32,14 @@ struct ProgramRun {
   std::string err;
 };
 
+// False in a bare root folder, where no pseudo-terminals are mounted.
+inline bool has_terminals() {
+  const int end = posix_openpt(O_RDWR | O_NOCTTY);
+  const bool usable = end >= 0 && grantpt(end) == 0 && unlockpt(end) == 0;
+  if (end >= 0) close(end);
+  return usable;
+}
+
 // The two ends of a channel that the program writes to: a pipe, or a terminal of its own.
 struct Channel {
   int read_end = -1;
