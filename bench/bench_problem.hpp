@@ -17,16 +17,6 @@ inline constexpr int kMotions = 480;  // full lanes in every set
 
 inline constexpr Vec3d kLowFrontLeft{0.25, 0.55, 0.50};  // m
 
-// (motions × dofs) of genomes of the paper's code
-inline std::vector<float> inverse_weights_of(std::span<const std::uint16_t> genomes) {
-  std::vector<float> inverse;
-  inverse.reserve(genomes.size());
-  for (const std::uint16_t gene : genomes) {
-    inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
-  }
-  return inverse;
-}
-
 struct Measured {
   Task task;
   ReachProblem problem;
@@ -43,7 +33,7 @@ struct Measured {
         genes.push_back(static_cast<std::uint16_t>(random.below(16)));
       }
       parameters.push_back(decode_paper_genes(genes));
-      const std::vector<float> inverse = inverse_weights_of(genes);
+      const std::vector<float> inverse = inverse_weights_of_genes(genes);
       inverse_weights.insert(inverse_weights.end(), inverse.begin(), inverse.end());
     }
   }

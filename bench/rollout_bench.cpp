@@ -65,7 +65,7 @@ void search(benchmark::State& state, const char* character, SimdSet simd) {
   for (auto _ : state) {
     BatchRollout batch(measured.problem, criteria, {simd, 1});
     discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
-      batch.score(inverse_weights_of(genomes), scores);
+      batch.score(inverse_weights_of_genes(genomes), scores);
       evaluations += static_cast<double>(scores.size());
       places += static_cast<double>((scores.size() + lanes - 1) / lanes * lanes);
     };

@@ -26,8 +26,8 @@ std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach&
   ReachProblem posture = guided;
   posture.follow_path = false;
   if (reach.reached()) return {problem, guided, posture};
-  // the edge of reach: the path ends at the closest point
-  // where limbs are stretched out, the hand lags behind a path that it needs not to keep
+  // the edge of reach: the path ends at the closest point, and a hand whose limb is stretched out
+  // lags behind a path that it need not keep
   guided.tolerance = posture.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
   guided.corrections = posture.corrections = kEdgeCorrections;
   for (std::size_t g = 0; g < problem.goals.size(); ++g) {
@@ -42,16 +42,6 @@ double replayed_score(const ReachProblem& problem, const Task& task, const Param
   return rolled.outcome.met(problem.tolerance)
              ? score_motion(*problem.body, rolled.motion, task.criteria).total
              : worst_score(task.criteria);
-}
-
-// Scores genomes of the paper's code in lanes.
-void evaluate_in_lanes(std::span<const std::uint16_t> genomes, BatchRollout& batch,
-                       std::span<double> scores) {
-  std::vector<float> inverse;
-  for (const std::uint16_t gene : genomes) {
-    inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
-  }
-  batch.score(inverse, scores);
 }
 
 // Scores genomes with criteria of the user's own, which want whole motions: one after the other.
@@ -72,7 +62,7 @@ SearchResult search_weights(const ReachProblem& problem, const Task& task,
   BatchRollout batch(problem, task.criteria, task.batch);
   discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
     if (task.criteria.user.empty()) {
-      evaluate_in_lanes(genomes, batch, scores);
+      batch.score(inverse_weights_of_genes(genomes), scores);
     } else {
       evaluate_one_by_one(problem, task, genomes, scores);
     }

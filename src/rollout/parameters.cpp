@@ -17,6 +17,15 @@ Parameters decode_paper_genes(std::span<const std::uint16_t> genes) {
   return parameters;
 }
 
+std::vector<float> inverse_weights_of_genes(std::span<const std::uint16_t> genes) {
+  std::vector<float> inverse;
+  inverse.reserve(genes.size());
+  for (const std::uint16_t gene : genes) {
+    inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
+  }
+  return inverse;
+}
+
 std::vector<double> inverse_weights(const Parameters& parameters) {
   std::vector<double> inverse;
   for (const JointWeight& joint : parameters.joints) {

@@ -22,12 +22,9 @@ constexpr std::size_t kMotions = 101;
 // (motions × dofs) of random genomes of the paper's code, 0 = locked
 std::vector<float> random_inverse_weights(const BodyModel& body, std::size_t motions) {
   Random random(91);
-  std::vector<float> inverse;
-  for (std::size_t i = 0; i < motions * body.dofs().size(); ++i) {
-    const auto gene = static_cast<int>(random.below(16));
-    inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
-  }
-  return inverse;
+  std::vector<std::uint16_t> genes(motions * body.dofs().size());
+  for (std::uint16_t& gene : genes) gene = static_cast<std::uint16_t>(random.below(16));
+  return inverse_weights_of_genes(genes);
 }
 
 struct Reach {

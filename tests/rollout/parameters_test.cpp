@@ -30,6 +30,15 @@ TEST(Parameters, PapersGeneIsTheWeightAndZeroLocks) {
   EXPECT_EQ(parameters.joints[3], (JointWeight{15.0, false}));
 }
 
+TEST(PaperGenes, InverseWeightsAreThoseOfTheDecodedParametersRounded) {
+  std::vector<std::uint16_t> genes;
+  for (std::uint16_t gene = 0; gene < 16; ++gene) genes.push_back(gene);
+  const std::vector<double> exact = inverse_weights(decode_paper_genes(genes));
+  const std::vector<float> rounded = inverse_weights_of_genes(genes);
+  ASSERT_EQ(rounded.size(), 16U);
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(rounded[i], static_cast<float>(exact[i])) << i;
+}
+
 TEST(InverseWeights, AreZeroWhereLocked) {
   const Parameters parameters{{{4.0, false}, {4.0, true}, {0.5, false}}};
   EXPECT_EQ(inverse_weights(parameters), (std::vector<double>{0.25, 0.0, 2.0}));

@@ -34,6 +34,10 @@ struct Parameters {
 // The paper's code (section 3.2): one gene per freedom, 1..15 is the weight, 0 locks it.
 [[nodiscard]] Parameters decode_paper_genes(std::span<const std::uint16_t> genes);
 
+// 1 / w of each of the paper's genes, 0 where locked, in single precision: what BatchRollout takes,
+// (motions × dofs) of genomes one after the other.
+[[nodiscard]] std::vector<float> inverse_weights_of_genes(std::span<const std::uint16_t> genes);
+
 // 1 / weight, or 0 where locked: (dofs), what weighted IK computes with.
 [[nodiscard]] std::vector<double> inverse_weights(const Parameters& parameters);
 

@@ -41,8 +41,7 @@ struct ReachProblem {
   // changes little from frame to frame, so the next step allows for the last one's, up to this
   // much; farther off, the goal is one that the body cannot follow.
   double lead_limit = 2e-3;  // m
-  // the last frame has the hand at rest: there the goal itself is to be met, by so many more steps
-  // …
+  // the last frame has the hand at rest: there the goal itself is to be met, by this many steps …
   double goal_tolerance = 1e-5;  // m
   int goal_corrections = 12;
   // … and by so many in every other frame, for goals at the very edge of reach …

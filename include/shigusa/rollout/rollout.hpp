@@ -7,7 +7,6 @@
 #include <shigusa/dynamics/contact_forces.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
-#include <utility>
 #include <vector>
 
 namespace shigusa {
