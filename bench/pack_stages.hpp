@@ -55,9 +55,9 @@ class PackStages final : public Stages {
       case Stage::forward_kinematics:
         return forward_kinematics<S>(body_, angles_, kinematics_);
       case Stage::ik_rows:
-        return ik_detail::fill_rows<S>(body_, kinematics_, targets_, inverse_weights_, ik_);
+        return ik_detail::fill_rows<S>(body_, kinematics_, targets_, ik_);
       case Stage::ik_products:
-        return ik_detail::fill_products<S>(rows_ / 3, ik_);
+        return ik_detail::fill_products<S>(rows_ / 3, inverse_weights_, ik_);
       case Stage::ik_solve:
         for (int i = 0; i < rows_; ++i) ik_.residual[i] = residual_[i];
         return ik_detail::solve<S>(rows_, diagonal_ * S(kIkPivotFloor<float>), ik_);

@@ -22,6 +22,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # from -O2 on it sees impossible overlaps in std::string's operator+ (GCC bug 105651)
   add_compile_options(-Wno-restrict)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # else it stores neighbours one by one and reads them as a pair, which waits for both stores
+  add_compile_options(-fno-tree-slp-vectorize)
+endif()
 
 set(shigusa_sanitizers ${SHIGUSA_SANITIZE})
 if(SHIGUSA_FUZZ)

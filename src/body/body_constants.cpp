@@ -13,7 +13,13 @@ Mat3<T> matrix(const Mat3d& m) {
 // What is as small beside its neighbours is left over from rounding, and taken for 0.
 constexpr double kRounding = 1e-12;
 
-bool is_upright(const Vec3d& com) { return max(abs(com.x), abs(com.z)) <= kRounding * abs(com.y); }
+bool is_upright(const Vec3d& v) { return max(abs(v.x), abs(v.z)) <= kRounding * abs(v.y); }
+
+bool carries_upright(const BodyDefinition& body, int link) {
+  return std::all_of(body.dofs.begin(), body.dofs.end(), [link](const Dof& dof) {
+    return dof.parent != link || is_upright(dof.offset);
+  });
+}
 
 bool is_principal(const Mat3d& inertia) {
   const double off = max(abs(inertia.cx.y), max(abs(inertia.cx.z), abs(inertia.cy.z)));
@@ -52,24 +58,27 @@ BodyConstants<T>::BodyConstants(const BodyDefinition& body)
   std::vector<int> joint_of(body.dofs.size());
   for (std::size_t i = 0; i < body.dofs.size(); ++i) {
     const shigusa::Dof& dof = body.dofs[i];
-    dofs.push_back(
-        {dof.parent, dof.axis, dof.offset == Vec3d{}, dof.sign < 0.0, to_scalar<T>(dof.offset)});
+    dofs.push_back({dof.parent, dof.axis, true, dof.sign < 0.0, to_scalar<T>(dof.offset)});
     const int link = static_cast<int>(i);
-    if (!continues_joint(body, link)) {
+    dofs.back().starts_joint = !continues_joint(body, link);
+    if (dofs.back().starts_joint) {
       const int parent =
           dof.parent == kBaseLink ? -1 : joint_of[static_cast<std::size_t>(dof.parent)];
-      joints.push_back({.first = link, .parent = parent});
+      joints.push_back({.first = link, .parent = parent, .hangs = is_upright(dof.offset)});
     }
     joint_of[i] = static_cast<int>(joints.size()) - 1;
     const MassProperties& mass = body.masses[i];
     Joint& joint = joints.back();
     joint.link = link;
     joint.massive = mass.mass > 0.0;
-    joint.upright = is_upright(mass.com);
+    joint.upright = is_upright(mass.com) && carries_upright(body, link);
     joint.principal = is_principal(mass.inertia);
     joint.mass = static_cast<T>(mass.mass);
     joint.com = to_scalar<T>(mass.com);
     joint.inertia = matrix<T>(mass.inertia);
+    joint.gyroscopic = {joint.inertia.cz.z - joint.inertia.cy.y,
+                        joint.inertia.cx.x - joint.inertia.cz.z,
+                        joint.inertia.cy.y - joint.inertia.cx.x};
   }
 }
 

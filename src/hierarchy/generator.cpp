@@ -139,6 +139,28 @@ double posture_distance(const Clip& a, const Clip& b) {
   return sqrt(largest);
 }
 
+// At the edge of reach limbs are stretched, and some weights bring them there with a jolt: a change
+// of a joint's step by more than this (rad) from one of kMotionSteps frames to the next. Minimum
+// jerk over a range of 4 rad has a fifth of it.
+constexpr double kJolt = radians(2.0);
+
+bool jolts(const Clip& clip) {
+  for (int f = 2; f < clip.frames; ++f) {
+    for (int d = 0; d < clip.dofs; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      const double change = clip.frame(f)[k] - 2.0 * clip.frame(f - 1)[k] + clip.frame(f - 2)[k];
+      if (abs(change) > kJolt) return true;
+    }
+  }
+  return false;
+}
+
+// The motion does what its way asks for; beyond reach, without a jolt.
+bool arrives(const ReachProblem& way, const RolledOut& rolled) {
+  if (!rolled.outcome.met(way.tolerance)) return false;
+  return way.tolerance.goal <= kReachTolerance || !jolts(rolled.motion.clip);
+}
+
 struct Arrival {
   const ReachProblem* way = nullptr;
   RolledOut rolled;
@@ -150,7 +172,7 @@ std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
                                      const Parameters& parameters) {
   for (const ReachProblem& way : ways) {
     RolledOut rolled = roll_out(way, parameters);
-    if (rolled.outcome.met(way.tolerance)) return Arrival{&way, std::move(rolled)};
+    if (arrives(way, rolled)) return Arrival{&way, std::move(rolled)};
   }
   return std::nullopt;
 }

@@ -53,8 +53,8 @@ TEST(BodyConstants, KeepWhatADofTurnsAbout) {
   EXPECT_EQ(constants.dofs[1].axis, Axis::y);
   EXPECT_FALSE(constants.dofs[1].negative);
   EXPECT_TRUE(constants.dofs[2].negative);
-  EXPECT_TRUE(constants.dofs[2].at_parent);
-  EXPECT_FALSE(constants.dofs[3].at_parent);
+  EXPECT_FALSE(constants.dofs[2].starts_joint);
+  EXPECT_TRUE(constants.dofs[3].starts_joint);
   EXPECT_EQ(constants.dofs[3].offset, (Vec3d{0, 1, 0}));
   EXPECT_EQ(constants.dofs[3].parent, 2);
 }
@@ -101,7 +101,7 @@ TEST(BodyConstants, InFloatAreThoseInDoubleRounded) {
       EXPECT_EQ(rounded.dofs[d].offset, to_scalar<float>(exact.dofs[d].offset));
       EXPECT_EQ(rounded.dofs[d].parent, exact.dofs[d].parent);
       EXPECT_EQ(rounded.dofs[d].negative, exact.dofs[d].negative);
-      EXPECT_EQ(rounded.dofs[d].at_parent, exact.dofs[d].at_parent);
+      EXPECT_EQ(rounded.dofs[d].starts_joint, exact.dofs[d].starts_joint);
     }
     for (std::size_t j = 0; j < exact.joints.size(); ++j) {
       EXPECT_EQ(rounded.joints[j].com, to_scalar<float>(exact.joints[j].com));

@@ -15,8 +15,8 @@ struct BodyConstants {
   struct Dof {
     int parent = -1;
     Axis axis = Axis::x;
-    bool at_parent = false;  // the joint's centre is the parent's: offset is 0
-    bool negative = false;   // a positive angle turns about the axis reversed
+    bool starts_joint = true;  // false: its centre is that of the dof before
+    bool negative = false;     // a positive angle turns about the axis reversed
 
     Vec3<T> offset{};  // m
   };
@@ -27,12 +27,14 @@ struct BodyConstants {
     int first = 0;           // its freedoms are first … link
     int link = 0;            // the piece that it moves
     int parent = -1;         // joint that moves the piece which carries this one; -1: the base
+    bool hangs = false;      // its centre has a y only, seen from the piece that carries it
     bool massive = false;    // the piece has mass
-    bool upright = false;    // com has a y only
+    bool upright = false;    // com has a y only, as has every joint that the piece carries
     bool principal = false;  // inertia has a diagonal only
     T mass{};                // kg
     Vec3<T> com{};           // m, in the link frame
     Mat3<T> inertia{};       // kg·m², about the com, link axes
+    Vec3<T> gyroscopic{};    // kg·m², of principal moments: z - y, x - z, y - x
   };
 
   Mat3<T> base_rotation{};  // R_WB of the standing foot

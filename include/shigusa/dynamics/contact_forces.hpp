@@ -41,9 +41,11 @@ Wrench<S> share_ground_wrench(const BodyModel& body, const Kinematics<S>& kinema
   const Vec3<S> from{cop.x - a.x, S(0), cop.z - a.z};
   const S share = clamp(dot(from, line) / max(dot(line, line), S(1e-6)), S(0), S(1));
   const Wrench<S> part = shared_wrench(ground, cop, a + line * share, b, share);
+  const auto& dofs = body.constants<Element<S>>().dofs;
+  Vec3<S> about{};  // the part's moment about the joint
   for (const int d : body.chain(second.link)) {
     const auto k = static_cast<std::size_t>(d);
-    const Vec3<S> about = part.moment - cross(kinematics.origin[k], part.force);
+    if (dofs[k].starts_joint) about = part.moment - cross(kinematics.origin[k], part.force);
     tau[k] = tau[k] - dot(kinematics.axis[k], about);
   }
   return part;

@@ -10,12 +10,13 @@ namespace shigusa {
 // World placement of every link of a body. One entry per dof, in the body's order.
 template <class S>
 struct Kinematics {
-  std::vector<Mat3<S>> rotation;  // (dofs) R_WL of the link that the dof moves
-  std::vector<Vec3<S>> origin;    // (dofs) m, joint centre in the world
-  std::vector<Vec3<S>> axis;      // (dofs) unit vector, world: positive angles turn about it
-  std::vector<SinCos<S>> turn;    // (dofs) sine and cosine of the angle about the axis
-  Mat3<S> base_rotation{};        // of the standing foot
-  Vec3<S> base_origin{};          // m
+  // (dofs) R_WL of the link that the dof moves; of a joint's freedoms only the last one has it
+  std::vector<Mat3<S>> rotation;
+  std::vector<Vec3<S>> origin;  // (dofs) m, joint centre in the world
+  std::vector<Vec3<S>> axis;    // (dofs) unit vector, world: positive angles turn about it
+  std::vector<SinCos<S>> turn;  // (dofs) sine and cosine of the angle about the axis
+  Mat3<S> base_rotation{};      // of the standing foot
+  Vec3<S> base_origin{};        // m
 
   explicit Kinematics(const BodyModel& body)
       : rotation(body.dofs().size()),
@@ -36,6 +37,21 @@ struct Kinematics {
   }
 };
 
+// rotation times a place that may have a y only
+template <class S, class T>
+[[nodiscard, gnu::always_inline]] inline Vec3<S> times_place(const Mat3<S>& rotation,
+                                                             const Vec3<T>& place, bool upright) {
+  return upright ? rotation.cy * S(place.y) : rotation * to_scalar<S>(place);
+}
+
+// the columns a and b of a rotation, after a turn from a towards b
+template <class S>
+[[gnu::always_inline]] inline void turn_columns(Vec3<S>& a, Vec3<S>& b, const SinCos<S>& turn) {
+  const Vec3<S> before = a;
+  a = a * turn.cos + b * turn.sin;
+  b = b * turn.cos - before * turn.sin;
+}
+
 // Places all links for the joint angles q (dofs, rad).
 template <class S>
 void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<S>& kinematics) {
@@ -46,14 +62,37 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
   for (std::size_t i = 0; i < constants.dofs.size(); ++i) {
     kinematics.turn[i] = sin_cos(constants.dofs[i].negative ? -q[i] : q[i]);
   }
-  for (std::size_t i = 0; i < constants.dofs.size(); ++i) {
-    const auto& dof = constants.dofs[i];
-    const Mat3<S>& parent = kinematics.link_rotation(dof.parent);
-    const Vec3<S>& centre = kinematics.link_origin(dof.parent);
-    const Vec3<S>& axis = parent.column(static_cast<int>(dof.axis));
-    kinematics.axis[i] = dof.negative ? -axis : axis;
-    kinematics.origin[i] = dof.at_parent ? centre : centre + parent * to_scalar<S>(dof.offset);
-    kinematics.rotation[i] = rotated(parent, dof.axis, kinematics.turn[i]);
+  for (const auto& joint : constants.joints) {
+    const auto first = static_cast<std::size_t>(joint.first);
+    const auto link = static_cast<std::size_t>(joint.link);
+    const int parent = constants.dofs[first].parent;
+    const Mat3<S>& carrier = kinematics.link_rotation(parent);
+    // by columns, each in registers
+    Vec3<S> x = carrier.cx;
+    Vec3<S> y = carrier.cy;
+    Vec3<S> z = carrier.cz;
+    const Vec3<S> centre = kinematics.link_origin(parent) +
+                           times_place(carrier, constants.dofs[first].offset, joint.hangs);
+    for (std::size_t d = first; d <= link; ++d) {
+      const auto& dof = constants.dofs[d];
+      const SinCos<S>& turn = kinematics.turn[d];
+      Vec3<S>& axis = kinematics.axis[d];
+      kinematics.origin[d] = {centre.x, centre.y, centre.z};
+      switch (dof.axis) {
+        case Axis::x:
+          axis = dof.negative ? -x : x;
+          turn_columns(y, z, turn);
+          break;
+        case Axis::y:
+          axis = dof.negative ? -y : y;
+          turn_columns(z, x, turn);
+          break;
+        default:
+          axis = dof.negative ? -z : z;
+          turn_columns(x, y, turn);
+      }
+    }
+    kinematics.rotation[link] = {x, y, z};
   }
 }
 

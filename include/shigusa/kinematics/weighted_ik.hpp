@@ -49,20 +49,18 @@ inline constexpr double kContactLength = 0.1;
 template <class S>
 struct IkWorkspace {
   // A target has a block of three rows for its position, and a contact one more for its tilt. Of a
-  // block's columns only those along the chain of dofs that move the target are kept.
+  // block's columns only those along the chain of dofs that move the target are not 0.
   struct Block {
     std::span<const int> chain;
-    Vec3<S>* columns = nullptr;   // (chain) m/rad
-    Vec3<S>* weighted = nullptr;  // (chain) the same divided by the weights
+    const Vec3<S>* columns = nullptr;  // (dofs), of those in the chain: m/rad, or a tilt's axis
+    Element<S> scale{1};               // m/rad that a tilt counts as; 1 of a position
   };
-  std::vector<Vec3<S>> columns;
-  std::vector<Vec3<S>> weighted;
+  std::vector<Vec3<S>> columns;  // of positions, (targets × dofs)
   Block blocks[kMaxIkRows / 3];
   SmallSymmetric<S, kMaxIkRows> system;
   S residual[kMaxIkRows];
 
-  explicit IkWorkspace(const BodyModel& body)
-      : columns(body.dofs().size() * kMaxIkRows / 3), weighted(columns) {}
+  explicit IkWorkspace(const BodyModel& body) : columns(body.dofs().size() * kMaxIkRows / 3) {}
 };
 
 // How far the target's point is from where it is to be (m, world).
@@ -100,73 +98,86 @@ void put(S* rows, const Vec3<S>& v) {
   rows[2] = v.z;
 }
 
-// fills the blocks' columns and the residual, target by target
+// fills the blocks and the residual, target by target
 template <class S>
 void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
-               std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
-               IkWorkspace<S>& workspace) {
-  const std::size_t n = body.dofs().size();
+               std::span<const IkTarget<S>> targets, IkWorkspace<S>& workspace) {
+  const auto& dofs = body.constants<Element<S>>().dofs;
+  Vec3<S>* columns = workspace.columns.data();
   std::size_t b = 0;
-  const auto add_block = [&](const IkTarget<S>& target, const auto& column) {
-    typename IkWorkspace<S>::Block& block = workspace.blocks[b];
-    block.chain = body.chain(target.link);
-    block.columns = workspace.columns.data() + b * n;
-    block.weighted = workspace.weighted.data() + b * n;
-    for (std::size_t p = 0; p < block.chain.size(); ++p) {
-      const int dof = block.chain[p];
-      block.columns[p] = column(dof);
-      block.weighted[p] = block.columns[p] * inverse_weights[static_cast<std::size_t>(dof)];
-    }
-    ++b;
-  };
   for (const IkTarget<S>& target : targets) {
+    const std::span<const int> chain = body.chain(target.link);
     const Vec3<S> at = kinematics.point(target.link, target.point);
     put(workspace.residual + 3 * b, target.position - at + target.lead);
-    add_block(target, [&](int dof) { return position_column(kinematics, dof, at); });
+    workspace.blocks[b++] = {chain, columns, Element<S>(1)};
+    Vec3<S> arm{};  // from the joint
+    for (const int d : chain) {
+      const auto k = static_cast<std::size_t>(d);
+      if (dofs[k].starts_joint) arm = at - kinematics.origin[k];
+      columns[k] = cross(kinematics.axis[k], arm);
+    }
+    columns += dofs.size();
     if (!target.contact) continue;
     const Vec3<S> tilt = tilt_error(kinematics, target) + target.tilt_lead;
     put(workspace.residual + 3 * b, tilt * S(kContactLength));
-    add_block(target, [&](int dof) {
-      return kinematics.axis[static_cast<std::size_t>(dof)] * S(kContactLength);
-    });
+    workspace.blocks[b++] = {chain, kinematics.axis.data(),
+                             static_cast<Element<S>>(kContactLength)};
   }
 }
 
-// one 3 × 3 block of J A Jᵀ, below the diagonal: Σ a_p (weighted b_p)ᵀ over the first `count`
-// columns
+// one 3 × 3 block of J A Jᵀ, below the diagonal: Σ a_d A_d b_dᵀ over the dofs of the chain
 template <class S>
-[[nodiscard]] Mat3<S> block_product(const Vec3<S>* a, const Vec3<S>* b, std::size_t count) {
-  Mat3<S> sum{{}, {}, {}};
-  for (std::size_t p = 0; p < count; ++p) {
-    sum.cx += a[p] * b[p].x;
-    sum.cy += a[p] * b[p].y;
-    sum.cz += a[p] * b[p].z;
+[[nodiscard, gnu::always_inline]] inline Mat3<S> block_product(const Vec3<S>* a, const Vec3<S>* b,
+                                                               std::span<const int> chain,
+                                                               std::span<const S> inverse_weights) {
+  Vec3<S> x{};
+  Vec3<S> y{};
+  Vec3<S> z{};
+  for (const int dof : chain) {
+    const auto d = static_cast<std::size_t>(dof);
+    const Vec3<S> weighted = b[d] * inverse_weights[d];
+    x += a[d] * weighted.x;
+    y += a[d] * weighted.y;
+    z += a[d] * weighted.z;
   }
-  return sum;
+  return {x, y, z};
 }
 
 // the same on the diagonal, where the block is symmetric; what lies above its diagonal stays 0
 template <class S>
-[[nodiscard]] Mat3<S> square_product(const Vec3<S>* a, const Vec3<S>* b, std::size_t count) {
-  Mat3<S> sum{{}, {}, {}};
-  for (std::size_t p = 0; p < count; ++p) {
-    sum.cx += a[p] * b[p].x;
-    sum.cy.y = sum.cy.y + a[p].y * b[p].y;
-    sum.cy.z = sum.cy.z + a[p].z * b[p].y;
-    sum.cz.z = sum.cz.z + a[p].z * b[p].z;
+[[nodiscard, gnu::always_inline]] inline Mat3<S> square_product(
+    const Vec3<S>* a, std::span<const int> chain, std::span<const S> inverse_weights) {
+  Vec3<S> x{};
+  S yy(0);
+  S yz(0);
+  S zz(0);
+  for (const int dof : chain) {
+    const auto d = static_cast<std::size_t>(dof);
+    const Vec3<S> weighted = a[d] * inverse_weights[d];
+    x += a[d] * weighted.x;
+    yy = yy + a[d].y * weighted.y;
+    yz = yz + a[d].z * weighted.y;
+    zz = zz + a[d].z * weighted.z;
   }
-  return sum;
+  return {x, {S(0), yy, yz}, {S(0), S(0), zz}};
+}
+
+template <class S>
+void scale_block(Mat3<S>& m, S scale) {
+  m = {m.cx * scale, m.cy * scale, m.cz * scale};
 }
 
 // fills J A Jᵀ, block by block: chains of two targets share what lies before they part
 template <class S>
-void fill_products(int blocks, IkWorkspace<S>& workspace) {
+void fill_products(int blocks, std::span<const S> inverse_weights, IkWorkspace<S>& workspace) {
   for (int i = 0; i < blocks; ++i) {
     const auto& a = workspace.blocks[i];
     for (int j = 0; j <= i; ++j) {
       const auto& b = workspace.blocks[j];
+      const Element<S> scale = a.scale * b.scale;
       if (i == j) {
-        const Mat3<S> m = square_product(a.columns, a.weighted, a.chain.size());
+        Mat3<S> m = square_product(a.columns, a.chain, inverse_weights);
+        if (scale != Element<S>(1)) scale_block(m, S(scale));
         workspace.system(3 * i, 3 * i) = m.cx.x;
         workspace.system(3 * i + 1, 3 * i) = m.cx.y;
         workspace.system(3 * i + 1, 3 * i + 1) = m.cy.y;
@@ -176,11 +187,28 @@ void fill_products(int blocks, IkWorkspace<S>& workspace) {
       const std::size_t most = a.chain.size() < b.chain.size() ? a.chain.size() : b.chain.size();
       std::size_t shared = 0;
       while (shared < most && a.chain[shared] == b.chain[shared]) ++shared;
-      const Mat3<S> m = block_product(a.columns, b.weighted, shared);
+      Mat3<S> m = block_product(a.columns, b.columns, a.chain.first(shared), inverse_weights);
+      if (scale != Element<S>(1)) scale_block(m, S(scale));
       put(&workspace.system(3 * i, 3 * j), {m.cx.x, m.cy.x, m.cz.x});
       put(&workspace.system(3 * i + 1, 3 * j), {m.cx.y, m.cy.y, m.cz.y});
       put(&workspace.system(3 * i + 2, 3 * j), {m.cx.z, m.cy.z, m.cz.z});
     }
+  }
+}
+
+// e - J Δq_ref, without the locked dofs' part
+template <class S>
+void take_off_reference(int blocks, std::span<const S> inverse_weights,
+                        std::span<const S> reference, IkWorkspace<S>& workspace) {
+  for (int b = 0; b < blocks; ++b) {
+    const auto& block = workspace.blocks[b];
+    Vec3<S> done{};
+    for (const int dof : block.chain) {
+      const auto d = static_cast<std::size_t>(dof);
+      done += block.columns[d] * select(inverse_weights[d] > S(0), reference[d], S(0));
+    }
+    S* residual = workspace.residual + 3 * b;
+    put(residual, Vec3<S>{residual[0], residual[1], residual[2]} - done * S(block.scale));
   }
 }
 
@@ -245,36 +273,32 @@ void weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
   const int rows = ik_detail::row_count(targets);
   SHG_CHECK(rows <= kMaxIkRows, "too many goals for one motion");
   const int blocks = rows / 3;
-  ik_detail::fill_rows(body, kinematics, targets, inverse_weights, workspace);
-  ik_detail::fill_products(blocks, workspace);
+  ik_detail::fill_rows(body, kinematics, targets, workspace);
+  ik_detail::fill_products(blocks, inverse_weights, workspace);
   const S diagonal = ik_detail::add_damping(targets, settings, workspace);
-  for (std::size_t d = 0; d < dq.size(); ++d) {
-    dq[d] = reference.empty() ? S(0) : select(inverse_weights[d] > S(0), reference[d], S(0));
-  }
   if (!reference.empty()) {
-    for (int b = 0; b < blocks; ++b) {
-      const auto& block = workspace.blocks[b];
-      for (std::size_t p = 0; p < block.chain.size(); ++p) {
-        const S along = dq[static_cast<std::size_t>(block.chain[p])];
-        for (int k = 0; k < 3; ++k) {
-          S& residual = workspace.residual[3 * b + k];
-          residual = residual - block.columns[p][k] * along;
-        }
-      }
-    }
+    ik_detail::take_off_reference(blocks, inverse_weights, reference, workspace);
   }
   ik_detail::solve(rows, diagonal * S(kIkPivotFloor<Element<S>>), workspace);
+  for (std::size_t d = 0; d < dq.size(); ++d) dq[d] = S(0);
   for (int b = 0; b < blocks; ++b) {
     const auto& block = workspace.blocks[b];
-    const Vec3<S> force{workspace.residual[3 * b], workspace.residual[3 * b + 1],
-                        workspace.residual[3 * b + 2]};
-    for (std::size_t p = 0; p < block.chain.size(); ++p) {
-      S& step = dq[static_cast<std::size_t>(block.chain[p])];
-      step = step + dot(block.weighted[p], force);
+    const Vec3<S> force = Vec3<S>{workspace.residual[3 * b], workspace.residual[3 * b + 1],
+                                  workspace.residual[3 * b + 2]} *
+                          S(block.scale);
+    for (const int dof : block.chain) {
+      const auto d = static_cast<std::size_t>(dof);
+      dq[d] = dq[d] + dot(block.columns[d], force);
     }
   }
   S largest(0);
-  for (const S& step : dq) largest = max(largest, abs(step));
+  for (std::size_t d = 0; d < dq.size(); ++d) {
+    dq[d] = dq[d] * inverse_weights[d];
+    if (!reference.empty()) {
+      dq[d] = dq[d] + select(inverse_weights[d] > S(0), reference[d], S(0));
+    }
+    largest = max(largest, abs(dq[d]));
+  }
   const S limit(settings.max_step);
   const S scale = limit / max(largest, limit);
   for (S& step : dq) step = step * scale;

@@ -53,14 +53,13 @@ void ldlt_factorize(SmallSymmetric<S, Max>& a, int n, S pivot_floor) {
   for (int k = 0; k < n; ++k) {
     const S pivot = a(k, k);
     const auto dropped = pivot <= pivot_floor;
-    // the divisor is made harmless first: a pack divides in all of its lanes
-    const S inverse = select(dropped, S(0), S(1) / select(dropped, S(1), pivot));
+    const S inverse = select(dropped, S(0), S(1) / pivot);
     a(k, k) = inverse;
-    // from the last row up: rows above still hold L_jk D_k
-    for (int i = n - 1; i > k; --i) {
-      const S factor = a(i, k) * inverse;
-      for (int j = k + 1; j <= i; ++j) a(i, j) = a(i, j) - factor * a(j, k);
-      a(i, k) = factor;
+    // the next pivot first: its division is what takes longest
+    for (int i = k + 1; i < n; ++i) {
+      const S scaled = a(i, k);  // L_ik D_k
+      a(i, k) = scaled * inverse;
+      for (int j = k + 1; j <= i; ++j) a(i, j) = a(i, j) - scaled * a(j, k);
     }
   }
 }
@@ -95,20 +94,23 @@ void ldlt_solve_fixed(const SmallSymmetric<S, Max>& a, S* b, S pivot_floor) {
   S l[static_cast<unsigned>(n * (n + 1) / 2)];
   S x[static_cast<unsigned>(n)];
   constexpr auto at = [](int i, int j) { return i * (i + 1) / 2 + j; };
-  SHG_UNROLL for (int i = 0; i < n * (n + 1) / 2; ++i) l[i] = a.lower[i];
+  // what is left of A before step k: nothing is copied beforehand
+  const auto left = [&](int i, int j, int k) -> const S& {
+    return k == 0 ? a.lower[at(i, j)] : l[at(i, j)];
+  };
   SHG_UNROLL for (int i = 0; i < n; ++i) x[i] = b[i];
   SHG_UNROLL for (int k = 0; k < n; ++k) {
-    const S pivot = l[at(k, k)];
+    const S pivot = left(k, k, k);
     const auto dropped = pivot <= pivot_floor;
-    const S inverse = select(dropped, S(0), S(1) / select(dropped, S(1), pivot));
+    const S inverse = select(dropped, S(0), S(1) / pivot);
     l[at(k, k)] = inverse;
-    SHG_UNROLL for (int i = n - 1; i > k; --i) {
-      const S factor = l[at(i, k)] * inverse;
+    SHG_UNROLL for (int i = k + 1; i < n; ++i) {
+      const S scaled = left(i, k, k);
+      l[at(i, k)] = scaled * inverse;
       SHG_UNROLL for (int j = k + 1; j <= i; ++j) {
-        l[at(i, j)] = l[at(i, j)] - factor * l[at(j, k)];
+        l[at(i, j)] = left(i, j, k) - scaled * l[at(j, k)];
       }
-      l[at(i, k)] = factor;
-      x[i] = x[i] - factor * x[k];
+      x[i] = x[i] - l[at(i, k)] * x[k];
     }
   }
   SHG_UNROLL for (int i = 0; i < n; ++i) x[i] = x[i] * l[at(i, i)];

@@ -47,7 +47,8 @@ enum class Axis { x, y, z };
 
 // m · Rot(axis, angle), given the sine and cosine of the angle: turns two columns of m.
 template <class S>
-[[nodiscard]] Mat3<S> rotated(const Mat3<S>& m, Axis axis, const SinCos<S>& a) {
+[[nodiscard, gnu::always_inline]] inline Mat3<S> rotated(const Mat3<S>& m, Axis axis,
+                                                         const SinCos<S>& a) {
   switch (axis) {
     case Axis::x:
       return {m.cx, m.cy * a.cos + m.cz * a.sin, m.cz * a.cos - m.cy * a.sin};
@@ -55,6 +56,33 @@ template <class S>
       return {m.cx * a.cos - m.cz * a.sin, m.cy, m.cz * a.cos + m.cx * a.sin};
     default:
       return {m.cx * a.cos + m.cy * a.sin, m.cy * a.cos - m.cx * a.sin, m.cz};
+  }
+}
+
+// Rot(axis, angle) · v, given the sine and cosine of the angle …
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vec3<S> turned(const Vec3<S>& v, Axis axis,
+                                                        const SinCos<S>& a) {
+  switch (axis) {
+    case Axis::x:
+      return {v.x, v.y * a.cos - v.z * a.sin, v.z * a.cos + v.y * a.sin};
+    case Axis::y:
+      return {v.x * a.cos + v.z * a.sin, v.y, v.z * a.cos - v.x * a.sin};
+    default:
+      return {v.x * a.cos - v.y * a.sin, v.y * a.cos + v.x * a.sin, v.z};
+  }
+}
+// … and by the angle the other way round: v seen from a frame that is turned.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vec3<S> turned_back(const Vec3<S>& v, Axis axis,
+                                                             const SinCos<S>& a) {
+  switch (axis) {
+    case Axis::x:
+      return {v.x, v.y * a.cos + v.z * a.sin, v.z * a.cos - v.y * a.sin};
+    case Axis::y:
+      return {v.x * a.cos - v.z * a.sin, v.y, v.z * a.cos + v.x * a.sin};
+    default:
+      return {v.x * a.cos + v.y * a.sin, v.y * a.cos - v.x * a.sin, v.z};
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 // Scalar functions of the kernel for S = double. The kernel calls sin_cos, sqrt, atan2, select, …
@@ -64,29 +65,29 @@ struct SinCos {
   const double reduced = ((angle - n * kHigh) - n * kMiddle) - n * kLow;
   const double x = in_range ? reduced : __builtin_nan("");
   const double z = x * x;
-  double s = 1.0 / 355687428096000.0;
-  s = s * z - 1.0 / 1307674368000.0;
-  s = s * z + 1.0 / 6227020800.0;
-  s = s * z - 1.0 / 39916800.0;
-  s = s * z + 1.0 / 362880.0;
-  s = s * z - 1.0 / 5040.0;
-  s = s * z + 1.0 / 120.0;
-  s = s * z - 1.0 / 6.0;
+  // by pairs (Estrin's scheme), which wait less for each other than Horner's
+  const double z2 = z * z;
+  const double z4 = z2 * z2;
+  const double s0 = (1.0 / 120.0 - 1.0 / 5040.0 * z) * z - 1.0 / 6.0;
+  const double s1 = (1.0 / 362880.0 - 1.0 / 39916800.0 * z) +
+                    z2 * (1.0 / 6227020800.0 - 1.0 / 1307674368000.0 * z);
+  const double s = s0 + (z * z2) * (s1 + z4 * (1.0 / 355687428096000.0));
   const double sine = x + x * (z * s);
-  double c = -1.0 / 6402373705728000.0;
-  c = c * z + 1.0 / 20922789888000.0;
-  c = c * z - 1.0 / 87178291200.0;
-  c = c * z + 1.0 / 479001600.0;
-  c = c * z - 1.0 / 3628800.0;
-  c = c * z + 1.0 / 40320.0;
-  c = c * z - 1.0 / 720.0;
-  c = c * z + 1.0 / 24.0;
+  const double c0 = (1.0 / 40320.0 * z - 1.0 / 720.0) * z + 1.0 / 24.0;
+  const double c1 = (1.0 / 479001600.0 * z - 1.0 / 3628800.0) +
+                    z2 * (1.0 / 20922789888000.0 * z - 1.0 / 87178291200.0);
+  const double c = c0 + (z * z2) * (c1 - z4 * (1.0 / 6402373705728000.0));
   const double cosine = (1.0 - 0.5 * z) + z * (z * c);
   // an n out of range must not reach the integer conversion
-  const std::int64_t quadrant = static_cast<std::int64_t>(in_range ? n : 0.0) & 3;
-  const double sin_part = quadrant & 1 ? cosine : sine;
-  const double cos_part = quadrant & 1 ? sine : cosine;
-  return {quadrant & 2 ? -sin_part : sin_part, (quadrant + 1) & 2 ? -cos_part : cos_part};
+  const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(in_range ? n : 0.0));
+  // by bits, as nobody can foretell the quadrant: an odd one has the two exchanged, and the sign of
+  // the sine is bit 1 of it, of the cosine that of its successor
+  auto sine_bits = std::bit_cast<std::uint64_t>(sine);
+  auto cosine_bits = std::bit_cast<std::uint64_t>(cosine);
+  const std::uint64_t exchanged = (sine_bits ^ cosine_bits) & (0 - (quadrant & 1));
+  sine_bits ^= exchanged ^ ((quadrant & 2) << 62);
+  cosine_bits ^= exchanged ^ (((quadrant + 1) & 2) << 62);
+  return {std::bit_cast<double>(sine_bits), std::bit_cast<double>(cosine_bits)};
 }
 
 // Angle of the vector (x, y) in (-π, π], the sign of a zero disregarded; atan2(0, 0) = 0. Absolute

@@ -192,9 +192,10 @@ class Rollout {
     const S half_rate(0.5 * rate);
     const S square_rate(rate * rate);
     for (std::size_t d = 0; d < speeds_.size(); ++d) {
-      speeds_[d] = (angles_[2][d] - angles_[0][d]) * half_rate;
-      accelerations_[d] =
-          ((angles_[2][d] - angles_[1][d]) - (angles_[1][d] - angles_[0][d])) * square_rate;
+      const S to_come = angles_[2][d] - angles_[1][d];
+      const S gone = angles_[1][d] - angles_[0][d];
+      speeds_[d] = (to_come + gone) * half_rate;
+      accelerations_[d] = (to_come - gone) * square_rate;
     }
     const Wrench<S> ground =
         inverse_dynamics<S>(body, now(), speeds_, accelerations_, dynamics_, torques_);

@@ -125,12 +125,12 @@ template <int N>
   const P sine = x + x * (z * polynomial(kSinePolynomial));
   const P cosine = (P(1.0F) - P(0.5F) * z) + z * (z * polynomial(kCosinePolynomial));
   const Bits quadrant = (Bits)shifted.lanes;
-  const Mask<N> odd{(quadrant & 1) != 0};
+  const Mask<N> even{(quadrant & 1) == 0};
   // the sign of the sine is bit 1 of the quadrant, of the cosine that of its successor
   const Bits sine_sign = (quadrant & 2) << 30;
   const Bits cosine_sign = ((quadrant + 1) & 2) << 30;
-  const P s = select(odd, cosine, sine);
-  const P c = select(odd, sine, cosine);
+  const P s = select(even, sine, cosine);
+  const P c = select(even, cosine, sine);
   return {P((Vector)((Bits)s.lanes ^ sine_sign)), P((Vector)((Bits)c.lanes ^ cosine_sign))};
 }
 
