@@ -136,6 +136,8 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
   const std::size_t count = constants.joints.size();
   // accelerating upwards by g replaces the weight
   const Vec3<S> lift = transpose_times(kinematics.base_rotation, Vec3<S>{S(0), S(kGravity), S(0)});
+  Vec3<S> mass_moment =
+      kinematics.point(kBaseLink, constants.base_com) * S(constants.base_mass);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& joint = constants.joints[i];
     auto& piece = work.pieces[i];
@@ -156,25 +158,22 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
     piece.spin = m.spin;
     piece.spin_rate = m.spin_rate;
     piece.acceleration = m.acceleration;
+    Mat3<S> turns{{}, {}, {}};
     if (joint.upright) {
-      piece.turning.cy = turning_y(piece.spin, piece.spin_rate);
+      turns.cy = turning_y(m.spin, m.spin_rate);
+      piece.turning.cy = turns.cy;
     } else {
-      piece.turning = turning(piece.spin, piece.spin_rate);
+      turns = turning(m.spin, m.spin_rate);
+      piece.turning = turns;
     }
-  }
-  // in a loop of its own, as these do not wait for each other
-  Vec3<S> mass_moment = kinematics.point(kBaseLink, constants.base_com) * S(constants.base_mass);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& joint = constants.joints[i];
-    auto& piece = work.pieces[i];
     if (!joint.massive) {
       piece.carried = {};
       continue;
     }
     const auto link = static_cast<std::size_t>(joint.link);
     const Vec3<S> force =
-        (piece.acceleration + times_place(piece.turning, joint.com, joint.upright)) * S(joint.mass);
-    piece.carried = {force, spinning_moment(joint, piece.spin, piece.spin_rate) +
+        (m.acceleration + times_place(turns, joint.com, joint.upright)) * S(joint.mass);
+    piece.carried = {force, spinning_moment(joint, m.spin, m.spin_rate) +
                                 cross_place(joint.com, force, joint.upright)};
     mass_moment += (kinematics.origin[link] +
                     times_place(kinematics.rotation[link], joint.com, joint.upright)) *
