@@ -31,7 +31,7 @@ struct SupportEdge {
 
 // How near the centre of mass's plumb line comes to the edge of the feet's support polygon, or how
 // far it leaves it, in [0, 1]. Anywhere well inside is as good as the middle: people who reach let
-// it wander (Stapley et al., Biological Cybernetics 82 (2000) 161-172).
+// it wander (Stapley et al., Biological Cybernetics 82 (2000) 161).
 //   p(t) = (margin - d(t)) / (2 margin), held to [0, 1];   P = ½ mean_t p + ½ max_t p,
 // d being the distance to the nearest edge, less than 0 outside: 0 from `margin` inside on, ½ at
 // the edge, 1 from `margin` outside on. Near a corner, outside, d is the distance to the nearest

@@ -26,11 +26,11 @@ struct DiscomfortSettings {
 // on that side, 1 at the limit and beyond:
 //   d(u) = ½ u² + ½ (max(0, u - 0.88) / 0.12)²,   D(t) = mean_i d(u_i(t)),
 //   P = min(1, (½ mean_t D + ½ max_t D) / share).
-// Upper limits grow with the body's couplings. Both parts are those of joint discomfort in human
-// simulation (Yang, Marler et al., Multi-objective optimization for upper body posture prediction,
-// AIAA 2004-4506): a square around neutral, and at either end a term that stays at 0 until the last
-// tenth or so of the range; their sin^100, over its own maximum, is met by this parabola within
-// 0.16. Their weights by groups of joints are left out.
+// Upper limits grow with the body's couplings. Both parts are those of joint discomfort in
+// Abdel-Malek and Arora, Human Motion Simulation (2013), equations 3.13 to 3.16: a square around
+// neutral, and at either end a term that stays at 0 until the last tenth or so of the range; its
+// (½ sin + 1)^100, over its own maximum, is met by this parabola within 0.16. The weights by groups
+// of joints are left out.
 template <class S>
 class Discomfort {
  public:
