@@ -33,7 +33,8 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
       ->allow_extra_args(false);
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
   c->add_option("--preset", o.preset, "paper");
-  c->add_option("--criteria", o.criteria, "paper: the paper's weights whatever the task file says");
+  c->add_option("--criteria", o.criteria,
+                "paper or default: what motions are scored by, whatever the task file says");
   c->add_option("--search", o.search, "paper_ga");
   c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
       ->check(whole_number(8, 1'000'000'000));

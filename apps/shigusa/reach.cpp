@@ -63,12 +63,14 @@ Result<BatchSettings> batch_settings(const ReachOptions& options) {
 }
 
 Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
+  std::vector<std::string> mixtures;
+  for (const CriteriaPreset& preset : criteria_presets()) mixtures.emplace_back(preset.name);
   const struct {
     const char* what;
     const std::optional<std::string>& given;
     std::vector<std::string> allowed;
   } words[] = {{"preset", options.preset, {"paper"}},
-               {"criteria", options.criteria, {"paper"}},
+               {"criteria", options.criteria, mixtures},
                {"search", options.search, {"paper_ga"}}};
   for (const auto& word : words) {
     if (!word.given) continue;
@@ -76,7 +78,9 @@ Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
       return tl::unexpected(known.error());
     }
   }
-  if (options.criteria) file.criteria = {};
+  for (const CriteriaPreset& preset : criteria_presets()) {
+    if (options.criteria == preset.name) file.criteria = preset.settings();
+  }
   return {};
 }
 

@@ -8,18 +8,25 @@
 #include "commands.hpp"
 
 namespace shigusa::app {
+namespace {
+
+std::size_t column_width(const ScoreTerm& term) {
+  return std::max<std::size_t>(11, term.name.size());
+}
+
+}  // namespace
 
 std::string candidate_table(const Generation& generation) {
   std::string text = fmt::format("{:>4}  {:>7}", "rank", "score");
   for (const ScoreTerm& term : generation.candidates.front().score.terms) {
-    text += fmt::format("  {:>11}", term.name);
+    text += fmt::format("  {:>{}}", term.name, column_width(term));
   }
   text += fmt::format("  {:>9}  {:>9}  {}\n", "error mm", "slide mm", "most over its limit");
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     const Candidate& candidate = generation.candidates[i];
     text += fmt::format("{:>4}  {:>7.4f}", i + 1, candidate.score.total);
     for (const ScoreTerm& term : candidate.score.terms) {
-      text += fmt::format("  {:>11.4f}", term.penalty);
+      text += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
     }
     double error = 0.0;
     double slide = 0.0;

@@ -17,7 +17,7 @@ Vec3d support_centre(const BodyModel& body) {
 
 double balance_penalty(const BodyModel& body, const Motion& motion,
                        const BalanceSettings& settings) {
-  return replay(motion, Balance<double>(body, settings));
+  return replayed(body, motion, Balance<double>(body, settings));
 }
 
 }  // namespace shigusa

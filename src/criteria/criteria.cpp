@@ -1,22 +1,45 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <shigusa/criteria/criteria.hpp>
+
+#include "replay.hpp"
 
 namespace shigusa {
 
+CriteriaSettings paper_criteria() { return {}; }
+
+CriteriaSettings default_criteria() {
+  CriteriaSettings settings;
+  for_each_criterion([&](const auto& entry) { entry.weight(settings) = 0.0; });
+  settings.joint_range_weight = 0.25;
+  settings.balance_zone_weight = 0.20;
+  settings.discomfort_weight = 0.27;
+  settings.joint_acceleration_weight = 0.22;
+  settings.low_back_weight = 0.06;
+  return settings;
+}
+
+std::span<const CriteriaPreset> criteria_presets() {
+  static constexpr std::array<CriteriaPreset, 2> kPresets{
+      {{"paper", paper_criteria}, {"default", default_criteria}}};
+  return kPresets;
+}
+
 double worst_score(const CriteriaSettings& settings) {
-  double sum = settings.joint_range_weight + settings.balance_weight + settings.torque_weight;
+  double sum = 0.0;
+  for_each_criterion([&](const auto& entry) { sum += entry.weight(settings); });
   for (const UserCriterion& user : settings.user) sum += user.weight;
   return sum;
 }
 
 Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings) {
   Score score;
-  score.terms = {
-      {"joint_range", settings.joint_range_weight,
-       joint_range_penalty(body, motion, settings.joint_range)},
-      {"balance", settings.balance_weight, balance_penalty(body, motion, settings.balance)},
-      {"torque", settings.torque_weight, torque_penalty(body, motion, settings.torque)},
-  };
+  BuiltInCriteria<double> built_in(body, settings);
+  const bool placed = settings.head_weight > 0.0;  // the only one that looks at placements
+  show_motion(body, motion, placed, built_in);
+  built_in.visit_penalties([&score](const char* name, double weight, double penalty) {
+    score.terms.push_back({name, weight, penalty});
+  });
   for (const UserCriterion& user : settings.user) {
     const double value = user.value(body, motion) / user.scale;
     // a NaN passes through, to be counted by the search

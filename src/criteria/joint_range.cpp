@@ -7,7 +7,7 @@ namespace shigusa {
 
 double joint_range_penalty(const BodyModel& body, const Motion& motion,
                            const JointRangeSettings& settings) {
-  return replay(motion, JointRange<double>(body, settings));
+  return replayed(body, motion, JointRange<double>(body, settings));
 }
 
 }  // namespace shigusa

@@ -6,16 +6,39 @@
 
 namespace shigusa {
 
-// Shows a stored motion to a criterion, frame by frame.
-template <class Criterion>
-[[nodiscard]] double replay(const Motion& motion, Criterion criterion) {
-  const auto dofs = static_cast<std::size_t>(motion.clip.dofs);
-  for (int f = 0; f < motion.clip.frames; ++f) {
+// Shows a stored motion to criteria as a rollout shows it while it makes it: frame by frame, with
+// speeds and accelerations by the same central differences. `placed`: with the body's placement,
+// for criteria that look at it.
+template <class Criteria>
+void show_motion(const BodyModel& body, const Motion& motion, bool placed, Criteria& criteria) {
+  const Clip& clip = motion.clip;
+  const auto dofs = static_cast<std::size_t>(clip.dofs);
+  const double rate = 1.0 / clip.frame_time;
+  Kinematics<double> kinematics(body);
+  std::vector<double> speeds(dofs);
+  std::vector<double> accelerations(dofs);
+  for (int f = 0; f < clip.frames; ++f) {
     const auto k = static_cast<std::size_t>(f);
-    criterion.add(MotionFrame<double>{
-        motion.clip.frame(f), std::span<const double>(motion.torques).subspan(k * dofs, dofs),
-        motion.centre_of_mass[k]});
+    // at rest before the motion and after it
+    const std::span<const double> before = clip.frame(f > 0 ? f - 1 : 0);
+    const std::span<const double> now = clip.frame(f);
+    const std::span<const double> after = clip.frame(f + 1 < clip.frames ? f + 1 : f);
+    for (std::size_t d = 0; d < dofs; ++d) {
+      speeds[d] = (after[d] - before[d]) * (0.5 * rate);
+      accelerations[d] = ((after[d] - now[d]) - (now[d] - before[d])) * (rate * rate);
+    }
+    if (placed) forward_kinematics<double>(body, now, kinematics);
+    criteria.add(
+        MotionFrame<double>{now, std::span<const double>(motion.torques).subspan(k * dofs, dofs),
+                            motion.centre_of_mass[k], speeds, accelerations,
+                            placed ? &kinematics : nullptr, clip.frame_time});
   }
+}
+
+// The penalty of a stored motion.
+template <class Criterion>
+[[nodiscard]] double replayed(const BodyModel& body, const Motion& motion, Criterion criterion) {
+  show_motion(body, motion, true, criterion);
   return criterion.penalty();
 }
 

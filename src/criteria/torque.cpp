@@ -6,7 +6,7 @@
 namespace shigusa {
 
 double torque_penalty(const BodyModel& body, const Motion& motion, const TorqueSettings& settings) {
-  return replay(motion, Torque<double>(body, settings));
+  return replayed(body, motion, Torque<double>(body, settings));
 }
 
 }  // namespace shigusa

@@ -40,7 +40,7 @@ std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach&
 double replayed_score(const ReachProblem& problem, const Task& task, const Parameters& parameters) {
   const RolledOut rolled = roll_out(problem, parameters);
   return rolled.outcome.met(problem.tolerance)
-             ? score_motion(*problem.body, rolled.motion, task.criteria).total
+             ? score_motion(*problem.body, rolled.motion, task_criteria(task)).total
              : worst_score(task.criteria);
 }
 
@@ -59,7 +59,8 @@ SearchResult search_weights(const ReachProblem& problem, const Task& task,
   DiscreteProblem discrete;
   discrete.genes = problem.body->dof_count();
   discrete.bits_per_gene = kPaperBitsPerGene;
-  BatchRollout batch(problem, task.criteria, task.batch);
+  const CriteriaSettings criteria = task_criteria(task);
+  BatchRollout batch(problem, criteria, task.batch);
   discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
     if (task.criteria.user.empty()) {
       batch.score(inverse_weights_of_genes(genomes), scores);
@@ -99,7 +100,7 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
   const BodyModel& body = task.body;
   Candidate candidate;
   candidate.parameters = parameters;
-  candidate.score = score_motion(body, rolled.motion, task.criteria);
+  candidate.score = score_motion(body, rolled.motion, task_criteria(task));
   for (std::size_t g = 0; g < task.goals.size(); ++g) {
     const auto index = static_cast<std::size_t>(problem.goals[g].effector);
     const Effector& effector = body.effectors()[index];

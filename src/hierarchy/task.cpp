@@ -47,13 +47,18 @@ Result<void> check_settings(const Task& task) {
   const CriteriaSettings& c = task.criteria;
   double sum = 0.0;
   const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
-  bool valid = add(c.joint_range_weight) && add(c.balance_weight) && add(c.torque_weight);
+  bool valid = true;
+  bool scaled = true;
+  for_each_criterion([&](const auto& criterion) {
+    valid = add(criterion.weight(c)) && valid;
+    scaled = scaled && criterion.scale(c) > 0.0;
+  });
   for (const UserCriterion& user : c.user) valid = valid && add(user.weight) && user.scale > 0.0;
   if (!valid || sum <= 0.0) {
     return fail(ErrorCode::invalid_argument,
                 "criteria weights must be finite, 0 or more, and not all 0; scales above 0");
   }
-  if (!(c.joint_range.margin > 0.0 && c.balance.lean > 0.0 && c.torque.share > 0.0)) {
+  if (!scaled) {
     return fail(ErrorCode::invalid_argument, "reference scales of criteria must be above 0");
   }
   return {};
@@ -76,6 +81,14 @@ std::string_view preset_name(Preset preset) {
       return "paper";
   }
   return "";
+}
+
+CriteriaSettings task_criteria(const Task& task) {
+  CriteriaSettings criteria = task.criteria;
+  if (!criteria.head.gaze_target && !task.goals.empty()) {
+    criteria.head.gaze_target = task.goals.front().position;
+  }
+  return criteria;
 }
 
 Result<ReachProblem> make_problem(const Task& task) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/task_file.hpp>
 
@@ -150,34 +149,29 @@ void read_goals(JsonReader& task, std::vector<Goal>& goals) {
   }
 }
 
-// One built-in criterion: its weight and its reference scale.
-struct CriterionMembers {
-  const char* name;
-  const char* scale_name;
-  double CriteriaSettings::*weight;
-  double& (*scale)(CriteriaSettings&);
-};
-
-const std::array<CriterionMembers, 3> kCriteria{{
-    {"joint_range", "margin", &CriteriaSettings::joint_range_weight,
-     [](CriteriaSettings& c) -> double& { return c.joint_range.margin; }},
-    {"balance", "lean", &CriteriaSettings::balance_weight,
-     [](CriteriaSettings& c) -> double& { return c.balance.lean; }},
-    {"torque", "share", &CriteriaSettings::torque_weight,
-     [](CriteriaSettings& c) -> double& { return c.torque.share; }},
-}};
-
+// A mixture by its name, or weights and reference scales; what is not given stays as it is.
 void read_criteria(JsonReader& task, CriteriaSettings& criteria) {
   if (!task.has("criteria")) return;
-  JsonReader reader = task.object("criteria");
-  for (const CriterionMembers& criterion : kCriteria) {
-    if (!reader.has(criterion.name)) continue;
-    JsonReader members = reader.object(criterion.name);
-    members.number("weight", criteria.*criterion.weight, 0.0, kCriteriaRange);
-    members.number(criterion.scale_name, criterion.scale(criteria), kCriteriaTiny, kCriteriaRange);
-    reader.absorb(members.finish());
+  if (task.value("criteria").is_string()) {
+    std::vector<std::pair<std::string, CriteriaSettings>> presets;
+    for (const CriteriaPreset& preset : criteria_presets()) {
+      presets.emplace_back(preset.name, preset.settings());
+    }
+    return task.choice("criteria", criteria, presets);
   }
-  if (criteria.joint_range_weight + criteria.balance_weight + criteria.torque_weight <= 0.0) {
+  JsonReader reader = task.object("criteria");
+  double sum = 0.0;
+  for_each_criterion([&](const auto& criterion) {
+    if (reader.has(criterion.name)) {
+      JsonReader members = reader.object(criterion.name);
+      members.number("weight", criterion.weight(criteria), 0.0, kCriteriaRange);
+      members.number(criterion.scale_name, criterion.scale(criteria), kCriteriaTiny,
+                     kCriteriaRange);
+      reader.absorb(members.finish());
+    }
+    sum += criterion.weight(criteria);
+  });
+  if (sum <= 0.0) {
     reader.wrong("", "all weights are 0; allowed are weights of which one or more is above 0");
   }
   task.absorb(reader.finish());
@@ -195,10 +189,10 @@ Json task_to_json(const TaskFile& task) {
   }
   if (task.duration) json["duration_s"] = *task.duration;
   json["preset"] = preset_name(task.preset);
-  CriteriaSettings criteria = task.criteria;
-  for (const CriterionMembers& c : kCriteria) {
-    json["criteria"][c.name] = {{"weight", criteria.*c.weight}, {c.scale_name, c.scale(criteria)}};
-  }
+  for_each_criterion([&](const auto& criterion) {
+    json["criteria"][criterion.name] = {{"weight", criterion.weight(task.criteria)},
+                                        {criterion.scale_name, criterion.scale(task.criteria)}};
+  });
   json["seed"] = task.seed;
   json["candidates"] = task.candidates;
   if (task.evaluations) json["evaluations"] = *task.evaluations;

@@ -116,6 +116,25 @@ TEST_F(Reach, BothHandsHaveTheirGoals) {
   expect_promises_kept(stored);
 }
 
+TEST_F(Reach, CriteriaOfTheCallReplaceThoseOfTheTaskFile) {
+  const std::string task = work_.put("task.json",
+                                     R"({"criteria": {"work": {"weight": 0.5}},
+          "goals": [{"effector": "right_hand", "position_m": [-0.2, 1.1, 0.4]}]})");
+  const auto terms_by = [&](const Words& more) {
+    Words call{task};
+    call.insert(call.end(), more.begin(), more.end());
+    EXPECT_EQ(reach(call, "bvh").exit_code, 0);
+    return keys(StoredRun(work_, "out").candidate(1).at("criteria"));
+  };
+  EXPECT_THAT(terms_by({}),
+              testing::UnorderedElementsAre("joint_range", "balance", "torque", "work"));
+  EXPECT_THAT(terms_by({"--criteria", "paper"}),
+              testing::UnorderedElementsAre("joint_range", "balance", "torque"));
+  EXPECT_THAT(terms_by({"--criteria", "default"}),
+              testing::UnorderedElementsAre("joint_range", "balance_zone", "discomfort",
+                                            "joint_acceleration", "low_back"));
+}
+
 TEST_F(Reach, GoalsOfTheCallReplaceThoseOfTheTaskFile) {
   const std::string task =
       work_.put("task.json",

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <shigusa/criteria/criteria.hpp>
 
 #include "support/motions.hpp"
@@ -25,6 +26,16 @@ Motion wild_motion(const BodyModel& body) {
   Motion motion = motion_through(body, frames);
   for (double& tau : motion.torques) tau = random.uniform(-30, 30);
   return motion;
+}
+
+constexpr Vec3d kGoal{0.2, 0.4, -0.3};
+
+// All built-in criteria at work, each with the weight 1.
+CriteriaSettings every_criterion() {
+  CriteriaSettings settings;
+  for_each_criterion([&](const auto& criterion) { criterion.weight(settings) = 1.0; });
+  settings.head.gaze_target = kGoal;
+  return settings;
 }
 
 UserCriterion constant(double value, double weight = 0.1, double scale = 1.0) {
@@ -85,6 +96,95 @@ TEST(Score, AddsUpToItsTotal) {
   EXPECT_DOUBLE_EQ(score.total, sum);
   EXPECT_EQ(score.terms[0].weight, 0.7);
   EXPECT_EQ(score.terms[3].weight, 0.3);
+}
+
+TEST(CriteriaTable, NamesEachCriterionOnce) {
+  std::set<std::string> names;
+  std::set<const void*> members;
+  CriteriaSettings settings;
+  int count = 0;
+  for_each_criterion([&](const auto& criterion) {
+    names.insert(criterion.name);
+    members.insert(&criterion.weight(settings));
+    members.insert(&criterion.scale(settings));
+    ++count;
+    EXPECT_GT(criterion.scale(settings), 0.0) << criterion.name;
+  });
+  EXPECT_EQ(count, 9);
+  EXPECT_EQ(names.size(), 9u);
+  EXPECT_EQ(members.size(), 18u);
+}
+
+TEST(CriteriaPresets, OfThePaperAreItsThree) {
+  for (const CriteriaSettings& settings : {CriteriaSettings{}, paper_criteria()}) {
+    for_each_criterion([&](const auto& criterion) {
+      const std::string name = criterion.name;
+      const double weight = name == "joint_range" ? 0.5
+                            : name == "balance"   ? 0.3
+                            : name == "torque"    ? 0.2
+                                                  : 0.0;
+      EXPECT_EQ(criterion.weight(settings), weight) << name;
+    });
+  }
+}
+
+TEST(CriteriaPresets, DefaultIsTheMixtureOfTheFindings) {
+  const CriteriaSettings settings = default_criteria();
+  EXPECT_DOUBLE_EQ(worst_score(settings), 1.0);
+  EXPECT_EQ(settings.joint_range_weight, 0.25);
+  EXPECT_EQ(settings.balance_zone_weight, 0.20);
+  EXPECT_EQ(settings.discomfort_weight, 0.27);
+  EXPECT_EQ(settings.joint_acceleration_weight, 0.22);
+  EXPECT_EQ(settings.low_back_weight, 0.06);
+}
+
+TEST(CriteriaPresets, HaveNames) {
+  ASSERT_EQ(criteria_presets().size(), 2u);
+  EXPECT_EQ(criteria_presets()[0].name, "paper");
+  EXPECT_EQ(criteria_presets()[0].settings().torque_weight, kPaperTorqueWeight);
+  EXPECT_EQ(criteria_presets()[1].name, "default");
+  EXPECT_EQ(criteria_presets()[1].settings().torque_weight, 0.0);
+}
+
+TEST(Score, LeavesOutWhatHasNoWeight) {
+  const BodyModel body = full_body();
+  CriteriaSettings settings = default_criteria();
+  settings.joint_range_weight = 0.0;
+  std::vector<std::string> names;
+  for (const ScoreTerm& term : score_motion(body, wild_motion(body), settings).terms) {
+    names.push_back(term.name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"balance_zone", "discomfort", "joint_acceleration",
+                                             "low_back"}));
+}
+
+TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
+  const BodyModel body = full_body();
+  const Motion motion = wild_motion(body);
+  const Score score = score_motion(body, motion, every_criterion());
+  ASSERT_EQ(score.terms.size(), 9u);
+  EXPECT_EQ(score.terms[3].penalty, balance_zone_penalty(body, motion));
+  EXPECT_EQ(score.terms[4].penalty, discomfort_penalty(body, motion));
+  EXPECT_EQ(score.terms[5].penalty, joint_acceleration_penalty(body, motion));
+  EXPECT_EQ(score.terms[6].penalty, work_penalty(body, motion));
+  EXPECT_EQ(score.terms[7].penalty, low_back_penalty(body, motion));
+  EXPECT_EQ(score.terms[8].penalty, head_penalty(body, motion, {.gaze_target = kGoal}));
+}
+
+TEST(Score, PenaltiesStayWithinZeroAndOneForAnyMotion) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    Random random(62);
+    for (int trial = 0; trial < 200; ++trial) {
+      std::vector<std::vector<double>> frames;
+      for (int f = 0; f < 4; ++f) frames.push_back(random_vector(body, -4.0, 4.0, random));
+      Motion motion = motion_through(body, frames);
+      for (double& tau : motion.torques) tau = random.uniform(-1e4, 1e4);
+      for (const ScoreTerm& term : score_motion(body, motion, every_criterion()).terms) {
+        ASSERT_GE(term.penalty, 0.0) << term.name;
+        ASSERT_LE(term.penalty, 1.0) << term.name;
+      }
+    }
+  }
 }
 
 TEST(Score, FrameByFrameIsTheSameAsOfTheWholeMotion) {

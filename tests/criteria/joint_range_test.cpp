@@ -103,6 +103,23 @@ TEST(JointRange, HumanHipFlexesTo165DegreesOverABentKnee) {
   }
 }
 
+TEST(JointRange, AHumanHipIsWithinItsRangeOverABentKneeOnly) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    for (const char* side : {"right", "left"}) {
+      const auto hip = body.find_dof(std::string(side) + "_hip.flexion");
+      const auto knee = body.find_dof(std::string(side) + "_knee.flexion");
+      if (!hip) continue;  // of the half body
+      std::vector<double> q(body.dofs().size(), 0.0);
+      q[static_cast<std::size_t>(*hip)] = radians(139);
+      // 24° too far, of the 27° that are a fifth of its range
+      EXPECT_NEAR(penalty_at(body, {q}), 24.0 / 27.0 * (0.5 + 0.5 / static_cast<double>(q.size())),
+                  1e-12);
+      q[static_cast<std::size_t>(*knee)] = radians(30);
+      EXPECT_EQ(penalty_at(body, {q}), 0.0);
+    }
+  }
+}
+
 TEST(JointRange, NeverFallsAsAJointGoesFurther) {
   const BodyModel body = full_body();
   Random random(51);

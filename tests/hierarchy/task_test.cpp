@@ -127,10 +127,18 @@ TEST(MakeProblem, RefusesWeightsThatSayNothing) {
   EXPECT_NE(refusal_of_criteria([](C& c) { c.joint_range_weight = -0.1; }), "");
   EXPECT_NE(refusal_of_criteria([](C& c) { c.balance_weight = kNaN; }), "");
   EXPECT_NE(refusal_of_criteria([](C& c) { c.torque_weight = kInfinity; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c.head_weight = -1.0; }), "");
   EXPECT_NE(refusal_of_criteria(
                 [](C& c) { c.joint_range_weight = c.balance_weight = c.torque_weight = 0.0; }),
             "");
   EXPECT_EQ(refusal_of_criteria([](C& c) { c.joint_range_weight = c.balance_weight = 0.0; }), "");
+}
+
+TEST(TaskCriteria, HaveTheEyesOnTheFirstGoal) {
+  Task task = task_for({-0.3, 1.0, 0.5});
+  EXPECT_EQ(task_criteria(task).head.gaze_target, (Vec3d{-0.3, 1.0, 0.5}));
+  task.criteria.head.gaze_target = Vec3d{0, 1, 2};
+  EXPECT_EQ(task_criteria(task).head.gaze_target, (Vec3d{0, 1, 2}));
 }
 
 TEST(MakeProblem, RefusesScalesThatAreNotAboveZero) {
@@ -138,6 +146,8 @@ TEST(MakeProblem, RefusesScalesThatAreNotAboveZero) {
   EXPECT_NE(refusal_of_criteria([](C& c) { c.joint_range.margin = 0.0; }), "");
   EXPECT_NE(refusal_of_criteria([](C& c) { c.balance.lean = kNaN; }), "");
   EXPECT_NE(refusal_of_criteria([](C& c) { c.torque.share = -1.0; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c.balance_zone.margin = 0.0; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c.head.height = kNaN; }), "");
   const auto with_user = [](double weight, double scale) {
     return refusal_of_criteria([&](C& c) {
       c.user = {{.name = "own",

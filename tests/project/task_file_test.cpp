@@ -43,6 +43,27 @@ TEST(TaskFile, CharacterMayBeItsNameAlone) {
   EXPECT_EQ(task.character.source, "walk.bvh");
 }
 
+TEST(TaskFile, CriteriaMayBeAMixturesName) {
+  for (const CriteriaPreset& preset : criteria_presets()) {
+    TaskFile expected;
+    expected.criteria = preset.settings();
+    const std::string text = R"({"criteria": ")" + std::string(preset.name) + R"("})";
+    EXPECT_EQ(bits(parse_task(text, "task.json").value()), bits(expected)) << preset.name;
+  }
+}
+
+TEST(TaskFile, CriteriaOfFilesFromBeforeTheMixturesAreThePapers) {
+  const char* text = R"({"criteria": {"joint_range": {"weight": 0.4, "margin": 0.1},
+    "balance": {"weight": 0.3, "lean": 0.3}, "torque": {"weight": 0.1, "share": 0.5}}})";
+  TaskFile expected;
+  expected.criteria.joint_range_weight = 0.4;
+  expected.criteria.joint_range.margin = 0.1;
+  expected.criteria.balance.lean = 0.3;
+  expected.criteria.torque_weight = 0.1;
+  expected.criteria.torque.share = 0.5;
+  EXPECT_EQ(bits(parse_task(text, "task.json").value()), bits(expected));
+}
+
 TEST(TaskFile, NameThatIsNoUtf8IsWrittenAllTheSame) {
   TaskFile task;
   task.character.source = "caf\xe9.bvh";

@@ -52,16 +52,12 @@ inline TaskFile any_task() {
     if (*rc::gen::arbitrary<bool>()) task.goals.push_back({name, any_point(kGoalRange)});
   }
   if (*rc::gen::arbitrary<bool>()) task.duration = any_number(0.05, 60.0);
-  for (double* weight : {&task.criteria.joint_range_weight, &task.criteria.balance_weight,
-                         &task.criteria.torque_weight}) {
-    *weight = any_number(0.0, 1e6);
-  }
+  for_each_criterion([&](const auto& criterion) {
+    criterion.weight(task.criteria) = any_number(0.0, 1e6);
+    criterion.scale(task.criteria) = any_number(1e-9, 1e6);
+  });
   // not all may be 0
   task.criteria.torque_weight = any_number(1e-3, 1e6);
-  for (double* scale : {&task.criteria.joint_range.margin, &task.criteria.balance.lean,
-                        &task.criteria.torque.share}) {
-    *scale = any_number(1e-9, 1e6);
-  }
   task.seed =
       *rc::gen::element<std::uint64_t>(0, 1, UINT64_MAX, *rc::gen::arbitrary<std::uint64_t>());
   task.candidates = *rc::gen::inRange(1, 1001);
@@ -88,11 +84,10 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
     for (const Vec3d* point : all_points(person)) add_point(*point);
   }
   for (const Goal& goal : task.goals) add_point(goal.position);
-  const CriteriaSettings& k = task.criteria;
-  for (const double x : {k.joint_range_weight, k.balance_weight, k.torque_weight,
-                         k.joint_range.margin, k.balance.lean, k.torque.share}) {
-    add(x);
-  }
+  for_each_criterion([&](const auto& criterion) {
+    add(criterion.weight(task.criteria));
+    add(criterion.scale(task.criteria));
+  });
   return all;
 }
 

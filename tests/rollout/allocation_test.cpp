@@ -44,6 +44,13 @@ using namespace testing_support;
 
 constexpr Vec3d kLowLeft{0.25, 0.55, 0.50};
 
+CriteriaSettings every_criterion() {
+  CriteriaSettings settings;
+  for_each_criterion([&](const auto& criterion) { criterion.weight(settings) = 0.1; });
+  settings.head.gaze_target = kLowLeft;
+  return settings;
+}
+
 template <class Work>
 long allocations_of(Work&& work) {
   const long before = allocations;
@@ -64,7 +71,7 @@ TEST(Allocations, ARolloutMakesNone) {
     const ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
     const std::vector<double> inverse = inverse_weights(uniform_parameters(body));
     Rollout<double> rollout(problem);
-    BuiltInCriteria<double> criteria(body, {});
+    BuiltInCriteria<double> criteria(body, every_criterion());
     EXPECT_EQ(allocations_of([&] {
                 rollout.run(inverse, [&](const MotionFrame<double>& frame,
                                          const Kinematics<double>&) { criteria.add(frame); });
@@ -90,7 +97,7 @@ TEST(Allocations, AGuidedRolloutBeyondReachMakesNone) {
 TEST(Allocations, ScoringMoreMotionsTakesNoMore) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
-    const CriteriaSettings criteria;
+    const CriteriaSettings criteria = every_criterion();
     const std::size_t dofs = body.dofs().size();
     const std::vector<float> inverse(100 * dofs, 1.0F);
     std::vector<double> scores(100);

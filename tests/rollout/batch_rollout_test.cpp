@@ -33,9 +33,10 @@ struct Reach {
   CriteriaSettings criteria;
   std::vector<float> inverse_weights;  // (kMotions × dofs)
 
-  explicit Reach(BodyModel b)
+  explicit Reach(BodyModel b, CriteriaSettings c = {})
       : body(std::move(b)),
         problem(reach_with(body, "right_hand", kLowLeft)),
+        criteria(std::move(c)),
         inverse_weights(random_inverse_weights(body, kMotions)) {}
   Reach(const Reach&) = delete;
   Reach& operator=(const Reach&) = delete;
@@ -51,13 +52,34 @@ struct Reach {
   }
 };
 
-const Reach& reach(bool whole) {
-  static const Reach half(half_body());
-  static const Reach full(full_body());
-  return whole ? full : half;
+CriteriaSettings every_criterion() {
+  CriteriaSettings settings;
+  for_each_criterion([&](const auto& criterion) { criterion.weight(settings) = 0.1; });
+  settings.head.gaze_target = kLowLeft;
+  return settings;
 }
 
-class BatchRolloutOf : public testing::TestWithParam<bool> {};
+enum class Case { half_body, full_body, half_body_by_all_criteria, full_body_by_all_criteria };
+
+const Reach& reach(Case which) {
+  static const Reach half(half_body());
+  static const Reach full(full_body());
+  static const Reach half_by_all(half_body(), every_criterion());
+  static const Reach full_by_all(full_body(), every_criterion());
+  switch (which) {
+    case Case::half_body:
+      return half;
+    case Case::full_body:
+      return full;
+    case Case::half_body_by_all_criteria:
+      return half_by_all;
+    case Case::full_body_by_all_criteria:
+      break;
+  }
+  return full_by_all;
+}
+
+class BatchRolloutOf : public testing::TestWithParam<Case> {};
 
 TEST_P(BatchRolloutOf, SimdSetAndThreadsChangeNoBit) {
   const std::vector<double> expected = reach(GetParam()).scores({SimdSet::scalar, 1});
@@ -157,19 +179,25 @@ TEST_P(BatchRolloutOf, ScoresAreThoseOfDoubleToItsPrecision) {
   EXPECT_GE(near, static_cast<int>(kMotions) - 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, BatchRolloutOf, testing::Bool(),
-                         [](const testing::TestParamInfo<bool>& body) {
-                           return std::string(body.param ? "full_body" : "half_body");
-                         });
+std::string case_name(const testing::TestParamInfo<Case>& which) {
+  const bool all = which.param >= Case::half_body_by_all_criteria;
+  return reach(which.param).body.name() + (all ? "_by_all_criteria" : "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, BatchRolloutOf,
+                         testing::Values(Case::half_body, Case::full_body,
+                                         Case::half_body_by_all_criteria,
+                                         Case::full_body_by_all_criteria),
+                         case_name);
 
 TEST(BatchRollout, OfNoMotionsDoesNothing) {
-  const Reach& r = reach(false);
+  const Reach& r = reach(Case::half_body);
   BatchRollout batch(r.problem, r.criteria, {});
   batch.score({}, {});
 }
 
 TEST(BatchRollout, WantsOneWeightPerMotionAndDof) {
-  const Reach& r = reach(false);
+  const Reach& r = reach(Case::half_body);
   BatchRollout batch(r.problem, r.criteria, {});
   std::vector<double> scores(2);
   const std::vector<float> inverse(2 * r.body.dofs().size() - 1, 1.0F);
@@ -177,7 +205,7 @@ TEST(BatchRollout, WantsOneWeightPerMotionAndDof) {
 }
 
 TEST(BatchRollout, RefusesASetThatTheMachineLacks) {
-  const Reach& r = reach(false);
+  const Reach& r = reach(Case::half_body);
   const auto usable = usable_simd_sets();
   // a set that no machine has is refused like one that this machine lacks
   for (const SimdSet set :
@@ -191,7 +219,7 @@ TEST(BatchRollout, RefusesASetThatTheMachineLacks) {
 }
 
 TEST(BatchRollout, RefusesThreadsOutOfRange) {
-  const Reach& r = reach(false);
+  const Reach& r = reach(Case::half_body);
   EXPECT_THROW(BatchRollout(r.problem, r.criteria, {SimdSet::scalar, -1}), PreconditionError);
 }
 

@@ -1,39 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
-#include <shigusa/criteria/balance.hpp>
-#include <shigusa/criteria/joint_range.hpp>
-#include <shigusa/criteria/torque.hpp>
+#include <optional>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shigusa {
-
-// The paper's order of importance, range > balance > torque (section 3.3), with rule R8's weights.
-inline constexpr double kPaperRangeWeight = 0.5;
-inline constexpr double kPaperBalanceWeight = 0.3;
-inline constexpr double kPaperTorqueWeight = 0.2;
-
-// A criterion of the user's own: any scalar function of the motion; smaller is better. Its penalty
-// is value / scale, held to [0, 1] as the built-in ones are. NaN makes the motion the worst of all.
-struct UserCriterion {
-  std::string name;
-  double weight = 0.1;  // ≥ 0
-  double scale = 1.0;   // value at which the penalty is full, > 0
-  std::function<double(const BodyModel&, const Motion&)> value{};
-};
-
-// What a motion is scored by: score = Σ weight · penalty, lower is better.
-struct CriteriaSettings {
-  double joint_range_weight = kPaperRangeWeight;  // ≥ 0
-  double balance_weight = kPaperBalanceWeight;    // ≥ 0
-  double torque_weight = kPaperTorqueWeight;      // ≥ 0
-  JointRangeSettings joint_range{};
-  BalanceSettings balance{};
-  TorqueSettings torque{};
-  std::vector<UserCriterion> user{};
-};
 
 // One line of a score's breakdown.
 struct ScoreTerm {
@@ -43,8 +17,9 @@ struct ScoreTerm {
 };
 
 struct Score {
-  double total = 0.0;            // Σ weight · penalty
-  std::vector<ScoreTerm> terms;  // joint_range, balance, torque, then the user's in their order
+  double total = 0.0;  // Σ weight · penalty
+  // the built-in criteria whose weight is above 0, in the table's order, then the user's in theirs
+  std::vector<ScoreTerm> terms;
 };
 
 // The score that a motion gets which misses its goal, leaves its path or moves a planted foot: no
@@ -55,41 +30,71 @@ struct Score {
 [[nodiscard]] Score score_motion(const BodyModel& body, const Motion& motion,
                                  const CriteriaSettings& settings);
 
-// The paper's three criteria together, frame by frame.
+// The built-in criteria whose weight is above 0, together, frame by frame.
 template <class S>
 class BuiltInCriteria {
  public:
   BuiltInCriteria(const BodyModel& body, const CriteriaSettings& settings)
-      : settings_(&settings),
-        joint_range_(body, settings.joint_range),
-        balance_(body, settings.balance),
-        torque_(body, settings.torque) {}
+      : parts_(make_parts(body, settings, Indices{})) {}
 
   // Forgets the frames seen.
   void reset() {
-    joint_range_.reset();
-    balance_.reset();
-    torque_.reset();
+    for_each_part([](auto& part) { part.criterion->reset(); }, parts_);
   }
 
   void add(const MotionFrame<S>& frame) {
-    joint_range_.add(frame);
-    balance_.add(frame);
-    torque_.add(frame);
+    for_each_part([&frame](auto& part) { part.criterion->add(frame); }, parts_);
   }
 
-  // Σ weight · penalty of the three.
+  // Σ weight · penalty.
   [[nodiscard]] S score() const {
-    return joint_range_.penalty() * S(settings_->joint_range_weight) +
-           balance_.penalty() * S(settings_->balance_weight) +
-           torque_.penalty() * S(settings_->torque_weight);
+    S sum(0);
+    visit_penalties(
+        [&sum](const char*, double weight, const S& penalty) { sum = sum + penalty * S(weight); });
+    return sum;
+  }
+
+  // Calls visit(name, weight, penalty) for each in the table's order.
+  template <class Visitor>
+  void visit_penalties(Visitor&& visit) const {
+    for_each_part(
+        [&visit](const auto& part) { visit(part.name, part.weight, part.criterion->penalty()); },
+        parts_);
   }
 
  private:
-  const CriteriaSettings* settings_;
-  JointRange<S> joint_range_;
-  Balance<S> balance_;
-  Torque<S> torque_;
+  template <class Criterion>
+  struct Part {
+    const char* name;
+    double weight;
+    std::optional<Criterion> criterion;  // empty where its weight is 0
+  };
+  using Indices = std::make_index_sequence<std::tuple_size_v<decltype(kCriteria)>>;
+
+  template <std::size_t I>
+  static auto make_part(const BodyModel& body, const CriteriaSettings& settings) {
+    constexpr auto& kEntry = std::get<I>(kCriteria);
+    using Criterion = typename std::tuple_element_t<I, decltype(kCriteria)>::template Criterion<S>;
+    Part<Criterion> part{kEntry.name, settings.*kEntry.weight_member, std::nullopt};
+    if (part.weight > 0.0) part.criterion.emplace(body, settings.*kEntry.settings_member);
+    return part;
+  }
+  template <std::size_t... I>
+  static auto make_parts(const BodyModel& body, const CriteriaSettings& settings,
+                         std::index_sequence<I...>) {
+    return std::tuple{make_part<I>(body, settings)...};
+  }
+
+  template <class Visitor, class Parts>
+  static void for_each_part(Visitor&& visit, Parts& parts) {
+    const auto visit_one = [&visit](auto& part) {
+      if (part.criterion) visit(part);
+    };
+    std::apply([&visit_one](auto&... part) { (visit_one(part), ...); }, parts);
+  }
+
+  decltype(make_parts(std::declval<const BodyModel&>(), std::declval<const CriteriaSettings&>(),
+                      Indices{})) parts_;
 };
 
 }  // namespace shigusa

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/math/vec3.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
 #include <span>
 
 namespace shigusa {
@@ -13,6 +13,11 @@ struct MotionFrame {
   std::span<const S> angles;   // (dofs) rad
   std::span<const S> torques;  // (dofs) N·m
   Vec3<S> centre_of_mass{};    // m, world
+  // central differences of the angles; the motion begins and ends at rest
+  std::span<const S> speeds{};                // (dofs) rad/s
+  std::span<const S> accelerations{};         // (dofs) rad/s²
+  const Kinematics<S>* kinematics = nullptr;  // the body's placement
+  double frame_time = 0.0;                    // s, to the next frame
 };
 
 }  // namespace shigusa

@@ -47,6 +47,10 @@ struct Task {
   BatchSettings batch{};  // SIMD set and threads; change no result
 };
 
+// What the task's motions are scored by: its criteria, with the eyes on the first goal where
+// nothing else is said.
+[[nodiscard]] CriteriaSettings task_criteria(const Task& task);
+
 // The problem that a task poses to the search: paths from the start posture to the goals, and the
 // time for them. Fails with a message that names the goal and what is allowed: unknown effector
 // (with the nearest name), two goals for one effector, coordinates that are not finite or beyond

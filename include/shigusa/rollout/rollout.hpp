@@ -202,7 +202,9 @@ class Rollout {
     if (body.feet().size() == 2) {
       share_ground_wrench<S>(body, now(), ground, body.feet()[0], body.feet()[1], torques_);
     }
-    visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_)}, now());
+    visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_), speeds_,
+                         accelerations_, &now(), 1.0 / rate},
+          now());
   }
 
   struct Lead {

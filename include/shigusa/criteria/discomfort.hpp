@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/motion/motion.hpp>
+#include <vector>
+
+namespace shigusa {
+
+// Mean discomfort of the joints at which the penalty is full: a quarter of them at the ends of
+// their range.
+inline constexpr double kDiscomfortShare = 0.25;
+// Part of the way from neutral to a limit, at its end, where discomfort rises steeply.
+inline constexpr double kDiscomfortEnd = 0.12;
+// A limit nearer to neutral than this share of the range is where the joint rests: there knees and
+// elbows are straight.
+inline constexpr double kRestingShare = 0.10;
+
+struct DiscomfortSettings {
+  double share = kDiscomfortShare;  // of the joints at their ends, > 0
+};
+
+// How far the joints are from neutral and how near the ends of their range, in [0, 1]. Neutral is
+// upright with hanging arms, all angles 0. With u the share of the way from neutral to the limit
+// on that side, 1 at the limit and beyond:
+//   d(u) = ½ u² + ½ (max(0, u - 0.88) / 0.12)²,   D(t) = mean_i d(u_i(t)),
+//   P = min(1, (½ mean_t D + ½ max_t D) / share).
+// Upper limits grow with the body's couplings. Both parts are those of joint discomfort in
+// Abdel-Malek and Arora, Human Motion Simulation (2013), equations 3.13 to 3.16: a square around
+// neutral, and at either end a term that stays at 0 until the last tenth or so of the range; its
+// (½ sin + 1)^100, over its own maximum, is met by this parabola within 0.16. The weights by groups
+// of joints are left out.
+template <class S>
+class Discomfort {
+ public:
+  explicit Discomfort(const BodyModel& body, const DiscomfortSettings& settings = {})
+      : per_share_(1.0 / settings.share), widened_(body.dofs().size()) {
+    for (const Dof& dof : body.dofs()) {
+      const double neutral = clamp_to(0.0, dof.lower, dof.upper);
+      const double resting = kRestingShare * (dof.upper - dof.lower);
+      const double up = dof.upper - neutral;
+      const double down = neutral - dof.lower;
+      ways_.push_back({static_cast<T>(neutral), static_cast<T>(up),
+                       static_cast<T>(up > resting ? 1.0 / up : 0.0),
+                       static_cast<T>(down > resting ? 1.0 / down : 0.0), false});
+    }
+    for (const LimitCoupling& c : body.couplings()) {
+      couplings_.push_back({static_cast<std::size_t>(c.dof), static_cast<std::size_t>(c.driver),
+                            static_cast<T>(c.gain), static_cast<T>(1.0 / c.driver_full)});
+      Way& way = ways_[couplings_.back().dof];
+      way.coupled = way.per_up > T(0);
+    }
+  }
+
+  // Forgets the frames seen.
+  void reset() {
+    sum_ = largest_ = S(0);
+    frames_ = 0;
+  }
+
+  void add(const MotionFrame<S>& frame) {
+    for (const Coupling& c : couplings_) widened_[c.dof] = S(0);
+    for (const Coupling& c : couplings_) {
+      const S share = clamp(frame.angles[c.driver] * S(c.per_driver), S(0), S(1));
+      widened_[c.dof] = widened_[c.dof] + share * S(c.gain);
+    }
+    S discomfort(0);
+    for (std::size_t k = 0; k < ways_.size(); ++k) {
+      const Way& way = ways_[k];
+      const S per_up = way.coupled ? S(1) / (S(way.up) + widened_[k]) : S(way.per_up);
+      const S from_neutral = frame.angles[k] - S(way.neutral);
+      const S u = clamp(max(from_neutral * per_up, -from_neutral * S(way.per_down)), S(0), S(1));
+      const S end = max(u - S(1.0 - kDiscomfortEnd), S(0)) * S(1.0 / kDiscomfortEnd);
+      discomfort = discomfort + (u * u + end * end);
+    }
+    sum_ = sum_ + discomfort;
+    largest_ = max(largest_, discomfort);
+    frames_ += 1;
+  }
+
+  [[nodiscard]] S penalty() const {
+    if (frames_ == 0) return S(0);
+    // both halves, of the terms and of mean and largest
+    const double per = 0.25 * per_share_ / static_cast<double>(ways_.size());
+    return min(S(1), (sum_ * S(1.0 / frames_) + largest_) * S(per));
+  }
+
+ private:
+  using T = Element<S>;
+  struct Way {
+    T neutral;   // rad
+    T up;        // rad, to the upper limit
+    T per_up;    // 1/rad; 0 where the limit is where the joint rests
+    T per_down;  // 1/rad
+    bool coupled;
+  };
+  struct Coupling {
+    std::size_t dof;
+    std::size_t driver;
+    T gain;
+    T per_driver;
+  };
+  static double clamp_to(double x, double low, double high) {
+    return x < low ? low : x > high ? high : x;
+  }
+
+  double per_share_;
+  std::vector<Way> ways_;  // (dofs)
+  std::vector<Coupling> couplings_;
+  std::vector<S> widened_;  // (dofs) rad, what the couplings add now
+  S sum_{};
+  S largest_{};
+  int frames_ = 0;
+};
+
+// The penalty of a whole motion.
+[[nodiscard]] double discomfort_penalty(const BodyModel& body, const Motion& motion,
+                                        const DiscomfortSettings& settings = {});
+
+}  // namespace shigusa

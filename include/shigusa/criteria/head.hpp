@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/core/check.hpp>
+#include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/motion/motion.hpp>
+
+namespace shigusa {
+
+// Height of the head above the pelvis, as a share of their distance, from which on nothing is
+// amiss: a trunk that leans by 60°.
+inline constexpr double kHeadHeight = 0.5;
+// Angle (rad) between the trunk's forward direction and the way from the head to the goal, up to
+// which neck and eyes turn to it whichever way it is: 45° of the neck, its range in flexion and in
+// extension (AAOS), and 35° of the eyes (MIL-STD-1472) …
+inline constexpr double kGazeFree = radians(80);
+// … and where they cannot any more: to the side, where the neck rotates by 60° (AAOS).
+inline constexpr double kGazeLimit = radians(95);
+
+struct HeadSettings {
+  double height = kHeadHeight;  // share, > 0
+  // m, world: what the eyes are on. A task's first goal where none is given; without one only the
+  // head's height counts.
+  std::optional<Vec3d> gaze_target{};
+};
+
+// Head and pelvis of a body.
+struct HeadPoints {
+  int head_link = kBaseLink;
+  Vec3d head{};  // m, link frame
+  int pelvis_link = kBaseLink;
+  Vec3d pelvis{};         // m, link frame
+  double distance = 0.0;  // m, between them in the start posture; 0 where the body lacks one
+};
+// By the names of the body's nodes, "head" and "hips".
+[[nodiscard]] HeadPoints head_points(const BodyModel& body);
+
+// Whether the head stays above the pelvis and can look at the goal, in [0, 1]: people who reach to
+// the floor keep their head up and their eyes on the goal, which gaze reaches before the hand does
+// (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
+//   low(t) = 1 - (y_head - y_pelvis) / (height · distance),
+//   away(t) = (cos 80° - cos a) / (cos 80° - cos 95°),
+// each held to [0, 1], a being the angle between the trunk's forward direction and the way from the
+// head to the goal; p(t) = max(low, away);   P = ½ mean_t p + ½ max_t p.
+// The head is rigid on its trunk, so the neck's share is taken off rather than seen. A body without
+// these points has no penalty.
+template <class S>
+class Head {
+ public:
+  explicit Head(const BodyModel& body, const HeadSettings& settings = {})
+      : points_(head_points(body)),
+        per_height_(points_.distance > 0.0 ? 1.0 / (settings.height * points_.distance) : 0.0),
+        looks_(settings.gaze_target.has_value()),
+        target_(to_scalar<S>(settings.gaze_target.value_or(Vec3d{}))) {}
+
+  // Forgets the frames seen.
+  void reset() {
+    sum_ = largest_ = S(0);
+    frames_ = 0;
+  }
+
+  // The frame must have its placement.
+  void add(const MotionFrame<S>& frame) {
+    frames_ += 1;
+    if (!(points_.distance > 0.0)) return;
+    SHG_ASSERT(frame.kinematics != nullptr);
+    const Kinematics<S>& placed = *frame.kinematics;
+    const Vec3<S> head = placed.point(points_.head_link, points_.head);
+    const Vec3<S> pelvis = placed.point(points_.pelvis_link, points_.pelvis);
+    S share = S(1) - (head.y - pelvis.y) * S(per_height_);
+    if (looks_) share = max(share, away(placed, head));
+    share = clamp(share, S(0), S(1));
+    sum_ = sum_ + share;
+    largest_ = max(largest_, share);
+  }
+
+  [[nodiscard]] S penalty() const {
+    if (frames_ == 0) return S(0);
+    return min(S(1), sum_ * S(0.5 / frames_) + largest_ * S(0.5));
+  }
+
+ private:
+  // cosines of kGazeFree and kGazeLimit
+  static constexpr double kFree = 0.17364817766693;
+  static constexpr double kLimit = -0.08715574274766;
+
+  [[nodiscard]] S away(const Kinematics<S>& placed, const Vec3<S>& head) const {
+    const Vec3<S> forward = placed.link_rotation(points_.head_link).cz;
+    const Vec3<S> way = target_ - head;
+    // a goal at the head itself is in no direction
+    const S cosine = dot(forward, way) / max(sqrt(dot(way, way)), S(1e-3));
+    return (S(kFree) - cosine) * S(1.0 / (kFree - kLimit));
+  }
+
+  HeadPoints points_;
+  double per_height_;  // 1/m
+  bool looks_;
+  Vec3<S> target_;  // m, world
+  S sum_{};
+  S largest_{};
+  int frames_ = 0;
+};
+
+// The penalty of a whole motion.
+[[nodiscard]] double head_penalty(const BodyModel& body, const Motion& motion,
+                                  const HeadSettings& settings = {});
+
+}  // namespace shigusa

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/motion/motion.hpp>
+
+namespace shigusa {
+
+// Root mean square joint acceleration at which the penalty is full (rad/s²): that of a turn by 90°
+// in 1 s with the minimum-jerk profile, sqrt(120 / 7) · (π / 2) / (1 s)², were all joints to make
+// it.
+inline constexpr double kJointAcceleration = 6.5;
+
+struct JointAccelerationSettings {
+  double acceleration = kJointAcceleration;  // rad/s², > 0
+};
+
+// How hard the joints are sped up and slowed down, in [0, 1]:
+//   P = min(1, sqrt(mean_t mean_i q̈_i²) / acceleration).
+// Joint accelerations are, with work, what predicts people's reaches best (Berret et al., PLoS
+// Computational Biology 7 (2011) e1002183, figure 8).
+template <class S>
+class JointAcceleration {
+ public:
+  explicit JointAcceleration(const BodyModel&, const JointAccelerationSettings& settings = {})
+      : per_acceleration_(1.0 / settings.acceleration) {}
+
+  // Forgets the frames seen.
+  void reset() {
+    sum_ = S(0);
+    count_ = 0.0;
+  }
+
+  void add(const MotionFrame<S>& frame) {
+    S squares(0);
+    for (const S& acceleration : frame.accelerations) {
+      squares = squares + acceleration * acceleration;
+    }
+    sum_ = sum_ + squares;
+    count_ += static_cast<double>(frame.accelerations.size());
+  }
+
+  [[nodiscard]] S penalty() const {
+    if (count_ == 0.0) return S(0);
+    return min(S(1), sqrt(sum_ * S(1.0 / count_)) * S(per_acceleration_));
+  }
+
+ private:
+  double per_acceleration_;
+  S sum_{};
+  double count_ = 0.0;  // of accelerations seen
+};
+
+// The penalty of a whole motion.
+[[nodiscard]] double joint_acceleration_penalty(const BodyModel& body, const Motion& motion,
+                                                const JointAccelerationSettings& settings = {});
+
+}  // namespace shigusa

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/motion/motion.hpp>
+#include <vector>
+
+namespace shigusa {
+
+// Strength of a man of 73 kg about L5/S1 (N·m): straightening the back, and bending it forwards.
+inline constexpr double kBackExtension = 240.0;
+inline constexpr double kBackFlexion = 150.0;
+// The moment about L5/S1 as a share of that about the hips. With de Leva's masses, and arms that
+// hang from the shoulders, all that is above the hip joints of an upright trunk has its moment of
+// mass 0.227 m · body mass above them, and what is above L5/S1, 0.10 m higher, has 0.172 m · body
+// mass above that; the quotient stays when the trunk leans. 0.82 were it 0.07 m higher, 0.71 at
+// 0.12 m.
+inline constexpr double kBackShareOfHips = 0.76;
+// Share of strength at which the penalty is full. About 180 N·m in that man: with a muscle lever of
+// 6 cm and the upper body's own weight the disc then bears the 3400 N that NIOSH takes for the
+// limit of what is harmless (Waters et al., Ergonomics 36 (1993) 749-776).
+inline constexpr double kLowBackShare = 0.75;
+
+struct LowBackSettings {
+  double share = kLowBackShare;  // of strength, > 0
+};
+
+// The hips' flexion dofs and what of their torques' sum is the lower back's whole strength.
+struct BackConstants {
+  std::vector<int> hips;
+  double per_extension = 0.0;  // 1/(N·m), of torques less than 0
+  double per_flexion = 0.0;    // 1/(N·m)
+};
+[[nodiscard]] BackConstants back_constants(const BodyModel& body);
+
+// Moment about the lateral axis of the lowest lumbar joint, L5/S1, squared, in [0, 1]:
+//   r(t) = 0.76 · Σ τ_hip flexion / strength,   P = min(1, (½ mean_t r² + ½ max_t r²) / share²).
+// The trunk is rigid, so no joint of the body is L5/S1. But both hips flex about one line across
+// the pelvis, and their torques together are the moment, of weight and of inertia, of all that
+// stands on them; L5/S1 bears a fixed share of it. Strength is the man's above, by the ratio of the
+// body's hips to his: mass and sex are in there. A body without hips has no penalty.
+template <class S>
+class LowBack {
+ public:
+  explicit LowBack(const BodyModel& body, const LowBackSettings& settings = {})
+      : back_(back_constants(body)), per_square_(1.0 / (settings.share * settings.share)) {}
+
+  // Forgets the frames seen.
+  void reset() {
+    sum_ = largest_ = S(0);
+    frames_ = 0;
+  }
+
+  void add(const MotionFrame<S>& frame) {
+    S torque(0);
+    for (const int hip : back_.hips) torque = torque + frame.torques[static_cast<std::size_t>(hip)];
+    const S load = torque * select(torque > S(0), S(back_.per_flexion), S(back_.per_extension));
+    const S square = load * load;
+    sum_ = sum_ + square;
+    largest_ = max(largest_, square);
+    frames_ += 1;
+  }
+
+  [[nodiscard]] S penalty() const {
+    if (frames_ == 0) return S(0);
+    return min(S(1), (sum_ * S(1.0 / frames_) + largest_) * S(0.5 * per_square_));
+  }
+
+ private:
+  BackConstants back_;
+  double per_square_;
+  S sum_{};
+  S largest_{};
+  int frames_ = 0;
+};
+
+// The penalty of a whole motion.
+[[nodiscard]] double low_back_penalty(const BodyModel& body, const Motion& motion,
+                                      const LowBackSettings& settings = {});
+
+}  // namespace shigusa

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/criteria/head.hpp>
+
+#include "replay.hpp"
+
+namespace shigusa {
+
+HeadPoints head_points(const BodyModel& body) {
+  const BodyNode* head = nullptr;
+  const BodyNode* hips = nullptr;
+  for (const BodyNode& node : body.nodes()) {
+    if (node.name == "head") head = &node;
+    if (node.name == "hips") hips = &node;
+  }
+  if (head == nullptr || hips == nullptr) return {};
+  Kinematics<double> kinematics(body);
+  forward_kinematics<double>(body, body.start(), kinematics);
+  const double distance =
+      norm(kinematics.point(head->link, head->point) - kinematics.point(hips->link, hips->point));
+  return {head->link, head->point, hips->link, hips->point, distance};
+}
+
+double head_penalty(const BodyModel& body, const Motion& motion, const HeadSettings& settings) {
+  return replayed(body, motion, Head<double>(body, settings));
+}
+
+}  // namespace shigusa

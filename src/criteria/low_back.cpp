@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/criteria/low_back.hpp>
+
+#include "replay.hpp"
+
+namespace shigusa {
+
+BackConstants back_constants(const BodyModel& body) {
+  BackConstants back;
+  double hips = 0.0;
+  for (int d = 0; d < body.dof_count(); ++d) {
+    const Dof& dof = body.dof(d);
+    if (!dof.joint.ends_with("_hip") || !dof.name.ends_with(".flexion")) continue;
+    back.hips.push_back(d);
+    hips += dof.torque_negative;
+  }
+  if (back.hips.empty()) return back;
+  // both hips of the man whose back is known; the half body's one hip counts for two
+  const double strength = hips / (2.0 * kHipFlexion.torque_negative);
+  back.per_extension = kBackShareOfHips / (kBackExtension * strength);
+  back.per_flexion = kBackShareOfHips / (kBackFlexion * strength);
+  return back;
+}
+
+double low_back_penalty(const BodyModel& body, const Motion& motion,
+                        const LowBackSettings& settings) {
+  return replayed(body, motion, LowBack<double>(body, settings));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/criteria/balance_zone.hpp>
+
+#include "support/motions.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+// A mass on a rod of 1 m about `axis`, on a foot with this outline.
+BodyModel on_a_foot(const std::vector<Vec3d>& outline, Axis axis = Axis::x) {
+  BodyDefinition body = chain_definition({{axis, 1.0, 1.0}});
+  body.feet.push_back({.name = "foot", .node = "foot", .outline = outline});
+  return BodyModel(body);
+}
+
+// A sole 0.2 m long (0.15 m ahead) and 0.1 m wide (0.06 m to the left).
+const std::vector<Vec3d> kSole{{.06, 0, .15}, {-.04, 0, .15}, {-.04, 0, -.05}, {.06, 0, -.05}};
+
+// The penalty with the centre of mass this far ahead (m), frame by frame.
+double penalty_at(const std::vector<double>& ahead, const BalanceZoneSettings& settings = {}) {
+  const BodyModel body = on_a_foot(kSole);
+  std::vector<std::vector<double>> frames;
+  for (const double z : ahead) frames.push_back({std::asin(z)});
+  return balance_zone_penalty(body, motion_through(body, frames), settings);
+}
+
+// How far inside the polygon a point is.
+double inside(const std::vector<SupportEdge>& edges, double x, double z) {
+  double nearest = 1e9;
+  for (const SupportEdge& e : edges) nearest = std::fmin(nearest, e.offset + e.x * x + e.z * z);
+  return nearest;
+}
+
+TEST(BalanceZone, IsZeroWellInside) { EXPECT_EQ(penalty_at({0.0, 0.05, 0.1, 0.119, -0.019}), 0.0); }
+
+TEST(BalanceZone, IsAHalfAtTheEdge) {
+  EXPECT_NEAR(penalty_at({0.15}), 0.5, 1e-12);
+  EXPECT_NEAR(penalty_at({-0.05}), 0.5, 1e-12);
+}
+
+TEST(BalanceZone, GrowsInProportionAcrossTheMargin) {
+  EXPECT_NEAR(penalty_at({0.135}), 0.25, 1e-12);
+  EXPECT_NEAR(penalty_at({0.165}), 0.75, 1e-12);
+}
+
+TEST(BalanceZone, IsFullAMarginOutsideAndBeyond) {
+  EXPECT_NEAR(penalty_at({0.18}), 1.0, 1e-12);
+  EXPECT_EQ(penalty_at({0.5}), 1.0);
+}
+
+TEST(BalanceZone, CountsTheSides) {
+  // about z a positive angle leans to the right, to smaller x
+  const BodyModel body = on_a_foot(kSole, Axis::z);
+  const auto at = [&](double x) {
+    return balance_zone_penalty(body, motion_through(body, {{std::asin(-x)}}));
+  };
+  EXPECT_EQ(at(0.02), 0.0);
+  EXPECT_NEAR(at(0.06), 0.5, 1e-12);
+  EXPECT_NEAR(at(-0.04), 0.5, 1e-12);
+}
+
+TEST(BalanceZone, IsHalfTheMeanAndHalfTheWorst) {
+  EXPECT_NEAR(penalty_at({0.0, 0.15, 0.0, 0.0}), 0.5 * 0.5 / 4 + 0.5 * 0.5, 1e-12);
+}
+
+TEST(BalanceZone, MarginIsASetting) {
+  EXPECT_NEAR(penalty_at({0.135}, {.margin = 0.02}), 0.125, 1e-12);
+}
+
+TEST(BalanceZone, OfUprightStandingIsZero) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const std::vector<double> start(body.start().begin(), body.start().end());
+    EXPECT_EQ(balance_zone_penalty(body, motion_through(body, {start})), 0.0) << body.name();
+  }
+}
+
+TEST(BalanceZone, OfABodyWithoutFeetIsZero) {
+  const BodyModel body = chain({{}});
+  EXPECT_EQ(balance_zone_penalty(body, motion_through(body, {{1.5}})), 0.0);
+}
+
+TEST(BalanceZone, OfNoFramesIsZero) { EXPECT_EQ(penalty_at({}), 0.0); }
+
+TEST(SupportPolygon, LeavesOutWhatIsHollowOrTwice) {
+  std::vector<Vec3d> outline = kSole;
+  outline.push_back({0.0, 0, 0.0});
+  outline.push_back({0.01, 0, 0.15});  // on an edge
+  outline.push_back(kSole[1]);
+  EXPECT_EQ(support_polygon(on_a_foot(outline)).size(), 4u);
+}
+
+TEST(SupportPolygon, GoesCounterClockwiseSeenFromAbove) {
+  for (const BodyModel& body : {on_a_foot(kSole), half_body(), full_body()}) {
+    const std::vector<Vec3d> corners = support_polygon(body);
+    ASSERT_GE(corners.size(), 4u);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec3d& a = corners[i];
+      const Vec3d& b = corners[(i + 1) % corners.size()];
+      const Vec3d& c = corners[(i + 2) % corners.size()];
+      EXPECT_GT(cross(b - a, c - b).y, 0.0);
+    }
+  }
+}
+
+TEST(SupportPolygon, HoldsAllOfBothSoles) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const std::vector<SupportEdge> edges = support_edges(body);
+    const Kinematics<double> now = placed(body, body.start());
+    double nearest = 1.0;
+    for (const Foot& foot : body.feet()) {
+      for (const Vec3d& corner : foot.outline) {
+        const Vec3d p = now.point(foot.link, corner);
+        nearest = std::fmin(nearest, inside(edges, p.x, p.z));
+      }
+    }
+    EXPECT_NEAR(nearest, 0.0, 1e-12);  // no corner outside, and some on the edge
+    // between the feet is inside
+    EXPECT_GT(inside(edges, 0.0, now.point(body.feet()[0].link, body.feet()[0].centre).z), 0.05);
+  }
+}
+
+TEST(SupportEdges, MeasureTheDistanceToTheEdge) {
+  const std::vector<SupportEdge> edges = support_edges(on_a_foot(kSole));
+  ASSERT_EQ(edges.size(), 4u);
+  EXPECT_NEAR(inside(edges, 0.01, 0.0), 0.05, 1e-12);
+  EXPECT_NEAR(inside(edges, 0.05, 0.1), 0.01, 1e-12);
+  EXPECT_NEAR(inside(edges, 0.0, 0.25), -0.1, 1e-12);
+  EXPECT_NEAR(inside(edges, -0.14, 0.0), -0.1, 1e-12);
+}
+
+TEST(SupportEdges, OfALineHaveNoInside) {
+  const std::vector<SupportEdge> edges = support_edges(on_a_foot({{0, 0, 0}, {0, 0, 0.2}}));
+  EXPECT_NEAR(inside(edges, 0.0, 0.1), 0.0, 1e-12);
+  EXPECT_LT(inside(edges, 0.01, 0.1), 0.0);
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/criteria/low_back.hpp>
+#include <shigusa/dynamics/contact_forces.hpp>
+
+#include "support/motions.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+// The penalty where both hips, or the one of the half body, give these torques (N·m, all hips
+// together) in three frames.
+double penalty_of(const BodyModel& body, const std::vector<double>& together,
+                  const LowBackSettings& settings = {}) {
+  const std::vector<double> start(body.start().begin(), body.start().end());
+  Motion motion = motion_through(body, std::vector<std::vector<double>>(together.size(), start));
+  const std::vector<int> hips = back_constants(body).hips;
+  for (std::size_t f = 0; f < together.size(); ++f) {
+    for (const int hip : hips) {
+      motion.torques[f * start.size() + static_cast<std::size_t>(hip)] =
+          together[f] / static_cast<double>(hips.size());
+    }
+  }
+  return low_back_penalty(body, motion, settings);
+}
+
+// Moment (N·m) that the hips must give against gravity, from the inverse dynamics.
+double hip_torque(const BodyModel& body, const std::vector<double>& posture) {
+  DynamicsWorkspace<double> work(body);
+  const std::vector<double> still(posture.size(), 0.0);
+  std::vector<double> tau(posture.size());
+  const Kinematics<double> now = placed(body, posture);
+  const Wrench<double> ground = inverse_dynamics<double>(body, now, still, still, work, tau);
+  if (body.feet().size() == 2) {
+    share_ground_wrench<double>(body, now, ground, body.feet()[0], body.feet()[1], tau);
+  }
+  double sum = 0.0;
+  for (const int hip : back_constants(body).hips) sum += tau[static_cast<std::size_t>(hip)];
+  return sum;
+}
+
+// The start posture with both hips flexed by so much (rad).
+std::vector<double> stoop(const BodyModel& body, double flexion) {
+  std::vector<double> q(body.start().begin(), body.start().end());
+  for (const int hip : back_constants(body).hips) q[static_cast<std::size_t>(hip)] += flexion;
+  return q;
+}
+
+TEST(LowBack, KnowsTheHips) {
+  EXPECT_EQ(back_constants(half_body()).hips.size(), 1u);
+  EXPECT_EQ(back_constants(full_body()).hips.size(), 2u);
+}
+
+TEST(LowBack, HipTorquesAreTheMomentOfAllAboveThem) {
+  // the trunk and the arms, their weights' levers measured from the line through the hips; the half
+  // body stands on straight feet, so its trunk leans in the plane of its one leg
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const std::vector<double> posture = stoop(body, radians(70));
+    const Kinematics<double> now = placed(body, posture);
+    const auto trunk = static_cast<std::size_t>(*body.find_dof("right_hip.flexion"));
+    double moment = 0.0;
+    for (int link = 0; link < body.dof_count(); ++link) {
+      const std::string& joint = body.dof(link).joint;
+      const bool arm = joint.ends_with("shoulder") || joint.ends_with("elbow");
+      if (!arm && static_cast<std::size_t>(link) != trunk) continue;
+      const MassProperties& mass = body.link_mass(link);
+      moment += mass.mass * kGravity * (now.point(link, mass.com).z - now.origin[trunk].z);
+    }
+    ASSERT_GT(moment, 100.0);
+    // what lifts is extension
+    EXPECT_NEAR(hip_torque(body, posture), -moment, 0.02 * moment) << body.name();
+  }
+}
+
+TEST(LowBack, ShareIsThatOfDeLevasMasses) {
+  // masses (of the body's) and heights above the hip joints (m), mean man: pelvis, middle trunk,
+  // upper trunk, head with neck, and arms at their shoulders
+  const std::vector<std::pair<double, double>> parts{
+      {.1117, .0566}, {.1633, .2642}, {.1596, .4806}, {.0694, .7247}, {.0988, .5155}};
+  const auto share = [&](double joint) {
+    double hips = 0.0;
+    double back = 0.0;
+    for (const auto& [mass, height] : parts) {
+      hips += mass * height;
+      if (height > joint) back += mass * (height - joint);
+    }
+    return back / hips;
+  };
+  EXPECT_NEAR(share(0.10), kBackShareOfHips, 0.005);
+  EXPECT_NEAR(share(0.07), 0.82, 0.005);
+  EXPECT_NEAR(share(0.12), 0.71, 0.005);
+}
+
+TEST(LowBack, OfRestIsZero) { EXPECT_EQ(penalty_of(full_body(), {0, 0, 0}), 0.0); }
+
+TEST(LowBack, IsTheSquareOfTheShareOfStrength) {
+  // a mean man: 100 N·m about both hips, 76 about L5/S1
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const double r = 76.0 / 240.0;
+    EXPECT_NEAR(penalty_of(body, {-100}), r * r / (0.75 * 0.75), 1e-12) << body.name();
+  }
+}
+
+TEST(LowBack, BendsForwardsWithLessStrength) {
+  const double r = 38.0 / 150.0;
+  EXPECT_NEAR(penalty_of(full_body(), {50}), r * r / (0.75 * 0.75), 1e-12);
+}
+
+TEST(LowBack, IsHalfTheMeanAndHalfTheWorst) {
+  const double once = penalty_of(full_body(), {-100});
+  EXPECT_NEAR(penalty_of(full_body(), {0, -100, 0, 0}), once * (0.5 / 4 + 0.5), 1e-12);
+}
+
+TEST(LowBack, IsFullAtItsShareAndBeyond) {
+  EXPECT_NEAR(penalty_of(full_body(), {-0.75 * 240.0 / 0.76}), 1.0, 1e-12);
+  EXPECT_EQ(penalty_of(full_body(), {-1e5}), 1.0);
+}
+
+TEST(LowBack, StrengthFollowsTheBody) {
+  // the same stature, half the mass: half the strength
+  const BodyModel light = full_body({1.741, 36.5, Sex::male});
+  EXPECT_NEAR(penalty_of(light, {-50}), penalty_of(full_body(), {-100}), 1e-12);
+  const BodyModel woman = full_body({1.735, 61.9, Sex::female});
+  EXPECT_NEAR(penalty_of(woman, {-60}), penalty_of(full_body(), {-100}), 1e-12);
+}
+
+TEST(LowBack, BearsHalfItsStrengthUnderAHorizontalTrunk) {
+  // what de Leva's masses give for a mean man with hanging arms: 0.172 m of his weight
+  const BodyModel body = full_body();
+  std::vector<double> posture = stoop(body, radians(90));
+  for (const char* shoulder : {"left_shoulder.flexion", "right_shoulder.flexion"}) {
+    posture[static_cast<std::size_t>(*body.find_dof(shoulder))] += radians(90);
+  }
+  const double torque = hip_torque(body, posture);
+  EXPECT_NEAR(-kBackShareOfHips * torque, 0.172 * 73.0 * kGravity, 8.0);
+  EXPECT_NEAR(penalty_of(body, {torque}), 0.5 * 0.5 / (0.75 * 0.75), 0.05);
+}
+
+TEST(LowBack, ShareIsASetting) {
+  EXPECT_NEAR(penalty_of(full_body(), {-50}, {.share = 1.5}), 0.25 * penalty_of(full_body(), {-50}),
+              1e-12);
+}
+
+TEST(LowBack, OfABodyWithoutHipsIsZero) {
+  const BodyModel body = chain({{}});
+  Motion motion = motion_through(body, {{0.5}});
+  motion.torques = {100.0};
+  EXPECT_EQ(low_back_penalty(body, motion), 0.0);
+}
+
+TEST(LowBack, OfNoFramesIsZero) { EXPECT_EQ(penalty_of(full_body(), {}), 0.0); }
+
+}  // namespace
+}  // namespace shigusa
