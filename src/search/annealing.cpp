@@ -16,7 +16,7 @@
 namespace shigusa {
 namespace {
 
-constexpr double kMovedGenes = 2.0;  // how many coordinates a move changes, about
+constexpr double kMovedGenes = 3.0;  // how many coordinates a move changes, about
 
 void check(const AnnealingSettings& s) {
   SHG_CHECK(s.chains >= 2 && s.chains <= 10000,
@@ -27,6 +27,7 @@ void check(const AnnealingSettings& s) {
             fmt::format("first_step is {}, allowed: 1e-6..1", s.first_step));
   SHG_CHECK(s.last_step >= 1e-6 && s.last_step <= s.first_step,
             fmt::format("last_step is {}, allowed: 1e-6..first_step", s.last_step));
+  SHG_CHECK(s.hot >= 1e-6 && s.hot <= 1e6, fmt::format("hot is {}, allowed: 1e-6..1e6", s.hot));
   SHG_CHECK(s.cooling >= 1e-12 && s.cooling <= 1.0,
             fmt::format("cooling is {}, allowed: 1e-12..1", s.cooling));
 }
@@ -62,7 +63,7 @@ class Annealing {
     const auto known = std::min(count_, static_cast<std::size_t>(all));
     best_points_ = points_;
     best_scores_ = scores_;
-    const double hot = spread_of(scores_);
+    const double hot = settings_.hot * spread_of(scores_);
     for (double steps = settings_.first_cycle; going; steps *= 2.0) going = cool(hot, steps);
     for (std::size_t i = 0; i < known; ++i) {
       const std::span<const double> point = point_of(best_points_, i, genes_);
