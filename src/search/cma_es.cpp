@@ -79,8 +79,10 @@ class CmaEs {
         elsewhere += scorer_.result().evaluations - spent;
       }
     }
-    std::vector<Individual>& all = scorer_.result().final_population;
-    all.insert(all.end(), last_generation_.begin(), last_generation_.end());
+    for (std::size_t i = 0; i < last_scores_.size(); ++i) {
+      const auto point = point_of(last_points_, i, static_cast<std::size_t>(scorer_.genes()));
+      scorer_.result().final_population.push_back({{point.begin(), point.end()}, last_scores_[i]});
+    }
     return std::move(scorer_.result());
   }
 
@@ -108,8 +110,8 @@ class CmaEs {
                 std::span(scores).first(scored), 1);
       if (scored < scores.size()) break;
       if (before != settings_.evaluations) ++scorer_.result().generations;
-      last_generation_.clear();
-      keep_best(last_generation_, points, scores, scores.size());
+      last_points_ = points;
+      last_scores_ = scores;
       run.update(scores);
       over = standstill.reached(best[0].score) || run.degenerate() || run.spread() < kLeastSpread;
     }
@@ -120,7 +122,8 @@ class CmaEs {
   CmaEsSettings settings_;
   Scorer scorer_;
   Random random_;
-  std::vector<Individual> last_generation_;
+  std::vector<double> last_points_;  // of the last generation that was scored as a whole
+  std::vector<double> last_scores_;
 };
 
 }  // namespace
