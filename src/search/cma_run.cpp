@@ -7,6 +7,7 @@
 
 #include "normal.hpp"
 #include "population.hpp"
+#include "scorer.hpp"
 
 namespace shigusa {
 namespace {
@@ -70,13 +71,17 @@ const std::vector<double>& CmaRun::sample(Random& random) {
     double* y = &y_[p * n_];
     double* x = &points_[p * n_];
     for (std::size_t i = 0; i < n_; ++i) z[i] = normal(random);
+    std::fill_n(y, n_, 0.0);
+    for (std::size_t j = 0; j < n_; ++j) {
+      // down a column of L, which is a row of what is kept: neighbours do not wait for each other
+      const double* column = &factor_[j * n_];
+      for (std::size_t i = j; i < n_; ++i) y[i] += column[i] * z[j];
+    }
     excess_[p] = 0.0;
     for (std::size_t i = 0; i < n_; ++i) {
-      double sum = 0.0;
-      for (std::size_t j = 0; j <= i; ++j) sum += factor_[i * n_ + j] * z[j];
-      y[i] = sum;
-      const double wanted = mean_[i] + step_ * sum;
+      const double wanted = mean_[i] + step_ * y[i];
       x[i] = clamp(wanted, 0.0, 1.0);
+      if (wanted == x[i]) continue;
       const double beyond = (wanted - x[i]) / (step_ * sqrt(covariance_[i * n_ + i]));
       excess_[p] += beyond * beyond / static_cast<double>(n_);
     }
@@ -179,24 +184,26 @@ void CmaRun::adapt_step() {
 }
 
 void CmaRun::factorise() {
-  double least = covariance_[0];
+  double least = kWorst;
   double most = 0.0;
-  for (std::size_t i = 0; i < n_; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = covariance_[i * n_ + j];
-      for (std::size_t k = 0; k < j; ++k) sum -= factor_[i * n_ + k] * factor_[j * n_ + k];
-      if (j < i) {
-        factor_[i * n_ + j] = sum / factor_[j * n_ + j];
-        continue;
-      }
-      if (!(sum > 0.0) || !is_finite(sum)) {
-        degenerate_ = true;
-        return;
-      }
-      factor_[i * n_ + i] = sqrt(sum);
-      least = min(least, factor_[i * n_ + i]);
-      most = max(most, factor_[i * n_ + i]);
+  // column by column; what those before have given is taken off the rest at once
+  for (std::size_t j = 0; j < n_; ++j) {
+    for (std::size_t i = j; i < n_; ++i) factor_[j * n_ + i] = covariance_[i * n_ + j];
+  }
+  for (std::size_t j = 0; j < n_; ++j) {
+    double* column = &factor_[j * n_];
+    if (!(column[j] > 0.0) || !is_finite(column[j])) {
+      degenerate_ = true;
+      return;
     }
+    const double diagonal = sqrt(column[j]);
+    for (std::size_t i = j; i < n_; ++i) column[i] /= diagonal;
+    for (std::size_t k = j + 1; k < n_; ++k) {
+      double* later = &factor_[k * n_];
+      for (std::size_t i = k; i < n_; ++i) later[i] -= column[k] * column[i];
+    }
+    least = min(least, diagonal);
+    most = max(most, diagonal);
   }
   degenerate_ = least < kFactorRange * most || !is_finite(step_) || step_ <= 0.0;
 }

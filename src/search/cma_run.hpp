@@ -59,7 +59,7 @@ class CmaRun {
   std::vector<double> mean_;        // (n); may lie outside of the cube by a little
   double step_;                     // σ
   std::vector<double> covariance_;  // C (n × n), the lower triangle
-  std::vector<double> factor_;      // L (n × n), lower triangular, C = L Lᵀ
+  std::vector<double> factor_;      // Lᵀ (n × n), the upper triangle, C = L Lᵀ
   std::vector<double> path_sigma_;  // (n) in the coordinates of z
   std::vector<double> path_c_;      // (n)
   std::vector<double> z_;           // (population × n) standard normal
