@@ -44,32 +44,35 @@ double replayed_score(const ReachProblem& problem, const Task& task, const Param
              : worst_score(task.criteria);
 }
 
-// Scores genomes with criteria of the user's own, which want whole motions: one after the other.
+// The paper's weights at a point of the search's unit cube.
+Parameters decode_point(std::span<const double> point) {
+  return decode_paper_genes(genome_of_point(point, kPaperBitsPerGene));
+}
+
+// Scores points with criteria of the user's own, which want whole motions: one after the other.
 void evaluate_one_by_one(const ReachProblem& problem, const Task& task,
-                         std::span<const std::uint16_t> genomes, std::span<double> scores) {
+                         std::span<const double> points, std::span<double> scores) {
   const std::size_t genes = problem.body->dofs().size();
   for (std::size_t i = 0; i < scores.size(); ++i) {
-    scores[i] =
-        replayed_score(problem, task, decode_paper_genes(genomes.subspan(i * genes, genes)));
+    scores[i] = replayed_score(problem, task, decode_point(points.subspan(i * genes, genes)));
   }
 }
 
 SearchResult search_weights(const ReachProblem& problem, const Task& task,
                             const Progress& progress) {
-  DiscreteProblem discrete;
-  discrete.genes = problem.body->dof_count();
-  discrete.bits_per_gene = kPaperBitsPerGene;
+  SearchProblem searched;
+  searched.genes = problem.body->dof_count();
   const CriteriaSettings criteria = task_criteria(task);
   BatchRollout batch(problem, criteria, task.batch);
-  discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
+  searched.evaluate = [&](std::span<const double> points, std::span<double> scores) {
     if (task.criteria.user.empty()) {
-      batch.score(inverse_weights_of_genes(genomes), scores);
+      batch.score(inverse_weights_of_genes(genome_of_point(points, kPaperBitsPerGene)), scores);
     } else {
-      evaluate_one_by_one(problem, task, genomes, scores);
+      evaluate_one_by_one(problem, task, points, scores);
     }
   };
-  if (!task.evaluations) return genetic_search(discrete, task.genetic, progress);
-  return restarted_genetic_search(discrete, task.genetic, *task.evaluations, progress);
+  if (!task.evaluations) return genetic_search(searched, task.genetic, progress);
+  return restarted_genetic_search(searched, task.genetic, *task.evaluations, progress);
 }
 
 std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
@@ -182,15 +185,15 @@ std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
 void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
                         const SearchResult& found, Generation& generation) {
   std::vector<Individual> ranked;
-  std::set<std::vector<std::uint16_t>> known;
+  std::set<std::vector<double>> known;
   for (const Individual& individual : found.final_population) {
-    if (known.insert(individual.genes).second) ranked.push_back(individual);
+    if (known.insert(individual.point).second) ranked.push_back(individual);
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const Individual& a, const Individual& b) { return a.score < b.score; });
   for (const Individual& individual : ranked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
-    const Parameters parameters = decode_paper_genes(individual.genes);
+    const Parameters parameters = decode_point(individual.point);
     std::optional<Arrival> arrival = first_arrival(ways, parameters);
     if (!arrival) {
       ++generation.missed;
@@ -284,7 +287,7 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
     generation.generations = found.generations;
     generation.rejected_nan += found.rejected_nan;
     generation.end = found.end;
-    generation.best_seen = decode_paper_genes(found.best_seen.genes);
+    generation.best_seen = decode_point(found.best_seen.point);
     generation.best_seen_score = replayed_score(ways[w], task, *generation.best_seen);
     generation.missed = generation.replay_differs = 0;
     generation.replay_difference = 0.0;
