@@ -300,7 +300,8 @@ TEST(NaturalLog, RelativeErrorIsBelowTheBoundNearOneAndNearTheSeam) {
   Random random(12);
   double largest = 0.0;
   for (int i = 0; i < 200000; ++i) {
-    const double gap = std::ldexp(random.uniform(0.5, 1.0), -1 - static_cast<int>(random.below(50)));
+    const double gap =
+        std::ldexp(random.uniform(0.5, 1.0), -1 - static_cast<int>(random.below(50)));
     largest = std::fmax(largest, log_error(1.0 + gap));
     largest = std::fmax(largest, log_error(1.0 - gap));
     largest = std::fmax(largest, log_error(std::sqrt(2.0) + gap * 1e-3));

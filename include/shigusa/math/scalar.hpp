@@ -124,8 +124,8 @@ struct SinCos {
 }
 
 // Natural logarithm, relative error below 5e-16: x = m 2^e with m in [√½, √2), and the series of
-// 2 artanh((m - 1) / (m + 1)) to the 21st power, whose remainder is below 3e-19. -∞ for 0, NaN below
-// 0 and for NaN.
+// 2 artanh((m - 1) / (m + 1)) to the 21st power, whose remainder is below 3e-19. -∞ for 0, NaN
+// below 0 and for NaN.
 [[nodiscard]] inline double natural_log(double x) {
   constexpr double kInfinity = __builtin_inf();
   if (!(x > 0.0) || x == kInfinity) return x == 0.0 ? -kInfinity : x > 0.0 ? x : __builtin_nan("");
