@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <shigusa/kinematics/nlp_ik.hpp>
+
+namespace shigusa {
+namespace {
+
+void check(const NlpIkSettings& s) {
+  SHG_CHECK(s.damping >= 1e-9 && s.damping <= 1.0, "damping of NLP-IK");
+  SHG_CHECK(s.lag_damping >= 0.0 && s.lag_scale > 0.0, "lag damping of NLP-IK");
+  SHG_CHECK(s.contact_stiffness >= 1.0 && s.contact_stiffness <= 1e4,
+            "contact_stiffness of NLP-IK");
+  SHG_CHECK(s.contact_slack > 0.0, "contact_slack of NLP-IK");
+  SHG_CHECK(s.contact_corrections >= 0 && s.contact_corrections <= 1000,
+            "contact_corrections of NLP-IK");
+}
+
+// how a turn of the columns r changes `lead` · rotation_sine(r, wanted): a moment
+Vec3d lead_moment(const Mat3d& r, const Mat3d& wanted, const Vec3d& lead) {
+  return (cross(r.cx, cross(wanted.cx, lead)) + cross(r.cy, cross(wanted.cy, lead)) +
+          cross(r.cz, cross(wanted.cz, lead))) *
+         0.5;
+}
+
+}  // namespace
+
+NlpIk::NlpIk(const BodyModel& body, const NlpIkSettings& settings)
+    : body_(&body),
+      settings_(settings),
+      metric_(body.dof_count()),
+      kinematics_(body),
+      size_(body.dofs().size()),
+      z_(size_),
+      reference_(size_),
+      angles_(size_),
+      loads_(size_.size()) {
+  check(settings);
+  add_limits();
+  limits_.reserve(angle_limits_.size());
+  limit_of_.reserve(angle_limits_.size());
+  limit_scale_.reserve(angle_limits_.size());
+}
+
+void NlpIk::add_limits() {
+  const std::span<const double> start = body_->start();
+  for (int d = 0; d < body_->dof_count(); ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    double upper = max(body_->dof(d).upper, start[k]);
+    for (const LimitCoupling& c : body_->couplings()) {
+      if (c.dof != d) continue;
+      SHG_CHECK(c.gain >= 0.0, "NLP-IK knows no coupling that lowers a limit");
+      const double slope = c.gain / c.driver_full;
+      const double driver = start[static_cast<std::size_t>(c.driver)];
+      // a start posture with an overstretched driver has no use for what bending it would allow
+      if (start[k] - slope * driver > upper) continue;
+      angle_limits_.push_back({d, 1.0, c.driver, slope, upper});
+      upper += c.gain;
+    }
+    angle_limits_.push_back({.dof = d, .bound = upper});
+    angle_limits_.push_back(
+        {.dof = d, .sign = -1.0, .bound = -min(body_->dof(d).lower, start[k])});
+  }
+}
+
+void NlpIk::begin(std::span<const IkTarget<double>> targets,
+                  std::span<const double> inverse_weights) {
+  SHG_CHECK(inverse_weights.size() == size_.size(), "one inverse weight per dof");
+  double largest = 0.0;
+  for (const double inverse : inverse_weights) {
+    SHG_CHECK(inverse >= 0.0 && is_finite(inverse), "inverse weights are finite and not negative");
+    largest = max(largest, inverse);
+  }
+  const double scale = largest > 0.0 ? 1.0 / largest : 0.0;
+  for (std::size_t d = 0; d < size_.size(); ++d) size_[d] = sqrt(inverse_weights[d] * scale);
+
+  forward_kinematics<double>(*body_, body_->start(), kinematics_);
+  double sum = 0.0;
+  int goals = 0;
+  for (const IkTarget<double>& target : targets) {
+    if (target.contact) continue;
+    ++goals;
+    const Vec3d at = kinematics_.point(target.link, target.point);
+    for (const int d : body_->chain(target.link)) {
+      const Vec3d column = position_column(kinematics_, d, at) * size_[static_cast<std::size_t>(d)];
+      sum += dot(column, column);
+    }
+  }
+  // with goals that nothing moves, any scale will do
+  mean_diagonal_ = sum > 0.0 ? sum / (3.0 * goals) : 1.0;
+  epsilon_ = settings_.damping * mean_diagonal_;
+  metric_.reset(1.0 / epsilon_);
+  std::fill(z_.begin(), z_.end(), 0.0);
+
+  limits_.clear();
+  limit_of_.clear();
+  limit_scale_.clear();
+  for (std::size_t i = 0; i < angle_limits_.size(); ++i) {
+    const AngleLimit& limit = angle_limits_[i];
+    const double a = limit.sign * size_[static_cast<std::size_t>(limit.dof)];
+    const double b = -limit.gain * size_[static_cast<std::size_t>(limit.driver)];
+    const double length = sqrt(a * a + b * b);
+    if (!(length > 0.0)) continue;
+    limits_.push_back({limit.dof, limit.driver, a / length, b / length, 0.0});
+    limit_of_.push_back(i);
+    limit_scale_.push_back(length);
+  }
+}
+
+// how much the angles' changes count where the targets lag behind
+double NlpIk::damping(std::span<const IkTarget<double>> targets) const {
+  double lag = 0.0;
+  for (const IkTarget<double>& target : targets) {
+    if (!target.contact) lag = max(lag, target.lag);
+  }
+  const double ratio = lag / settings_.lag_scale;
+  return mean_diagonal_ * (settings_.damping + settings_.lag_damping * ratio * ratio);
+}
+
+void NlpIk::bind(std::span<const IkTarget<double>> targets, std::span<const double> from,
+                 std::span<const double> reference) {
+  targets_ = targets;
+  from_ = from;
+  for (std::size_t d = 0; d < size_.size(); ++d) {
+    reference_[d] = !reference.empty() && size_[d] > 0.0 ? reference[d] / size_[d] : 0.0;
+  }
+}
+
+void NlpIk::set_bounds() {
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    const AngleLimit& limit = angle_limits_[limit_of_[i]];
+    const double now = limit.sign * from_[static_cast<std::size_t>(limit.dof)] -
+                       limit.gain * from_[static_cast<std::size_t>(limit.driver)];
+    limits_[i].bound = max((limit.bound - now) / limit_scale_[i], 0.0);
+  }
+}
+
+NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const double> from,
+                          std::span<const double> reference, std::span<double> to) {
+  bind(targets, from, reference);
+  set_bounds();
+  const double epsilon = damping(targets);
+  if (epsilon != epsilon_) metric_.reset(1.0 / epsilon);
+  epsilon_ = epsilon;
+  const VariableMetricSettings settings{.tolerance = settings_.tolerance,
+                                        .max_step = settings_.max_step,
+                                        .iterations = settings_.iterations};
+  NlpIkOutcome outcome;
+  for (int k = 0;; ++k) {
+    // the last posture's change is a good guess of the next one's
+    const VariableMetricOutcome found = metric_.minimise(*this, limits_, size_, settings, z_);
+    outcome.converged = outcome.converged && found.converged;
+    outcome.evaluations += found.evaluations;
+    for (std::size_t d = 0; d < to.size(); ++d) to[d] = from[d] + size_[d] * z_[d];
+    forward_kinematics<double>(*body_, to, kinematics_);
+    const double worst = correct_contacts(targets);
+    if (worst <= settings_.contact_slack || k == settings_.contact_corrections) break;
+  }
+  return outcome;
+}
+
+// adds what the contacts are off by to their leads; returns the largest (m)
+double NlpIk::correct_contacts(std::span<IkTarget<double>> targets) const {
+  double worst = 0.0;
+  for (IkTarget<double>& target : targets) {
+    if (!target.contact) continue;
+    const Vec3d slide = position_error(kinematics_, target);
+    const Vec3d tilt = tilt_error(kinematics_, target);
+    target.lead += slide;
+    target.tilt_lead += tilt;
+    worst = max(worst, max(norm(slide), kContactLength * norm(tilt)));
+  }
+  return worst;
+}
+
+double NlpIk::objective(std::span<const IkTarget<double>> targets, std::span<const double> from,
+                        std::span<const double> reference, std::span<const double> at,
+                        std::span<double> gradient) {
+  bind(targets, from, reference);
+  epsilon_ = damping(targets);
+  for (std::size_t d = 0; d < size_.size(); ++d) {
+    z_[d] = size_[d] > 0.0 ? (at[d] - from[d]) / size_[d] : 0.0;
+  }
+  const double value = evaluate(z_, gradient);
+  for (std::size_t d = 0; d < size_.size(); ++d) {
+    gradient[d] = size_[d] > 0.0 ? gradient[d] / size_[d] : 0.0;
+  }
+  return value;
+}
+
+double NlpIk::evaluate(std::span<const double> z, std::span<double> gradient) {
+  for (std::size_t d = 0; d < size_.size(); ++d) angles_[d] = from_[d] + size_[d] * z[d];
+  forward_kinematics<double>(*body_, angles_, kinematics_);
+  double value = load_links();
+  unload_links(gradient);
+  double squares = 0.0;
+  for (std::size_t d = 0; d < size_.size(); ++d) {
+    const double change = z[d] - reference_[d];
+    squares += size_[d] > 0.0 ? change * change : 0.0;
+    gradient[d] = size_[d] * gradient[d] + (size_[d] > 0.0 ? epsilon_ * change : 0.0);
+  }
+  return value + 0.5 * epsilon_ * squares;
+}
+
+// what the targets add to the objective; each loads its link
+double NlpIk::load_links() {
+  std::fill(loads_.begin(), loads_.end(), Load{});
+  double value = 0.0;
+  for (const IkTarget<double>& target : targets_) {
+    if (target.link == kBaseLink) continue;
+    const Vec3d at = kinematics_.point(target.link, target.point);
+    if (target.contact) {
+      value += pull_contact(target, at);
+      continue;
+    }
+    const Vec3d miss = at - target.position - target.lead;
+    Load& load = loads_[static_cast<std::size_t>(target.link)];
+    load.force += miss;
+    load.moment += cross(at, miss);
+    value += 0.5 * dot(miss, miss);
+  }
+  return value;
+}
+
+double NlpIk::pull_contact(const IkTarget<double>& target, const Vec3d& at) {
+  const double stiffness = settings_.contact_stiffness;
+  const Vec3d miss = at - target.position - target.lead;
+  const Mat3d& now = kinematics_.link_rotation(target.link);
+  const Vec3d sine = rotation_sine(now, target.orientation);
+  const double chord = rotation_chord(now, target.orientation);
+  const double turning = stiffness * kContactLength * kContactLength;
+  Load& load = loads_[static_cast<std::size_t>(target.link)];
+  load.force += miss * stiffness;
+  load.moment += cross(at, miss) * stiffness +
+                 (lead_moment(now, target.orientation, target.tilt_lead) - sine) * turning;
+  return 0.5 * stiffness * dot(miss, miss) +
+         turning * (0.5 * chord * chord + dot(sine, target.tilt_lead));
+}
+
+// per radian of each joint: what the links beyond it bear, about its axis
+void NlpIk::unload_links(std::span<double> gradient) {
+  for (std::size_t d = loads_.size(); d-- > 0;) {
+    const Load& load = loads_[d];
+    gradient[d] = dot(kinematics_.axis[d],
+                      load.moment - cross(kinematics_.origin[d], load.force));
+    const int parent = body_->dof(static_cast<int>(d)).parent;
+    if (parent == kBaseLink) continue;
+    Load& carrier = loads_[static_cast<std::size_t>(parent)];
+    carrier.force += load.force;
+    carrier.moment += load.moment;
+  }
+}
+
+}  // namespace shigusa

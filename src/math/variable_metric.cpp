@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <shigusa/core/check.hpp>
+#include <shigusa/math/variable_metric.hpp>
+
+namespace shigusa {
+namespace {
+
+// A difference of values below this share of them is rounding.
+constexpr double kValueNoise = 1e-14;
+// Unit normals whose rest after projection on others has a square below this depend on those.
+constexpr double kDependent = 1e-12;
+// A direction that nears a limit by no more than this share of its length runs along it.
+constexpr double kGrazing = 1e-12;
+// A search with derivatives trusts the first secants as they are, and keeps later ones so far from
+// both ends of the interval.
+constexpr int kFreeSecants = 3;
+constexpr double kSecantMargin = 0.1;
+// How far beyond the last trial a line search goes on, at most.
+constexpr double kStretch = 8.0;
+
+double inner(std::span<const double> a, std::span<const double> b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+// normal · v
+double across(const LinearLimit& limit, std::span<const double> v) {
+  double sum = limit.a * v[static_cast<std::size_t>(limit.first)];
+  if (limit.b != 0.0) sum += limit.b * v[static_cast<std::size_t>(limit.second)];
+  return sum;
+}
+
+// v += factor · normal
+void add_normal(const LinearLimit& limit, double factor, std::span<double> v) {
+  v[static_cast<std::size_t>(limit.first)] += factor * limit.a;
+  if (limit.b != 0.0) v[static_cast<std::size_t>(limit.second)] += factor * limit.b;
+}
+
+// normal · normal of two limits
+double product(const LinearLimit& p, const LinearLimit& q) {
+  double sum = p.first == q.first ? p.a * q.a : 0.0;
+  if (q.b != 0.0 && p.first == q.second) sum += p.a * q.b;
+  if (p.b != 0.0 && p.second == q.first) sum += p.b * q.a;
+  if (p.b != 0.0 && q.b != 0.0 && p.second == q.second) sum += p.b * q.b;
+  return sum;
+}
+
+void check(const VariableMetricSettings& settings, std::span<const LinearLimit> limits) {
+  SHG_CHECK(settings.tolerance > 0.0, "tolerance of a variable metric");
+  SHG_CHECK(settings.max_step > 0.0, "max_step of a variable metric");
+  SHG_CHECK(settings.iterations >= 1 && settings.iterations <= 100000,
+            "iterations of a variable metric");
+  SHG_CHECK(settings.line_slope >= 0.01 && settings.line_slope <= 0.9,
+            "line_slope of a variable metric");
+  SHG_CHECK(settings.line_evaluations >= 2 && settings.line_evaluations <= 100,
+            "line_evaluations of a variable metric");
+  for (const LinearLimit& limit : limits) {
+    SHG_CHECK(limit.bound >= 0.0, "the origin is inside all limits");
+  }
+}
+
+}  // namespace
+
+struct VariableMetric::Run {
+  SmoothFunction& function;
+  std::span<const LinearLimit> limits;
+  std::span<const double> size;
+  const VariableMetricSettings& settings;
+  VariableMetricOutcome outcome{};
+
+  [[nodiscard]] const LinearLimit& limit(int i) const {
+    return limits[static_cast<std::size_t>(i)];
+  }
+  double evaluate(std::span<const double> z, std::span<double> gradient) {
+    ++outcome.evaluations;
+    return function.evaluate(z, gradient);
+  }
+};
+
+VariableMetric::VariableMetric(int variables)
+    : n_(static_cast<std::size_t>(variables)) {
+  SHG_CHECK(variables >= 1 && variables <= kMaxMetricVariables, "variables of a variable metric");
+  for (std::vector<double>* v : {&z_, &gradient_, &trial_, &trial_gradient_, &direction_, &change_,
+                                 &product_, &multipliers_}) {
+    v->resize(n_);
+  }
+  metric_.resize(n_ * n_);
+  taken_.resize(n_ * n_);
+  active_.reserve(n_);
+  reset(1.0);
+}
+
+void VariableMetric::reset(double inverse_curvature) {
+  SHG_CHECK(inverse_curvature > 0.0, "curvature of a variable metric");
+  std::fill(metric_.begin(), metric_.end(), 0.0);
+  for (std::size_t i = 0; i < n_; ++i) metric_[i * n_ + i] = inverse_curvature;
+  active_.clear();
+}
+
+// the factors of Nᵀ N, N being the normals of the active limits but for one of them
+void VariableMetric::factorize_active(const Run& run, int without) {
+  int row = 0;
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    if (static_cast<int>(i) == without) continue;
+    int column = 0;
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (static_cast<int>(j) == without) continue;
+      gram_(row, column++) = product(run.limit(active_[i]), run.limit(active_[j]));
+    }
+    ++row;
+  }
+  ldlt_factorize(gram_, row, kDependent);
+}
+
+// v := v - N (Nᵀ N)⁻¹ Nᵀ v, with what factorize_active left; the multipliers are (Nᵀ N)⁻¹ Nᵀ v
+void VariableMetric::project(const Run& run, int without, std::span<double> v) {
+  int rows = 0;
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    if (static_cast<int>(i) == without) continue;
+    multipliers_[static_cast<std::size_t>(rows++)] = across(run.limit(active_[i]), v);
+  }
+  ldlt_substitute(gram_, multipliers_.data(), rows);
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    if (static_cast<int>(i) == without) continue;
+    add_normal(run.limit(active_[i]), -multipliers_[row++], v);
+  }
+}
+
+double VariableMetric::largest_part(const Run& run, std::span<const double> step) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < n_; ++i) largest = max(abs(step[i]) * run.size[i], largest);
+  return largest;
+}
+
+// how far the direction may be followed from z, and the limit that is met there, or -1
+double VariableMetric::way_to_limits(const Run& run, int& nearest) const {
+  const double least_speed = kGrazing * sqrt(inner(direction_, direction_));
+  double way = __builtin_inf();
+  nearest = -1;
+  for (std::size_t k = 0; k < run.limits.size(); ++k) {
+    const LinearLimit& limit = run.limits[k];
+    const double speed = across(limit, direction_);
+    if (!(speed > least_speed)) continue;
+    const int index = static_cast<int>(k);
+    if (std::find(active_.begin(), active_.end(), index) != active_.end()) continue;
+    const double room = max(limit.bound - across(limit, z_), 0.0);
+    if (room < way * speed) {
+      way = room / speed;
+      nearest = index;
+    }
+  }
+  return way;
+}
+
+// from the origin towards the guess
+void VariableMetric::start(Run& run) {
+  factorize_active(run, -1);
+  direction_ = z_;
+  std::fill(z_.begin(), z_.end(), 0.0);
+  project(run, -1, direction_);
+  int nearest = -1;
+  const double way = min(1.0, way_to_limits(run, nearest));
+  for (std::size_t i = 0; i < n_; ++i) z_[i] = way * direction_[i];
+  run.outcome.value = run.evaluate(z_, gradient_);
+}
+
+void VariableMetric::find_direction() {
+  for (std::size_t i = 0; i < n_; ++i) {
+    direction_[i] = -inner(std::span(metric_).subspan(i * n_, n_), gradient_);
+  }
+}
+
+// Drops the active limit that promises the most, where that is more than `gain_of_staying`.
+bool VariableMetric::drop_limit(const Run& run, double gain_of_staying) {
+  double most = gain_of_staying;
+  int dropped = -1;
+  for (std::size_t j = 0; j < active_.size(); ++j) {
+    product_.assign(taken_.begin() + static_cast<std::ptrdiff_t>(j * n_),
+                    taken_.begin() + static_cast<std::ptrdiff_t>((j + 1) * n_));
+    const int index = static_cast<int>(j);
+    if (active_.size() > 1) {
+      factorize_active(run, index);
+      project(run, index, product_);
+    }
+    const double slope = inner(product_, gradient_);
+    // it would be left to the inside
+    if (!(slope * across(run.limit(active_[j]), product_) > 0.0)) continue;
+    if (!(slope * slope > most)) continue;
+    if (largest_part(run, product_) * abs(slope) <= run.settings.tolerance) continue;
+    most = slope * slope;
+    dropped = index;
+    change_ = product_;
+  }
+  if (dropped < 0) return false;
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (std::size_t k = 0; k < n_; ++k) metric_[i * n_ + k] += change_[i] * change_[k];
+  }
+  const auto row = static_cast<std::ptrdiff_t>(dropped) * static_cast<std::ptrdiff_t>(n_);
+  std::move(taken_.begin() + row + static_cast<std::ptrdiff_t>(n_),
+            taken_.begin() + static_cast<std::ptrdiff_t>(active_.size() * n_),
+            taken_.begin() + row);
+  active_.erase(active_.begin() + dropped);
+  return true;
+}
+
+void VariableMetric::activate(const Run& run, int limit) {
+  if (active_.size() == n_) return;
+  std::fill(change_.begin(), change_.end(), 0.0);
+  add_normal(run.limit(limit), 1.0, change_);
+  for (std::size_t i = 0; i < n_; ++i) {
+    product_[i] = inner(std::span(metric_).subspan(i * n_, n_), change_);
+  }
+  const double square = inner(product_, change_);
+  if (!(square > 0.0)) return;
+  const double scale = 1.0 / sqrt(square);
+  for (double& part : product_) part = part * scale;
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (std::size_t k = 0; k < n_; ++k) metric_[i * n_ + k] -= product_[i] * product_[k];
+  }
+  std::copy(product_.begin(), product_.end(),
+            taken_.begin() + static_cast<std::ptrdiff_t>(active_.size() * n_));
+  active_.push_back(limit);
+}
+
+// Sets the trial to where, along the direction and `most` times it away at most, the slope has
+// fallen and the value is no larger. Returns how many times; 0 where there is no such place.
+double VariableMetric::search_line(Run& run, double most) {
+  const double slope0 = inner(direction_, gradient_);
+  const double noise = kValueNoise * abs(run.outcome.value);
+  double low = 0.0;
+  double low_slope = slope0;
+  double high = -1.0;  // none yet
+  double high_slope = 0.0;
+  double t = min(1.0, most);
+  for (int k = 0; k < run.settings.line_evaluations; ++k) {
+    for (std::size_t i = 0; i < n_; ++i) trial_[i] = z_[i] + t * direction_[i];
+    const double value = run.evaluate(trial_, trial_gradient_);
+    const double slope = inner(direction_, trial_gradient_);
+    const bool lower = value <= run.outcome.value + noise;
+    const bool falls = slope < 0.0;
+    const bool flat = abs(slope) <= -run.settings.line_slope * slope0;
+    if (lower && (flat || (falls && t == most))) {
+      run.outcome.value = value;
+      return t;
+    }
+    if (lower && falls) {
+      const double before = low;
+      const double bend = slope - low_slope;
+      low = t;
+      if (high < 0.0) {
+        const double secant = bend > 0.0 ? t - slope * (t - before) / bend : kStretch * t;
+        t = min(most, clamp(secant, 1.1 * t, kStretch * t));
+        low_slope = slope;
+        continue;
+      }
+      low_slope = slope;
+    } else {
+      high = t;
+      high_slope = slope;
+    }
+    const double width = high - low;
+    const double bend = high_slope - low_slope;
+    double share = high_slope > 0.0 && bend > 0.0 ? -low_slope / bend : 0.5;
+    if (k >= kFreeSecants || !(share > 0.0)) {
+      share = clamp(share, kSecantMargin, 1.0 - kSecantMargin);
+    }
+    t = low + share * width;
+  }
+  if (low == 0.0) return 0.0;
+  for (std::size_t i = 0; i < n_; ++i) trial_[i] = z_[i] + low * direction_[i];
+  run.outcome.value = run.evaluate(trial_, trial_gradient_);
+  return low;
+}
+
+// BFGS, from z and its gradient to the trial's
+void VariableMetric::update_metric() {
+  for (std::size_t i = 0; i < n_; ++i) {
+    direction_[i] = trial_[i] - z_[i];
+    change_[i] = trial_gradient_[i] - gradient_[i];
+  }
+  const double curvature = inner(direction_, change_);
+  const double floor = kValueNoise * sqrt(inner(direction_, direction_) * inner(change_, change_));
+  if (!(curvature > floor)) return;
+  for (std::size_t i = 0; i < n_; ++i) {
+    product_[i] = inner(std::span(metric_).subspan(i * n_, n_), change_);
+  }
+  const double inverse = 1.0 / curvature;
+  const double factor = 0.5 * (1.0 + inner(change_, product_) * inverse) * inverse;
+  // H += s uᵀ + u sᵀ
+  for (std::size_t i = 0; i < n_; ++i) {
+    product_[i] = factor * direction_[i] - inverse * product_[i];
+  }
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (std::size_t k = 0; k < n_; ++k) {
+      metric_[i * n_ + k] += direction_[i] * product_[k] + product_[i] * direction_[k];
+    }
+  }
+}
+
+VariableMetricOutcome VariableMetric::minimise(SmoothFunction& function,
+                                               std::span<const LinearLimit> limits,
+                                               std::span<const double> size,
+                                               const VariableMetricSettings& settings,
+                                               std::span<double> z) {
+  check(settings, limits);
+  SHG_CHECK(z.size() == n_ && size.size() == n_, "variables of a variable metric");
+  Run run{function, limits, size, settings};
+  std::copy(z.begin(), z.end(), z_.begin());
+  start(run);
+  VariableMetricOutcome& outcome = run.outcome;
+  for (; outcome.iterations < settings.iterations; ++outcome.iterations) {
+    find_direction();
+    const double gain = -inner(direction_, gradient_);
+    if (!is_finite(gain)) break;
+    const double step = largest_part(run, direction_);
+    const bool arrived = step <= settings.tolerance;
+    if (drop_limit(run, arrived ? 0.0 : gain)) continue;
+    if (arrived) {
+      outcome.converged = true;
+      break;
+    }
+    int nearest = -1;
+    const double way = way_to_limits(run, nearest);
+    if (way == 0.0) {
+      activate(run, nearest);
+      continue;
+    }
+    const double most = min(way, settings.max_step / step);
+    const double taken = search_line(run, most);
+    if (taken == 0.0) break;
+    update_metric();
+    z_.swap(trial_);
+    gradient_.swap(trial_gradient_);
+    if (taken == way) activate(run, nearest);
+  }
+  std::copy(z_.begin(), z_.end(), z.begin());
+  return outcome;
+}
+
+}  // namespace shigusa
