@@ -88,7 +88,7 @@ void NlpIk::begin(std::span<const IkTarget<double>> targets,
   // with goals that nothing moves, any scale will do
   mean_diagonal_ = sum > 0.0 ? sum / (3.0 * goals) : 1.0;
   epsilon_ = settings_.damping * mean_diagonal_;
-  metric_.reset(1.0 / epsilon_);
+  metric_.reset();
   std::fill(z_.begin(), z_.end(), 0.0);
 
   limits_.clear();
@@ -138,9 +138,8 @@ NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const d
                           std::span<const double> reference, std::span<double> to) {
   bind(targets, from, reference);
   set_bounds();
-  const double epsilon = damping(targets);
-  if (epsilon != epsilon_) metric_.reset(1.0 / epsilon);
-  epsilon_ = epsilon;
+  epsilon_ = damping(targets);
+  set_curvature();
   const VariableMetricSettings settings{.tolerance = settings_.tolerance,
                                         .max_step = settings_.max_step,
                                         .iterations = settings_.iterations};
@@ -156,6 +155,35 @@ NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const d
     if (worst <= settings_.contact_slack || k == settings_.contact_corrections) break;
   }
   return outcome;
+}
+
+// Gauss and Newton's: ε and J, seen from where the guess leads
+void NlpIk::set_curvature() {
+  for (std::size_t d = 0; d < size_.size(); ++d) angles_[d] = from_[d] + size_[d] * z_[d];
+  forward_kinematics<double>(*body_, angles_, kinematics_);
+  rows_.clear();
+  for (const IkTarget<double>& target : targets_) {
+    const Vec3d at = kinematics_.point(target.link, target.point);
+    const double scale = target.contact ? sqrt(settings_.contact_stiffness) : 1.0;
+    add_rows(target.link, scale, [&](int d) { return position_column(kinematics_, d, at); });
+    if (!target.contact) continue;
+    add_rows(target.link, scale * kContactLength,
+             [&](int d) { return kinematics_.axis[static_cast<std::size_t>(d)]; });
+  }
+  metric_.set_curvature(epsilon_, rows_);
+}
+
+// three rows of the scaled Jacobian; column(d): of dof d, per radian
+template <class Column>
+void NlpIk::add_rows(int link, double scale, Column&& column) {
+  const std::size_t n = size_.size();
+  const std::size_t begin = rows_.size();
+  rows_.resize(begin + 3 * n, 0.0);
+  for (const int d : body_->chain(link)) {
+    const auto k = static_cast<std::size_t>(d);
+    const Vec3d v = column(d) * (scale * size_[k]);
+    for (std::size_t i = 0; i < 3; ++i) rows_[begin + i * n + k] = v[static_cast<int>(i)];
+  }
 }
 
 // adds what the contacts are off by to their leads; returns the largest (m)

@@ -89,14 +89,45 @@ VariableMetric::VariableMetric(int variables)
   metric_.resize(n_ * n_);
   taken_.resize(n_ * n_);
   active_.reserve(n_);
-  reset(1.0);
+  kept_.reserve(n_);
+  reset();
 }
 
-void VariableMetric::reset(double inverse_curvature) {
-  SHG_CHECK(inverse_curvature > 0.0, "curvature of a variable metric");
-  std::fill(metric_.begin(), metric_.end(), 0.0);
-  for (std::size_t i = 0; i < n_; ++i) metric_[i * n_ + i] = inverse_curvature;
+void VariableMetric::reset() {
   active_.clear();
+  set_curvature(1.0, {});
+}
+
+void VariableMetric::set_curvature(double least, std::span<const double> rows) {
+  SHG_CHECK(least > 0.0 && rows.size() % n_ == 0, "curvature of a variable metric");
+  std::fill(metric_.begin(), metric_.end(), 0.0);
+  for (std::size_t i = 0; i < n_; ++i) metric_[i * n_ + i] = 1.0 / least;
+  restricted_ = active_.empty();
+  // row by row, (H⁻¹ + r rᵀ)⁻¹ = H - H r rᵀ H / (1 + rᵀ H r)
+  for (std::size_t row = 0; row < rows.size(); row += n_) {
+    const std::span<const double> r = rows.subspan(row, n_);
+    multiply_metric(r);
+    const double factor = 1.0 / (1.0 + inner(product_, r));
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double scaled = factor * product_[i];
+      for (std::size_t k = 0; k < n_; ++k) metric_[i * n_ + k] -= scaled * product_[k];
+    }
+  }
+}
+
+// the product becomes H v
+void VariableMetric::multiply_metric(std::span<const double> v) {
+  for (std::size_t i = 0; i < n_; ++i) {
+    product_[i] = inner(std::span(metric_).subspan(i * n_, n_), v);
+  }
+}
+
+// takes the active limits' normals out of a metric that does not know of them
+void VariableMetric::restrict_metric(const Run& run) {
+  kept_.swap(active_);
+  active_.clear();
+  for (const int limit : kept_) activate(run, limit);
+  restricted_ = true;
 }
 
 // the factors of Nᵀ N, N being the normals of the active limits but for one of them
@@ -157,6 +188,7 @@ double VariableMetric::way_to_limits(const Run& run, int& nearest) const {
 
 // from the origin towards the guess
 void VariableMetric::start(Run& run) {
+  if (!restricted_) restrict_metric(run);
   factorize_active(run, -1);
   direction_ = z_;
   std::fill(z_.begin(), z_.end(), 0.0);
@@ -210,9 +242,7 @@ void VariableMetric::activate(const Run& run, int limit) {
   if (active_.size() == n_) return;
   std::fill(change_.begin(), change_.end(), 0.0);
   add_normal(run.limit(limit), 1.0, change_);
-  for (std::size_t i = 0; i < n_; ++i) {
-    product_[i] = inner(std::span(metric_).subspan(i * n_, n_), change_);
-  }
+  multiply_metric(change_);
   const double square = inner(product_, change_);
   if (!(square > 0.0)) return;
   const double scale = 1.0 / sqrt(square);
@@ -284,9 +314,7 @@ void VariableMetric::update_metric() {
   const double curvature = inner(direction_, change_);
   const double floor = kValueNoise * sqrt(inner(direction_, direction_) * inner(change_, change_));
   if (!(curvature > floor)) return;
-  for (std::size_t i = 0; i < n_; ++i) {
-    product_[i] = inner(std::span(metric_).subspan(i * n_, n_), change_);
-  }
+  multiply_metric(change_);
   const double inverse = 1.0 / curvature;
   const double factor = 0.5 * (1.0 + inner(change_, product_) * inverse) * inverse;
   // H += s uᵀ + u sᵀ

@@ -97,6 +97,9 @@ class NlpIk : private SmoothFunction {
   void bind(std::span<const IkTarget<double>> targets, std::span<const double> from,
             std::span<const double> reference);
   void set_bounds();
+  void set_curvature();
+  template <class Column>
+  void add_rows(int link, double scale, Column&& column);
   [[nodiscard]] double damping(std::span<const IkTarget<double>> targets) const;
   [[nodiscard]] double correct_contacts(std::span<IkTarget<double>> targets) const;
 
@@ -113,6 +116,7 @@ class NlpIk : private SmoothFunction {
   std::vector<double> reference_;       // (dofs) the same of the reference
   std::vector<double> angles_;          // (dofs, rad)
   std::vector<Load> loads_;             // (dofs)
+  std::vector<double> rows_;            // (rows × dofs) m, of the scaled Jacobian
   double mean_diagonal_ = 0.0;          // m², of J W⁻¹ Jᵀ in the start posture
   double epsilon_ = 0.0;                // m², of the posture being solved for
   std::span<const IkTarget<double>> targets_;  // … and its arguments

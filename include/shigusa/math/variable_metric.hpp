@@ -54,7 +54,8 @@ inline constexpr int kMaxMetricVariables = 64;
 // H is the inverse of the Hessian on the active limits' common face, and 0 across. The v that a limit
 // takes out is kept and put back, made orthogonal to the other active limits, when it is dropped:
 // had nothing happened in between, H would be what it was. H and the active set stay for the next
-// call, which is to be about a similar function under the same limits with other bounds.
+// call, which is to be about a similar function under the same limits with other bounds. Where the
+// function is nearly quadratic and its curvature given, an iteration or two are enough.
 //
 // Source: D. Goldfarb, SIAM J. Applied Mathematics 17 (1969) 739-764, for the projected metric and
 // when to drop a limit, after J. Rosen's gradient projection, J. SIAM 8 (1960) 181-217; the update
@@ -69,8 +70,12 @@ class VariableMetric {
   // 1..kMaxMetricVariables variables.
   explicit VariableMetric(int variables);
 
-  // Forgets all: H becomes `inverse_curvature` (> 0) times the identity, and no limit is active.
-  void reset(double inverse_curvature);
+  // Forgets all: H becomes the identity, and no limit is active.
+  void reset();
+
+  // What is known of the function's curvature: H becomes the inverse of `least` (> 0) times the
+  // identity plus Σ r rᵀ over the rows r, (rows × n). Active limits stay active.
+  void set_curvature(double least, std::span<const double> rows);
 
   // Minimises the function; `z` (n) holds a guess and then the result. `size` (n, ≥ 0): what a
   // change by 1 of each variable counts as in the settings' tolerance and max_step. Settings outside
@@ -87,6 +92,8 @@ class VariableMetric {
   struct Run;  // what one call refers to
 
   void start(Run& run);
+  void restrict_metric(const Run& run);
+  void multiply_metric(std::span<const double> v);
   void find_direction();
   [[nodiscard]] bool drop_limit(const Run& run, double gain_of_staying);
   [[nodiscard]] double largest_part(const Run& run, std::span<const double> step) const;
@@ -99,6 +106,7 @@ class VariableMetric {
 
   std::size_t n_;
   std::vector<double> metric_;          // (n × n) H
+  bool restricted_ = true;              // … is 0 across the active limits
   std::vector<double> z_;               // (n)
   std::vector<double> gradient_;        // (n) at z
   std::vector<double> trial_;           // (n) along the line
@@ -107,6 +115,7 @@ class VariableMetric {
   std::vector<double> change_;          // (n) scratch: of the gradient
   std::vector<double> product_;         // (n) scratch
   std::vector<int> active_;             // at most n
+  std::vector<int> kept_;               // scratch: the same
   std::vector<double> taken_;           // (n × n) v of each active limit, row by row
   SmallSymmetric<double, kMaxMetricVariables> gram_;
   std::vector<double> multipliers_;  // (n)
