@@ -5,6 +5,12 @@
 namespace shigusa {
 namespace {
 
+// Where a correction leaves more than this share of the contacts' error, they become stiffer by
+// this factor, up to this.
+constexpr double kSlowCorrection = 0.25;
+constexpr double kStiffer = 4.0;
+constexpr double kStiffnessMax = 1e8;
+
 void check(const NlpIkSettings& s) {
   SHG_CHECK(s.damping >= 1e-9 && s.damping <= 1.0, "damping of NLP-IK");
   SHG_CHECK(s.lag_damping >= 0.0 && s.lag_scale > 0.0, "lag damping of NLP-IK");
@@ -88,6 +94,7 @@ void NlpIk::begin(std::span<const IkTarget<double>> targets,
   // with goals that nothing moves, any scale will do
   mean_diagonal_ = sum > 0.0 ? sum / (3.0 * goals) : 1.0;
   epsilon_ = settings_.damping * mean_diagonal_;
+  stiffness_ = settings_.contact_stiffness;
   metric_.reset();
   std::fill(z_.begin(), z_.end(), 0.0);
 
@@ -144,6 +151,7 @@ NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const d
                                         .max_step = settings_.max_step,
                                         .iterations = settings_.iterations};
   NlpIkOutcome outcome;
+  double before = __builtin_inf();
   for (int k = 0;; ++k) {
     // the last posture's change is a good guess of the next one's
     const VariableMetricOutcome found = metric_.minimise(*this, limits_, size_, settings, z_);
@@ -153,8 +161,22 @@ NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const d
     forward_kinematics<double>(*body_, to, kinematics_);
     const double worst = correct_contacts(targets);
     if (worst <= settings_.contact_slack || k == settings_.contact_corrections) break;
+    if (worst > kSlowCorrection * before) stiffen(targets);
+    before = worst;
   }
   return outcome;
+}
+
+// the contacts' stiffness grows, and the forces that their leads stand for stay the same
+void NlpIk::stiffen(std::span<IkTarget<double>> targets) {
+  if (stiffness_ >= kStiffnessMax) return;
+  stiffness_ = stiffness_ * kStiffer;
+  for (IkTarget<double>& target : targets) {
+    if (!target.contact) continue;
+    target.lead = target.lead * (1.0 / kStiffer);
+    target.tilt_lead = target.tilt_lead * (1.0 / kStiffer);
+  }
+  set_curvature();
 }
 
 // Gauss and Newton's: ε and J, seen from where the guess leads
@@ -164,7 +186,7 @@ void NlpIk::set_curvature() {
   rows_.clear();
   for (const IkTarget<double>& target : targets_) {
     const Vec3d at = kinematics_.point(target.link, target.point);
-    const double scale = target.contact ? sqrt(settings_.contact_stiffness) : 1.0;
+    const double scale = target.contact ? sqrt(stiffness_) : 1.0;
     add_rows(target.link, scale, [&](int d) { return position_column(kinematics_, d, at); });
     if (!target.contact) continue;
     add_rows(target.link, scale * kContactLength,
@@ -250,17 +272,16 @@ double NlpIk::load_links() {
 }
 
 double NlpIk::pull_contact(const IkTarget<double>& target, const Vec3d& at) {
-  const double stiffness = settings_.contact_stiffness;
   const Vec3d miss = at - target.position - target.lead;
   const Mat3d& now = kinematics_.link_rotation(target.link);
   const Vec3d sine = rotation_sine(now, target.orientation);
   const double chord = rotation_chord(now, target.orientation);
-  const double turning = stiffness * kContactLength * kContactLength;
+  const double turning = stiffness_ * kContactLength * kContactLength;
   Load& load = loads_[static_cast<std::size_t>(target.link)];
-  load.force += miss * stiffness;
-  load.moment += cross(at, miss) * stiffness +
+  load.force += miss * stiffness_;
+  load.moment += cross(at, miss) * stiffness_ +
                  (lead_moment(now, target.orientation, target.tilt_lead) - sine) * turning;
-  return 0.5 * stiffness * dot(miss, miss) +
+  return 0.5 * stiffness_ * dot(miss, miss) +
          turning * (0.5 * chord * chord + dot(sine, target.tilt_lead));
 }
 

@@ -98,6 +98,7 @@ class NlpIk : private SmoothFunction {
             std::span<const double> reference);
   void set_bounds();
   void set_curvature();
+  void stiffen(std::span<IkTarget<double>> targets);
   template <class Column>
   void add_rows(int link, double scale, Column&& column);
   [[nodiscard]] double damping(std::span<const IkTarget<double>> targets) const;
@@ -118,6 +119,7 @@ class NlpIk : private SmoothFunction {
   std::vector<Load> loads_;             // (dofs)
   std::vector<double> rows_;            // (rows × dofs) m, of the scaled Jacobian
   double mean_diagonal_ = 0.0;          // m², of J W⁻¹ Jᵀ in the start posture
+  double stiffness_ = 1.0;              // of the contacts beside the goals
   double epsilon_ = 0.0;                // m², of the posture being solved for
   std::span<const IkTarget<double>> targets_;  // … and its arguments
   std::span<const double> from_;
