@@ -14,6 +14,8 @@ constexpr double kStiffnessMax = 1e8;
 void check(const NlpIkSettings& s) {
   SHG_CHECK(s.damping >= 1e-9 && s.damping <= 1.0, "damping of NLP-IK");
   SHG_CHECK(s.lag_damping >= 0.0 && s.lag_scale > 0.0, "lag damping of NLP-IK");
+  SHG_CHECK(s.limit_approach > 0.0 && s.limit_approach <= 1.0, "limit_approach of NLP-IK");
+  SHG_CHECK(s.max_change > 0.0, "max_change of NLP-IK");
   SHG_CHECK(s.contact_stiffness >= 1.0 && s.contact_stiffness <= 1e4,
             "contact_stiffness of NLP-IK");
   SHG_CHECK(s.contact_slack > 0.0, "contact_slack of NLP-IK");
@@ -137,7 +139,9 @@ void NlpIk::set_bounds() {
     const AngleLimit& limit = angle_limits_[limit_of_[i]];
     const double now = limit.sign * from_[static_cast<std::size_t>(limit.dof)] -
                        limit.gain * from_[static_cast<std::size_t>(limit.driver)];
-    limits_[i].bound = max((limit.bound - now) / limit_scale_[i], 0.0);
+    const double room = max(limit.bound - now, 0.0) * settings_.limit_approach;
+    const double most = limit.gain == 0.0 ? min(room, settings_.max_change) : room;
+    limits_[i].bound = most / limit_scale_[i];
   }
 }
 

@@ -186,17 +186,34 @@ double VariableMetric::way_to_limits(const Run& run, int& nearest) const {
   return way;
 }
 
-// from the origin towards the guess
+// from the origin towards the guess, on the active limits where all of them can be reached
 void VariableMetric::start(Run& run) {
   if (!restricted_) restrict_metric(run);
   factorize_active(run, -1);
   direction_ = z_;
   std::fill(z_.begin(), z_.end(), 0.0);
   project(run, -1, direction_);
+  for (std::size_t j = 0; j < active_.size(); ++j) multipliers_[j] = run.limit(active_[j]).bound;
+  ldlt_substitute(gram_, multipliers_.data(), static_cast<int>(active_.size()));
+  for (std::size_t j = 0; j < active_.size(); ++j) {
+    add_normal(run.limit(active_[j]), multipliers_[j], direction_);
+  }
   int nearest = -1;
   const double way = min(1.0, way_to_limits(run, nearest));
+  if (way < 1.0) release_all();
   for (std::size_t i = 0; i < n_; ++i) z_[i] = way * direction_[i];
   run.outcome.value = run.evaluate(z_, gradient_);
+}
+
+// puts back what the active limits took from the metric, the last first
+void VariableMetric::release_all() {
+  for (std::size_t j = active_.size(); j-- > 0;) {
+    const std::span<const double> v = std::span(taken_).subspan(j * n_, n_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t k = 0; k < n_; ++k) metric_[i * n_ + k] += v[i] * v[k];
+    }
+  }
+  active_.clear();
 }
 
 void VariableMetric::find_direction() {

@@ -44,7 +44,8 @@ inline constexpr int kMaxMetricVariables = 64;
 // Minimises a smooth function of n variables over linear inequalities by a variable metric method
 // with an active set:
 //
-//   z := the origin, moved towards the guess along the active limits as far as all limits allow
+//   z := the origin, moved towards the guess's place on the active limits as far as all others allow;
+//     where that is not all of the way, no limit is active
 //   until the step s = -H g is small and no active limit wants to be left:
 //     where leaving an active limit promises more than staying: drop it, H := H + v vᵀ
 //     else search along s, up to the nearest limit, until the slope has fallen:
@@ -93,6 +94,7 @@ class VariableMetric {
 
   void start(Run& run);
   void restrict_metric(const Run& run);
+  void release_all();
   void multiply_metric(std::span<const double> v);
   void find_direction();
   [[nodiscard]] bool drop_limit(const Run& run, double gain_of_staying);
