@@ -6,6 +6,8 @@
 namespace shigusa {
 namespace {
 
+// A limit this share of the tolerance away is met.
+constexpr double kTouch = 1e-3;
 // A difference of values below this share of them is rounding.
 constexpr double kValueNoise = 1e-14;
 // Unit normals whose rest after projection on others has a square below this depend on those.
@@ -369,7 +371,7 @@ VariableMetricOutcome VariableMetric::minimise(SmoothFunction& function,
     }
     int nearest = -1;
     const double way = way_to_limits(run, nearest);
-    if (way == 0.0) {
+    if (way * step <= kTouch * settings.tolerance) {
       activate(run, nearest);
       continue;
     }

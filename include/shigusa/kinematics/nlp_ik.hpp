@@ -14,7 +14,7 @@ struct NlpIkSettings {
   // squared. ≥ 0
   double lag_damping = 1.0;
   double lag_scale = 0.1;
-  double limit_approach = 0.3;  // share of the room to a limit that one posture may take, (0, 1]
+  double limit_approach = 0.2;  // share of the room to a limit that one posture may take, (0, 1]
   double max_change = 0.25;     // rad, no angle changes by more from one posture to the next, > 0
   // Stiffness of the planted feet beside the goals', 1..1e4. It decides how fast the multipliers
   // come right, not where the feet end up.
