@@ -10,6 +10,8 @@ namespace {
 constexpr double kSlowCorrection = 0.25;
 constexpr double kStiffer = 4.0;
 constexpr double kStiffnessMax = 1e8;
+// Where a correction leaves more than this share of a goal's miss, the goal is out of reach.
+constexpr double kIdleCorrection = 0.7;
 
 void check(const NlpIkSettings& s) {
   SHG_CHECK(s.damping >= 1e-9 && s.damping <= 1.0, "damping of NLP-IK");
@@ -21,6 +23,8 @@ void check(const NlpIkSettings& s) {
   SHG_CHECK(s.contact_slack > 0.0, "contact_slack of NLP-IK");
   SHG_CHECK(s.contact_corrections >= 0 && s.contact_corrections <= 1000,
             "contact_corrections of NLP-IK");
+  SHG_CHECK(s.goal_slack > 0.0 && s.lead_limit >= 0.0, "goal_slack and lead_limit of NLP-IK");
+  SHG_CHECK(s.goal_corrections >= 0 && s.goal_corrections <= 1000, "goal_corrections of NLP-IK");
 }
 
 // how a turn of the columns r changes `lead` · rotation_sine(r, wanted): a moment
@@ -155,7 +159,7 @@ NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const d
                                         .max_step = settings_.max_step,
                                         .iterations = settings_.iterations};
   NlpIkOutcome outcome;
-  double before = __builtin_inf();
+  Misses before{__builtin_inf(), __builtin_inf()};
   for (int k = 0;; ++k) {
     // the last posture's change is a good guess of the next one's
     const VariableMetricOutcome found = metric_.minimise(*this, limits_, size_, settings, z_);
@@ -163,12 +167,35 @@ NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const d
     outcome.evaluations += found.evaluations;
     for (std::size_t d = 0; d < to.size(); ++d) to[d] = from[d] + size_[d] * z_[d];
     forward_kinematics<double>(*body_, to, kinematics_);
-    const double worst = correct_contacts(targets);
-    if (worst <= settings_.contact_slack || k == settings_.contact_corrections) break;
-    if (worst > kSlowCorrection * before) stiffen(targets);
-    before = worst;
+    const Misses now = correct_leads(targets);
+    const bool feet_off = now.contact > settings_.contact_slack && k < settings_.contact_corrections;
+    const bool goals_off = now.goal > settings_.goal_slack && now.goal < settings_.lead_limit &&
+                           now.goal < kIdleCorrection * before.goal &&
+                           k < settings_.goal_corrections;
+    if (!feet_off && !goals_off) break;
+    if (feet_off && now.contact > kSlowCorrection * before.contact) stiffen(targets);
+    before = now;
   }
   return outcome;
+}
+
+// adds what targets are off by to their leads; returns the largest
+NlpIk::Misses NlpIk::correct_leads(std::span<IkTarget<double>> targets) const {
+  Misses worst;
+  for (IkTarget<double>& target : targets) {
+    const Vec3d miss = position_error(kinematics_, target);
+    if (!target.contact) {
+      const double distance = norm(miss);
+      target.lead = distance < settings_.lead_limit ? target.lead + miss : Vec3d{};
+      worst.goal = max(distance, worst.goal);
+      continue;
+    }
+    const Vec3d tilt = tilt_error(kinematics_, target);
+    target.lead += miss;
+    target.tilt_lead += tilt;
+    worst.contact = max(max(norm(miss), kContactLength * norm(tilt)), worst.contact);
+  }
+  return worst;
 }
 
 // the contacts' stiffness grows, and the forces that their leads stand for stay the same
@@ -210,20 +237,6 @@ void NlpIk::add_rows(int link, double scale, Column&& column) {
     const Vec3d v = column(d) * (scale * size_[k]);
     for (std::size_t i = 0; i < 3; ++i) rows_[begin + i * n + k] = v[static_cast<int>(i)];
   }
-}
-
-// adds what the contacts are off by to their leads; returns the largest (m)
-double NlpIk::correct_contacts(std::span<IkTarget<double>> targets) const {
-  double worst = 0.0;
-  for (IkTarget<double>& target : targets) {
-    if (!target.contact) continue;
-    const Vec3d slide = position_error(kinematics_, target);
-    const Vec3d tilt = tilt_error(kinematics_, target);
-    target.lead += slide;
-    target.tilt_lead += tilt;
-    worst = max(worst, max(norm(slide), kContactLength * norm(tilt)));
-  }
-  return worst;
 }
 
 double NlpIk::objective(std::span<const IkTarget<double>> targets, std::span<const double> from,

@@ -3,21 +3,11 @@
 #include <shigusa/rollout/nlp_rollout.hpp>
 
 namespace shigusa {
-namespace {
-
-NlpIkSettings with_lag_of(NlpIkSettings settings, const ReachProblem& problem) {
-  settings.lag_damping = problem.ik.lag_damping;
-  settings.lag_scale = problem.ik.lag_scale;
-  return settings;
-}
-
-}  // namespace
-
 NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& settings)
     : problem_(&problem),
       contacts_from_(problem.goals.size()),
       targets_(ik_targets(problem)),
-      ik_(*problem.body, with_lag_of(settings, problem)),
+      ik_(*problem.body, settings),
       limits_(*problem.body),
       dynamics_(*problem.body),
       now_(*problem.body),

@@ -12,7 +12,7 @@ struct NlpIkSettings {
   double damping = 1e-4;
   // … and what is added where a goal lags behind by `lag_scale` (m, > 0); grows with the lag
   // squared. ≥ 0
-  double lag_damping = 1.0;
+  double lag_damping = 0.01;
   double lag_scale = 0.1;
   double limit_approach = 0.2;  // share of the room to a limit that one posture may take, (0, 1]
   double max_change = 0.25;     // rad, no angle changes by more from one posture to the next, > 0
@@ -21,6 +21,12 @@ struct NlpIkSettings {
   double contact_stiffness = 10.0;
   double contact_slack = 2e-5;   // m: feet that are off by more have their multipliers corrected, > 0
   int contact_corrections = 20;  // as often as this, 0..1000
+  // Goals have multipliers too while they are missed by less than lead_limit (m, ≥ 0), and these are
+  // corrected up to so often (0..1000) while a goal is missed by more than goal_slack (m, > 0) and
+  // that helps.
+  double lead_limit = 0.05;
+  double goal_slack = 1e-4;
+  int goal_corrections = 8;
   double max_step = 0.25;        // rad, no angle changes by more in one iteration, > 0
   double tolerance = 1e-7;       // rad, steps smaller than this are not taken, > 0
   int iterations = 200;          // of the variable metric method, between corrections, 1..100000
@@ -91,6 +97,12 @@ class NlpIk : private SmoothFunction {
     Vec3d moment{};
   };
 
+  // how far targets are off (m), a tilt as kContactLength times itself
+  struct Misses {
+    double goal = 0.0;
+    double contact = 0.0;
+  };
+
   double evaluate(std::span<const double> z, std::span<double> gradient) override;
   void add_limits();
   double load_links();
@@ -104,7 +116,7 @@ class NlpIk : private SmoothFunction {
   template <class Column>
   void add_rows(int link, double scale, Column&& column);
   [[nodiscard]] double damping(std::span<const IkTarget<double>> targets) const;
-  [[nodiscard]] double correct_contacts(std::span<IkTarget<double>> targets) const;
+  [[nodiscard]] Misses correct_leads(std::span<IkTarget<double>> targets) const;
 
   const BodyModel* body_;
   NlpIkSettings settings_;

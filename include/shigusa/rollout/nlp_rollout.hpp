@@ -17,9 +17,8 @@ namespace shigusa {
 //     reference := the null space's change of posture in this frame, or its way into the guide
 //     posture := NlpIk's, after the posture of the frame before
 //
-// Of a ReachProblem's settings it does without those that make up for a step of weighted IK that is
-// linear: leads, corrections and their slacks. The damping of goals that lag behind is the
-// problem's. Limits are always kept, whatever problem.hold_limits says: they belong to the program.
+// Of a ReachProblem's settings it does without those of weighted IK, which make up for steps that
+// are linear: damping, leads, corrections and their slacks. NlpIkSettings stands for them. Limits are always kept, whatever problem.hold_limits says: they belong to the program.
 class NlpRollout {
  public:
   // The problem and its body outlive this.
