@@ -10,6 +10,8 @@ namespace {
 constexpr double kSlowCorrection = 0.25;
 constexpr double kStiffer = 4.0;
 constexpr double kStiffnessMax = 1e8;
+// Feet that are off by more than this many slacks after all their corrections have moved.
+constexpr double kLostContact = 5.0;
 // Where a correction leaves more than this share of a goal's miss, the goal is out of reach.
 constexpr double kIdleCorrection = 0.7;
 
@@ -155,28 +157,48 @@ NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const d
   set_bounds();
   epsilon_ = damping(targets);
   set_curvature();
-  const VariableMetricSettings settings{.tolerance = settings_.tolerance,
-                                        .max_step = settings_.max_step,
-                                        .iterations = settings_.iterations};
   NlpIkOutcome outcome;
   Misses before{__builtin_inf(), __builtin_inf()};
   for (int k = 0;; ++k) {
-    // the last posture's change is a good guess of the next one's
-    const VariableMetricOutcome found = metric_.minimise(*this, limits_, size_, settings, z_);
-    outcome.converged = outcome.converged && found.converged;
-    outcome.evaluations += found.evaluations;
-    for (std::size_t d = 0; d < to.size(); ++d) to[d] = from[d] + size_[d] * z_[d];
-    forward_kinematics<double>(*body_, to, kinematics_);
+    minimise(outcome);
+    place(to);
     const Misses now = correct_leads(targets);
-    const bool feet_off = now.contact > settings_.contact_slack && k < settings_.contact_corrections;
-    const bool goals_off = now.goal > settings_.goal_slack && now.goal < settings_.lead_limit &&
-                           now.goal < kIdleCorrection * before.goal &&
-                           k < settings_.goal_corrections;
-    if (!feet_off && !goals_off) break;
+    const bool feet_off = now.contact > settings_.contact_slack;
+    const bool correct_feet = feet_off && k < settings_.contact_corrections;
+    const bool correct_goals = now.goal > settings_.goal_slack && now.goal < settings_.lead_limit &&
+                               now.goal < kIdleCorrection * before.goal &&
+                               k < settings_.goal_corrections;
+    if (!correct_feet && !correct_goals) {
+      if (now.contact > kLostContact * settings_.contact_slack) stand_still(targets, to, outcome);
+      return outcome;
+    }
     if (feet_off && now.contact > kSlowCorrection * before.contact) stiffen(targets);
     before = now;
   }
-  return outcome;
+}
+
+// from the last posture's change, which is a good guess of this one's
+void NlpIk::minimise(NlpIkOutcome& outcome) {
+  const VariableMetricSettings settings{.tolerance = settings_.tolerance,
+                                        .max_step = settings_.max_step,
+                                        .iterations = settings_.iterations};
+  const VariableMetricOutcome found = metric_.minimise(*this, limits_, size_, settings, z_);
+  outcome.converged = outcome.converged && found.converged;
+  outcome.evaluations += found.evaluations;
+}
+
+void NlpIk::place(std::span<double> to) {
+  for (std::size_t d = 0; d < to.size(); ++d) to[d] = from_[d] + size_[d] * z_[d];
+  forward_kinematics<double>(*body_, to, kinematics_);
+}
+
+// rather no change than feet that move
+void NlpIk::stand_still(std::span<IkTarget<double>> targets, std::span<double> to,
+                        NlpIkOutcome& outcome) {
+  outcome.converged = false;
+  std::fill(z_.begin(), z_.end(), 0.0);
+  place(to);
+  for (IkTarget<double>& target : targets) target.lead = target.tilt_lead = {};
 }
 
 // adds what targets are off by to their leads; returns the largest

@@ -14,6 +14,9 @@ constexpr double kValueNoise = 1e-14;
 constexpr double kDependent = 1e-12;
 // A direction that nears a limit by no more than this share of its length runs along it.
 constexpr double kGrazing = 1e-12;
+// Where the function bends less than this share of the least curvature, the metric learns nothing: it
+// would lose its scale.
+constexpr double kCurvatureFloor = 1e-2;
 // A search with derivatives trusts the first secants as they are, and keeps later ones so far from
 // both ends of the interval.
 constexpr int kFreeSecants = 3;
@@ -105,6 +108,7 @@ void VariableMetric::set_curvature(double least, std::span<const double> rows) {
   std::fill(metric_.begin(), metric_.end(), 0.0);
   for (std::size_t i = 0; i < n_; ++i) metric_[i * n_ + i] = 1.0 / least;
   restricted_ = active_.empty();
+  least_ = least;
   // row by row, (H⁻¹ + r rᵀ)⁻¹ = H - H r rᵀ H / (1 + rᵀ H r)
   for (std::size_t row = 0; row < rows.size(); row += n_) {
     const std::span<const double> r = rows.subspan(row, n_);
@@ -218,10 +222,14 @@ void VariableMetric::release_all() {
   active_.clear();
 }
 
-void VariableMetric::find_direction() {
+void VariableMetric::find_direction(const Run& run) {
   for (std::size_t i = 0; i < n_; ++i) {
     direction_[i] = -inner(std::span(metric_).subspan(i * n_, n_), gradient_);
   }
+  if (active_.empty()) return;
+  // H a = 0 but for rounding, which adds up
+  factorize_active(run, -1);
+  project(run, -1, direction_);
 }
 
 // Drops the active limit that promises the most, where that is more than `gain_of_staying`.
@@ -331,8 +339,7 @@ void VariableMetric::update_metric() {
     change_[i] = trial_gradient_[i] - gradient_[i];
   }
   const double curvature = inner(direction_, change_);
-  const double floor = kValueNoise * sqrt(inner(direction_, direction_) * inner(change_, change_));
-  if (!(curvature > floor)) return;
+  if (!(curvature > kCurvatureFloor * least_ * inner(direction_, direction_))) return;
   multiply_metric(change_);
   const double inverse = 1.0 / curvature;
   const double factor = 0.5 * (1.0 + inner(change_, product_) * inverse) * inverse;
@@ -359,7 +366,7 @@ VariableMetricOutcome VariableMetric::minimise(SmoothFunction& function,
   start(run);
   VariableMetricOutcome& outcome = run.outcome;
   for (; outcome.iterations < settings.iterations; ++outcome.iterations) {
-    find_direction();
+    find_direction(run);
     const double gain = -inner(direction_, gradient_);
     if (!is_finite(gain)) break;
     const double step = largest_part(run, direction_);

@@ -9,7 +9,7 @@ namespace shigusa {
 struct NlpIkSettings {
   // How much the joints' reluctance to move counts beside the goals, as a share of the mean diagonal
   // of J W⁻¹ Jᵀ in the start posture, 1e-9..1 …
-  double damping = 1e-4;
+  double damping = 3e-5;
   // … and what is added where a goal lags behind by `lag_scale` (m, > 0); grows with the lag
   // squared. ≥ 0
   double lag_damping = 0.01;
@@ -112,6 +112,10 @@ class NlpIk : private SmoothFunction {
             std::span<const double> reference);
   void set_bounds();
   void set_curvature();
+  void minimise(NlpIkOutcome& outcome);
+  void place(std::span<double> to);
+  void stand_still(std::span<IkTarget<double>> targets, std::span<double> to,
+                   NlpIkOutcome& outcome);
   void stiffen(std::span<IkTarget<double>> targets);
   template <class Column>
   void add_rows(int link, double scale, Column&& column);

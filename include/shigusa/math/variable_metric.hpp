@@ -96,7 +96,7 @@ class VariableMetric {
   void restrict_metric(const Run& run);
   void release_all();
   void multiply_metric(std::span<const double> v);
-  void find_direction();
+  void find_direction(const Run& run);
   [[nodiscard]] bool drop_limit(const Run& run, double gain_of_staying);
   [[nodiscard]] double largest_part(const Run& run, std::span<const double> step) const;
   [[nodiscard]] double way_to_limits(const Run& run, int& nearest) const;
@@ -109,6 +109,7 @@ class VariableMetric {
   std::size_t n_;
   std::vector<double> metric_;          // (n × n) H
   bool restricted_ = true;              // … is 0 across the active limits
+  double least_ = 1.0;                  // curvature of the function, as far as it is known
   std::vector<double> z_;               // (n)
   std::vector<double> gradient_;        // (n) at z
   std::vector<double> trial_;           // (n) along the line
