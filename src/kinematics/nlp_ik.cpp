@@ -71,8 +71,7 @@ void NlpIk::add_limits() {
       upper += c.gain;
     }
     angle_limits_.push_back({.dof = d, .bound = upper});
-    angle_limits_.push_back(
-        {.dof = d, .sign = -1.0, .bound = -min(body_->dof(d).lower, start[k])});
+    angle_limits_.push_back({.dof = d, .sign = -1.0, .bound = -min(body_->dof(d).lower, start[k])});
   }
 }
 
@@ -237,6 +236,7 @@ void NlpIk::set_curvature() {
   for (std::size_t d = 0; d < size_.size(); ++d) angles_[d] = from_[d] + size_[d] * z_[d];
   forward_kinematics<double>(*body_, angles_, kinematics_);
   rows_.clear();
+  rows_.reserve(6 * targets_.size() * size_.size());
   for (const IkTarget<double>& target : targets_) {
     const Vec3d at = kinematics_.point(target.link, target.point);
     const double scale = target.contact ? sqrt(stiffness_) : 1.0;
@@ -328,8 +328,7 @@ double NlpIk::pull_contact(const IkTarget<double>& target, const Vec3d& at) {
 void NlpIk::unload_links(std::span<double> gradient) {
   for (std::size_t d = loads_.size(); d-- > 0;) {
     const Load& load = loads_[d];
-    gradient[d] = dot(kinematics_.axis[d],
-                      load.moment - cross(kinematics_.origin[d], load.force));
+    gradient[d] = dot(kinematics_.axis[d], load.moment - cross(kinematics_.origin[d], load.force));
     const int parent = body_->dof(static_cast<int>(d)).parent;
     if (parent == kBaseLink) continue;
     Load& carrier = loads_[static_cast<std::size_t>(parent)];

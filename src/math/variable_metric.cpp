@@ -3,26 +3,24 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/math/variable_metric.hpp>
 
+#include "line_bracket.hpp"
+
 namespace shigusa {
 namespace {
 
 // A limit this share of the tolerance away is met.
 constexpr double kTouch = 1e-3;
-// A difference of values below this share of them is rounding.
-constexpr double kValueNoise = 1e-14;
+// A value that is larger by this share may be so by rounding: then the slope alone decides.
+constexpr double kValueNoise = 1e-10;
 // Unit normals whose rest after projection on others has a square below this depend on those.
 constexpr double kDependent = 1e-12;
 // A direction that nears a limit by no more than this share of its length runs along it.
 constexpr double kGrazing = 1e-12;
-// Where the function bends less than this share of the least curvature, the metric learns nothing: it
-// would lose its scale.
+// Where the function bends less than this share of the least curvature, the metric learns nothing:
+// it would lose its scale.
 constexpr double kCurvatureFloor = 1e-2;
-// A search with derivatives trusts the first secants as they are, and keeps later ones so far from
-// both ends of the interval.
+// So many trials of a line search may go wherever their secant points.
 constexpr int kFreeSecants = 3;
-constexpr double kSecantMargin = 0.1;
-// How far beyond the last trial a line search goes on, at most.
-constexpr double kStretch = 8.0;
 
 double inner(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
@@ -84,8 +82,7 @@ struct VariableMetric::Run {
   }
 };
 
-VariableMetric::VariableMetric(int variables)
-    : n_(static_cast<std::size_t>(variables)) {
+VariableMetric::VariableMetric(int variables) : n_(static_cast<std::size_t>(variables)) {
   SHG_CHECK(variables >= 1 && variables <= kMaxMetricVariables, "variables of a variable metric");
   for (std::vector<double>* v : {&z_, &gradient_, &trial_, &trial_gradient_, &direction_, &change_,
                                  &product_, &multipliers_}) {
@@ -286,50 +283,28 @@ void VariableMetric::activate(const Run& run, int limit) {
 // fallen and the value is no larger. Returns how many times; 0 where there is no such place.
 double VariableMetric::search_line(Run& run, double most) {
   const double slope0 = inner(direction_, gradient_);
-  const double noise = kValueNoise * abs(run.outcome.value);
-  double low = 0.0;
-  double low_slope = slope0;
-  double high = -1.0;  // none yet
-  double high_slope = 0.0;
+  const double ceiling = run.outcome.value + kValueNoise * abs(run.outcome.value);
+  Bracket bracket{.low_slope = slope0};
   double t = min(1.0, most);
   for (int k = 0; k < run.settings.line_evaluations; ++k) {
-    for (std::size_t i = 0; i < n_; ++i) trial_[i] = z_[i] + t * direction_[i];
-    const double value = run.evaluate(trial_, trial_gradient_);
+    const double value = try_at(run, t);
     const double slope = inner(direction_, trial_gradient_);
-    const bool lower = value <= run.outcome.value + noise;
-    const bool falls = slope < 0.0;
+    const bool lower = value <= ceiling;
     const bool flat = abs(slope) <= -run.settings.line_slope * slope0;
-    if (lower && (flat || (falls && t == most))) {
+    if (lower && (flat || (slope < 0.0 && t == most))) {
       run.outcome.value = value;
       return t;
     }
-    if (lower && falls) {
-      const double before = low;
-      const double bend = slope - low_slope;
-      low = t;
-      if (high < 0.0) {
-        const double secant = bend > 0.0 ? t - slope * (t - before) / bend : kStretch * t;
-        t = min(most, clamp(secant, 1.1 * t, kStretch * t));
-        low_slope = slope;
-        continue;
-      }
-      low_slope = slope;
-    } else {
-      high = t;
-      high_slope = slope;
-    }
-    const double width = high - low;
-    const double bend = high_slope - low_slope;
-    double share = high_slope > 0.0 && bend > 0.0 ? -low_slope / bend : 0.5;
-    if (k >= kFreeSecants || !(share > 0.0)) {
-      share = clamp(share, kSecantMargin, 1.0 - kSecantMargin);
-    }
-    t = low + share * width;
+    bracket.take(t, slope, lower && slope < 0.0);
+    t = min(bracket.next(k < kFreeSecants), most);
   }
-  if (low == 0.0) return 0.0;
-  for (std::size_t i = 0; i < n_; ++i) trial_[i] = z_[i] + low * direction_[i];
-  run.outcome.value = run.evaluate(trial_, trial_gradient_);
-  return low;
+  if (bracket.low > 0.0) run.outcome.value = try_at(run, bracket.low);
+  return bracket.low;
+}
+
+double VariableMetric::try_at(Run& run, double t) {
+  for (std::size_t i = 0; i < n_; ++i) trial_[i] = z_[i] + t * direction_[i];
+  return run.evaluate(trial_, trial_gradient_);
 }
 
 // BFGS, from z and its gradient to the trial's

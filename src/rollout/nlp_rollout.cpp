@@ -121,7 +121,7 @@ MotionFrame<double> NlpRollout::moving_frame() {
   if (body.feet().size() == 2) {
     share_ground_wrench<double>(body, now_, ground, body.feet()[0], body.feet()[1], torques_);
   }
-  return {angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_), speeds_, accelerations_,
+  return {angles_[1], torques_,  shigusa::centre_of_mass(body, dynamics_), speeds_, accelerations_,
           &now_,      1.0 / rate};
 }
 

@@ -7,8 +7,8 @@
 namespace shigusa {
 
 struct NlpIkSettings {
-  // How much the joints' reluctance to move counts beside the goals, as a share of the mean diagonal
-  // of J W⁻¹ Jᵀ in the start posture, 1e-9..1 …
+  // How much the joints' reluctance to move counts beside the goals, as a share of the mean
+  // diagonal of J W⁻¹ Jᵀ in the start posture, 1e-9..1 …
   double damping = 3e-5;
   // … and what is added where a goal lags behind by `lag_scale` (m, > 0); grows with the lag
   // squared. ≥ 0
@@ -19,17 +19,18 @@ struct NlpIkSettings {
   // Stiffness of the planted feet beside the goals', 1..1e4. It decides how fast the multipliers
   // come right, not where the feet end up.
   double contact_stiffness = 10.0;
-  double contact_slack = 2e-5;   // m: feet that are off by more have their multipliers corrected, > 0
+  double contact_slack =
+      2e-5;  // m: feet that are off by more have their multipliers corrected, > 0
   int contact_corrections = 20;  // as often as this, 0..1000
-  // Goals have multipliers too while they are missed by less than lead_limit (m, ≥ 0), and these are
-  // corrected up to so often (0..1000) while a goal is missed by more than goal_slack (m, > 0) and
-  // that helps.
+  // Goals have multipliers too while they are missed by less than lead_limit (m, ≥ 0), and these
+  // are corrected up to so often (0..1000) while a goal is missed by more than goal_slack (m, > 0)
+  // and that helps.
   double lead_limit = 0.05;
   double goal_slack = 1e-4;
   int goal_corrections = 8;
-  double max_step = 0.25;        // rad, no angle changes by more in one iteration, > 0
-  double tolerance = 1e-7;       // rad, steps smaller than this are not taken, > 0
-  int iterations = 200;          // of the variable metric method, between corrections, 1..100000
+  double max_step = 0.25;   // rad, no angle changes by more in one iteration, > 0
+  double tolerance = 1e-7;  // rad, steps smaller than this are not taken, > 0
+  int iterations = 200;     // of the variable metric method, between corrections, 1..100000
 };
 
 struct NlpIkOutcome {
@@ -47,8 +48,8 @@ struct NlpIkOutcome {
 //
 // Limits are linear inequalities: lower ≤ q ≤ upper, and for a coupled limit also
 // q - gain / driver_full · q_driver ≤ upper and q ≤ upper + gain. Feet are equality constraints by
-// an augmented Lagrangian: ½ κ |c|² + κ cᵀ l, where the multipliers l (m, rad: IkTarget's leads) are
-// corrected by l += c after each posture, and within one until c is small. c is a foot's
+// an augmented Lagrangian: ½ κ |c|² + κ cᵀ l, where the multipliers l (m, rad: IkTarget's leads)
+// are corrected by l += c after each posture, and within one until c is small. c is a foot's
 // displacement and kContactLength times its tilt. The minimisation is VariableMetric's over
 // √w_i (q_i - q_i,from), whose Hessian is ε times the identity plus a matrix of as many ranks as
 // there are rows in J; so it starts there. The gradient comes from the chain in one sweep from the
@@ -127,18 +128,18 @@ class NlpIk : private SmoothFunction {
   VariableMetric metric_;
   Kinematics<double> kinematics_;
   std::vector<AngleLimit> angle_limits_;
-  std::vector<LinearLimit> limits_;     // of those, what the unlocked dofs can meet
-  std::vector<std::size_t> limit_of_;   // … and which each is
-  std::vector<double> limit_scale_;     // … and how many radians one unit of it is
-  std::vector<double> size_;            // (dofs) √(1 / w_i), the largest being 1: radians per z
-  std::vector<double> z_;               // (dofs) (q - from) / size
-  std::vector<double> reference_;       // (dofs) the same of the reference
-  std::vector<double> angles_;          // (dofs, rad)
-  std::vector<Load> loads_;             // (dofs)
-  std::vector<double> rows_;            // (rows × dofs) m, of the scaled Jacobian
-  double mean_diagonal_ = 0.0;          // m², of J W⁻¹ Jᵀ in the start posture
-  double stiffness_ = 1.0;              // of the contacts beside the goals
-  double epsilon_ = 0.0;                // m², of the posture being solved for
+  std::vector<LinearLimit> limits_;    // of those, what the unlocked dofs can meet
+  std::vector<std::size_t> limit_of_;  // … and which each is
+  std::vector<double> limit_scale_;    // … and how many radians one unit of it is
+  std::vector<double> size_;           // (dofs) √(1 / w_i), the largest being 1: radians per z
+  std::vector<double> z_;              // (dofs) (q - from) / size
+  std::vector<double> reference_;      // (dofs) the same of the reference
+  std::vector<double> angles_;         // (dofs, rad)
+  std::vector<Load> loads_;            // (dofs)
+  std::vector<double> rows_;           // (rows × dofs) m, of the scaled Jacobian
+  double mean_diagonal_ = 0.0;         // m², of J W⁻¹ Jᵀ in the start posture
+  double stiffness_ = 1.0;             // of the contacts beside the goals
+  double epsilon_ = 0.0;               // m², of the posture being solved for
   std::span<const IkTarget<double>> targets_;  // … and its arguments
   std::span<const double> from_;
 };

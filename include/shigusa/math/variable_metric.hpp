@@ -25,15 +25,15 @@ struct LinearLimit {
 };
 
 struct VariableMetricSettings {
-  double tolerance = 1e-7;   // a step left whose largest component is below this is none, > 0
-  double max_step = 0.25;    // no variable changes by more in one iteration, > 0
-  int iterations = 200;      // at most, 1..100000
-  double line_slope = 0.2;   // share of the slope that a line search may leave, 0.01..0.9
+  double tolerance = 1e-7;    // a step left whose largest component is below this is none, > 0
+  double max_step = 0.25;     // no variable changes by more in one iteration, > 0
+  int iterations = 200;       // at most, 1..100000
+  double line_slope = 0.2;    // share of the slope that a line search may leave, 0.01..0.9
   int line_evaluations = 20;  // of one line search at most, 2..100
 };
 
 struct VariableMetricOutcome {
-  double value = 0.0;     // of the function at the end
+  double value = 0.0;      // of the function at the end
   bool converged = false;  // false: the iterations ran out, or rounding allowed no more descent
   int iterations = 0;
   int evaluations = 0;
@@ -44,19 +44,19 @@ inline constexpr int kMaxMetricVariables = 64;
 // Minimises a smooth function of n variables over linear inequalities by a variable metric method
 // with an active set:
 //
-//   z := the origin, moved towards the guess's place on the active limits as far as all others allow;
-//     where that is not all of the way, no limit is active
+//   z := the origin, moved towards the guess on the active limits as far as all others allow;
+//     if that is not the whole way, no limit stays active
 //   until the step s = -H g is small and no active limit wants to be left:
 //     where leaving an active limit promises more than staying: drop it, H := H + v vᵀ
 //     else search along s, up to the nearest limit, until the slope has fallen:
 //       H := BFGS update of H by the step and the gradient's change
 //       at a limit a: make it active, v := H a / √(aᵀ H a), H := H - v vᵀ, so that H a = 0
 //
-// H is the inverse of the Hessian on the active limits' common face, and 0 across. The v that a limit
-// takes out is kept and put back, made orthogonal to the other active limits, when it is dropped:
-// had nothing happened in between, H would be what it was. H and the active set stay for the next
-// call, which is to be about a similar function under the same limits with other bounds. Where the
-// function is nearly quadratic and its curvature given, an iteration or two are enough.
+// H is the inverse of the Hessian on the active limits' common face, and 0 across. The v that a
+// limit takes out is kept and put back, made orthogonal to the other active limits, when it is
+// dropped: had nothing happened in between, H would be what it was. H and the active set stay for
+// the next call, which is to be about a similar function under the same limits with other bounds.
+// Where the function is nearly quadratic and its curvature given, an iteration or two are enough.
 //
 // Source: D. Goldfarb, SIAM J. Applied Mathematics 17 (1969) 739-764, for the projected metric and
 // when to drop a limit, after J. Rosen's gradient projection, J. SIAM 8 (1960) 181-217; the update
@@ -79,9 +79,9 @@ class VariableMetric {
   void set_curvature(double least, std::span<const double> rows);
 
   // Minimises the function; `z` (n) holds a guess and then the result. `size` (n, ≥ 0): what a
-  // change by 1 of each variable counts as in the settings' tolerance and max_step. Settings outside
-  // their ranges and limits whose bound is negative throw PreconditionError. A gradient that is not
-  // finite ends the search where it was.
+  // change by 1 of each variable counts as in the settings' tolerance and max_step. Settings
+  // outside their ranges and limits whose bound is negative throw PreconditionError. A gradient
+  // that is not finite ends the search where it was.
   VariableMetricOutcome minimise(SmoothFunction& function, std::span<const LinearLimit> limits,
                                  std::span<const double> size,
                                  const VariableMetricSettings& settings, std::span<double> z);
@@ -101,6 +101,7 @@ class VariableMetric {
   [[nodiscard]] double largest_part(const Run& run, std::span<const double> step) const;
   [[nodiscard]] double way_to_limits(const Run& run, int& nearest) const;
   [[nodiscard]] double search_line(Run& run, double most);
+  double try_at(Run& run, double t);
   void update_metric();
   void activate(const Run& run, int limit);
   void factorize_active(const Run& run, int without);

@@ -9,8 +9,8 @@
 
 namespace shigusa {
 
-// From parameters to a motion by nonlinear programming (see NlpIk) in place of weighted IK: the same
-// problems, inputs, frames and outcomes as Rollout<double>, so that both can be scored alike.
+// From parameters to a motion by nonlinear programming (see NlpIk) in place of weighted IK: the
+// same problems, inputs, frames and outcomes as Rollout<double>, so that both can be scored alike.
 //
 //   for each frame:
 //     targets := where the paths are then
@@ -18,7 +18,8 @@ namespace shigusa {
 //     posture := NlpIk's, after the posture of the frame before
 //
 // Of a ReachProblem's settings it does without those of weighted IK, which make up for steps that
-// are linear: damping, leads, corrections and their slacks. NlpIkSettings stands for them. Limits are always kept, whatever problem.hold_limits says: they belong to the program.
+// are linear: damping, leads, corrections and their slacks. NlpIkSettings stands for them. Limits
+// are always kept, whatever problem.hold_limits says: they belong to the program.
 class NlpRollout {
  public:
   // The problem and its body outlive this.
