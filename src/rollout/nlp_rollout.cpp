@@ -3,6 +3,7 @@
 #include <shigusa/rollout/nlp_rollout.hpp>
 
 namespace shigusa {
+
 NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& settings)
     : problem_(&problem),
       contacts_from_(problem.goals.size()),

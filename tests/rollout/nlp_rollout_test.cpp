@@ -261,7 +261,8 @@ TEST(NlpRollout, APostureChangesAfterItsDelayAndThePathBows) {
     EXPECT_LT(norm(effector_position(half(), posture, "right_hand") - bowed), kReachTolerance);
   }
   // before the delay is over the posture is not drawn: as with no change at all
-  const MotionInput<double> calm(weights, std::vector<double>(9, 0.0), 0.4, 1.0, 0.3);
+  const std::vector<double> no_change(9, 0.0);
+  const MotionInput<double> calm(weights, no_change, 0.4, 1.0, 0.3);
   const std::vector<double> undrawn = angles_of(rollout, calm);
   for (std::size_t i = 0; i < 24 * 9; ++i) EXPECT_EQ(drawn[i], undrawn[i]);
 }

@@ -19,9 +19,10 @@ struct NlpIkSettings {
   // Stiffness of the planted feet beside the goals', 1..1e4. It decides how fast the multipliers
   // come right, not where the feet end up.
   double contact_stiffness = 10.0;
-  double contact_slack =
-      2e-5;  // m: feet that are off by more have their multipliers corrected, > 0
-  int contact_corrections = 20;  // as often as this, 0..1000
+  // Feet that are off by more than contact_slack (m, > 0) have their multipliers corrected, up to
+  // so often (0..1000).
+  double contact_slack = 2e-5;
+  int contact_corrections = 20;
   // Goals have multipliers too while they are missed by less than lead_limit (m, ≥ 0), and these
   // are corrected up to so often (0..1000) while a goal is missed by more than goal_slack (m, > 0)
   // and that helps.
@@ -34,8 +35,9 @@ struct NlpIkSettings {
 };
 
 struct NlpIkOutcome {
-  bool converged = true;  // false: an iteration limit was met, or rounding allowed no more descent
-  int evaluations = 0;    // of the objective and its gradient
+  // false: an iteration limit was met, rounding allowed no more descent, or feet would not stand
+  bool converged = true;
+  int evaluations = 0;  // of the objective and its gradient
 };
 
 // Inverse kinematics by nonlinear programming: one posture of a motion is
@@ -46,18 +48,27 @@ struct NlpIkOutcome {
 // the same sum as weighted_ik_step's, but with the kinematics as they are instead of linear ones,
 // and solved until it is least. For a way that gets shorter and shorter, both take the same step.
 //
+//   J, W, ε := Jacobian, the weights' diagonal, damping · mean diagonal of J W⁻¹ Jᵀ at the start
+//   z := √w_i (q_i - q_i,from), guessed to be the last posture's
+//   H := (ε I + W^-½ Jᵀ J W^-½)⁻¹, Gauss and Newton's
+//   until feet stand within contact_slack, and goals are met within goal_slack or will not be:
+//     minimise over z by VariableMetric, from H and the active limits of the last posture
+//     leads += what the targets are still off by; stiffen contacts where that helps too little
+//
 // Limits are linear inequalities: lower ≤ q ≤ upper, and for a coupled limit also
-// q - gain / driver_full · q_driver ≤ upper and q ≤ upper + gain. Feet are equality constraints by
-// an augmented Lagrangian: ½ κ |c|² + κ cᵀ l, where the multipliers l (m, rad: IkTarget's leads)
-// are corrected by l += c after each posture, and within one until c is small. c is a foot's
-// displacement and kContactLength times its tilt. The minimisation is VariableMetric's over
-// √w_i (q_i - q_i,from), whose Hessian is ε times the identity plus a matrix of as many ranks as
-// there are rows in J; so it starts there. The gradient comes from the chain in one sweep from the
-// hands to the base, which adds up forces and their moments.
+// q - gain / driver_full · q_driver ≤ upper and q ≤ upper + gain. One posture takes a share of the
+// room to them only, so that joints come to rest there and not with a jolt. Feet are equality
+// constraints by an augmented Lagrangian, ½ κ |c|² + κ cᵀ l, with the multipliers l in the targets'
+// leads (m, rad) and c a foot's displacement and kContactLength times its tilt; goals that are
+// nearly met have multipliers too, or ε would leave a little of their way. They stay from posture
+// to posture, where they change little, so mostly one minimisation is enough. Where nothing makes a
+// foot stand, the posture stays what it was. The gradient comes from the chain in one sweep from
+// the hands to the base, which adds up forces and their moments.
 //
 // Source: J. Zhao and N. Badler, ACM Trans. Graphics 13 (1994) 313-336. Multipliers as shifts of
-// the constraints: M. Powell, in Optimization, R. Fletcher (ed.), 1969. Left out: goals of
-// orientation, aiming and half spaces, which the project's reaches do not have.
+// the constraints: M. Powell, in Optimization, R. Fletcher (ed.), 1969. A share of the room: B.
+// Faverjon and P. Tournassoud, IEEE Int. Conf. Robotics and Automation (1987) 1152-1159. Left out:
+// goals of orientation, aiming and half spaces, which the project's reaches do not have.
 class NlpIk : private SmoothFunction {
  public:
   // Settings outside their ranges throw PreconditionError, as does a body of more than
@@ -69,8 +80,8 @@ class NlpIk : private SmoothFunction {
   // posture be.
   void begin(std::span<const IkTarget<double>> targets, std::span<const double> inverse_weights);
 
-  // The next posture after `from` (dofs, rad; within the limits), written to `to`. The leads of
-  // contacts are the multipliers, corrected here; a goal's lead is added to its position.
+  // The next posture after `from` (dofs, rad; within the limits), written to `to`. The targets'
+  // leads, 0 before a motion's first posture, are the multipliers, which are corrected here.
   // reference: (dofs, rad) or empty. Afterwards kinematics() is the placement in `to`.
   NlpIkOutcome solve(std::span<IkTarget<double>> targets, std::span<const double> from,
                      std::span<const double> reference, std::span<double> to);
