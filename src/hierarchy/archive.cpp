@@ -22,15 +22,18 @@ Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()) {
   }
 }
 
+double Archive::mean_of(std::size_t descriptor, std::span<const float> posture) const {
+  const std::vector<std::size_t>& dofs = descriptors_[descriptor];
+  double sum = 0.0;
+  for (const std::size_t d : dofs) sum += static_cast<double>(posture[d]);
+  return dofs.empty() ? 0.0 : sum / static_cast<double>(dofs.size());
+}
+
 Archive::Cell Archive::cell_of(std::span<const float> posture) const {
   Cell cell{};
   for (std::size_t k = 0; k < descriptors_.size(); ++k) {
-    if (descriptors_[k].empty()) continue;
-    double sum = 0.0;
-    for (const std::size_t d : descriptors_[k]) sum += static_cast<double>(posture[d]);
-    const double cells = sum / (static_cast<double>(descriptors_[k].size()) * kCell);
     // far outside anybody's range all is one
-    cell[k] = static_cast<int>(clamp(cells + 100.0, 0.0, 200.0));
+    cell[k] = static_cast<int>(clamp(mean_of(k, posture) / kCell + 100.0, 0.0, 200.0));
   }
   return cell;
 }
@@ -47,7 +50,10 @@ void Archive::add(std::span<const double> points, std::span<const double> scores
         std::upper_bound(cell.begin(), cell.end(), scores[i],
                          [](double score, const Archived& kept) { return score < kept.score; });
     const std::span<const double> point = points.subspan(i * genes, genes);
-    cell.insert(after, {{point.begin(), point.end()}, scores[i], {posture.begin(), posture.end()}});
+    const double knee = mean_of(0, posture);
+    const int style = knee < kStoopKnee ? 0 : knee < kSquatKnee ? 1 : 2;
+    cell.insert(after,
+                {{point.begin(), point.end()}, scores[i], {posture.begin(), posture.end()}, style});
     if (cell.size() > kPerCell) cell.pop_back();
   }
 }

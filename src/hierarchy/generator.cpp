@@ -42,6 +42,14 @@ double replayed_score(const ReachProblem& problem, const Task& task, const Param
              : worst_score(task.criteria);
 }
 
+// Most of the budget goes to all parameters together; the rest to stoops and squats apart, since
+// people do both and no criterion decides between them. Each part is a search of its own whose
+// budget grows with the whole, so more budget never gives a worse best.
+constexpr double kFreeShare = 0.6;
+constexpr double kStyleShare = 0.2;
+constexpr std::pair<double, double> kStyleRanges[] = {{0.0, radians(30.0)},
+                                                      {radians(85.0), radians(130.0)}};  // rad
+
 // What is searched on one way to the goal, and what the search came upon.
 class Searched {
  public:
@@ -54,28 +62,74 @@ class Searched {
         archive_(*problem.body) {}
 
   SearchResult run(const Progress& progress) {
-    SearchProblem searched;
-    searched.genes = space_.genes();
-    searched.start = space_.start();
-    searched.evaluate = [this](std::span<const double> points, std::span<double> scores) {
-      evaluate(points, scores);
-    };
-    const SearchMethod method = search_of(task_);
-    if (method == SearchMethod::paper_ga || method == SearchMethod::log_ga) {
-      if (!task_.evaluations && task_.preset == Preset::paper) {
-        return genetic_search(searched, task_.genetic, progress);
-      }
-      return restarted_genetic_search(searched, task_.genetic,
-                                      task_.evaluations.value_or(kFlatEvaluations), progress);
+    if (task_.preset == Preset::paper) return run_in({}, 1.0, progress);
+    SearchResult all = run_in({}, kFreeShare, progress);
+    const int squat = space_.find("squat");
+    if (squat < 0) return all;
+    for (const auto& [low, high] : kStyleRanges) {
+      if (all.end == SearchEnd::cancelled) break;
+      const Niche niche{squat, space_.coordinate(squat, low), space_.coordinate(squat, high)};
+      add(run_in(niche, kStyleShare, progress), all);
     }
-    return search(method, searched, task_.evaluations.value_or(kFlatEvaluations),
-                  task_.genetic.seed, progress);
+    return all;
   }
 
   [[nodiscard]] const ParameterSpace& space() const { return space_; }
   [[nodiscard]] const Archive& archive() const { return archive_; }
 
  private:
+  // a part of the space: one coordinate within bounds
+  struct Niche {
+    int gene = -1;  // -1: the whole space
+    double low = 0.0;
+    double high = 1.0;
+
+    void take_in(std::span<double> points, std::size_t genes) const {
+      if (gene < 0) return;
+      for (auto k = static_cast<std::size_t>(gene); k < points.size(); k += genes) {
+        points[k] = low + points[k] * (high - low);
+      }
+    }
+  };
+
+  // searches a part of the space with a share of the budget
+  SearchResult run_in(const Niche& niche, double share, const Progress& progress) {
+    SearchProblem searched;
+    searched.genes = space_.genes();
+    searched.start = space_.start();
+    if (niche.gene >= 0) searched.start[static_cast<std::size_t>(niche.gene)] = 0.5;
+    const auto genes = static_cast<std::size_t>(searched.genes);
+    searched.evaluate = [&](std::span<const double> points, std::span<double> scores) {
+      moved_.assign(points.begin(), points.end());
+      niche.take_in(moved_, genes);
+      evaluate(moved_, scores);
+    };
+    SearchResult found = search_with(searched, share, progress);
+    niche.take_in(found.best_seen.point, genes);
+    for (Individual& individual : found.final_population) niche.take_in(individual.point, genes);
+    return found;
+  }
+
+  SearchResult search_with(const SearchProblem& searched, double share, const Progress& progress) {
+    const SearchMethod method = search_of(task_);
+    const bool genetic = method == SearchMethod::paper_ga || method == SearchMethod::log_ga;
+    if (genetic && !task_.evaluations && task_.preset == Preset::paper) {
+      return genetic_search(searched, task_.genetic, progress);
+    }
+    const int all = task_.evaluations.value_or(kFlatEvaluations);
+    const int budget = std::max(static_cast<int>(share * all), kPaperPopulation);
+    if (genetic) return restarted_genetic_search(searched, task_.genetic, budget, progress);
+    return search(method, searched, budget, task_.genetic.seed, progress);
+  }
+
+  static void add(SearchResult part, SearchResult& all) {
+    all.evaluations += part.evaluations;
+    all.rejected_nan += part.rejected_nan;
+    all.generations += part.generations;
+    all.end = part.end;
+    if (part.best_seen.score < all.best_seen.score) all.best_seen = std::move(part.best_seen);
+  }
+
   void evaluate(std::span<const double> points, std::span<double> scores) {
     const bool kept = task_.preset != Preset::paper;
     if (!task_.criteria.user.empty()) return evaluate_one_by_one(points, scores);
@@ -109,6 +163,7 @@ class Searched {
   BatchRollout batch_;
   Archive archive_;
   std::vector<float> angles_;
+  std::vector<double> moved_;
 };
 
 // The final genomes, best first, each once: what the paper's user chooses from.
@@ -124,20 +179,24 @@ std::vector<Individual> final_genomes(const SearchResult& found) {
 }
 
 // Of all that the search came upon, the best and others that end differently and are not much
-// worse.
+// worse: first the best of each style, then what is left, best first.
 std::vector<Individual> distinct_postures(const Archive& archive, int most) {
-  std::vector<Archived> picked;
+  const std::vector<Archived> ranked = archive.ranked();
+  std::vector<const Archived*> picked;
+  const auto try_pick = [&](const Archived& archived, bool new_style_only) {
+    if (static_cast<int>(picked.size()) >= most) return;
+    if (archived.score > ranked.front().score + kCandidateSpread) return;
+    for (const Archived* better : picked) {
+      const double distance = posture_distance(better->posture, archived.posture);
+      if (distance < kDistinctEnd + kEndSlack) return;
+      if (new_style_only && better->style == archived.style) return;
+    }
+    picked.push_back(&archived);
+  };
+  for (const Archived& archived : ranked) try_pick(archived, true);
+  for (const Archived& archived : ranked) try_pick(archived, false);
   std::vector<Individual> result;
-  for (Archived& archived : archive.ranked()) {
-    if (static_cast<int>(picked.size()) >= most) break;
-    if (!picked.empty() && archived.score > picked.front().score + kCandidateSpread) break;
-    const auto is_near = [&](const Archived& better) {
-      return posture_distance(better.posture, archived.posture) < kDistinctEnd + kEndSlack;
-    };
-    if (std::any_of(picked.begin(), picked.end(), is_near)) continue;
-    result.push_back({archived.point, archived.score});
-    picked.push_back(std::move(archived));
-  }
+  for (const Archived* archived : picked) result.push_back({archived->point, archived->score});
   return result;
 }
 

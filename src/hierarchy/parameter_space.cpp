@@ -104,6 +104,17 @@ std::vector<double> ParameterSpace::start() const {
   return point;
 }
 
+int ParameterSpace::find(std::string_view name) const {
+  for (std::size_t g = 0; g < genes_.size(); ++g) {
+    if (genes_[g].name == name) return static_cast<int>(g);
+  }
+  return -1;
+}
+
+double ParameterSpace::coordinate(int gene, double value) const {
+  return clamp(genes_[static_cast<std::size_t>(gene)].of(value), 0.0, 1.0);
+}
+
 Parameters ParameterSpace::decode(std::span<const double> point) const {
   Parameters parameters = uniform_parameters(*body_);
   if (code_ == GeneCode::natural) parameters.posture.modes.resize(modes_.size());

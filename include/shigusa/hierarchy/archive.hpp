@@ -15,7 +15,12 @@ struct Archived {
   std::vector<double> point;
   double score = 0.0;
   std::vector<float> posture;  // (dofs) rad
+  int style = 0;               // how far the knees are bent: 0 stoop, 1 between, 2 squat
 };
+
+// Mean knee flexion (rad) at which a posture is no stoop any more, and from which it is a squat.
+inline constexpr double kStoopKnee = radians(35.0);
+inline constexpr double kSquatKnee = radians(75.0);
 
 // What a search came upon, sorted by how the motion ends, so that different answers are kept beside
 // better ones: of each cell of a grid over measured descriptors (knee flexion: squat or stoop; hip
@@ -40,6 +45,7 @@ class Archive {
  private:
   using Cell = std::array<int, 3>;
 
+  [[nodiscard]] double mean_of(std::size_t descriptor, std::span<const float> posture) const;
   [[nodiscard]] Cell cell_of(std::span<const float> posture) const;
 
   std::size_t dofs_;

@@ -5,6 +5,7 @@
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shigusa {
@@ -34,6 +35,11 @@ class ParameterSpace {
   // (genes) the plain pseudo-inverse on a straight path.
   [[nodiscard]] std::vector<double> start() const;
   [[nodiscard]] Parameters decode(std::span<const double> point) const;
+
+  // Index of the coordinate of that name, or -1.
+  [[nodiscard]] int find(std::string_view name) const;
+  // Where a coordinate is when its parameter has that value, held to [0, 1].
+  [[nodiscard]] double coordinate(int gene, double value) const;
 
   // The same of many points, one after the other, as BatchRollout takes them; valid until the next
   // call.
