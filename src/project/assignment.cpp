@@ -28,39 +28,52 @@ Result<double> parse_weight(std::string_view text) {
                           kWeightMax));
 }
 
-Result<void> assign_posture(const BodyModel& body, std::string_view name, std::string_view value,
-                            PostureParameters& posture) {
-  const double number = number_in(value);
+// One number of the posture, as a person writes it.
+struct PostureMember {
+  std::string name;
+  double* value = nullptr;
+  double low = 0.0;
+  double high = 0.0;
+  double unit = 1.0;  // what 1 stands for
+};
+
+// All of them, of `posture`, which has all modes.
+std::vector<PostureMember> members_of(const BodyModel& body, PostureParameters& posture) {
+  std::vector<PostureMember> members;
   const std::vector<PostureMode> modes = posture_modes(body);
-  posture.modes.resize(modes.size());
-  std::vector<std::string> names;
-  const auto set = [&](double& into, double to, double low, double high) -> Result<void> {
-    if (!(to >= low && to <= high)) {
-      return fail(
-          ErrorCode::invalid_argument,
-          fmt::format("{} is '{}'; allowed are numbers from {:g} to {:g}", name, value, low, high));
-    }
-    into = to;
-    return {};
-  };
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    names.push_back(modes[m].name + "_deg");
-    names.push_back(modes[m].name + "_rad");
-    const bool in_degrees = name == modes[m].name + "_deg";
-    if (!in_degrees && name != modes[m].name + "_rad") continue;
-    if (in_degrees) {
-      double angle = degrees(posture.modes[m]);
-      const auto done = set(angle, number, degrees(-kPostureMax), degrees(kPostureMax));
-      if (done) posture.modes[m] = radians(angle);
-      return done;
-    }
-    return set(posture.modes[m], number, -kPostureMax, kPostureMax);
+    double* value = &posture.modes[m];
+    members.push_back({modes[m].name + "_deg", value, -kPostureMax, kPostureMax, radians(1.0)});
+    members.push_back({modes[m].name + "_rad", value, -kPostureMax, kPostureMax});
   }
-  if (name == "delay") return set(posture.delay, number, 0.0, kDelayMax);
-  if (name == "bow") return set(posture.bow, number, -kBowMax, kBowMax);
-  if (name == "skew") return set(posture.skew, number, -1.0, 1.0);
-  names.insert(names.end(), {"delay", "bow", "skew"});
-  return fail(ErrorCode::not_found, unknown_name("posture parameter", name, names));
+  members.push_back({"delay", &posture.delay, 0.0, kDelayMax});
+  members.push_back({"bow", &posture.bow, -kBowMax, kBowMax});
+  members.push_back({"skew", &posture.skew, -1.0, 1.0});
+  return members;
+}
+
+Result<void> assign_posture(const BodyModel& body, std::string_view name, std::string_view text,
+                            PostureParameters& posture) {
+  PostureParameters changed = posture;
+  changed.modes.resize(posture_modes(body).size());
+  std::vector<std::string> names;
+  for (const PostureMember& member : members_of(body, changed)) {
+    names.push_back(member.name);
+    if (member.name != name) continue;
+    const double value = number_in(text) * member.unit;
+    if (!(value >= member.low && value <= member.high)) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("{} is '{}'; allowed are numbers from {:.4g} to {:.4g}", name, text,
+                              member.low / member.unit, member.high / member.unit));
+    }
+    *member.value = value;
+    posture = changed;
+    return {};
+  }
+  return fail(ErrorCode::not_found,
+              fmt::format("'{}' is not NAME.weight=NUMBER or NAME.locked=true|false, nor of the "
+                          "posture: {}",
+                          name, unknown_name("posture parameter", name, names)));
 }
 
 }  // namespace
