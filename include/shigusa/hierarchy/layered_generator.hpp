@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/hierarchy/layered_player.hpp>
+#include <vector>
+
+namespace shigusa {
+
+struct LayeredSettings {
+  LayerReading reading = LayerReading::shared_contractions;
+};
+
+// What a layered motion is generated from.
+struct LayeredParameters {
+  LayerParameters upper;         // trunk and limb lengths
+  std::vector<ArmWeights> arms;  // (goals)
+
+  friend bool operator==(const LayeredParameters&, const LayeredParameters&) = default;
+};
+
+// One way to get there; fields as those of Candidate.
+struct LayeredCandidate {
+  LayeredParameters parameters;
+  Motion motion;  // of the whole body
+  Score score;
+  std::vector<GoalResult> goals;
+  double path_error = 0.0;  // m
+  std::vector<ContactResult> contacts;
+  std::vector<LimitExcess> over_limit;
+};
+
+// What a layered search came to; fields as those of Generation.
+struct LayeredGeneration {
+  ReachStatus status = ReachStatus::reached;
+  double remaining_distance = 0.0;           // m
+  std::vector<LayeredCandidate> candidates;  // lowest score first; at least one
+  double duration = 0.0;                     // s
+  int evaluations = 0;                       // motions scored by the upper search
+  int generations = 0;
+  int rejected_nan = 0;
+  int near_copies = 0;
+  int missed = 0;
+  double best_seen_score = 0.0;  // of all that the upper search saw
+  SearchEnd end = SearchEnd::converged;
+};
+
+// The problem that a task poses to layers. Fails where make_problem or paper_layers does.
+[[nodiscard]] Result<LayeredProblem> make_layered_problem(const Task& task,
+                                                          const LayeredSettings& settings = {});
+
+// Finds natural motions for a task by the paper's hierarchical search (section 3.4): the task's
+// genetic algorithm and evaluations search the genes of the upper layer. Motions are those of the
+// whole body and scored by the task's criteria. "Unreachable" is said where no motion of the layers
+// arrives. Fails where make_layered_problem does. Same task, same result.
+[[nodiscard]] Result<LayeredGeneration> generate_layered(const Task& task,
+                                                         const LayeredSettings& settings = {},
+                                                         const Progress& progress = {});
+
+// Generates one motion from given parameters, without a search: the paper's editor (section 4.2,
+// figure 7). Fails on a task that is wrong and on parameters of another body: counts, weights that
+// are not in kWeightMin..kWeightMax, contractions not in 0..1.
+[[nodiscard]] Result<LayeredGeneration> regenerate_layered(const Task& task,
+                                                           const LayeredParameters& parameters,
+                                                           const LayeredSettings& settings = {});
+
+}  // namespace shigusa

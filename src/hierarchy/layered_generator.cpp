@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/rollout/detour.hpp>
+#include <shigusa/rollout/reachability.hpp>
+#include <utility>
+
+#include "layered_search.hpp"
+
+namespace shigusa {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// The one place that knows the search: genes of `bits` bits each.
+SearchResult search_genes(const Task& task, std::size_t genes,
+                          const decltype(DiscreteProblem::evaluate)& evaluate,
+                          const Progress& progress) {
+  DiscreteProblem problem;
+  problem.genes = static_cast<int>(genes);
+  problem.bits_per_gene = kPaperBitsPerGene;
+  problem.evaluate = evaluate;
+  if (!task.evaluations) return genetic_search(problem, task.genetic, progress);
+  return restarted_genetic_search(problem, task.genetic, *task.evaluations, progress);
+}
+
+std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
+  std::vector<LimitExcess> result;
+  for (int d = 0; d < body.dof_count(); ++d) {
+    double excess = 0.0;
+    for (int f = 0; f < clip.frames; ++f) {
+      const std::span<const double> angles = clip.frame(f);
+      excess = max(excess, angles[index(d)] - upper_limit(body, d, angles));
+      excess = max(excess, body.dof(d).lower - angles[index(d)]);
+    }
+    // less than a tenth of a degree is nothing that anyone sees
+    if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
+  return result;
+}
+
+// Largest root-mean-square difference of two motions' joint angles over their frames (rad).
+double posture_distance(const Clip& a, const Clip& b) {
+  double largest = 0.0;
+  for (int f = 0; f < a.frames; ++f) {
+    double squares = 0.0;
+    for (std::size_t d = 0; d < index(a.dofs); ++d) {
+      const double difference = a.frame(f)[d] - b.frame(f)[d];
+      squares += difference * difference;
+    }
+    largest = max(largest, squares / a.dofs);
+  }
+  return sqrt(largest);
+}
+
+LayeredCandidate make_candidate(const Task& task, const LayeredProblem& problem,
+                                const LayeredParameters& parameters, LayeredMotion played) {
+  const BodyModel& body = task.body;
+  LayeredCandidate candidate;
+  candidate.parameters = parameters;
+  candidate.score = score_motion(body, played.motion, task_criteria(task));
+  for (std::size_t g = 0; g < task.goals.size(); ++g) {
+    const ReachGoal& goal = problem.reach.goals[g];
+    const Effector& effector = body.effectors()[index(goal.effector)];
+    const Vec3d wanted = task.goals[g].position;
+    const Vec3d reached = played.motion.effectors[g].back();
+    const PathKind path = goal.path.detour == Vec3d{} ? PathKind::straight : PathKind::detour;
+    candidate.goals.push_back(
+        {effector.name, effector.node, wanted, reached, norm(wanted - reached), path});
+  }
+  candidate.path_error = played.outcome.path_error;
+  for (const Foot& foot : body.feet()) {
+    const double slide = foot.link == kBaseLink ? 0.0 : played.outcome.contact_slide;
+    candidate.contacts.push_back({foot.name, foot.node, slide});
+  }
+  candidate.over_limit = limit_excess(body, played.motion.clip);
+  candidate.motion = std::move(played.motion);
+  return candidate;
+}
+
+double ranking(const LayeredCandidate& candidate) {
+  return is_finite(candidate.score.total) ? candidate.score.total
+                                          : std::numeric_limits<double>::infinity();
+}
+
+// The final genomes, each once, lowest score first.
+std::vector<Individual> distinct(const SearchResult& found) {
+  std::vector<Individual> ranked;
+  std::set<Genome> known;
+  for (const Individual& individual : found.final_population) {
+    if (known.insert(individual.genes).second) ranked.push_back(individual);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Individual& a, const Individual& b) { return a.score < b.score; });
+  return ranked;
+}
+
+double miss_of(const LayeredCandidate& candidate) {
+  double squares = 0.0;
+  for (const GoalResult& goal : candidate.goals) squares += goal.error * goal.error;
+  return sqrt(squares);
+}
+
+void finish(LayeredGeneration& generation) {
+  std::stable_sort(
+      generation.candidates.begin(), generation.candidates.end(),
+      [](const LayeredCandidate& a, const LayeredCandidate& b) { return ranking(a) < ranking(b); });
+  const double miss = miss_of(generation.candidates.front());
+  const bool met = miss <= kReachTolerance;
+  generation.status = met ? ReachStatus::reached : ReachStatus::unreachable;
+  generation.remaining_distance = met ? 0.0 : miss;
+}
+
+Result<void> check_parameters(const LayeredProblem& problem, const LayeredParameters& parameters) {
+  const ReducedBody& body = problem.layers[0].body;
+  if (parameters.upper.joints.size() != body.dofs.size() ||
+      parameters.upper.contractions.size() != body.limbs.size() ||
+      parameters.arms.size() != problem.arms.size()) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} freedoms, {} limbs and {} arms, for layers of {}, {} and {}",
+                            parameters.upper.joints.size(), parameters.upper.contractions.size(),
+                            parameters.arms.size(), body.dofs.size(), body.limbs.size(),
+                            problem.arms.size()));
+  }
+  std::vector<JointWeight> weights = parameters.upper.joints;
+  for (const ArmWeights& arm : parameters.arms)
+    weights.insert(weights.end(), arm.begin(), arm.end());
+  for (const JointWeight& joint : weights) {
+    if (joint.weight >= kWeightMin && joint.weight <= kWeightMax) continue;
+    return fail(ErrorCode::invalid_argument, fmt::format("weight is {}; allowed are {:g} to {:g}",
+                                                         joint.weight, kWeightMin, kWeightMax));
+  }
+  for (const double contraction : parameters.upper.contractions) {
+    if (contraction >= 0.0 && contraction <= 1.0) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("contraction is {}; allowed are 0 to 1", contraction));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<LayeredProblem> make_layered_problem(const Task& task, const LayeredSettings& settings) {
+  Result<ReachProblem> reach = make_problem(task);
+  if (!reach) return tl::unexpected(reach.error());
+  Result<std::vector<Layer>> layers =
+      paper_layers(task.body, task_criteria(task), settings.reading);
+  if (!layers) return tl::unexpected(layers.error());
+  LayeredProblem problem{.reach = std::move(*reach),
+                         .layers = std::move(*layers),
+                         .limbs = find_limbs(task.body).value(),
+                         .arms = {},
+                         .arm_bodies = {}};
+  for (const ReachGoal& goal : problem.reach.goals) {
+    for (std::size_t a = 0; a < problem.limbs.arms.size(); ++a) {
+      if (problem.limbs.arms[a].effector != goal.effector) continue;
+      problem.arms.push_back(static_cast<int>(a));
+      problem.arm_bodies.push_back(arm_body(task.body, problem.limbs.arms[a]));
+    }
+  }
+  const ClosestReach closest = closest_reach(problem.reach);
+  if (closest.reached()) {
+    add_detours(problem.reach);
+  } else {
+    for (std::size_t g = 0; g < problem.reach.goals.size(); ++g) {
+      problem.reach.goals[g].path.goal = closest.positions[g];
+    }
+    problem.reach.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
+  }
+  return problem;
+}
+
+Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettings& settings,
+                                           const Progress& progress) {
+  const Result<LayeredProblem> problem = make_layered_problem(task, settings);
+  if (!problem) return tl::unexpected(problem.error());
+  const Layer& upper = problem->layers[0];
+  const std::vector<std::size_t> searched = searched_genes(*problem);
+  LayeredScorer scorer(
+      *problem, upper.criteria, task.batch.threads,
+      [](std::span<const HandPath> paths) { return std::vector<ArmWeights>(paths.size()); });
+  const auto decoded = [&](std::span<const std::uint16_t> genes) {
+    return decode_layer_genes(upper, all_genes(*problem, searched, genes));
+  };
+  const auto evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
+    std::vector<LayerParameters> parameters;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      parameters.push_back(decoded(genomes.subspan(i * searched.size(), searched.size())));
+    }
+    scorer.score(parameters, scores);
+  };
+  const SearchResult found = search_genes(task, searched.size(), evaluate, progress);
+  LayeredGeneration generation;
+  generation.duration = problem->reach.duration;
+  generation.evaluations = found.evaluations;
+  generation.generations = found.generations;
+  generation.rejected_nan = found.rejected_nan;
+  generation.end = found.end;
+  generation.best_seen_score = found.best_seen.score;
+  for (const Individual& individual : distinct(found)) {
+    if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
+    const LayerParameters parameters = decoded(individual.genes);
+    LayeredScorer::Scored scored = scorer.play(parameters);
+    if (!scored.motion.outcome.met(problem->reach.tolerance)) {
+      ++generation.missed;
+      continue;
+    }
+    const auto is_copy = [&](const LayeredCandidate& better) {
+      return posture_distance(better.motion.clip, scored.motion.motion.clip) < kDistinctPosture;
+    };
+    if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
+      ++generation.near_copies;
+      continue;
+    }
+    generation.candidates.push_back(make_candidate(
+        task, *problem, {parameters, std::move(scored.arms)}, std::move(scored.motion)));
+  }
+  if (generation.candidates.empty()) {
+    const LayerParameters best = decoded(found.best_seen.genes);
+    LayeredScorer::Scored scored = scorer.play(best);
+    generation.candidates.push_back(
+        make_candidate(task, *problem, {best, std::move(scored.arms)}, std::move(scored.motion)));
+  }
+  finish(generation);
+  return generation;
+}
+
+Result<LayeredGeneration> regenerate_layered(const Task& task, const LayeredParameters& parameters,
+                                             const LayeredSettings& settings) {
+  const Result<LayeredProblem> problem = make_layered_problem(task, settings);
+  if (!problem) return tl::unexpected(problem.error());
+  if (const auto checked = check_parameters(*problem, parameters); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  LayeredGeneration generation;
+  generation.duration = problem->reach.duration;
+  LayeredScorer scorer(*problem, problem->layers[0].criteria, task.batch.threads,
+                       [&](std::span<const HandPath>) { return parameters.arms; });
+  generation.candidates.push_back(
+      make_candidate(task, *problem, parameters, scorer.play(parameters.upper).motion));
+  finish(generation);
+  return generation;
+}
+
+}  // namespace shigusa

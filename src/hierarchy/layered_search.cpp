@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "layered_search.hpp"
+
+#include <algorithm>
+#include <shigusa/core/check.hpp>
+#include <shigusa/core/parallel.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+bool has_goal(const LayeredProblem& problem, const BodyLimb& arm) {
+  return std::any_of(problem.arms.begin(), problem.arms.end(),
+                     [&](int a) { return problem.limbs.arms[index(a)].effector == arm.effector; });
+}
+
+// Whether a freedom of the upper layer's body moves anything that must be somewhere.
+bool has_use(const LayeredProblem& problem, int dof) {
+  for (const BodyLimb& arm : problem.limbs.arms) {
+    const Dof& flexion = problem.reach.body->dof(arm.flexion);
+    const Dof& abduction = problem.reach.body->dof(arm.abduction);
+    const std::string& name = problem.layers[0].body.dofs[index(dof)].name;
+    if (name == flexion.name || name == abduction.name) return has_goal(problem, arm);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::size_t> searched_genes(const LayeredProblem& problem) {
+  const Layer& layer = problem.layers[0];
+  std::vector<std::size_t> searched;
+  for (std::size_t g = 0; g < layer.genes.size(); ++g) {
+    const LayerGene& gene = layer.genes[g];
+    const bool used = std::any_of(gene.applies_to.begin(), gene.applies_to.end(), [&](int to) {
+      if (gene.code == GeneCode::weight) return has_use(problem, to);
+      const BodyLimb& limb = layer.body.limbs[index(to)].joints;
+      return limb.kind == LimbKind::leg || has_goal(problem, limb);
+    });
+    if (used) searched.push_back(g);
+  }
+  return searched;
+}
+
+std::vector<std::uint16_t> all_genes(const LayeredProblem& problem,
+                                     std::span<const std::size_t> searched,
+                                     std::span<const std::uint16_t> genes) {
+  std::vector<std::uint16_t> all;
+  for (const LayerGene& gene : problem.layers[0].genes) {
+    all.push_back(gene.code == GeneCode::weight ? 1 : 0);
+  }
+  for (std::size_t k = 0; k < searched.size(); ++k) all[searched[k]] = genes[k];
+  return all;
+}
+
+LayeredScorer::LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria,
+                             int threads, ChooseArms choose)
+    : problem_(&problem),
+      criteria_(&criteria),
+      threads_(threads),
+      choose_(std::move(choose)),
+      players_(index(thread_count(threads))) {}
+
+void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span<double> scores) {
+  const int count = static_cast<int>(scores.size());
+  const auto player = [this](int worker) -> LayeredPlayer& {
+    std::unique_ptr<LayeredPlayer>& own = players_[index(worker)];
+    if (!own) own = std::make_unique<LayeredPlayer>(*problem_);
+    return *own;
+  };
+  // first where the layers' trunk goes …
+  std::vector<ReducedClip> clips(scores.size());
+  std::vector<std::vector<HandPath>> paths(scores.size());
+  const double worst = worst_score(*criteria_);
+  const ReachTolerance& tolerance = problem_->reach.tolerance;
+  parallel_for(count, threads_, [&](int i, int worker) {
+    const auto k = index(i);
+    player(worker).run_upper(parameters[k], clips[k]);
+    const bool kept =
+        clips[k].path_error <= tolerance.path && clips[k].foot_error <= kReachTolerance;
+    const bool leads = kept && player(worker).check_pelvis(clips[k]).in_reach;
+    scores[k] = worst + min(clips[k].path_error + clips[k].foot_error, 1.0);
+    if (leads) paths[k] = player(worker).hand_paths(clips[k]);
+  });
+  // … then what arms it needs, one after the other as a library may have to be built …
+  std::vector<std::vector<ArmWeights>> arms(scores.size());
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    if (!paths[k].empty()) arms[k] = choose_(paths[k]);
+  }
+  // … then the whole body
+  parallel_for(count, threads_, [&](int i, int worker) {
+    const auto k = index(i);
+    if (paths[k].empty()) return;
+    const LayeredMotion played = player(worker).expand(clips[k], arms[k]);
+    scores[k] = played.outcome.met(tolerance)
+                    ? score_motion(*problem_->reach.body, played.motion, *criteria_).total
+                    : worst + min(played.outcome.path_error, 1.0);
+  });
+}
+
+LayeredScorer::Scored LayeredScorer::play(const LayerParameters& parameters) {
+  if (!players_[0]) players_[0] = std::make_unique<LayeredPlayer>(*problem_);
+  LayeredPlayer& player = *players_[0];
+  ReducedClip clip;
+  player.run_upper(parameters, clip);
+  std::vector<ArmWeights> arms = choose_(player.hand_paths(clip));
+  LayeredMotion motion = player.expand(clip, arms);
+  return {std::move(motion), std::move(arms)};
+}
+
+}  // namespace shigusa

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/hierarchy/layered_generator.hpp>
+
+namespace shigusa {
+
+// Which genes of a layer have something to act on: an arm without a goal hangs.
+[[nodiscard]] std::vector<std::size_t> searched_genes(const LayeredProblem& problem);
+
+// All genes of the upper layer from those that are searched; the others are at their least code
+// that moves.
+[[nodiscard]] std::vector<std::uint16_t> all_genes(const LayeredProblem& problem,
+                                                   std::span<const std::size_t> searched,
+                                                   std::span<const std::uint16_t> genes);
+
+// Scores upper motions with their limbs, many at once.
+class LayeredScorer {
+ public:
+  // Chooses the arms' weights for an upper motion: (goals).
+  using ChooseArms = std::function<std::vector<ArmWeights>(std::span<const HandPath>)>;
+
+  LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria, int threads,
+                ChooseArms choose);
+
+  // scores (parameters): the criteria's; where hand or foot leaves its place, the worst of all and
+  // more, by what is missed.
+  void score(std::span<const LayerParameters> parameters, std::span<double> scores);
+
+  // One motion in full, by the same way.
+  struct Scored {
+    LayeredMotion motion;
+    std::vector<ArmWeights> arms;
+  };
+  [[nodiscard]] Scored play(const LayerParameters& parameters);
+
+ private:
+  const LayeredProblem* problem_;
+  const CriteriaSettings* criteria_;
+  int threads_;
+  ChooseArms choose_;
+  std::vector<std::unique_ptr<LayeredPlayer>> players_;  // one per thread, made when first needed
+};
+
+}  // namespace shigusa
