@@ -89,6 +89,8 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
   inverse_.resize(q_.size());
   reference_.resize(q_.size());
   final_lengths_.resize(q_.size());
+  stretched_.resize(q_.size());
+  given_.resize(q_.size());
   change_.resize(q_.size());
   jacobian_.resize(rows_ * q_.size());
   residual_.resize(rows_);
@@ -109,7 +111,8 @@ void ReducedRollout::set_up(const LayerParameters& parameters) {
     const auto slide = index(limb.slide);
     final_lengths_[slide] =
         moves_[i] ? limb.longest - (limb.longest - limb.shortest) * share : q_[slide];
-    if (limb.joints.kind == LimbKind::leg && legs > 1) inverse_[slide] = 1.0 / kLegStiffness;
+    given_[slide] = limb.joints.kind == LimbKind::arm || legs == 1;
+    stretched_[slide] = max(limb.longest, q_[slide]);
   }
   for (Target& target : targets_) target.lag = 0.0;
   place_reduced(*body_, q_, placed_);
@@ -166,8 +169,16 @@ void ReducedRollout::step(double schedule, bool first) {
     const ReducedDof& dof = body_->dofs[d];
     if (dof.kind != ReducedDof::Kind::slide) continue;
     const double length = dof.start + (final_lengths_[d] - dof.start) * schedule;
-    // a leg that gave way in the first step is left there by the second
-    reference_[d] = first || inverse_[d] == 0.0 ? length - q_[d] : 0.0;
+    if (first) inverse_[d] = given_[d] ? 0.0 : 1.0 / kLegStiffness;
+    // a leg that gave way in the first step is left there by the second, but stretched out it
+    // cannot give way: then the other one must
+    const bool stretched = !given_[d] && !first && q_[d] > stretched_[d];
+    if (stretched) inverse_[d] = 0.0;
+    if (given_[d] || first) {
+      reference_[d] = length - q_[d];
+    } else {
+      reference_[d] = stretched ? stretched_[d] - q_[d] : 0.0;
+    }
   }
   fill_rows();
   take_off_reference();

@@ -51,7 +51,8 @@ struct ReducedClip {
 // with s(t) the minimum jerk of the motion. The lengths of the arms that have a goal, and of a leg
 // that stands alone, are exactly L(t). Two legs that both stand are a closed chain, in which both
 // lengths at once can be given for a pelvis that keeps level only: there L(t) is what lengths are
-// drawn to, a metre of difference counting as kLegStiffness rad². Each frame takes two steps, the
+// drawn to, a metre of difference counting as kLegStiffness rad², and neither leg gets longer than
+// `longest`. Each frame takes two steps, the
 // second for what joints on arcs leave the first short by.
 //
 // Holds its scratch memory: make one per thread. Layer and problem outlive it.
@@ -86,6 +87,8 @@ class ReducedRollout {
   ReducedPlacement placed_;
   std::vector<double> q_;
   std::vector<double> final_lengths_;  // (dofs) m, of slides
+  std::vector<double> stretched_;      // (dofs) m, of slides: what they never exceed if drawn
+  std::vector<bool> given_;            // (dofs) of slides: exactly their length, not drawn to it
   std::vector<double> inverse_;        // (dofs)
   std::vector<double> reference_;      // (dofs) what slides are to change by
   std::vector<double> jacobian_;       // (rows × dofs)
