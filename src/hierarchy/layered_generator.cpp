@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/layered_generator.hpp>
 #include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/reachability.hpp>
@@ -117,6 +118,71 @@ void finish(LayeredGeneration& generation) {
   generation.remaining_distance = met ? 0.0 : miss;
 }
 
+// The libraries of the arms that have a goal.
+class ArmLibraries {
+ public:
+  ArmLibraries(const Task& task, const LayeredProblem& problem, const LayeredSettings& settings)
+      : store_(settings.store) {
+    for (std::size_t g = 0; g < problem.arms.size(); ++g) {
+      libraries_.emplace_back(problem.arm_bodies[g], LimbLibrarySettings{
+                                                         .search = settings.limb_search,
+                                                         .criteria = layer_of(problem, g).criteria,
+                                                         .batch = task.batch,
+                                                     });
+      names_.push_back(limb_file_name(layer_of(problem, g).name, libraries_[g].hash()));
+      take_stored(g);
+      found_ += libraries_[g].cells_built();
+    }
+  }
+
+  // By where the hands end: the lower layer's weights stay the same during a motion.
+  std::vector<ArmWeights> choose(std::span<const HandPath> paths) {
+    std::vector<ArmWeights> arms;
+    for (std::size_t g = 0; g < paths.size(); ++g) {
+      const int cell = libraries_[g].cell_of(paths[g].back());
+      arms.push_back(arm_weights(libraries_[g].genes(cell)));
+    }
+    return arms;
+  }
+
+  // Stores what is new, beside what others have stored meanwhile.
+  void keep() {
+    if (cells_searched() == 0 || !store_.save) return;
+    for (std::size_t g = 0; g < libraries_.size(); ++g) {
+      take_stored(g);
+      store_.save(names_[g], libraries_[g].bytes());
+    }
+  }
+
+  // Counted before keep().
+  [[nodiscard]] int cells_searched() const {
+    int built = 0;
+    for (const LimbLibrary& library : libraries_) built += library.cells_built();
+    return built - found_;
+  }
+
+ private:
+  // the layer that the upper one hands a goal's arm to
+  static const Layer& layer_of(const LayeredProblem& problem, std::size_t goal) {
+    const std::string& arm = problem.limbs.arms[index(problem.arms[goal])].name;
+    const auto found = std::find_if(problem.layers.begin(), problem.layers.end(),
+                                    [&](const Layer& layer) { return layer.name == arm; });
+    SHG_CHECK(found != problem.layers.end(), "a layer for " + arm);
+    return *found;
+  }
+
+  void take_stored(std::size_t goal) {
+    if (!store_.load) return;
+    // damaged or old ones are left alone, and replaced when something new is stored
+    if (const auto bytes = store_.load(names_[goal])) libraries_[goal].take(*bytes);
+  }
+
+  LimbStore store_;
+  std::vector<LimbLibrary> libraries_;  // (goals)
+  std::vector<std::string> names_;
+  int found_ = 0;  // cells that were stored
+};
+
 Result<void> check_parameters(const LayeredProblem& problem, const LayeredParameters& parameters) {
   const ReducedBody& body = problem.layers[0].body;
   if (parameters.upper.joints.size() != body.dofs.size() ||
@@ -182,9 +248,9 @@ Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettin
   if (!problem) return tl::unexpected(problem.error());
   const Layer& upper = problem->layers[0];
   const std::vector<std::size_t> searched = searched_genes(*problem);
-  LayeredScorer scorer(
-      *problem, upper.criteria, task.batch.threads,
-      [](std::span<const HandPath> paths) { return std::vector<ArmWeights>(paths.size()); });
+  ArmLibraries libraries(task, *problem, settings);
+  LayeredScorer scorer(*problem, upper.criteria, task.batch.threads,
+                       [&](std::span<const HandPath> paths) { return libraries.choose(paths); });
   const auto decoded = [&](std::span<const std::uint16_t> genes) {
     return decode_layer_genes(upper, all_genes(*problem, searched, genes));
   };
@@ -228,6 +294,8 @@ Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettin
         make_candidate(task, *problem, {best, std::move(scored.arms)}, std::move(scored.motion)));
   }
   finish(generation);
+  generation.cells_searched = libraries.cells_searched();
+  libraries.keep();
   return generation;
 }
 

@@ -3,12 +3,17 @@
 
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/hierarchy/layered_player.hpp>
+#include <shigusa/hierarchy/limb_library.hpp>
 #include <vector>
 
 namespace shigusa {
 
 struct LayeredSettings {
   LayerReading reading = LayerReading::shared_contractions;
+  // How the arms' layers are searched; threads and SIMD set are the task's.
+  LimbSearch limb_search = LimbSearch::ladder;
+  // Where the arms' libraries are kept; without it they are searched anew, with the same result.
+  LimbStore store{};
 };
 
 // What a layered motion is generated from.
@@ -42,6 +47,7 @@ struct LayeredGeneration {
   int near_copies = 0;
   int missed = 0;
   double best_seen_score = 0.0;  // of all that the upper search saw
+  int cells_searched = 0;        // of the arms' libraries, which were in no store
   SearchEnd end = SearchEnd::converged;
 };
 
