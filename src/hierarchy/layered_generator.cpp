@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/layered_generator.hpp>
 #include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/reachability.hpp>
@@ -61,27 +60,33 @@ double posture_distance(const Clip& a, const Clip& b) {
 }
 
 LayeredCandidate make_candidate(const Task& task, const LayeredProblem& problem,
-                                const LayeredParameters& parameters, LayeredMotion played) {
+                                const LayerParameters& upper, LayeredScorer::Played played) {
   const BodyModel& body = task.body;
+  Motion& motion = played.motion.motion;
   LayeredCandidate candidate;
-  candidate.parameters = parameters;
-  candidate.score = score_motion(body, played.motion, task_criteria(task));
+  candidate.parameters = {upper, std::move(played.arms)};
+  candidate.score = score_motion(body, motion, task_criteria(task));
+  candidate.collision = -1e9;
   for (std::size_t g = 0; g < task.goals.size(); ++g) {
     const ReachGoal& goal = problem.reach.goals[g];
     const Effector& effector = body.effectors()[index(goal.effector)];
     const Vec3d wanted = task.goals[g].position;
-    const Vec3d reached = played.motion.effectors[g].back();
+    const Vec3d reached = motion.effectors[g].back();
     const PathKind path = goal.path.detour == Vec3d{} ? PathKind::straight : PathKind::detour;
     candidate.goals.push_back(
         {effector.name, effector.node, wanted, reached, norm(wanted - reached), path});
+    candidate.collision = max(candidate.collision, collision_depth(body, motion.clip, effector));
   }
-  candidate.path_error = played.outcome.path_error;
+  candidate.feedback_rounds = played.feedback_rounds;
+  candidate.collision_left = candidate.collision > kCollisionDepth;
+  const ReachOutcome& outcome = played.motion.outcome;
+  candidate.path_error = outcome.path_error;
   for (const Foot& foot : body.feet()) {
-    const double slide = foot.link == kBaseLink ? 0.0 : played.outcome.contact_slide;
+    const double slide = foot.link == kBaseLink ? 0.0 : outcome.contact_slide;
     candidate.contacts.push_back({foot.name, foot.node, slide});
   }
-  candidate.over_limit = limit_excess(body, played.motion.clip);
-  candidate.motion = std::move(played.motion);
+  candidate.over_limit = limit_excess(body, motion.clip);
+  candidate.motion = std::move(motion);
   return candidate;
 }
 
@@ -126,10 +131,10 @@ class ArmLibraries {
     for (std::size_t g = 0; g < problem.arms.size(); ++g) {
       libraries_.emplace_back(problem.arm_bodies[g], LimbLibrarySettings{
                                                          .search = settings.limb_search,
-                                                         .criteria = layer_of(problem, g).criteria,
+                                                         .criteria = arm_layer(problem, g).criteria,
                                                          .batch = task.batch,
                                                      });
-      names_.push_back(limb_file_name(layer_of(problem, g).name, libraries_[g].hash()));
+      names_.push_back(limb_file_name(arm_layer(problem, g).name, libraries_[g].hash()));
       take_stored(g);
       found_ += libraries_[g].cells_built();
     }
@@ -162,15 +167,6 @@ class ArmLibraries {
   }
 
  private:
-  // the layer that the upper one hands a goal's arm to
-  static const Layer& layer_of(const LayeredProblem& problem, std::size_t goal) {
-    const std::string& arm = problem.limbs.arms[index(problem.arms[goal])].name;
-    const auto found = std::find_if(problem.layers.begin(), problem.layers.end(),
-                                    [&](const Layer& layer) { return layer.name == arm; });
-    SHG_CHECK(found != problem.layers.end(), "a layer for " + arm);
-    return *found;
-  }
-
   void take_stored(std::size_t goal) {
     if (!store_.load) return;
     // damaged or old ones are left alone, and replaced when something new is stored
@@ -269,29 +265,29 @@ Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettin
   generation.rejected_nan = found.rejected_nan;
   generation.end = found.end;
   generation.best_seen_score = found.best_seen.score;
+  const LayeredScorer::Feedback feedback{settings.feedback_rounds, settings.limb_search};
   for (const Individual& individual : distinct(found)) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
     const LayerParameters parameters = decoded(individual.genes);
-    LayeredScorer::Scored scored = scorer.play(parameters);
-    if (!scored.motion.outcome.met(problem->reach.tolerance)) {
+    LayeredScorer::Played played = scorer.play(parameters, feedback);
+    if (!played.motion.outcome.met(problem->reach.tolerance)) {
       ++generation.missed;
       continue;
     }
-    const auto is_copy = [&](const LayeredCandidate& better) {
-      return posture_distance(better.motion.clip, scored.motion.motion.clip) < kDistinctPosture;
+    const Clip& clip = played.motion.motion.clip;
+    const auto is_copy = [&clip](const LayeredCandidate& better) {
+      return posture_distance(better.motion.clip, clip) < kDistinctPosture;
     };
     if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
       ++generation.near_copies;
       continue;
     }
-    generation.candidates.push_back(make_candidate(
-        task, *problem, {parameters, std::move(scored.arms)}, std::move(scored.motion)));
+    generation.candidates.push_back(make_candidate(task, *problem, parameters, std::move(played)));
   }
   if (generation.candidates.empty()) {
+    // the one that comes nearest to its goals
     const LayerParameters best = decoded(found.best_seen.genes);
-    LayeredScorer::Scored scored = scorer.play(best);
-    generation.candidates.push_back(
-        make_candidate(task, *problem, {best, std::move(scored.arms)}, std::move(scored.motion)));
+    generation.candidates.push_back(make_candidate(task, *problem, best, scorer.play(best)));
   }
   finish(generation);
   generation.cells_searched = libraries.cells_searched();
@@ -311,7 +307,7 @@ Result<LayeredGeneration> regenerate_layered(const Task& task, const LayeredPara
   LayeredScorer scorer(*problem, problem->layers[0].criteria, task.batch.threads,
                        [&](std::span<const HandPath>) { return parameters.arms; });
   generation.candidates.push_back(
-      make_candidate(task, *problem, parameters, scorer.play(parameters.upper).motion));
+      make_candidate(task, *problem, parameters.upper, scorer.play(parameters.upper)));
   finish(generation);
   return generation;
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/core/check.hpp>
-#include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/dynamics/contact_forces.hpp>
 #include <shigusa/hierarchy/layered_player.hpp>
 #include <utility>
 
@@ -31,10 +29,17 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
       upper_(problem.layers[0].body, problem.reach),
       start_(*body_),
       placed_(*body_),
-      dynamics_(*body_) {
+      whole_(*body_) {
   forward_kinematics<double>(*body_, body_->start(), start_);
   for (const BodyModel& arm : problem.arm_bodies)
     arms_.push_back(std::make_unique<ArmRollout>(arm));
+  for (const int a : problem.arms) {
+    for (const ReducedLimb& limb : problem.layers[0].body.limbs) {
+      if (limb.joints.effector == problem.limbs.arms[index(a)].effector) {
+        hands_.push_back(limb.slide);
+      }
+    }
+  }
   for (const BodyLimb& leg : problem.limbs.legs) {
     const Dof& ankle = body_->dof(leg.ankle);
     const Dof& knee = body_->dof(leg.hinge);
@@ -50,12 +55,9 @@ std::vector<HandPath> LayeredPlayer::hand_paths(const ReducedClip& clip) {
     place_reduced(body, clip.frame(f), reduced_);
     const Mat3d& trunk = reduced_.rotation[index(body.trunk)];
     for (std::size_t g = 0; g < paths.size(); ++g) {
+      const Vec3d hand = reduced_.origin[index(hands_[g])] - reduced_.origin[index(body.trunk)];
       const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
-      for (const ReducedLimb& limb : body.limbs) {
-        if (limb.joints.name != arm.name) continue;
-        const Vec3d hand = reduced_.origin[index(limb.slide)] - reduced_.origin[index(body.trunk)];
-        paths[g].push_back(transpose_times(trunk, hand) - arm.root);
-      }
+      paths[g].push_back(transpose_times(trunk, hand) - arm.root);
     }
   }
   return paths;
@@ -136,53 +138,22 @@ Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, std::span<const ArmWe
   return whole;
 }
 
-// speeds by central differences, at rest before and after: as in a rollout of the whole body
-Motion LayeredPlayer::completed(Clip clip) {
-  const auto dofs = index(clip.dofs);
-  const double rate = 1.0 / clip.frame_time;
-  Motion motion;
-  motion.torques.resize(clip.angles.size());
-  motion.effectors.resize(problem_->reach.goals.size());
-  std::vector<double> speeds(dofs);
-  std::vector<double> accelerations(dofs);
-  for (int f = 0; f < clip.frames; ++f) {
-    const std::span<const double> before = clip.frame(f > 0 ? f - 1 : 0);
-    const std::span<const double> now = clip.frame(f);
-    const std::span<const double> after = clip.frame(f + 1 < clip.frames ? f + 1 : f);
-    for (std::size_t d = 0; d < dofs; ++d) {
-      speeds[d] = (after[d] - before[d]) * (0.5 * rate);
-      accelerations[d] = ((after[d] - now[d]) - (now[d] - before[d])) * (rate * rate);
-    }
-    forward_kinematics<double>(*body_, now, placed_);
-    const std::span<double> torques = std::span(motion.torques).subspan(index(f) * dofs, dofs);
-    const Wrench<double> ground =
-        inverse_dynamics<double>(*body_, placed_, speeds, accelerations, dynamics_, torques);
-    if (body_->feet().size() == 2) {
-      share_ground_wrench<double>(*body_, placed_, ground, body_->feet()[0], body_->feet()[1],
-                                  torques);
-    }
-    motion.centre_of_mass.push_back(centre_of_mass(*body_, dynamics_));
-    for (std::size_t g = 0; g < motion.effectors.size(); ++g) {
-      const Effector& hand = body_->effectors()[index(problem_->reach.goals[g].effector)];
-      motion.effectors[g].push_back(placed_.point(hand.link, hand.point));
-    }
-  }
-  motion.clip = std::move(clip);
-  return motion;
-}
-
-ReachOutcome LayeredPlayer::measured(const Motion& motion) {
+// hands and feet, frame after frame
+ReachOutcome LayeredPlayer::measured(Motion& motion) {
+  const ReachProblem& reach = problem_->reach;
   ReachOutcome outcome;
-  const int last = motion.clip.frames - 1;
-  for (int f = 1; f <= last; ++f) {
-    const double tau = static_cast<double>(f) / last;
-    for (std::size_t g = 0; g < motion.effectors.size(); ++g) {
-      const Vec3d at = motion.effectors[g][index(f)];
-      const double miss = norm(at - problem_->reach.goals[g].path.at(tau));
-      outcome.path_error = max(outcome.path_error, miss);
-      if (f == last) outcome.goal_error = max(outcome.goal_error, miss);
-    }
+  motion.effectors.resize(reach.goals.size());
+  for (int f = 0; f <= reach.steps; ++f) {
+    const double tau = static_cast<double>(f) / reach.steps;
     forward_kinematics<double>(*body_, motion.clip.frame(f), placed_);
+    for (std::size_t g = 0; g < reach.goals.size(); ++g) {
+      const Effector& hand = body_->effectors()[index(reach.goals[g].effector)];
+      const Vec3d at = placed_.point(hand.link, hand.point);
+      motion.effectors[g].push_back(at);
+      const double miss = norm(at - reach.goals[g].path.at(tau));
+      outcome.path_error = max(outcome.path_error, miss);
+      if (f == reach.steps) outcome.goal_error = max(outcome.goal_error, miss);
+    }
     for (const Foot& foot : body_->feet()) {
       const double slide =
           norm(placed_.point(foot.link, foot.centre) - start_.point(foot.link, foot.centre));
@@ -198,7 +169,7 @@ ReachOutcome LayeredPlayer::measured(const Motion& motion) {
 LayeredMotion LayeredPlayer::expand(const ReducedClip& clip, std::span<const ArmWeights> arms) {
   SHG_CHECK(arms.size() == problem_->arms.size(), "arm weights for each goal");
   LayeredMotion played;
-  played.motion = completed(expanded_clip(clip, arms));
+  played.motion = whole_.completed(expanded_clip(clip, arms));
   played.outcome = measured(played.motion);
   return played;
 }

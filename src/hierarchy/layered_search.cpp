@@ -100,14 +100,46 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
   });
 }
 
-LayeredScorer::Scored LayeredScorer::play(const LayerParameters& parameters) {
+LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters) {
+  return play(parameters, {.rounds = 0});
+}
+
+LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
+                                          const Feedback& feedback) {
   if (!players_[0]) players_[0] = std::make_unique<LayeredPlayer>(*problem_);
   LayeredPlayer& player = *players_[0];
   ReducedClip clip;
   player.run_upper(parameters, clip);
-  std::vector<ArmWeights> arms = choose_(player.hand_paths(clip));
-  LayeredMotion motion = player.expand(clip, arms);
-  return {std::move(motion), std::move(arms)};
+  const std::vector<HandPath> paths = player.hand_paths(clip);
+  Played played{.motion = {}, .arms = choose_(paths)};
+  played.motion = player.expand(clip, played.arms);
+  if (!played.motion.outcome.met(problem_->reach.tolerance)) return played;
+  const BodyModel& body = *problem_->reach.body;
+  for (std::size_t g = 0; g < paths.size(); ++g) {
+    const Effector& hand = body.effectors()[index(problem_->reach.goals[g].effector)];
+    double weight = kCollisionWeight;
+    for (int round = 0; round < feedback.rounds; ++round) {
+      if (collision_depth(body, played.motion.motion.clip, hand) <= kCollisionDepth) break;
+      const ArmFeedback report = arm_feedback(*problem_, g, paths[g], played.motion.motion.clip);
+      if (unavoidable_depth(report) > kCollisionDepth) break;
+      ++played.feedback_rounds;
+      const std::optional<FoundArm> found = search_free_arm(
+          report, arm_layer(*problem_, g).criteria, weight, feedback.search, threads_);
+      if (!found) break;
+      played.arms[g] = arm_weights(found->genes);
+      played.motion = player.expand(clip, played.arms);
+      weight *= kCollisionGrowth;
+    }
+  }
+  return played;
+}
+
+const Layer& arm_layer(const LayeredProblem& problem, std::size_t goal) {
+  const std::string& arm = problem.limbs.arms[index(problem.arms[goal])].name;
+  const auto found = std::find_if(problem.layers.begin(), problem.layers.end(),
+                                  [&](const Layer& layer) { return layer.name == arm; });
+  SHG_CHECK(found != problem.layers.end(), "a layer for " + arm);
+  return *found;
 }
 
 }  // namespace shigusa

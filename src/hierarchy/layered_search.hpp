@@ -14,6 +14,9 @@ namespace shigusa {
                                                    std::span<const std::size_t> searched,
                                                    std::span<const std::uint16_t> genes);
 
+// The layer that the upper one hands a goal's arm to.
+[[nodiscard]] const Layer& arm_layer(const LayeredProblem& problem, std::size_t goal);
+
 // Scores upper motions with their limbs, many at once.
 class LayeredScorer {
  public:
@@ -28,11 +31,20 @@ class LayeredScorer {
   void score(std::span<const LayerParameters> parameters, std::span<double> scores);
 
   // One motion in full, by the same way.
-  struct Scored {
+  struct Played {
     LayeredMotion motion;
     std::vector<ArmWeights> arms;
+    int feedback_rounds = 0;
   };
-  [[nodiscard]] Scored play(const LayerParameters& parameters);
+  [[nodiscard]] Played play(const LayerParameters& parameters);
+
+  // What the upper layer reports to the lower one (rule R11): arms that pass through the body are
+  // searched again for this motion alone, up to `rounds` times each. The upper motion stays.
+  struct Feedback {
+    int rounds = kCollisionRounds;
+    LimbSearch search = LimbSearch::ladder;
+  };
+  [[nodiscard]] Played play(const LayerParameters& parameters, const Feedback& feedback);
 
  private:
   const LayeredProblem* problem_;

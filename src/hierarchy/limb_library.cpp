@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/layer.hpp>
 #include <shigusa/hierarchy/limb_library.hpp>
@@ -17,7 +16,6 @@ namespace {
 // Changes whenever the same body and settings would give other cells or another text.
 constexpr std::uint32_t kVersion = 1;
 constexpr std::string_view kMagic = "shigusa-limbs\n";
-constexpr int kCodes = 16;
 // A path around the shoulder may come nearer to it than the least radius by this share …
 constexpr double kShoulderSlack = 0.05;
 // … and is tried farther and farther out, by this (m).
@@ -69,84 +67,20 @@ std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings)
   return hash.value();
 }
 
-ArmGenes genes_of(int code) {
+// four bits for each gene, the first one lowest
+std::uint16_t code_of(const ArmGenes& genes) {
+  unsigned code = 0;
+  for (std::size_t k = 0; k < genes.size(); ++k) code |= static_cast<unsigned>(genes[k]) << (4 * k);
+  return static_cast<std::uint16_t>(code);
+}
+
+ArmGenes genes_of(std::uint16_t code) {
   ArmGenes genes{};
   for (std::size_t k = 0; k < genes.size(); ++k) {
-    genes[k] = static_cast<std::uint8_t>((code >> (4 * k)) & (kCodes - 1));
+    genes[k] = static_cast<std::uint8_t>((code >> (4 * k)) & 0xF);
   }
   return genes;
 }
-
-int code_of(const ArmGenes& genes) {
-  int code = 0;
-  for (std::size_t k = 0; k < genes.size(); ++k) code |= genes[k] << (4 * k);
-  return code;
-}
-
-// Only ratios of weights count, and three freedoms are needed to place a hand.
-bool worth_trying(const ArmGenes& genes) {
-  const auto locked = std::count(genes.begin(), genes.end(), 0);
-  int divisor = 0;
-  for (const std::uint8_t gene : genes) divisor = std::gcd(divisor, static_cast<int>(gene));
-  return locked <= 1 && divisor == 1;
-}
-
-// The codes made of the given numbers.
-std::vector<int> combinations(const std::array<std::vector<std::uint8_t>, kArmDofs>& codes) {
-  std::vector<int> all;
-  for (const std::uint8_t a : codes[0]) {
-    for (const std::uint8_t b : codes[1]) {
-      for (const std::uint8_t c : codes[2]) {
-        for (const std::uint8_t d : codes[3]) {
-          if (worth_trying({a, b, c, d})) all.push_back(code_of({a, b, c, d}));
-        }
-      }
-    }
-  }
-  return all;
-}
-
-std::vector<int> ladder_codes() {
-  const std::vector<std::uint8_t> steps(kLimbLadder.begin(), kLimbLadder.end());
-  return combinations({steps, steps, steps, steps});
-}
-
-// all whose numbers differ by one at the most
-std::vector<int> neighbours_of(int code) {
-  std::array<std::vector<std::uint8_t>, kArmDofs> near;
-  const ArmGenes genes = genes_of(code);
-  for (std::size_t k = 0; k < genes.size(); ++k) {
-    if (genes[k] > 0) near[k].push_back(static_cast<std::uint8_t>(genes[k] - 1));
-    near[k].push_back(genes[k]);
-    if (genes[k] + 1 < kCodes) near[k].push_back(static_cast<std::uint8_t>(genes[k] + 1));
-  }
-  return combinations(near);
-}
-
-// Scores the codes and takes over the best, the first among equals, if it is better than `best`.
-struct Best {
-  int code = -1;
-  double score = 0.0;
-
-  bool improve(BatchRollout& batch, std::span<const int> codes) {
-    std::vector<float> inverse;
-    for (const int candidate : codes) {
-      for (const std::uint8_t gene : genes_of(candidate)) {
-        inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
-      }
-    }
-    std::vector<double> scores(codes.size());
-    batch.score(inverse, scores);
-    bool better = false;
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-      if (!(scores[i] < score)) continue;
-      score = scores[i];
-      code = codes[i];
-      better = true;
-    }
-    return better;
-  }
-};
 
 template <class T>
 void put(std::string& to, T x) {
@@ -189,15 +123,6 @@ constexpr std::size_t kCellBytes = 2 + 2 + 4;  // number, genes, score
 constexpr std::size_t kHeaderBytes = kMagic.size() + 4 + 8 + 4;
 
 }  // namespace
-
-ArmWeights arm_weights(const ArmGenes& genes) {
-  ArmWeights weights;
-  for (std::size_t k = 0; k < genes.size(); ++k) {
-    weights[k] =
-        genes[k] == 0 ? JointWeight{1.0, true} : JointWeight{static_cast<double>(genes[k]), false};
-  }
-  return weights;
-}
 
 LimbLibrary::LimbLibrary(BodyModel arm, const LimbLibrarySettings& settings)
     : arm_(std::move(arm)),
@@ -281,19 +206,19 @@ void LimbLibrary::build(int cell) {
   problem.duration = reach_duration(norm(goal_of(cell) - hanging_), false);
   BatchRollout batch(problem, settings_.criteria, settings_.batch);
   const double worst = worst_score(settings_.criteria);
-  Best best{.code = -1, .score = worst};
-  if (settings_.search == LimbSearch::enumeration) {
-    std::vector<std::uint8_t> codes(index(kCodes));
-    std::iota(codes.begin(), codes.end(), std::uint8_t{0});
-    best.improve(batch, combinations({codes, codes, codes, codes}));
-  } else {
-    best.improve(batch, ladder_codes());
-    while (best.code >= 0 && best.improve(batch, neighbours_of(best.code))) {
-    }
-  }
+  const std::optional<FoundArm> found = search_arm(
+      settings_.search, worst, [&](std::span<const ArmGenes> genomes, std::span<double> scores) {
+        std::vector<float> inverse;
+        for (const ArmGenes& genes : genomes) {
+          for (const std::uint8_t gene : genes) {
+            inverse.push_back(gene == 0 ? 0.0F : 1.0F / static_cast<float>(gene));
+          }
+        }
+        batch.score(inverse, scores);
+      });
   entry.built = true;
-  entry.score = static_cast<float>(best.score);
-  if (best.code >= 0) entry.genes = genes_of(best.code);
+  entry.score = static_cast<float>(found ? found->score : worst);
+  if (found) entry.genes = found->genes;
   ++built_;
 }
 
@@ -306,7 +231,7 @@ std::string LimbLibrary::bytes() const {
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     if (!cells_[c].built) continue;
     put(text, static_cast<std::uint16_t>(c));
-    put(text, static_cast<std::uint16_t>(code_of(cells_[c].genes)));
+    put(text, code_of(cells_[c].genes));
     put(text, std::bit_cast<std::uint32_t>(cells_[c].score));
   }
   Hash sum;

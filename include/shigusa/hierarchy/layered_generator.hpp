@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/hierarchy/arm_feedback.hpp>
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/hierarchy/layered_player.hpp>
 #include <shigusa/hierarchy/limb_library.hpp>
@@ -14,6 +15,8 @@ struct LayeredSettings {
   LimbSearch limb_search = LimbSearch::ladder;
   // Where the arms' libraries are kept; without it they are searched anew, with the same result.
   LimbStore store{};
+  // Searches of an arm that passes through the body (arm_feedback.hpp); 0: none.
+  int feedback_rounds = kCollisionRounds;
 };
 
 // What a layered motion is generated from.
@@ -33,15 +36,19 @@ struct LayeredCandidate {
   double path_error = 0.0;  // m
   std::vector<ContactResult> contacts;
   std::vector<LimitExcess> over_limit;
+  double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
+  int feedback_rounds = 0;      // searches that its arms took in all
+  bool collision_left = false;  // it is deeper than kCollisionDepth all the same
 };
 
 // What a layered search came to; fields as those of Generation.
 struct LayeredGeneration {
   ReachStatus status = ReachStatus::reached;
-  double remaining_distance = 0.0;           // m
-  std::vector<LayeredCandidate> candidates;  // lowest score first; at least one
-  double duration = 0.0;                     // s
-  int evaluations = 0;                       // motions scored by the upper search
+  double remaining_distance = 0.0;  // m
+  // at least one; lowest score first, but those with a collision left after those without
+  std::vector<LayeredCandidate> candidates;
+  double duration = 0.0;  // s
+  int evaluations = 0;    // motions scored by the upper search
   int generations = 0;
   int rejected_nan = 0;
   int near_copies = 0;

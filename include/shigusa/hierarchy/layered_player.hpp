@@ -2,8 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <shigusa/dynamics/inverse_dynamics.hpp>
 #include <shigusa/hierarchy/arm_motion.hpp>
+#include <shigusa/hierarchy/clip_dynamics.hpp>
 #include <shigusa/hierarchy/reduced_motion.hpp>
 #include <shigusa/motion/motion.hpp>
 #include <vector>
@@ -62,8 +62,7 @@ class LayeredPlayer {
   [[nodiscard]] LegLine leg_line(const BodyLimb& leg, std::span<const double> q) const;
   void bend_leg(const BodyLimb& leg, const LegLine& line, std::span<double> angles) const;
   [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, std::span<const ArmWeights> arms);
-  [[nodiscard]] Motion completed(Clip clip);
-  [[nodiscard]] ReachOutcome measured(const Motion& motion);
+  [[nodiscard]] ReachOutcome measured(Motion& motion);
 
   const LayeredProblem* problem_;
   const BodyModel* body_;
@@ -71,9 +70,10 @@ class LayeredPlayer {
   ReducedPlacement reduced_;
   Kinematics<double> start_;
   Kinematics<double> placed_;
-  DynamicsWorkspace<double> dynamics_;
+  ClipDynamics whole_;
   std::vector<std::unique_ptr<ArmRollout>> arms_;  // (goals)
-  std::vector<PelvisRange> ranges_;                // (legs)
+  std::vector<int> hands_;           // (goals) link of the reduced body that is the hand
+  std::vector<PelvisRange> ranges_;  // (legs)
 };
 
 }  // namespace shigusa

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <shigusa/hierarchy/arm_motion.hpp>
+#include <shigusa/hierarchy/arm_search.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <span>
 #include <string>
@@ -22,20 +22,6 @@ inline constexpr int kLimbRadii = 6;
 inline constexpr int kLimbCells = kLimbAzimuths * kLimbElevations * kLimbRadii;
 inline constexpr double kLimbAngle = radians(15.0);
 inline constexpr double kLimbRadiusMin = 0.35;
-
-// The paper's code of an arm: weights 1..15, 0 for locked.
-using ArmGenes = std::array<std::uint8_t, kArmDofs>;
-[[nodiscard]] ArmWeights arm_weights(const ArmGenes& genes);
-
-// How a cell's genome is found.
-enum class LimbSearch {
-  // The best of the codes kLimbLadder in all combinations, then of all codes next to it, again and
-  // again until none is better: some 1,000 motions.
-  ladder,
-  // The best of all 65,536 but those that lock two freedoms or more.
-  enumeration,
-};
-inline constexpr std::array<std::uint8_t, 5> kLimbLadder{0, 1, 3, 7, 15};
 
 struct LimbLibrarySettings {
   LimbSearch search = LimbSearch::ladder;
