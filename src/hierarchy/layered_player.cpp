@@ -33,13 +33,6 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
   forward_kinematics<double>(*body_, body_->start(), start_);
   for (const BodyModel& arm : problem.arm_bodies)
     arms_.push_back(std::make_unique<ArmRollout>(arm));
-  for (const int a : problem.arms) {
-    for (const ReducedLimb& limb : problem.layers[0].body.limbs) {
-      if (limb.joints.effector == problem.limbs.arms[index(a)].effector) {
-        hands_.push_back(limb.slide);
-      }
-    }
-  }
   for (const BodyLimb& leg : problem.limbs.legs) {
     const Dof& ankle = body_->dof(leg.ankle);
     const Dof& knee = body_->dof(leg.hinge);
@@ -48,42 +41,37 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
   }
 }
 
-std::vector<HandPath> LayeredPlayer::hand_paths(const ReducedClip& clip) {
-  const ReducedBody& body = problem_->layers[0].body;
+std::vector<HandPath> LayeredPlayer::hand_paths(const ReducedClip& clip) const {
   std::vector<HandPath> paths(problem_->arms.size());
-  for (int f = 0; f <= problem_->reach.steps; ++f) {
-    place_reduced(body, clip.frame(f), reduced_);
-    const Mat3d& trunk = reduced_.rotation[index(body.trunk)];
-    for (std::size_t g = 0; g < paths.size(); ++g) {
-      const Vec3d hand = reduced_.origin[index(hands_[g])] - reduced_.origin[index(body.trunk)];
-      const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
-      paths[g].push_back(transpose_times(trunk, hand) - arm.root);
+  for (std::size_t g = 0; g < paths.size(); ++g) {
+    const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
+    for (std::size_t f = 0; f < clip.trunk.size(); ++f) {
+      const Transformd& trunk = clip.trunk[f];
+      const Vec3d hand = clip.hands[g][f] - trunk.translation;
+      paths[g].push_back(transpose_times(trunk.rotation, hand) - arm.root);
     }
   }
   return paths;
 }
 
-// where the hip is from the foot, by the reduced body's placement
-LayeredPlayer::LegLine LayeredPlayer::leg_line(const BodyLimb& leg,
-                                               std::span<const double> q) const {
-  const ReducedBody& reduced = problem_->layers[0].body;
+// where the hip is from the foot
+LayeredPlayer::LegLine LayeredPlayer::leg_line(const BodyLimb& leg, const ReducedClip& clip,
+                                               int frame) const {
   // the base's leg has both as freedoms of its own
-  if (leg.carries) return {q[0], q[1]};
-  const auto trunk = index(reduced.trunk);
-  const Vec3d hip = reduced_.origin[trunk] + reduced_.rotation[trunk] * leg.root;
+  if (leg.carries) return {clip.frame(frame)[0], clip.frame(frame)[1]};
+  const Vec3d hip = clip.trunk[index(frame)] * leg.root;
   const int foot = foot_link(leg);
   const Vec3d way = transpose_times(start_.link_rotation(foot),
                                     hip - start_.point(foot, ankle_in_foot(*body_, leg)));
   return {atan2(way.z, way.y), sqrt(way.y * way.y + way.z * way.z)};
 }
 
-LayeredPlayer::PelvisCheck LayeredPlayer::check_pelvis(const ReducedClip& clip) {
+LayeredPlayer::PelvisCheck LayeredPlayer::check_pelvis(const ReducedClip& clip) const {
   PelvisCheck check;
   for (int f = 1; f <= problem_->reach.steps; ++f) {
-    place_reduced(problem_->layers[0].body, clip.frame(f), reduced_);
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
       const BodyLimb& leg = problem_->limbs.legs[i];
-      const LegLine line = leg_line(leg, clip.frame(f));
+      const LegLine line = leg_line(leg, clip, f);
       check.excess = max(check.excess, ranges_[i].excess(line.lean, line.length));
       if (line.length > leg.segments.longest() || line.length < leg.segments.shortest()) {
         check.in_reach = false;
@@ -94,7 +82,7 @@ LayeredPlayer::PelvisCheck LayeredPlayer::check_pelvis(const ReducedClip& clip) 
 }
 
 // `angles` has the frame before's, to go on from
-void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line,
+void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
                              std::span<double> angles) const {
   const double knee = leg.segments.bend(line.length);
   const double ankle = line.lean - leg.segments.direction(knee);
@@ -102,7 +90,6 @@ void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line,
   angles[index(leg.ankle)] = ankle;
   const Mat3d thigh = start_.link_rotation(foot_link(leg)) *
                       rotation(Axis::x, ankle + climbing_sign(*body_, leg) * knee);
-  const Mat3d& trunk = reduced_.rotation[index(problem_->layers[0].body.trunk)];
   const BallTurns before = leg.turns_of(*body_, angles);
   leg.put_turns(*body_, ball_turns(transpose(trunk) * thigh, before), angles);
 }
@@ -122,9 +109,8 @@ Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, std::span<const ArmWe
   std::vector<double> angles(body_->start().begin(), body_->start().end());
   whole.angles = angles;
   for (int f = 1; f <= reach.steps; ++f) {
-    place_reduced(problem_->layers[0].body, clip.frame(f), reduced_);
     for (const BodyLimb& leg : problem_->limbs.legs) {
-      bend_leg(leg, leg_line(leg, clip.frame(f)), angles);
+      bend_leg(leg, leg_line(leg, clip, f), clip.trunk[index(f)].rotation, angles);
     }
     for (std::size_t g = 0; g < paths.size(); ++g) {
       const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];

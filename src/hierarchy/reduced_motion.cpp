@@ -84,7 +84,14 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
                         .orientation = placed_.rotation[index(foot)],
                         .chain = chain_to(body, foot)});
   }
-  for (const Target& target : targets_) rows_ += target.contact ? 6 : 3;
+  std::vector<bool> used(q_.size(), false);
+  for (const Target& target : targets_) {
+    rows_ += target.contact ? 6 : 3;
+    for (const int d : target.chain) used[index(d)] = true;
+  }
+  for (std::size_t d = 0; d < used.size(); ++d) {
+    if (used[d]) used_.push_back(d);
+  }
   SHG_CHECK(rows_ <= kMaxIkRows, "too many goals for one motion");
   inverse_.resize(q_.size());
   reference_.resize(q_.size());
@@ -121,7 +128,10 @@ void ReducedRollout::set_up(const LayerParameters& parameters) {
 void ReducedRollout::run(const LayerParameters& parameters, ReducedClip& clip) {
   set_up(parameters);
   clip.dofs = static_cast<int>(q_.size());
-  clip.values.assign(q_.begin(), q_.end());
+  clip.values.clear();
+  clip.trunk.clear();
+  clip.hands.assign(problem_->goals.size(), {});
+  keep_frame(clip);
   clip.path_error = clip.foot_error = 0.0;
   for (int frame = 1; frame <= problem_->steps; ++frame) {
     const double tau = static_cast<double>(frame) / problem_->steps;
@@ -139,7 +149,16 @@ void ReducedRollout::run(const LayerParameters& parameters, ReducedClip& clip) {
       }
     }
     measure(clip);
-    clip.values.insert(clip.values.end(), q_.begin(), q_.end());
+    keep_frame(clip);
+  }
+}
+
+void ReducedRollout::keep_frame(ReducedClip& clip) const {
+  const auto trunk = index(body_->trunk);
+  clip.values.insert(clip.values.end(), q_.begin(), q_.end());
+  clip.trunk.push_back({placed_.rotation[trunk], placed_.origin[trunk]});
+  for (std::size_t g = 0; g < clip.hands.size(); ++g) {
+    clip.hands[g].push_back(placed_.origin[index(targets_[g].link)]);
   }
 }
 
@@ -226,7 +245,7 @@ void ReducedRollout::fill_rows() {
 void ReducedRollout::take_off_reference() {
   const std::size_t dofs = q_.size();
   for (std::size_t r = 0; r < rows_; ++r) {
-    for (std::size_t d = 0; d < dofs; ++d) residual_[r] -= jacobian_[r * dofs + d] * reference_[d];
+    for (const std::size_t d : used_) residual_[r] -= jacobian_[r * dofs + d] * reference_[d];
   }
 }
 
@@ -236,7 +255,7 @@ void ReducedRollout::solve() {
   for (std::size_t i = 0; i < rows_; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       double sum = 0.0;
-      for (std::size_t d = 0; d < dofs; ++d) {
+      for (const std::size_t d : used_) {
         sum += jacobian_[i * dofs + d] * jacobian_[j * dofs + d] * inverse_[d];
       }
       system(static_cast<int>(i), static_cast<int>(j)) = sum;
@@ -257,7 +276,8 @@ void ReducedRollout::solve() {
     row += count;
   }
   ldlt_solve(system, residual_.data(), row, diagonal * kIkPivotFloor<double>);
-  for (std::size_t d = 0; d < dofs; ++d) {
+  std::fill(change_.begin(), change_.end(), 0.0);
+  for (const std::size_t d : used_) {
     double force = 0.0;
     for (std::size_t r = 0; r < rows_; ++r) force += jacobian_[r * dofs + d] * residual_[r];
     change_[d] = reference_[d] + force * inverse_[d];

@@ -59,12 +59,14 @@ BallTurns ball_turns(const Mat3d& r, const BallTurns& near) {
                      unwrapped(atan2(-rest.cx.z, rest.cz.z), near.y)};
   };
   if (across < 1e-9) return with_x(near.x);
-  const double x = atan2(r.cy.z, r.cy.y);
-  const BallTurns one = with_x(x);
-  const BallTurns other = with_x(x + kPi);
   const auto distance = [&near](const BallTurns& b) {
     return abs(b.x - near.x) + abs(b.z - near.z) + abs(b.y - near.y);
   };
+  const double x = atan2(r.cy.z, r.cy.y);
+  const BallTurns one = with_x(x);
+  // the other way has another x by half a turn
+  if (distance(one) < 0.5 * kPi) return one;
+  const BallTurns other = with_x(x + kPi);
   return distance(other) < distance(one) ? other : one;
 }
 

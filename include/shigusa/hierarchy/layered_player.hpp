@@ -41,14 +41,14 @@ class LayeredPlayer {
     upper_.run(parameters, clip);
   }
   // The hand's way of each goal in an upper motion.
-  [[nodiscard]] std::vector<HandPath> hand_paths(const ReducedClip& clip);
+  [[nodiscard]] std::vector<HandPath> hand_paths(const ReducedClip& clip) const;
   // How far the legs' joints would pass their limits for the pelvis of an upper motion (rad, the
   // most of any frame; rule R4), and whether all legs can be so long.
   struct PelvisCheck {
     double excess = 0.0;
     bool in_reach = true;
   };
-  [[nodiscard]] PelvisCheck check_pelvis(const ReducedClip& clip);
+  [[nodiscard]] PelvisCheck check_pelvis(const ReducedClip& clip) const;
   // The whole body's motion for an upper motion and each goal's arm weights. An arm that cannot
   // follow its path with them (locked, mostly) does so with all freedoms alike.
   [[nodiscard]] LayeredMotion expand(const ReducedClip& clip, std::span<const ArmWeights> arms);
@@ -59,21 +59,20 @@ class LayeredPlayer {
     double length = 0.0;  // m
   };
 
-  [[nodiscard]] LegLine leg_line(const BodyLimb& leg, std::span<const double> q) const;
-  void bend_leg(const BodyLimb& leg, const LegLine& line, std::span<double> angles) const;
+  [[nodiscard]] LegLine leg_line(const BodyLimb& leg, const ReducedClip& clip, int frame) const;
+  void bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
+                std::span<double> angles) const;
   [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, std::span<const ArmWeights> arms);
   [[nodiscard]] ReachOutcome measured(Motion& motion);
 
   const LayeredProblem* problem_;
   const BodyModel* body_;
   ReducedRollout upper_;
-  ReducedPlacement reduced_;
   Kinematics<double> start_;
   Kinematics<double> placed_;
   ClipDynamics whole_;
   std::vector<std::unique_ptr<ArmRollout>> arms_;  // (goals)
-  std::vector<int> hands_;           // (goals) link of the reduced body that is the hand
-  std::vector<PelvisRange> ranges_;  // (legs)
+  std::vector<PelvisRange> ranges_;                // (legs)
 };
 
 }  // namespace shigusa

@@ -29,12 +29,14 @@ struct LayerParameters {
 [[nodiscard]] LayerParameters decode_layer_genes(const Layer& layer,
                                                  std::span<const std::uint16_t> genes);
 
-// The angles and lengths of a reduced body's dofs, frame after frame.
+// The angles and lengths of a reduced body's dofs, frame after frame, and where that brings it.
 struct ReducedClip {
   int dofs = 0;
-  std::vector<double> values;  // (frames × dofs) rad or m
-  double path_error = 0.0;     // m, largest distance of a hand from its path at any frame
-  double foot_error = 0.0;     // m, the same of planted feet; their tilt counts by kContactLength
+  std::vector<double> values;             // (frames × dofs) rad or m
+  std::vector<Transformd> trunk;          // (frames) X_WB of the trunk's link
+  std::vector<std::vector<Vec3d>> hands;  // [goal][frame] m, world
+  double path_error = 0.0;  // m, largest distance of a hand from its path at any frame
+  double foot_error = 0.0;  // m, the same of planted feet; their tilt counts by kContactLength
 
   [[nodiscard]] std::span<const double> frame(int index) const {
     return std::span<const double>(values).subspan(
@@ -74,6 +76,7 @@ class ReducedRollout {
 
   void set_up(const LayerParameters& parameters);
   void step(double schedule, bool first);
+  void keep_frame(ReducedClip& clip) const;
   void fill_rows();
   void take_off_reference();
   void solve();
@@ -81,8 +84,9 @@ class ReducedRollout {
 
   const ReducedBody* body_;
   const ReachProblem* problem_;
-  std::vector<Target> targets_;  // hands in the order of the goals, then planted feet
-  std::vector<bool> moves_;      // (limbs) that have a length to keep to
+  std::vector<Target> targets_;    // hands in the order of the goals, then planted feet
+  std::vector<bool> moves_;        // (limbs) that have a length to keep to
+  std::vector<std::size_t> used_;  // dofs that a target's place depends on
   std::size_t rows_ = 0;
   ReducedPlacement placed_;
   std::vector<double> q_;
