@@ -56,22 +56,22 @@ void rollout_lanes(benchmark::State& state, const char* character, SimdSet simd,
 void search(benchmark::State& state, const char* character, SimdSet simd) {
   const Measured measured(character, 1);
   const CriteriaSettings criteria;
-  DiscreteProblem discrete;
-  discrete.genes = measured.task.body.dof_count();
+  SearchProblem searched;
+  searched.genes = measured.task.body.dof_count();
   const auto lanes = static_cast<std::size_t>(simd_lanes(simd));
   double evaluations = 0.0;
   double places = 0.0;  // lanes of all batches
   std::uint64_t seed = 0;
   for (auto _ : state) {
     BatchRollout batch(measured.problem, criteria, {simd, 1});
-    discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
-      batch.score(inverse_weights_of_genes(genomes), scores);
+    searched.evaluate = [&](std::span<const double> points, std::span<double> scores) {
+      batch.score(inverse_weights_of_genes(genome_of_point(points, kPaperBitsPerGene)), scores);
       evaluations += static_cast<double>(scores.size());
       places += static_cast<double>((scores.size() + lanes - 1) / lanes * lanes);
     };
     GeneticSettings settings;
     settings.seed = ++seed;
-    const SearchResult found = restarted_genetic_search(discrete, settings, kSearchMotions);
+    const SearchResult found = restarted_genetic_search(searched, settings, kSearchMotions);
     benchmark::DoNotOptimize(found.best_seen.score);
   }
   state.counters["evaluations"] =

@@ -37,7 +37,7 @@ BEGIN {
   allow("dynamics", "kinematics motion body math core")
   allow("criteria", "dynamics kinematics motion body math core")
   allow("rollout", "criteria dynamics kinematics motion body math core simd")
-  allow("search", "core")
+  allow("search", "math core")
   all = "rollout criteria dynamics kinematics motion body math core simd search"
   allow("hierarchy", all)
   allow("io", "motion body math core")

@@ -4,36 +4,34 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/hierarchy/archive.hpp>
 #include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/hierarchy/parameter_space.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/detour.hpp>
-#include <shigusa/rollout/reachability.hpp>
 #include <utility>
+
+#include "candidate.hpp"
+#include "ways.hpp"
 
 namespace shigusa {
 namespace {
 
-// Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn
-// fast and would jolt into the last frame.
-constexpr int kEdgeCorrections = 3;
+SearchMethod search_of(const Task& task) {
+  return task.search.value_or(preset_search(task.preset));
+}
 
-// Ways to the goals, tried in this order until one leads there: a straight hand path; the same with
-// the null space drawn to a posture that is known to arrive; that posture alone.
-std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
-  if (reach.reached()) add_detours(problem);
-  ReachProblem guided = problem;
-  guided.guide = reach.angles;
-  ReachProblem posture = guided;
-  posture.follow_path = false;
-  if (reach.reached()) return {problem, guided, posture};
-  // the edge of reach: the path ends at the closest point, and a hand whose limb is stretched out
-  // lags behind a path that it need not keep
-  guided.tolerance = posture.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
-  guided.corrections = posture.corrections = kEdgeCorrections;
-  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-    guided.goals[g].path.goal = posture.goals[g].path.goal = reach.positions[g];
+// The paper's own searches go over its codes; the others over a wider range.
+GeneCode gene_code(const Task& task) {
+  if (task.preset != Preset::paper) return GeneCode::natural;
+  switch (search_of(task)) {
+    case SearchMethod::paper_ga:
+    case SearchMethod::annealing:
+    case SearchMethod::random:
+      return GeneCode::paper;
+    default:
+      return GeneCode::logarithmic;
   }
-  return {guided, posture};
 }
 
 // The score in double of what was searched in single precision.
@@ -44,160 +42,124 @@ double replayed_score(const ReachProblem& problem, const Task& task, const Param
              : worst_score(task.criteria);
 }
 
-// Scores genomes with criteria of the user's own, which want whole motions: one after the other.
-void evaluate_one_by_one(const ReachProblem& problem, const Task& task,
-                         std::span<const std::uint16_t> genomes, std::span<double> scores) {
-  const std::size_t genes = problem.body->dofs().size();
-  for (std::size_t i = 0; i < scores.size(); ++i) {
-    scores[i] =
-        replayed_score(problem, task, decode_paper_genes(genomes.subspan(i * genes, genes)));
-  }
-}
+// What is searched on one way to the goal, and what the search came upon.
+class Searched {
+ public:
+  Searched(const ReachProblem& problem, const Task& task)
+      : problem_(problem),
+        task_(task),
+        criteria_(task_criteria(task)),
+        space_(problem, gene_code(task)),
+        batch_(problem, criteria_, task.batch),
+        archive_(*problem.body) {}
 
-SearchResult search_weights(const ReachProblem& problem, const Task& task,
-                            const Progress& progress) {
-  DiscreteProblem discrete;
-  discrete.genes = problem.body->dof_count();
-  discrete.bits_per_gene = kPaperBitsPerGene;
-  const CriteriaSettings criteria = task_criteria(task);
-  BatchRollout batch(problem, criteria, task.batch);
-  discrete.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
-    if (task.criteria.user.empty()) {
-      batch.score(inverse_weights_of_genes(genomes), scores);
-    } else {
-      evaluate_one_by_one(problem, task, genomes, scores);
+  SearchResult run(const Progress& progress) {
+    SearchProblem searched;
+    searched.genes = space_.genes();
+    searched.start = space_.start();
+    searched.evaluate = [this](std::span<const double> points, std::span<double> scores) {
+      evaluate(points, scores);
+    };
+    const SearchMethod method = search_of(task_);
+    if (method == SearchMethod::paper_ga || method == SearchMethod::log_ga) {
+      if (!task_.evaluations && task_.preset == Preset::paper) {
+        return genetic_search(searched, task_.genetic, progress);
+      }
+      return restarted_genetic_search(searched, task_.genetic,
+                                      task_.evaluations.value_or(kFlatEvaluations), progress);
     }
-  };
-  if (!task.evaluations) return genetic_search(discrete, task.genetic, progress);
-  return restarted_genetic_search(discrete, task.genetic, *task.evaluations, progress);
-}
-
-std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
-  std::vector<LimitExcess> result;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    const auto k = static_cast<std::size_t>(d);
-    double excess = 0.0;
-    for (int f = 0; f < clip.frames; ++f) {
-      const std::span<const double> angles = clip.frame(f);
-      excess = max(excess, angles[k] - upper_limit(body, d, angles));
-      excess = max(excess, body.dof(d).lower - angles[k]);
-    }
-    // less than a tenth of a degree is nothing that anyone sees
-    if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
+    return search(method, searched, task_.evaluations.value_or(kFlatEvaluations),
+                  task_.genetic.seed, progress);
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
-  return result;
-}
 
-PathKind path_kind(const ReachProblem& problem, const EffectorPath& path) {
-  if (!problem.follow_path) return PathKind::free;
-  return path.detour == Vec3d{} ? PathKind::straight : PathKind::detour;
-}
+  [[nodiscard]] const ParameterSpace& space() const { return space_; }
+  [[nodiscard]] const Archive& archive() const { return archive_; }
 
-Candidate make_candidate(const Task& task, const ReachProblem& problem,
-                         const Parameters& parameters, RolledOut rolled) {
-  const BodyModel& body = task.body;
-  Candidate candidate;
-  candidate.parameters = parameters;
-  candidate.score = score_motion(body, rolled.motion, task_criteria(task));
-  for (std::size_t g = 0; g < task.goals.size(); ++g) {
-    const auto index = static_cast<std::size_t>(problem.goals[g].effector);
-    const Effector& effector = body.effectors()[index];
-    const Vec3d reached = rolled.motion.effectors[g].back();
-    const Vec3d goal = task.goals[g].position;
-    candidate.goals.push_back({effector.name, effector.node, goal, reached, norm(goal - reached),
-                               path_kind(problem, problem.goals[g].path)});
+ private:
+  void evaluate(std::span<const double> points, std::span<double> scores) {
+    const bool kept = task_.preset != Preset::paper;
+    if (!task_.criteria.user.empty()) return evaluate_one_by_one(points, scores);
+    angles_.resize(kept ? scores.size() * problem_.body->dofs().size() : 0);
+    batch_.score(space_.rows(points), scores, angles_);
+    if (kept) archive_.add(points, scores, angles_, worst_score(criteria_));
   }
-  candidate.path_error = rolled.outcome.path_error;
-  for (const Foot& foot : body.feet()) {
-    // the base cannot move; what another foot does was measured in every frame
-    const double slide = foot.link == kBaseLink ? 0.0 : rolled.outcome.contact_slide;
-    candidate.contacts.push_back({foot.name, foot.node, slide});
-  }
-  candidate.over_limit = limit_excess(body, rolled.motion.clip);
-  candidate.motion = std::move(rolled.motion);
-  return candidate;
-}
 
-// Orders scores, a NaN last.
-double ranking(const Score& score) {
-  return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
-}
-
-// Largest root-mean-square difference of two motions' joint angles over their frames (rad).
-double posture_distance(const Clip& a, const Clip& b) {
-  double largest = 0.0;
-  for (int f = 0; f < a.frames; ++f) {
-    double squares = 0.0;
-    for (int d = 0; d < a.dofs; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      const double difference = a.frame(f)[k] - b.frame(f)[k];
-      squares += difference * difference;
-    }
-    largest = max(largest, squares / a.dofs);
-  }
-  return sqrt(largest);
-}
-
-// At the edge of reach limbs are stretched, and some weights bring them there with a jolt: a change
-// of a joint's step by more than this (rad) from one of kMotionSteps frames to the next. Minimum
-// jerk over a range of 4 rad has a fifth of it.
-constexpr double kJolt = radians(2.0);
-
-bool jolts(const Clip& clip) {
-  for (int f = 2; f < clip.frames; ++f) {
-    for (int d = 0; d < clip.dofs; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      const double change = clip.frame(f)[k] - 2.0 * clip.frame(f - 1)[k] + clip.frame(f - 2)[k];
-      if (abs(change) > kJolt) return true;
+  // criteria of the user's own want whole motions: one after the other
+  void evaluate_one_by_one(std::span<const double> points, std::span<double> scores) {
+    const auto genes = static_cast<std::size_t>(space_.genes());
+    std::vector<float> end;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      const std::span<const double> point = points.subspan(i * genes, genes);
+      const RolledOut rolled = roll_out(problem_, space_.decode(point));
+      scores[i] = rolled.outcome.met(problem_.tolerance)
+                      ? score_motion(*problem_.body, rolled.motion, criteria_).total
+                      : worst_score(criteria_);
+      const Clip& clip = rolled.motion.clip;
+      const std::span<const double> last = clip.frame(clip.frames - 1);
+      end.clear();
+      for (const double angle : last) end.push_back(static_cast<float>(angle));
+      archive_.add(point, scores.subspan(i, 1), end, worst_score(criteria_));
     }
   }
-  return false;
-}
 
-// The motion does what its way asks for; beyond reach, without a jolt.
-bool arrives(const ReachProblem& way, const RolledOut& rolled) {
-  if (!rolled.outcome.met(way.tolerance)) return false;
-  return way.tolerance.goal <= kReachTolerance || !jolts(rolled.motion.clip);
-}
-
-struct Arrival {
-  const ReachProblem* way = nullptr;
-  RolledOut rolled;
+  const ReachProblem& problem_;
+  const Task& task_;
+  CriteriaSettings criteria_;
+  ParameterSpace space_;
+  BatchRollout batch_;
+  Archive archive_;
+  std::vector<float> angles_;
 };
 
-// The parameters' motion on the first way that brings them to the goal: the same parameters always
-// give the same motion, whichever way they were found on.
-std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
-                                     const Parameters& parameters) {
-  for (const ReachProblem& way : ways) {
-    RolledOut rolled = roll_out(way, parameters);
-    if (arrives(way, rolled)) return Arrival{&way, std::move(rolled)};
-  }
-  return std::nullopt;
-}
-
-// Re-plays the final genomes and keeps those that arrive and differ, best first.
-void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
-                        const SearchResult& found, Generation& generation) {
+// The final genomes, best first, each once: what the paper's user chooses from.
+std::vector<Individual> final_genomes(const SearchResult& found) {
   std::vector<Individual> ranked;
-  std::set<std::vector<std::uint16_t>> known;
+  std::set<std::vector<double>> known;
   for (const Individual& individual : found.final_population) {
-    if (known.insert(individual.genes).second) ranked.push_back(individual);
+    if (known.insert(individual.point).second) ranked.push_back(individual);
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const Individual& a, const Individual& b) { return a.score < b.score; });
+  return ranked;
+}
+
+// Of all that the search came upon, the best and others that end differently and are not much
+// worse.
+std::vector<Individual> distinct_postures(const Archive& archive, int most) {
+  std::vector<Archived> picked;
+  std::vector<Individual> result;
+  for (Archived& archived : archive.ranked()) {
+    if (static_cast<int>(picked.size()) >= most) break;
+    if (!picked.empty() && archived.score > picked.front().score + kCandidateSpread) break;
+    const auto is_near = [&](const Archived& better) {
+      return posture_distance(better.posture, archived.posture) < kDistinctEnd + kEndSlack;
+    };
+    if (std::any_of(picked.begin(), picked.end(), is_near)) continue;
+    result.push_back({archived.point, archived.score});
+    picked.push_back(std::move(archived));
+  }
+  return result;
+}
+
+// Replays what was found and keeps what arrives and differs, best first.
+void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
+                        const Searched& searched, const SearchResult& found,
+                        Generation& generation) {
+  const bool paper = task.preset == Preset::paper;
+  const std::vector<Individual> ranked =
+      paper ? final_genomes(found) : distinct_postures(searched.archive(), 4 * task.candidates);
   for (const Individual& individual : ranked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
-    const Parameters parameters = decode_paper_genes(individual.genes);
+    const Parameters parameters = searched.space().decode(individual.point);
     std::optional<Arrival> arrival = first_arrival(ways, parameters);
     if (!arrival) {
       ++generation.missed;
       continue;
     }
+    const Clip& clip = arrival->rolled.motion.clip;
     const auto is_copy = [&](const Candidate& better) {
-      return posture_distance(better.motion.clip, arrival->rolled.motion.clip) < kDistinctPosture;
+      return paper ? largest_distance(better.motion.clip, clip) < kDistinctPosture
+                   : final_distance(better.motion.clip, clip) < kDistinctEnd;
     };
     if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
       ++generation.near_copies;
@@ -215,12 +177,6 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
   std::stable_sort(
       generation.candidates.begin(), generation.candidates.end(),
       [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
-}
-
-double miss_of(const Candidate& candidate) {
-  double squares = 0.0;
-  for (const GoalResult& goal : candidate.goals) squares += goal.error * goal.error;
-  return sqrt(squares);
 }
 
 // The parameters' motion on the first way that brings them to the goal; where none does, the one
@@ -252,12 +208,36 @@ void finish(const ClosestReach& reach, Generation& generation) {
   generation.remaining_distance = met ? 0.0 : miss;
 }
 
+Result<void> check_posture(const BodyModel& body, const PostureParameters& posture) {
+  if (posture.modes.empty()) return {};
+  const std::vector<PostureMode> modes = posture_modes(body);
+  if (posture.modes.size() != modes.size()) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} posture values for a body of {} posture modes",
+                            posture.modes.size(), modes.size()));
+  }
+  const auto check = [](const std::string& name, double value, double low,
+                        double high) -> Result<void> {
+    if (value >= low && value <= high) return {};
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("value is {}; allowed are {:g} to {:g}", value, low, high), name);
+  };
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const auto checked = check(modes[m].name, posture.modes[m], -kPostureMax, kPostureMax);
+    if (!checked) return checked;
+  }
+  if (const auto c = check("delay", posture.delay, 0.0, kDelayMax); !c) return c;
+  if (const auto c = check("bow", posture.bow, -kBowMax, kBowMax); !c) return c;
+  return check("skew", posture.skew, -1.0, 1.0);
+}
+
 Result<void> check_parameters(const BodyModel& body, const Parameters& parameters) {
   if (parameters.joints.size() != body.dofs().size()) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("{} joint weights for a body of {} dof", parameters.joints.size(),
                             body.dof_count()));
   }
+  if (const auto checked = check_posture(body, parameters.posture); !checked) return checked;
   for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
     const double weight = parameters.joints[d].weight;
     if (weight >= kWeightMin && weight <= kWeightMax) continue;
@@ -279,16 +259,17 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   Generation generation;
   generation.duration = problem->duration;
   for (std::size_t w = 0; w < ways.size(); ++w) {
-    const SearchResult found = search_weights(ways[w], task, progress);
+    Searched searched(ways[w], task);
+    const SearchResult found = searched.run(progress);
     generation.evaluations += found.evaluations;
     generation.generations = found.generations;
     generation.rejected_nan += found.rejected_nan;
     generation.end = found.end;
-    generation.best_seen = decode_paper_genes(found.best_seen.genes);
+    generation.best_seen = searched.space().decode(found.best_seen.point);
     generation.best_seen_score = replayed_score(ways[w], task, *generation.best_seen);
     generation.missed = generation.replay_differs = 0;
     generation.replay_difference = 0.0;
-    collect_candidates(task, std::span(ways).first(w + 1), found, generation);
+    collect_candidates(task, std::span(ways).first(w + 1), searched, found, generation);
     if (!generation.candidates.empty() || found.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {

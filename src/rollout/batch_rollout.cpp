@@ -45,9 +45,15 @@ BatchRollout::BatchRollout(const ReachProblem& problem, const CriteriaSettings& 
 
 BatchRollout::~BatchRollout() = default;
 
-void BatchRollout::score(std::span<const float> inverse_weights, std::span<double> scores) {
+void BatchRollout::score(const MotionInputs& inputs, std::span<double> scores,
+                         std::span<float> final_angles) {
   const std::size_t dofs = problem_->body->dofs().size();
-  SHG_CHECK(inverse_weights.size() == scores.size() * dofs, "one weight per motion and dof");
+  SHG_CHECK(inputs.inverse_weights.size() == scores.size() * dofs, "one weight per motion and dof");
+  SHG_CHECK(inputs.posture.empty() || (inputs.posture.size() == scores.size() * dofs &&
+                                       inputs.timing.size() == scores.size() * 3),
+            "one change of posture per motion and dof, and three numbers of its timing");
+  SHG_CHECK(final_angles.empty() || final_angles.size() == scores.size() * dofs,
+            "room for one angle per motion and dof");
   const auto lanes = static_cast<std::size_t>(simd_lanes(settings_.simd));
   const std::size_t batches = (scores.size() + lanes - 1) / lanes;
   const auto work = [&](int batch, int worker) {
@@ -55,8 +61,9 @@ void BatchRollout::score(std::span<const float> inverse_weights, std::span<doubl
     const std::size_t count = std::min(lanes, scores.size() - first);
     std::unique_ptr<LaneScorer>& scorer = scorers_[static_cast<std::size_t>(worker)];
     if (!scorer) scorer = make_scorer(settings_.simd, *problem_, *criteria_);
-    scorer->score(inverse_weights.subspan(first * dofs, count * dofs),
-                  scores.subspan(first, count));
+    scorer->score(
+        inputs.part(first, count, dofs), scores.subspan(first, count),
+        final_angles.empty() ? final_angles : final_angles.subspan(first * dofs, count * dofs));
   };
   parallel_for(static_cast<int>(batches), settings_.threads, std::cref(work));
 }

@@ -10,8 +10,9 @@ namespace shigusa {
 class LaneScorer {
  public:
   virtual ~LaneScorer() = default;
-  // At most simd_lanes() motions; inverse_weights (motions × dofs), scores (motions).
-  virtual void score(std::span<const float> inverse_weights, std::span<double> scores) = 0;
+  // At most simd_lanes() motions; scores (motions), final_angles (motions × dofs) or empty.
+  virtual void score(const MotionInputs& inputs, std::span<double> scores,
+                     std::span<float> final_angles) = 0;
 };
 
 // One per SIMD set, each in a source file that is compiled for it.

@@ -21,22 +21,27 @@ class PackScorer final : public LaneScorer {
       : rollout_(problem),
         criteria_(*problem.body, criteria),
         inverse_weights_(problem.body->dofs().size()),
+        posture_(inverse_weights_),
         tolerance_(problem.tolerance),
         worst_(worst_score(criteria)) {}
 
-  void score(std::span<const float> inverse_weights, std::span<double> scores) override {
+  void score(const MotionInputs& inputs, std::span<double> scores,
+             std::span<float> final_angles) override {
     const std::size_t dofs = inverse_weights_.size();
     const int motions = static_cast<int>(scores.size());
-    // lanes that are left over repeat the last motion
-    for (int lane = 0; lane < N; ++lane) {
-      const float* from =
-          inverse_weights.data() + static_cast<std::size_t>(min(lane, motions - 1)) * dofs;
-      for (std::size_t d = 0; d < dofs; ++d) inverse_weights_[d].set(lane, from[d]);
+    spread(inputs.inverse_weights, motions, inverse_weights_);
+    MotionInput<S> input(inverse_weights_);
+    if (!inputs.posture.empty()) {
+      spread(inputs.posture, motions, posture_);
+      spread(inputs.timing, motions, timing_);
+      input = {inverse_weights_, posture_, timing_[0], timing_[1], timing_[2]};
     }
     criteria_.reset();
     const auto outcome = rollout_.run(
-        inverse_weights_,
-        [this](const MotionFrame<S>& frame, const Kinematics<S>&) { criteria_.add(frame); });
+        input, [this](const MotionFrame<S>& frame, const Kinematics<S>&) { criteria_.add(frame); });
+    for (std::size_t k = 0; k < final_angles.size(); ++k) {
+      final_angles[k] = rollout_.final_angles()[k % dofs][static_cast<int>(k / dofs)];
+    }
     const S result = criteria_.score();
     const auto met = outcome.met(tolerance_);
     for (int lane = 0; lane < motions; ++lane) {
@@ -48,9 +53,20 @@ class PackScorer final : public LaneScorer {
  private:
   static int min(int a, int b) { return a < b ? a : b; }
 
+  // rows (motions × columns) to lanes; lanes that are left over repeat the last motion
+  static void spread(std::span<const float> rows, int motions, std::span<S> columns) {
+    for (int lane = 0; lane < N; ++lane) {
+      const float* from =
+          rows.data() + static_cast<std::size_t>(min(lane, motions - 1)) * columns.size();
+      for (std::size_t d = 0; d < columns.size(); ++d) columns[d].set(lane, from[d]);
+    }
+  }
+
   Rollout<S> rollout_;
   BuiltInCriteria<S> criteria_;
   std::vector<S> inverse_weights_;  // (dofs)
+  std::vector<S> posture_;          // (dofs)
+  S timing_[3];                     // delay, bow, skew
   ReachTolerance tolerance_;
   double worst_;
 };

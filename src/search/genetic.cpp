@@ -2,27 +2,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <map>
-#include <set>
 #include <shigusa/core/check.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/genetic_operators.hpp>
 #include <utility>
 
+#include "scorer.hpp"
+
 namespace shigusa {
 namespace {
 
-void check(const DiscreteProblem& problem, const GeneticSettings& s) {
-  SHG_CHECK(problem.evaluate != nullptr, "the problem has no evaluate function");
-  SHG_CHECK(problem.genes >= 1 && problem.genes <= kMaxGenes,
-            fmt::format("genes is {}, allowed: 1..{}", problem.genes, kMaxGenes));
-  SHG_CHECK(
-      problem.bits_per_gene >= 1 && problem.bits_per_gene <= kMaxBitsPerGene,
-      fmt::format("bits_per_gene is {}, allowed: 1..{}", problem.bits_per_gene, kMaxBitsPerGene));
+void check(const GeneticSettings& s) {
+  SHG_CHECK(s.bits_per_gene >= 1 && s.bits_per_gene <= kMaxBitsPerGene,
+            fmt::format("bits_per_gene is {}, allowed: 1..{}", s.bits_per_gene, kMaxBitsPerGene));
   SHG_CHECK(s.population >= 2 && s.population <= 1000 && s.population % 2 == 0,
             fmt::format("population is {}, allowed: even, 2..1000", s.population));
   SHG_CHECK(s.crossover_rate >= 0.0 && s.crossover_rate <= 1.0,
@@ -41,73 +36,61 @@ void check(const DiscreteProblem& problem, const GeneticSettings& s) {
             fmt::format("fitness_offset is {}, allowed: 1e-12..1e12", s.fitness_offset));
 }
 
-// Scores genomes through the problem, each distinct one once, and keeps the counts and the best.
-class Scorer {
+// Scores genomes, each distinct one once.
+class GenomeScorer {
  public:
-  Scorer(const DiscreteProblem& problem, SearchResult& result)
-      : problem_(problem), result_(result) {}
+  GenomeScorer(Scorer& scorer, int bits_per_gene) : scorer_(scorer), bits_(bits_per_gene) {}
 
-  // How many genomes have been scored or are about to be.
-  [[nodiscard]] int planned() const {
-    return result_.evaluations + static_cast<int>(batch_.size());
-  }
-
-  // Adds what is new among these genomes to the next batch, if all of it keeps to the limit.
-  bool plan(const std::vector<Genome>& genomes, std::optional<int> limit) {
-    std::set<Genome> fresh;
-    for (const Genome& genome : genomes) {
-      if (!scores_.contains(genome)) fresh.insert(genome);
-    }
-    if (limit && planned() + static_cast<int>(fresh.size()) > *limit) return false;
+  // Adds what is new among these genomes to the next batch.
+  void plan(const std::vector<Genome>& genomes) {
     for (const Genome& genome : genomes) {
       const auto [entry, is_new] = scores_.try_emplace(genome, kWorst);
       if (is_new) batch_.push_back(entry);
     }
-    return true;
   }
 
+  // Forgets what the budget did not suffice for.
   void score_batch() {
-    if (batch_.empty()) return;
-    std::vector<std::uint16_t> packed;
+    std::vector<double> points;
     for (const auto& entry : batch_) {
-      packed.insert(packed.end(), entry->first.begin(), entry->first.end());
+      const std::vector<double> point = point_of_genome(entry->first, bits_);
+      points.insert(points.end(), point.begin(), point.end());
     }
-    std::vector<double> scores(batch_.size(), std::numeric_limits<double>::quiet_NaN());
-    problem_.evaluate(packed, scores);
-    for (std::size_t i = 0; i < batch_.size(); ++i) keep(*batch_[i], scores[i]);
+    std::vector<double> scores(batch_.size());
+    const auto scored = static_cast<std::size_t>(scorer_.score(points, scores));
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      if (i < scored) {
+        batch_[i]->second = scores[i];
+      } else {
+        scores_.erase(batch_[i]);
+      }
+    }
     batch_.clear();
   }
 
-  [[nodiscard]] Individual scored(const Genome& genome) const {
+  [[nodiscard]] bool all_scored(const std::vector<Genome>& genomes) const {
+    return std::all_of(genomes.begin(), genomes.end(),
+                       [&](const Genome& genome) { return scores_.contains(genome); });
+  }
+
+  [[nodiscard]] ScoredGenome scored(const Genome& genome) const {
     return {genome, scores_.at(genome)};
   }
 
  private:
-  void keep(std::pair<const Genome, double>& entry, double score) {
-    const bool first = result_.evaluations++ == 0;
-    if (std::isnan(score)) {
-      ++result_.rejected_nan;
-      score = kWorst;
-    }
-    entry.second = score;
-    if (first || score < result_.best_seen.score) result_.best_seen = {entry.first, score};
-  }
-
-  static constexpr double kWorst = std::numeric_limits<double>::infinity();
-
-  const DiscreteProblem& problem_;
-  SearchResult& result_;
+  Scorer& scorer_;
+  int bits_;
   std::map<Genome, double> scores_;
   std::vector<std::map<Genome, double>::iterator> batch_;
 };
 
-std::vector<Individual> next_population(std::vector<Individual> pool,
-                                        const GeneticSettings& settings, Random& random) {
+std::vector<ScoredGenome> next_population(std::vector<ScoredGenome> pool,
+                                          const GeneticSettings& settings, Random& random) {
   std::vector<double> fitnesses;
-  for (const Individual& individual : pool) {
+  for (const ScoredGenome& individual : pool) {
     fitnesses.push_back(fitness(individual.score, settings.fitness_offset));
   }
-  std::vector<Individual> selected;
+  std::vector<ScoredGenome> selected;
   for (const int index : roulette(fitnesses, settings.population, random)) {
     selected.push_back(std::move(pool[static_cast<std::size_t>(index)]));
   }
@@ -117,13 +100,13 @@ std::vector<Individual> next_population(std::vector<Individual> pool,
 // One run of the algorithm, a generation at a time, so that several runs are scored together.
 class Run {
  public:
-  Run(const DiscreteProblem& problem, const GeneticSettings& settings)
-      : bits_(problem.bits_per_gene),
+  Run(int genes, const GeneticSettings& settings)
+      : bits_(settings.bits_per_gene),
         settings_(settings),
         random_(settings.seed, settings.stream),
         test_(settings.unchanged_generations) {
     for (int i = 0; i < settings.population; ++i) {
-      wanted_.push_back(random_genome(problem.genes, bits_, random_));
+      wanted_.push_back(random_genome(genes, bits_, random_));
     }
   }
 
@@ -132,12 +115,10 @@ class Run {
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] bool converged() const { return converged_; }
   [[nodiscard]] int generations() const { return generations_; }
-  [[nodiscard]] std::vector<Individual>& population() { return population_; }
-
-  void end() { ended_ = true; }
+  [[nodiscard]] const std::vector<ScoredGenome>& population() const { return population_; }
 
   // The initial population, or the next one from the one before and its offspring.
-  void step(const Scorer& scorer) {
+  void step(const GenomeScorer& scorer) {
     const bool initial = population_.empty();
     for (const Genome& genome : wanted_) population_.push_back(scorer.scored(genome));
     if (!initial) {
@@ -161,7 +142,7 @@ class Run {
   GeneticSettings settings_;
   Random random_;
   ConvergenceTest test_;
-  std::vector<Individual> population_;
+  std::vector<ScoredGenome> population_;
   std::vector<Genome> wanted_;
   int generations_ = 0;
   bool converged_ = false;
@@ -171,119 +152,106 @@ class Run {
 // Runs side by side, all their new genomes scored together, generation by generation.
 class Runs {
  public:
-  Runs(const DiscreteProblem& problem, const GeneticSettings& settings)
-      : problem_(problem),
-        settings_(settings),
-        limit_(settings.max_evaluations),
-        scorer_(problem, result_) {}
+  Runs(Scorer& scorer, const GeneticSettings& settings)
+      : scorer_(scorer), settings_(settings), genomes_(scorer, settings.bits_per_gene) {}
 
   void start() {
     GeneticSettings settings = settings_;
     settings.stream += runs_.size();
-    runs_.emplace_back(problem_, settings);
+    going_.push_back(runs_.size());
+    runs_.emplace_back(scorer_.genes(), settings);
   }
 
-  // Starts runs up to so many at once, as far as the limit lets all have their initial population.
-  void refill(int at_once) {
-    int wanted = result_.evaluations;
-    int going = 0;
-    for (const Run& run : runs_) {
-      if (run.ended()) continue;
-      ++going;
-      wanted += static_cast<int>(run.wanted().size());
-    }
-    for (; going < at_once && wanted + settings_.population <= *limit_; ++going) {
-      start();
-      wanted += settings_.population;
-    }
+  // Starts runs while there is budget, as many at once as the number of those that have ended says.
+  // It must not depend on the budget: what is scored first would.
+  void refill() {
+    const std::size_t ended = runs_.size() - going_.size();
+    std::size_t at_once = kRunsAtFirst;
+    while (2 * at_once <= std::min<std::size_t>(ended, kRunsAtOnce)) at_once *= 2;
+    while (going_.size() < at_once && scorer_.left() > 0 && !exhausted()) start();
   }
 
-  [[nodiscard]] bool going() const {
-    return std::any_of(runs_.begin(), runs_.end(), [](const Run& run) { return !run.ended(); });
+  [[nodiscard]] bool going() const { return !going_.empty(); }
+  [[nodiscard]] bool exhausted() const {
+    return runs_.size() >= runs_when_new_ + kRunsWithoutNew + kRunsAtOnce;
   }
 
-  // One step of each run that goes on; what exceeds the limit ends instead.
+  // One step of each run that goes on; those that the budget does not suffice for end instead.
   void step() {
-    std::vector<Run*> stepping;
-    for (Run& run : runs_) {
-      if (run.ended()) continue;
-      if (scorer_.plan(run.wanted(), limit_)) {
-        stepping.push_back(&run);
-      } else {
-        run.end();
-      }
+    for (const std::size_t r : going_) genomes_.plan(runs_[r].wanted());
+    const int before = scorer_.left();
+    genomes_.score_batch();
+    if (scorer_.left() < before) runs_when_new_ = runs_.size();
+    std::vector<std::size_t> still_going;
+    for (const std::size_t r : going_) {
+      if (!genomes_.all_scored(runs_[r].wanted())) continue;
+      const int generations = runs_[r].generations();
+      runs_[r].step(genomes_);
+      scorer_.result().generations += runs_[r].generations() - generations;
+      if (!runs_[r].ended()) still_going.push_back(r);
     }
-    scorer_.score_batch();
-    result_.generations = 0;
-    for (Run* run : stepping) run->step(scorer_);
-    for (const Run& run : runs_) result_.generations += run.generations();
+    going_ = std::move(still_going);
   }
 
-  [[nodiscard]] const SearchResult& so_far() const { return result_; }
   [[nodiscard]] const Run& first() const { return runs_.front(); }
 
   SearchResult finish(SearchEnd end) {
-    result_.end = end;
-    for (Run& run : runs_) {
-      std::vector<Individual>& population = run.population();
-      result_.final_population.insert(result_.final_population.end(),
-                                      std::make_move_iterator(population.begin()),
-                                      std::make_move_iterator(population.end()));
+    SearchResult& result = scorer_.result();
+    result.end = end;
+    for (const Run& run : runs_) {
+      for (const ScoredGenome& individual : run.population()) {
+        result.final_population.push_back(
+            {point_of_genome(individual.genes, settings_.bits_per_gene), individual.score});
+      }
     }
-    return std::move(result_);
+    return std::move(result);
   }
 
  private:
-  const DiscreteProblem& problem_;
+  Scorer& scorer_;
   GeneticSettings settings_;
-  std::optional<int> limit_;
-  SearchResult result_;
-  Scorer scorer_;
-  std::vector<Run> runs_;  // by stream
+  GenomeScorer genomes_;
+  std::vector<Run> runs_;           // by stream
+  std::vector<std::size_t> going_;  // which of them have not ended
+  std::size_t runs_when_new_ = 0;   // how many there were when a genome was last new
 };
-
-void report(const Progress& progress, const SearchResult& result, double fraction) {
-  if (!progress.report) return;
-  progress.report({"search", fraction, result.evaluations, result.best_seen.score});
-}
 
 }  // namespace
 
-SearchResult genetic_search(const DiscreteProblem& problem, const GeneticSettings& settings,
+SearchResult genetic_search(const SearchProblem& problem, const GeneticSettings& settings,
                             const Progress& progress) {
-  check(problem, settings);
-  Runs runs(problem, settings);
+  check(settings);
+  Scorer scorer(problem, settings.max_evaluations.value_or(std::numeric_limits<int>::max()),
+                progress);
+  Runs runs(scorer, settings);
   runs.start();
-  while (runs.going()) {
-    const bool began = runs.so_far().evaluations > 0;
-    if (began && progress.cancelled()) return runs.finish(SearchEnd::cancelled);
-    const int before = runs.first().generations();
+  for (int now = -1; runs.going();) {
+    if (now >= 0 && progress.cancelled()) return runs.finish(SearchEnd::cancelled);
     runs.step();
-    const int now = runs.first().generations();
     // nothing to tell where the limit did not let it step
-    if (began && now == before) break;
-    report(
-        progress, runs.so_far(),
-        settings.max_generations == 0 ? 1.0 : static_cast<double>(now) / settings.max_generations);
+    if (now == runs.first().generations()) break;
+    now = runs.first().generations();
+    const int all = settings.max_generations;
+    scorer.report(all == 0 ? 1.0 : static_cast<double>(now) / all);
   }
   const bool converged = runs.first().converged();
   return runs.finish(converged ? SearchEnd::converged : SearchEnd::budget);
 }
 
-SearchResult restarted_genetic_search(const DiscreteProblem& problem,
-                                      const GeneticSettings& settings, int evaluations,
-                                      const Progress& progress) {
+SearchResult restarted_genetic_search(const SearchProblem& problem, const GeneticSettings& settings,
+                                      int evaluations, const Progress& progress) {
   GeneticSettings limited = settings;
   limited.max_evaluations = evaluations;
-  check(problem, limited);
-  const int at_once = std::clamp(evaluations / kEvaluationsPerRun, 1, kRunsAtOnce);
-  Runs runs(problem, limited);
-  for (runs.refill(at_once); runs.going(); runs.refill(at_once)) {
-    if (runs.so_far().evaluations > 0 && progress.cancelled()) break;
+  check(limited);
+  Scorer scorer(problem, evaluations, progress);
+  Runs runs(scorer, limited);
+  for (runs.refill(); runs.going(); runs.refill()) {
+    const SearchResult& so_far = scorer.result();
+    if (so_far.evaluations > 0 && progress.cancelled()) return runs.finish(SearchEnd::cancelled);
     runs.step();
-    report(progress, runs.so_far(), static_cast<double>(runs.so_far().evaluations) / evaluations);
+    scorer.report(static_cast<double>(so_far.evaluations) / evaluations);
   }
-  return runs.finish(progress.cancelled() ? SearchEnd::cancelled : SearchEnd::budget);
+  return runs.finish(scorer.left() > 0 ? SearchEnd::converged : SearchEnd::budget);
 }
 
 }  // namespace shigusa

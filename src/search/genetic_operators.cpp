@@ -15,6 +15,25 @@ int bit_count(const Genome& genome, int bits_per_gene) {
 
 }  // namespace
 
+std::vector<double> point_of_genome(const Genome& genome, int bits_per_gene) {
+  std::vector<double> point;
+  point.reserve(genome.size());
+  for (const std::uint16_t code : genome) point.push_back((code + 0.5) / (1 << bits_per_gene));
+  return point;
+}
+
+Genome genome_of_point(std::span<const double> point, int bits_per_gene) {
+  const int codes = 1 << bits_per_gene;
+  Genome genome;
+  genome.reserve(point.size());
+  for (const double x : point) {
+    SHG_CHECK(x >= 0.0 && x <= 1.0, "a coordinate outside of 0..1");
+    // 1 belongs to the last share
+    genome.push_back(static_cast<std::uint16_t>(std::min(static_cast<int>(x * codes), codes - 1)));
+  }
+  return genome;
+}
+
 Genome random_genome(int genes, int bits_per_gene, Random& random) {
   Genome genome(static_cast<std::size_t>(genes));
   for (auto& gene : genome) gene = static_cast<std::uint16_t>(random.below(1U << bits_per_gene));
@@ -53,8 +72,8 @@ Genome with_bit_flipped(Genome genome, int bit, int bits_per_gene) {
   return genome;
 }
 
-std::vector<Genome> children_of(std::span<const Individual> parents, double rate, int bits_per_gene,
-                                Random& random) {
+std::vector<Genome> children_of(std::span<const ScoredGenome> parents, double rate,
+                                int bits_per_gene, Random& random) {
   SHG_CHECK(parents.size() % 2 == 0, "an odd number of parents");
   std::vector<Genome> all;
   const std::vector<int> order = shuffled(static_cast<int>(parents.size()), random);
@@ -71,10 +90,10 @@ std::vector<Genome> children_of(std::span<const Individual> parents, double rate
   return all;
 }
 
-std::vector<Genome> mutants_of(std::span<const Individual> parents, double rate, int bits_per_gene,
-                               Random& random) {
+std::vector<Genome> mutants_of(std::span<const ScoredGenome> parents, double rate,
+                               int bits_per_gene, Random& random) {
   std::vector<Genome> mutants;
-  for (const Individual& parent : parents) {
+  for (const ScoredGenome& parent : parents) {
     if (!random.chance(rate)) continue;
     const auto bits = static_cast<std::uint32_t>(bit_count(parent.genes, bits_per_gene));
     const int bit = static_cast<int>(random.below(bits));
@@ -106,9 +125,9 @@ std::vector<int> roulette(std::span<const double> fitness, int draws, Random& ra
   return drawn;
 }
 
-bool ConvergenceTest::converged(std::span<const Individual> population) {
+bool ConvergenceTest::converged(std::span<const ScoredGenome> population) {
   std::vector<Genome> distinct;
-  for (const Individual& individual : population) distinct.push_back(individual.genes);
+  for (const ScoredGenome& individual : population) distinct.push_back(individual.genes);
   std::sort(distinct.begin(), distinct.end());
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   const bool first = unchanged_ < 0;

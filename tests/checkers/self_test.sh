@@ -59,7 +59,7 @@ write tests/search/a_test.cpp '#include <shigusa/body/b.hpp>' '#include "io/inte
 accepts check_layers.sh
 public=include/shigusa
 refuses check_layers.sh $public/math/a.hpp '#include <shigusa/body/b.hpp>' 'math must not include body'
-refuses check_layers.sh $public/search/a.hpp '#include <shigusa/math/b.hpp>' 'search must not include math'
+refuses check_layers.sh $public/search/a.hpp '#include <shigusa/body/b.hpp>' 'search must not include body'
 refuses check_layers.sh src/rollout/a.cpp '# include "shigusa/search/b.hpp"' 'rollout must not include search'
 refuses check_layers.sh src/hierarchy/a.cpp '#include <shigusa/io/b.hpp>' 'hierarchy must not include io'
 refuses check_layers.sh src/io/a.cpp '#include <shigusa/project/b.hpp>' 'io must not include project'

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <shigusa/core/progress.hpp>
 
 namespace shigusa {
@@ -14,6 +15,18 @@ TEST(Progress, FollowsItsFlag) {
   EXPECT_FALSE(progress.cancelled());
   cancel = true;
   EXPECT_TRUE(progress.cancelled());
+}
+
+TEST(Progress, IsCancelledOnceItsDeadlineHasPassed) {
+  const auto now = std::chrono::steady_clock::now();
+  EXPECT_TRUE(Progress{.deadline = now}.cancelled());
+  EXPECT_FALSE(Progress{.deadline = now + std::chrono::hours(1)}.cancelled());
+}
+
+TEST(Progress, FlagCountsBeforeTheDeadline) {
+  const std::atomic<bool> cancel = true;
+  const auto later = std::chrono::steady_clock::now() + std::chrono::hours(1);
+  EXPECT_TRUE((Progress{.cancel = &cancel, .deadline = later}.cancelled()));
 }
 
 TEST(Progress, FlagMayBeSetFromASignalHandler) {

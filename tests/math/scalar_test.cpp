@@ -272,5 +272,72 @@ TEST(Scalar, IsFiniteRefusesInfinitiesAndNaN) {
   EXPECT_FALSE(is_finite(kNaN));
 }
 
+// natural_log and exponential: 5e-16. Rounding s or the reduced argument, the series and the last
+// sum bring four units in the last place at most, of 1.1e-16 each.
+double log_error(double x) {
+  const long double exact = std::log(static_cast<long double>(x));
+  return static_cast<double>(std::fabs((static_cast<long double>(natural_log(x)) - exact) / exact));
+}
+
+double exponential_error(double x) {
+  const long double exact = std::exp(static_cast<long double>(x));
+  return static_cast<double>(std::fabs((static_cast<long double>(exponential(x)) - exact) / exact));
+}
+
+constexpr double kLogBound = 5e-16;
+
+TEST(NaturalLog, RelativeErrorIsBelowTheBoundAcrossAllExponents) {
+  Random random(11);
+  double largest = 0.0;
+  for (int i = 0; i < 200000; ++i) {
+    const int exponent = static_cast<int>(random.below(2098)) - 1074;
+    largest = std::fmax(largest, log_error(std::ldexp(random.uniform(1.0, 2.0), exponent)));
+  }
+  EXPECT_LT(largest, kLogBound);
+}
+
+TEST(NaturalLog, RelativeErrorIsBelowTheBoundNearOneAndNearTheSeam) {
+  Random random(12);
+  double largest = 0.0;
+  for (int i = 0; i < 200000; ++i) {
+    const double gap =
+        std::ldexp(random.uniform(0.5, 1.0), -1 - static_cast<int>(random.below(50)));
+    largest = std::fmax(largest, log_error(1.0 + gap));
+    largest = std::fmax(largest, log_error(1.0 - gap));
+    largest = std::fmax(largest, log_error(std::sqrt(2.0) + gap * 1e-3));
+    largest = std::fmax(largest, log_error(std::sqrt(2.0) - gap * 1e-3));
+  }
+  EXPECT_LT(largest, kLogBound);
+}
+
+TEST(NaturalLog, SpecialValues) {
+  EXPECT_EQ(natural_log(1.0), 0.0);
+  EXPECT_EQ(natural_log(0.0), -kInfinity);
+  EXPECT_EQ(natural_log(-0.0), -kInfinity);
+  EXPECT_EQ(natural_log(kInfinity), kInfinity);
+  for (const double x : {-1.0, -kInfinity, kNaN}) EXPECT_TRUE(std::isnan(natural_log(x)));
+}
+
+TEST(Exponential, RelativeErrorIsBelowTheBoundForNormalResults) {
+  Random random(13);
+  double largest = 0.0;
+  for (int i = 0; i < 200000; ++i) {
+    largest = std::fmax(largest, exponential_error(random.uniform(-708.0, 709.7)));
+    largest = std::fmax(largest, exponential_error(random.uniform(-1.0, 1.0)));
+  }
+  EXPECT_LT(largest, kLogBound);
+}
+
+TEST(Exponential, SpecialValuesAndTheEndsOfTheRange) {
+  EXPECT_EQ(exponential(0.0), 1.0);
+  EXPECT_EQ(exponential(kInfinity), kInfinity);
+  EXPECT_EQ(exponential(-kInfinity), 0.0);
+  EXPECT_EQ(exponential(709.9), kInfinity);
+  EXPECT_EQ(exponential(-745.9), 0.0);
+  // the least subnormal number is all that is left there
+  EXPECT_EQ(exponential(-744.5), 0x1p-1074);
+  EXPECT_TRUE(std::isnan(exponential(kNaN)));
+}
+
 }  // namespace
 }  // namespace shigusa

@@ -193,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, BatchRolloutOf,
 TEST(BatchRollout, OfNoMotionsDoesNothing) {
   const Reach& r = reach(Case::half_body);
   BatchRollout batch(r.problem, r.criteria, {});
-  batch.score({}, {});
+  batch.score(std::span<const float>{}, {});
 }
 
 TEST(BatchRollout, WantsOneWeightPerMotionAndDof) {

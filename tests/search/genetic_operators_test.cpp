@@ -8,6 +8,7 @@
 #include <map>
 #include <shigusa/core/check.hpp>
 #include <shigusa/search/genetic_operators.hpp>
+#include <shigusa/search/problem.hpp>
 #include <string>
 
 #include "core/statistics.hpp"
@@ -28,8 +29,8 @@ std::string bits_of(const Genome& genome, int bits_per_gene) {
   return bits;
 }
 
-std::vector<Individual> individuals(const std::vector<Genome>& genomes) {
-  std::vector<Individual> all;
+std::vector<ScoredGenome> individuals(const std::vector<Genome>& genomes) {
+  std::vector<ScoredGenome> all;
   for (const Genome& genome : genomes) all.push_back({genome, 0.0});
   return all;
 }
@@ -57,6 +58,26 @@ RC_GTEST_PROP(Crossover, ExchangesTheBitStringsFromTheCutOn, ()) {
   const Children children = crossover(p.a, p.b, static_cast<int>(cut), p.bits_per_gene);
   RC_ASSERT(bits_of(children.first, p.bits_per_gene) == a.substr(0, cut) + b.substr(cut));
   RC_ASSERT(bits_of(children.second, p.bits_per_gene) == b.substr(0, cut) + a.substr(cut));
+}
+
+RC_GTEST_PROP(PointOfGenome, IsTheMiddleOfTheSharesAndGoesBack, ()) {
+  const Pair p = arbitrary_pair();
+  const std::vector<double> point = point_of_genome(p.a, p.bits_per_gene);
+  for (std::size_t g = 0; g < p.a.size(); ++g) {
+    RC_ASSERT(point[g] * (1 << p.bits_per_gene) == p.a[g] + 0.5);
+  }
+  RC_ASSERT(genome_of_point(point, p.bits_per_gene) == p.a);
+}
+
+TEST(GenomeOfPoint, SharesAreHalfOpenButForTheLast) {
+  const std::vector<double> point{0.0, 0.0625, 0.0624999, 0.9375, 1.0};
+  EXPECT_EQ(genome_of_point(point, 4), (Genome{0, 1, 0, 15, 15}));
+}
+
+TEST(GenomeOfPoint, RefusesWhatIsOutsideOfTheCube) {
+  for (const double x : {-1e-9, 1.0 + 1e-9, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW((void)genome_of_point(std::vector<double>{x}, 4), PreconditionError);
+  }
 }
 
 TEST(Crossover, CutsInsideAGene) {
@@ -154,7 +175,7 @@ TEST(ChildrenOf, CutIsUniformOverTheGapsBetweenBits) {
 }
 
 TEST(ChildrenOf, NumberOfPairsWithChildrenIsBinomial) {
-  const std::vector<Individual> parents(8, {Genome(8, 0), 0.0});
+  const std::vector<ScoredGenome> parents(8, {Genome(8, 0), 0.0});
   std::vector<int> counts(5);
   Random random(7);
   constexpr int generations = 16000;
@@ -168,7 +189,7 @@ TEST(ChildrenOf, NumberOfPairsWithChildrenIsBinomial) {
 }
 
 TEST(ChildrenOf, RateZeroGivesNoneAndRateOneTwoForEachPair) {
-  const std::vector<Individual> parents(8, {Genome(8, 0), 0.0});
+  const std::vector<ScoredGenome> parents(8, {Genome(8, 0), 0.0});
   Random random(8);
   for (int i = 0; i < 100; ++i) {
     EXPECT_TRUE(children_of(parents, 0.0, 4, random).empty());
@@ -219,7 +240,7 @@ TEST(MutantsOf, EachParentMutatesAtTheRate) {
 }
 
 TEST(MutantsOf, NumberOfMutantsIsBinomial) {
-  const std::vector<Individual> parents(2, {Genome(8, 0), 0.0});
+  const std::vector<ScoredGenome> parents(2, {Genome(8, 0), 0.0});
   std::vector<int> counts(3);
   Random random(12);
   for (int i = 0; i < 20000; ++i) ++counts.at(mutants_of(parents, 0.1, 4, random).size());
@@ -228,7 +249,7 @@ TEST(MutantsOf, NumberOfMutantsIsBinomial) {
 
 TEST(MutantsOf, OneBitIsFlippedUniformly) {
   constexpr std::size_t bits = 8 * 4;
-  const std::vector<Individual> parents(1, {Genome(8, 0), 0.0});
+  const std::vector<ScoredGenome> parents(1, {Genome(8, 0), 0.0});
   std::vector<int> counts(bits);
   Random random(13);
   for (int i = 0; i < 32000; ++i) {
@@ -242,7 +263,7 @@ TEST(MutantsOf, OneBitIsFlippedUniformly) {
 }
 
 TEST(MutantsOf, RateZeroGivesNone) {
-  const std::vector<Individual> parents(8, {Genome(8, 0), 0.0});
+  const std::vector<ScoredGenome> parents(8, {Genome(8, 0), 0.0});
   Random random(14);
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(mutants_of(parents, 0.0, 4, random).empty());
 }

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "core/statistics.hpp"
+#include "search/genome_problem.hpp"
 
 namespace shigusa {
 namespace {
@@ -21,21 +22,6 @@ using namespace testing_support;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-// A problem from a function that scores one genome.
-template <class Score>
-DiscreteProblem problem_of(int genes, int bits_per_gene, Score score) {
-  const auto evaluate = [genes, score](std::span<const std::uint16_t> genomes,
-                                       std::span<double> scores) {
-    const auto n = static_cast<std::size_t>(genes);
-    ASSERT_EQ(genomes.size(), scores.size() * n);
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-      const auto genome = genomes.subspan(i * n, n);
-      scores[i] = score(Genome(genome.begin(), genome.end()));
-    }
-  };
-  return {.genes = genes, .bits_per_gene = bits_per_gene, .evaluate = evaluate};
-}
 
 // Mean over genes of ((gene - target) / 15)², target (5 g + 3) mod 16: separable, 0 at its only
 // optimum.
@@ -49,35 +35,10 @@ double separable(const Genome& genome) {
   return sum / static_cast<double>(genome.size());
 }
 
-const DiscreteProblem kSeparable = problem_of(8, 4, separable);
-
-// A copy of the problem that keeps the genomes of each call.
-struct Recorder {
-  std::vector<std::vector<Genome>> batches;
-
-  DiscreteProblem watch(DiscreteProblem problem) {
-    const auto inner = problem.evaluate;
-    problem.evaluate = [this, inner, genes = static_cast<std::size_t>(problem.genes)](
-                           std::span<const std::uint16_t> genomes, std::span<double> scores) {
-      batches.emplace_back();
-      for (std::size_t i = 0; i < scores.size(); ++i) {
-        const auto genome = genomes.subspan(i * genes, genes);
-        batches.back().emplace_back(genome.begin(), genome.end());
-      }
-      inner(genomes, scores);
-    };
-    return problem;
-  }
-
-  [[nodiscard]] std::vector<Genome> all() const {
-    std::vector<Genome> genomes;
-    for (const auto& batch : batches) genomes.insert(genomes.end(), batch.begin(), batch.end());
-    return genomes;
-  }
-};
+const SearchProblem kSeparable = problem_of(8, 4, separable);
 
 TEST(GeneticSettings, AreThePapersByDefault) {
-  EXPECT_EQ(DiscreteProblem{}.bits_per_gene, 4);
+  EXPECT_EQ(GeneticSettings{}.bits_per_gene, 4);
   EXPECT_EQ(kPaperBitsPerGene, 4);
   const GeneticSettings settings;
   EXPECT_EQ(settings.population, 8);
@@ -104,14 +65,14 @@ TEST(GeneticSearch, SameSeedGivesTheSameResult) {
 
 TEST(GeneticSearch, ResultOfASeedIsTheSameEverywhere) {
   const SearchResult result = genetic_search(kSeparable, {.seed = 42});
-  EXPECT_EQ(result.best_seen.genes, (Genome{3, 3, 11, 2, 8, 10, 3, 10}));
+  EXPECT_EQ(genome_of(result.best_seen), (Genome{3, 3, 11, 2, 8, 10, 3, 10}));
   EXPECT_EQ(result.evaluations, 73);
 }
 
 TEST(GeneticSearch, OtherSeedsGiveOtherResults) {
   std::set<Genome> best;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    best.insert(genetic_search(kSeparable, {.seed = seed}).best_seen.genes);
+    best.insert(genome_of(genetic_search(kSeparable, {.seed = seed}).best_seen));
   }
   EXPECT_EQ(best.size(), 20U);
 }
@@ -120,32 +81,32 @@ TEST(GeneticSearch, FinalPopulationHasTheSizeAndTheScoresOfItsGenomes) {
   const SearchResult result = genetic_search(kSeparable, {.population = 12, .seed = 1});
   EXPECT_EQ(result.final_population.size(), 12U);
   for (const Individual& individual : result.final_population) {
-    EXPECT_EQ(individual.score, separable(individual.genes));
+    EXPECT_EQ(individual.score, separable(genome_of(individual)));
   }
 }
 
 TEST(GeneticSearch, BestSeenIsTheBestOfAllEvaluated) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Recorder recorder;
+    GenomeRecorder recorder;
     const SearchResult result = genetic_search(recorder.watch(kSeparable), {.seed = seed});
     double best = kInfinity;
     for (const Genome& genome : recorder.all()) best = std::min(best, separable(genome));
     EXPECT_EQ(result.best_seen.score, best);
-    EXPECT_EQ(separable(result.best_seen.genes), best);
+    EXPECT_EQ(separable(genome_of(result.best_seen)), best);
   }
 }
 
 TEST(GeneticSearch, BestSeenIsTheFirstAmongEquals) {
-  Recorder recorder;
-  const DiscreteProblem flat = recorder.watch(problem_of(8, 4, [](const Genome&) { return 0.5; }));
+  GenomeRecorder recorder;
+  const SearchProblem flat = recorder.watch(problem_of(8, 4, [](const Genome&) { return 0.5; }));
   const SearchResult result = genetic_search(flat, {.seed = 2});
-  EXPECT_EQ(result.best_seen.genes, recorder.batches.at(0).at(0));
+  EXPECT_EQ(genome_of(result.best_seen), recorder.batches.at(0).at(0));
 }
 
 TEST(GeneticSearch, InitialPopulationIsUniform) {
   std::vector<int> counts(16);
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    Recorder recorder;
+    GenomeRecorder recorder;
     (void)genetic_search(recorder.watch(kSeparable), {.max_generations = 0, .seed = seed});
     for (const Genome& genome : recorder.all()) {
       for (const auto gene : genome) ++counts.at(gene);
@@ -156,22 +117,23 @@ TEST(GeneticSearch, InitialPopulationIsUniform) {
 
 TEST(GeneticSearch, EachGenomeIsScoredOnce) {
   // 64 genomes in all: most children have been seen before
-  const DiscreteProblem tiny = problem_of(3, 2, separable);
+  const SearchProblem tiny = problem_of(3, 2, separable);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Recorder recorder;
+    GenomeRecorder recorder;
     const SearchResult result = genetic_search(
-        recorder.watch(tiny), {.population = 20, .max_generations = 100, .seed = seed});
+        recorder.watch(tiny, 2),
+        {.bits_per_gene = 2, .population = 20, .max_generations = 100, .seed = seed});
     const std::vector<Genome> all = recorder.all();
     EXPECT_EQ(std::set<Genome>(all.begin(), all.end()).size(), all.size());
     EXPECT_EQ(result.evaluations, static_cast<int>(all.size()));
     for (const Individual& individual : result.final_population) {
-      EXPECT_EQ(individual.score, separable(individual.genes));
+      EXPECT_EQ(individual.score, separable(genome_of(individual, 2)));
     }
   }
 }
 
 TEST(GeneticSearch, EachGenerationIsOneNonEmptyBatchAtMost) {
-  Recorder recorder;
+  GenomeRecorder recorder;
   const SearchResult result =
       genetic_search(recorder.watch(kSeparable), {.unchanged_generations = 100, .seed = 3});
   EXPECT_LE(recorder.batches.size(), 1U + static_cast<std::size_t>(result.generations));
@@ -235,13 +197,15 @@ TEST(GeneticSearch, TheBestCanBeLostAsThereIsNoElitism) {
   // One gene of one bit with scores 0 and 0.05, fitness 20 and 10. Two parents that both mutate
   // make a pool of two zeros and two ones, whatever they were; both draws are ones with
   // probability 20/60 · 10/50 = 1/15.
-  const DiscreteProblem bit =
-      problem_of(1, 1, [](const Genome& genome) { return 0.05 * genome[0]; });
+  const SearchProblem bit = problem_of(1, 1, [](const Genome& genome) { return 0.05 * genome[0]; });
   constexpr int searches = 15000;
   int lost = 0;
   for (std::uint64_t seed = 0; seed < searches; ++seed) {
-    const SearchResult result = genetic_search(
-        bit, {.population = 2, .mutation_rate = 1.0, .max_generations = 1, .seed = seed});
+    const SearchResult result = genetic_search(bit, {.bits_per_gene = 1,
+                                                     .population = 2,
+                                                     .mutation_rate = 1.0,
+                                                     .max_generations = 1,
+                                                     .seed = seed});
     EXPECT_EQ(result.best_seen.score, 0.0);
     const auto& last = result.final_population;
     lost += last[0].score > 0.0 && last[1].score > 0.0 ? 1 : 0;
@@ -256,14 +220,13 @@ TEST(GeneticSearch, ThePoolHoldsParentsChildrenAndMutants) {
   int parents_kept = 0;
   int offspring = 0;
   for (std::uint64_t seed = 0; seed < searches; ++seed) {
-    Recorder recorder;
-    const DiscreteProblem flat =
-        recorder.watch(problem_of(8, 4, [](const Genome&) { return 0.5; }));
+    GenomeRecorder recorder;
+    const SearchProblem flat = recorder.watch(problem_of(8, 4, [](const Genome&) { return 0.5; }));
     const SearchResult result = genetic_search(
         flat, {.crossover_rate = 1.0, .mutation_rate = 1.0, .max_generations = 1, .seed = seed});
     const auto& first = recorder.batches[0];
     for (const Individual& individual : result.final_population) {
-      const bool kept = std::find(first.begin(), first.end(), individual.genes) != first.end();
+      const bool kept = std::find(first.begin(), first.end(), genome_of(individual)) != first.end();
       (kept ? parents_kept : offspring) += 1;
     }
     ASSERT_LE(recorder.batches[1].size(), 16U);
@@ -276,59 +239,58 @@ TEST(GeneticSearch, ThePoolHoldsParentsChildrenAndMutants) {
 
 TEST(GeneticSearch, NaNIsTheWorstAndCounted) {
   // half of all genomes are refused
-  const DiscreteProblem holes = problem_of(
+  const SearchProblem holes = problem_of(
       8, 4, [](const Genome& genome) { return genome[0] % 2 == 0 ? kNaN : separable(genome); });
-  Recorder recorder;
+  GenomeRecorder recorder;
   const SearchResult result = genetic_search(recorder.watch(holes), {.seed = 5});
   int refused = 0;
   for (const Genome& genome : recorder.all()) refused += genome[0] % 2 == 0 ? 1 : 0;
   EXPECT_GT(refused, 0);
   EXPECT_EQ(result.rejected_nan, refused);
   EXPECT_EQ(result.evaluations, static_cast<int>(recorder.all().size()));
-  EXPECT_EQ(result.best_seen.genes[0] % 2, 1);
+  EXPECT_EQ(genome_of(result.best_seen)[0] % 2, 1);
   for (const Individual& individual : result.final_population) {
-    EXPECT_EQ(individual.score == kInfinity, individual.genes[0] % 2 == 0);
+    EXPECT_EQ(individual.score == kInfinity, genome_of(individual)[0] % 2 == 0);
   }
 }
 
 TEST(GeneticSearch, NaNIsNotDrawnWhileOthersAreLeft) {
-  const DiscreteProblem holes =
+  const SearchProblem holes =
       problem_of(1, 4, [](const Genome& genome) { return genome[0] == 7 ? 0.5 : kNaN; });
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    Recorder recorder;
+    GenomeRecorder recorder;
     const SearchResult result =
         genetic_search(recorder.watch(holes), {.max_generations = 1, .seed = seed});
     const auto& first = recorder.batches[0];
     if (std::find(first.begin(), first.end(), Genome{7}) == first.end()) continue;
-    EXPECT_EQ(result.final_population[0].genes, Genome{7});
+    EXPECT_EQ(genome_of(result.final_population[0]), Genome{7});
   }
 }
 
 TEST(GeneticSearch, EvenIfAllScoresAreNaNEndsWithAGenome) {
-  const DiscreteProblem none = problem_of(8, 4, [](const Genome&) { return kNaN; });
+  const SearchProblem none = problem_of(8, 4, [](const Genome&) { return kNaN; });
   const SearchResult result = genetic_search(none, {.seed = 6});
   EXPECT_EQ(result.rejected_nan, result.evaluations);
-  EXPECT_EQ(result.best_seen.genes.size(), 8U);
+  EXPECT_EQ(result.best_seen.point.size(), 8U);
   EXPECT_EQ(result.best_seen.score, kInfinity);
   EXPECT_EQ(result.final_population.size(), 8U);
 }
 
 TEST(GeneticSearch, ScoresLeftUnwrittenAreRejected) {
-  const DiscreteProblem lazy{.genes = 4,
-                             .bits_per_gene = 4,
-                             .evaluate = [](std::span<const std::uint16_t>,
-                                            std::span<double> scores) { scores[0] = 1.0; }};
+  const SearchProblem lazy{
+      .genes = 4,
+      .evaluate = [](std::span<const double>, std::span<double> scores) { scores[0] = 1.0; }};
   const SearchResult result = genetic_search(lazy, {.max_generations = 0, .seed = 7});
   EXPECT_EQ(result.rejected_nan, result.evaluations - 1);
   EXPECT_EQ(result.best_seen.score, 1.0);
 }
 
 TEST(GeneticSearch, InfiniteAndNegativeScoresRankByValue) {
-  const DiscreteProblem wide = problem_of(1, 4, [](const Genome& genome) {
+  const SearchProblem wide = problem_of(1, 4, [](const Genome& genome) {
     return genome[0] == 3 ? -kInfinity : genome[0] == 4 ? kInfinity : -1.0 * genome[0];
   });
   const SearchResult result = genetic_search(wide, {.population = 100, .seed = 8});
-  EXPECT_EQ(result.best_seen.genes, Genome{3});
+  EXPECT_EQ(genome_of(result.best_seen), Genome{3});
   EXPECT_EQ(result.rejected_nan, 0);
 }
 
@@ -351,22 +313,22 @@ TEST(GeneticSearch, ReportsTheInitialPopulationAndEachGeneration) {
 
 TEST(GeneticSearch, CancelledBeforeItBeganScoresTheInitialPopulationOnly) {
   const std::atomic<bool> cancel = true;
-  Recorder recorder;
+  GenomeRecorder recorder;
   const SearchResult result =
       genetic_search(recorder.watch(kSeparable), {.seed = 10}, {.report = {}, .cancel = &cancel});
   EXPECT_EQ(result.end, SearchEnd::cancelled);
   EXPECT_EQ(result.generations, 0);
   EXPECT_EQ(recorder.batches.size(), 1U);
   EXPECT_EQ(result.final_population.size(), 8U);
-  EXPECT_EQ(separable(result.best_seen.genes), result.best_seen.score);
+  EXPECT_EQ(separable(genome_of(result.best_seen)), result.best_seen.score);
 }
 
 TEST(GeneticSearch, CancelledDuringABatchFinishesThatGeneration) {
   std::atomic<bool> cancel = false;
   int calls = 0;
-  DiscreteProblem problem = kSeparable;
-  problem.evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
-    kSeparable.evaluate(genomes, scores);
+  SearchProblem problem = kSeparable;
+  problem.evaluate = [&](std::span<const double> points, std::span<double> scores) {
+    kSeparable.evaluate(points, scores);
     if (++calls == 3) cancel = true;
   };
   // all pairs have children, so that each generation has a batch
@@ -375,7 +337,7 @@ TEST(GeneticSearch, CancelledDuringABatchFinishesThatGeneration) {
   EXPECT_EQ(result.end, SearchEnd::cancelled);
   EXPECT_EQ(calls, 3);
   EXPECT_EQ(result.generations, 2);
-  EXPECT_EQ(separable(result.best_seen.genes), result.best_seen.score);
+  EXPECT_EQ(separable(genome_of(result.best_seen)), result.best_seen.score);
 }
 
 TEST(GeneticSearch, CancelledDuringTheLastGenerationIsDone) {
@@ -388,7 +350,7 @@ TEST(GeneticSearch, CancelledDuringTheLastGenerationIsDone) {
 }
 
 TEST(GeneticSearch, WhatTheProblemOrTheReportThrowsPassesThrough) {
-  const DiscreteProblem broken =
+  const SearchProblem broken =
       problem_of(8, 4, [](const Genome&) -> double { throw std::runtime_error("no"); });
   EXPECT_THROW((void)genetic_search(broken, {}), std::runtime_error);
   const auto throwing = [](const ProgressReport&) { throw std::runtime_error("no"); };
@@ -398,7 +360,7 @@ TEST(GeneticSearch, WhatTheProblemOrTheReportThrowsPassesThrough) {
 TEST(GeneticSearch, WorksAtTheSmallestAndLargestSizes) {
   const auto count_of = [](int genes, int bits, int population) {
     return genetic_search(problem_of(genes, bits, separable),
-                          {.population = population, .max_generations = 3})
+                          {.bits_per_gene = bits, .population = population, .max_generations = 3})
         .evaluations;
   };
   EXPECT_GE(count_of(1, 1, 2), 1);
@@ -406,7 +368,7 @@ TEST(GeneticSearch, WorksAtTheSmallestAndLargestSizes) {
   EXPECT_GE(count_of(1, 1, 1000), 2);
 }
 
-std::string refusal(const DiscreteProblem& problem, const GeneticSettings& settings) {
+std::string refusal(const SearchProblem& problem, const GeneticSettings& settings) {
   try {
     (void)genetic_search(problem, settings);
   } catch (const PreconditionError& error) {
@@ -438,9 +400,9 @@ TEST(GeneticSearch, RefusesProblemsOutOfRangeAndNamesWhy) {
     EXPECT_EQ(refusal(problem_of(genes, 4, separable), {}).find("genes is"), 0U);
   }
   for (const int bits : {-1, 0, kMaxBitsPerGene + 1}) {
-    EXPECT_EQ(refusal(problem_of(4, bits, separable), {}).find("bits_per_gene is"), 0U);
+    EXPECT_EQ(refusal(kSeparable, {.bits_per_gene = bits}).find("bits_per_gene is"), 0U);
   }
-  const DiscreteProblem empty{.genes = 4, .bits_per_gene = 4, .evaluate = {}};
+  const SearchProblem empty{.genes = 4, .evaluate = {}};
   EXPECT_EQ(refusal(empty, {}).find("the problem has no evaluate function"), 0U);
 }
 

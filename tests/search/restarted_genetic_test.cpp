@@ -8,21 +8,25 @@
 #include <shigusa/search/genetic.hpp>
 #include <vector>
 
+#include "search/genome_problem.hpp"
+
 namespace shigusa {
 namespace {
 
-// The sum of six genes; counts what it scores.
-DiscreteProblem sum_of_genes(int& scored) {
-  DiscreteProblem problem;
-  problem.genes = 6;
-  problem.evaluate = [&scored](std::span<const std::uint16_t> genomes, std::span<double> scores) {
-    scored += static_cast<int>(scores.size());
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-      scores[i] = 0.0;
-      for (std::size_t g = 0; g < 6; ++g) scores[i] += genomes[i * 6 + g] / 90.0;
-    }
-  };
-  return problem;
+using namespace testing_support;
+
+double sum_of_codes(const Genome& genome) {
+  double sum = 0.0;
+  for (const std::uint16_t code : genome) sum += code / 90.0;
+  return sum;
+}
+
+// The sum of six codes; counts what it scores.
+SearchProblem sum_of_genes(int& scored) {
+  return problem_of(6, 4, [&scored](const Genome& genome) {
+    ++scored;
+    return sum_of_codes(genome);
+  });
 }
 
 TEST(MaxEvaluations, AreNeverExceeded) {
@@ -52,14 +56,24 @@ TEST(MaxEvaluations, ThatAreEnoughChangeNothing) {
   EXPECT_EQ(free.final_population, limited.final_population);
 }
 
-TEST(RestartedGeneticSearch, UsesItsBudgetUpToLessThanAPopulation) {
-  for (const int budget : {8, 100, 1000, 1007}) {
+TEST(RestartedGeneticSearch, UsesAllOfItsBudget) {
+  for (const int budget : {8, 9, 100, 1000, 1007}) {
     int scored = 0;
     const SearchResult result = restarted_genetic_search(sum_of_genes(scored), {}, budget);
-    EXPECT_LE(scored, budget);
-    EXPECT_GT(scored, budget - kPaperPopulation);
-    EXPECT_EQ(scored, result.evaluations);
+    EXPECT_EQ(scored, budget);
+    EXPECT_EQ(result.evaluations, budget);
     EXPECT_EQ(result.end, SearchEnd::budget);
+  }
+}
+
+TEST(RestartedGeneticSearch, EndsWhenNoGenomeIsLeft) {
+  for (const int genes : {1, 2}) {
+    GenomeRecorder recorder;
+    const SearchProblem problem = recorder.watch(problem_of(genes, 4, sum_of_codes));
+    const SearchResult result = restarted_genetic_search(problem, {}, 100'000);
+    EXPECT_EQ(result.end, SearchEnd::converged);
+    EXPECT_EQ(result.best_seen.score, 0.0);
+    EXPECT_LE(result.evaluations, genes == 1 ? 16 : 256);
   }
 }
 
@@ -67,22 +81,23 @@ TEST(RestartedGeneticSearch, BeginsWithTheSingleRunOfTheSeed) {
   int scored = 0;
   const SearchResult once = genetic_search(sum_of_genes(scored), {});
   const SearchResult often = restarted_genetic_search(sum_of_genes(scored), {}, 1000);
-  const auto begin = often.final_population.begin();
-  EXPECT_TRUE(std::equal(once.final_population.begin(), once.final_population.end(), begin));
+  EXPECT_TRUE(std::equal(once.final_population.begin(), once.final_population.end(),
+                         often.final_population.begin()));
 }
 
 TEST(RestartedGeneticSearch, GathersTheFinalPopulationsOfAllRuns) {
   int scored = 0;
   const SearchResult result = restarted_genetic_search(sum_of_genes(scored), {}, 1000);
   EXPECT_GT(result.final_population.size(), 5U * kPaperPopulation);
-  EXPECT_EQ(result.final_population.size() % kPaperPopulation, 0U);
 }
 
 TEST(RestartedGeneticSearch, RunsDiffer) {
   int scored = 0;
   const SearchResult result = restarted_genetic_search(sum_of_genes(scored), {}, 1000);
-  std::set<std::vector<std::uint16_t>> genomes;
-  for (const Individual& individual : result.final_population) genomes.insert(individual.genes);
+  std::set<Genome> genomes;
+  for (const Individual& individual : result.final_population) {
+    genomes.insert(genome_of(individual));
+  }
   EXPECT_GT(genomes.size(), result.final_population.size() / 2);
 }
 
@@ -120,92 +135,63 @@ TEST(RestartedGeneticSearch, CancelledEndsWithTheBestSoFar) {
       restarted_genetic_search(sum_of_genes(scored), {}, 1'000'000, progress);
   EXPECT_EQ(result.end, SearchEnd::cancelled);
   EXPECT_LT(result.evaluations, 300);
-  EXPECT_FALSE(result.best_seen.genes.empty());
+  EXPECT_FALSE(result.best_seen.point.empty());
 }
 
-// Keeps the size of each batch and every genome scored.
-struct Record {
-  std::vector<std::size_t> batches;
-  std::vector<Genome> genomes;
-
-  // `genes` of `bits` bits each
-  DiscreteProblem problem(int genes, int bits) {
-    DiscreteProblem result;
-    result.genes = genes;
-    result.bits_per_gene = bits;
-    result.evaluate = [this, genes](std::span<const std::uint16_t> packed,
-                                    std::span<double> scores) {
-      batches.push_back(scores.size());
-      const auto length = static_cast<std::size_t>(genes);
-      for (std::size_t i = 0; i < scores.size(); ++i) {
-        const auto genome = packed.subspan(i * length, length);
-        genomes.emplace_back(genome.begin(), genome.end());
-        scores[i] = 0.0;
-        for (const std::uint16_t gene : genome) scores[i] += gene / 90.0;
-      }
-    };
-    return result;
-  }
-};
-
 TEST(RunsSideBySide, ScoreAGenomeThatTwoComeUponOnce) {
-  // 256 genomes: sixteen runs of eight meet often
-  Record record;
-  const SearchResult result = restarted_genetic_search(record.problem(2, 4), {}, 200);
-  const std::set<Genome> distinct(record.genomes.begin(), record.genomes.end());
-  EXPECT_EQ(distinct.size(), record.genomes.size());
-  EXPECT_EQ(result.evaluations, static_cast<int>(record.genomes.size()));
+  // 256 genomes: runs of eight meet often
+  GenomeRecorder recorder;
+  const SearchResult result =
+      restarted_genetic_search(recorder.watch(problem_of(2, 4, sum_of_codes)), {}, 200);
+  const std::vector<Genome> all = recorder.all();
+  EXPECT_EQ(std::set<Genome>(all.begin(), all.end()).size(), all.size());
+  EXPECT_EQ(result.evaluations, static_cast<int>(all.size()));
   // the runs' populations do share genomes
   std::set<Genome> last;
-  for (const Individual& individual : result.final_population) last.insert(individual.genes);
+  for (const Individual& individual : result.final_population) last.insert(genome_of(individual));
   EXPECT_LT(last.size(), result.final_population.size());
 }
 
-TEST(RunsSideBySide, BeginWithAllTheirPopulationsInOneBatch) {
-  for (const int runs : {1, 3, kRunsAtOnce}) {
-    Record record;
-    (void)restarted_genetic_search(record.problem(20, 4), {}, runs * kEvaluationsPerRun);
-    EXPECT_EQ(record.batches[0], static_cast<std::size_t>(runs * kPaperPopulation));
+TEST(RunsSideBySide, BecomeAsManyAsAPowerOfTwoBelowThoseThatHaveEnded) {
+  // without offspring each run is its initial population, then three generations without any
+  GenomeRecorder recorder;
+  (void)restarted_genetic_search(recorder.watch(problem_of(20, 4, sum_of_codes)),
+                                 {.crossover_rate = 0.0, .mutation_rate = 0.0},
+                                 80 * kPaperPopulation);
+  std::vector<std::size_t> runs;
+  for (const auto& batch : recorder.batches) {
+    if (!batch.empty()) runs.push_back(batch.size() / kPaperPopulation);
   }
+  EXPECT_EQ(runs, (std::vector<std::size_t>{4, 4, 8, 16, 16, 16, 16}));
 }
 
-TEST(RunsSideBySide, AreNoMoreThanTheirLimit) {
-  Record record;
-  (void)restarted_genetic_search(record.problem(20, 4), {}, 100 * kEvaluationsPerRun);
-  EXPECT_EQ(record.batches[0], static_cast<std::size_t>(kRunsAtOnce * kPaperPopulation));
-}
-
-TEST(RunsSideBySide, FillSixteenLanesInMostBatches) {
-  // the paper's 300 motions: four runs
+TEST(RunsSideBySide, FillSixteenLanesInMostBatchesOnceTheyAreMany) {
   std::size_t lanes = 0;
   std::size_t motions = 0;
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    Record record;
-    (void)restarted_genetic_search(record.problem(20, 4), {.seed = seed}, 300);
-    for (const std::size_t size : record.batches) {
-      motions += size;
-      lanes += (size + 15) / 16 * 16;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    GenomeRecorder recorder;
+    (void)restarted_genetic_search(recorder.watch(problem_of(20, 4, sum_of_codes)), {.seed = seed},
+                                   3000);
+    for (const auto& batch : recorder.batches) {
+      motions += batch.size();
+      lanes += (batch.size() + 15) / 16 * 16;
     }
   }
-  EXPECT_GT(static_cast<double>(motions) / static_cast<double>(lanes), 0.6);
+  EXPECT_GT(static_cast<double>(motions) / static_cast<double>(lanes), 0.65);
   RecordProperty("lanes_filled_percent", static_cast<int>(100 * motions / lanes));
 }
 
 TEST(RunsSideBySide, DoNotDependOnHowABatchIsScored) {
-  const auto search = [](bool one_by_one) {
-    Record record;
-    DiscreteProblem whole = record.problem(20, 4);
-    DiscreteProblem parted = whole;
-    parted.evaluate = [&](std::span<const std::uint16_t> packed, std::span<double> scores) {
-      // from the last genome to the first
-      for (std::size_t i = scores.size(); i-- > 0;) {
-        whole.evaluate(packed.subspan(i * 20, 20), scores.subspan(i, 1));
-      }
-    };
-    return restarted_genetic_search(one_by_one ? parted : whole, {.seed = 5}, 1000);
+  const SearchProblem whole = problem_of(20, 4, sum_of_codes);
+  SearchProblem parted = whole;
+  parted.evaluate = [&](std::span<const double> points, std::span<double> scores) {
+    // from the last point to the first
+    for (std::size_t i = scores.size(); i-- > 0;) {
+      whole.evaluate(points.subspan(i * 20, 20), scores.subspan(i, 1));
+    }
   };
-  const SearchResult together = search(false);
-  const SearchResult alone = search(true);
+  const SearchResult together = restarted_genetic_search(whole, {.seed = 5}, 1000);
+  const SearchResult alone = restarted_genetic_search(parted, {.seed = 5}, 1000);
   EXPECT_EQ(together.final_population, alone.final_population);
   EXPECT_EQ(together.best_seen, alone.best_seen);
   EXPECT_EQ(together.evaluations, alone.evaluations);

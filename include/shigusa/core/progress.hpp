@@ -2,7 +2,9 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 namespace shigusa {
@@ -15,16 +17,19 @@ struct ProgressReport {
   double best_score = 0.0;  // lowest score so far; meaningless while evaluations is 0
 };
 
-// How a caller watches and stops long work. Both members may be left empty. `report` is called on
+// How a caller watches and stops long work. All members may be left empty. `report` is called on
 // the thread that called the work; what it throws is passed on to that caller. Setting `cancel` to
 // true, from any thread or from a signal handler, ends the work at its next step with the best so
-// far.
+// far; so does the `deadline` once it has passed. What is found by a deadline depends on the
+// machine's speed.
 struct Progress {
-  std::function<void(const ProgressReport&)> report;
+  std::function<void(const ProgressReport&)> report{};
   const std::atomic<bool>* cancel = nullptr;
+  std::optional<std::chrono::steady_clock::time_point> deadline{};
 
   [[nodiscard]] bool cancelled() const {
-    return cancel != nullptr && cancel->load(std::memory_order_relaxed);
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return true;
+    return deadline && std::chrono::steady_clock::now() >= *deadline;
   }
 };
 

@@ -57,10 +57,12 @@ struct IkWorkspace {
   };
   std::vector<Vec3<S>> columns;  // of positions, (targets × dofs)
   Block blocks[kMaxIkRows / 3];
+  std::vector<S> pull;  // (dofs) Jᵀ y: times the inverse weight, the step of the last solve
   SmallSymmetric<S, kMaxIkRows> system;
   S residual[kMaxIkRows];
 
-  explicit IkWorkspace(const BodyModel& body) : columns(body.dofs().size() * kMaxIkRows / 3) {}
+  explicit IkWorkspace(const BodyModel& body)
+      : columns(body.dofs().size() * kMaxIkRows / 3), pull(body.dofs().size()) {}
 };
 
 // How far the target's point is from where it is to be (m, world).
@@ -280,7 +282,7 @@ void weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
     ik_detail::take_off_reference(blocks, inverse_weights, reference, workspace);
   }
   ik_detail::solve(rows, diagonal * S(kIkPivotFloor<Element<S>>), workspace);
-  for (std::size_t d = 0; d < dq.size(); ++d) dq[d] = S(0);
+  for (S& pull : workspace.pull) pull = S(0);
   for (int b = 0; b < blocks; ++b) {
     const auto& block = workspace.blocks[b];
     const Vec3<S> force = Vec3<S>{workspace.residual[3 * b], workspace.residual[3 * b + 1],
@@ -288,12 +290,12 @@ void weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
                           S(block.scale);
     for (const int dof : block.chain) {
       const auto d = static_cast<std::size_t>(dof);
-      dq[d] = dq[d] + dot(block.columns[d], force);
+      workspace.pull[d] = workspace.pull[d] + dot(block.columns[d], force);
     }
   }
   S largest(0);
   for (std::size_t d = 0; d < dq.size(); ++d) {
-    dq[d] = dq[d] * inverse_weights[d];
+    dq[d] = workspace.pull[d] * inverse_weights[d];
     if (!reference.empty()) {
       dq[d] = dq[d] + select(inverse_weights[d] > S(0), reference[d], S(0));
     }

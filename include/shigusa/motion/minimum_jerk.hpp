@@ -32,6 +32,13 @@ namespace shigusa {
   return (rise(t) + late * late * late * late * late) / rise(peak);
 }
 
+// How far a bowed path has left its line when the share s of the way is done, its whole bow being
+// 1: 4 s (1 - s), and with a skew of up to ±1 more of it early (> 0) or late (< 0).
+template <class S>
+[[nodiscard]] S path_bow(const S& s, const S& skew) {
+  return S(4) * s * (S(1) - s) * (S(1) + skew * (S(1) - S(2) * s));
+}
+
 // Where an effector is to be at each moment: a minimum-jerk line from start to goal, straight or by
 // way of a detour.
 struct EffectorPath {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <shigusa/criteria/criteria.hpp>
+#include <shigusa/rollout/motion_input.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <shigusa/simd/simd_set.hpp>
 #include <span>
@@ -30,8 +31,10 @@ class BatchRollout {
   BatchRollout(const BatchRollout&) = delete;
   BatchRollout& operator=(const BatchRollout&) = delete;
 
-  // inverse_weights (motions × dofs): see weighted_ik_step. scores (motions); lower is better.
-  void score(std::span<const float> inverse_weights, std::span<double> scores);
+  // scores (motions), lower is better. final_angles (motions × dofs, rad), or empty where nobody
+  // asks: the posture that each motion ends in.
+  void score(const MotionInputs& inputs, std::span<double> scores,
+             std::span<float> final_angles = {});
 
  private:
   const ReachProblem* problem_;

@@ -22,6 +22,8 @@ struct ReachTolerance {
 struct ReachGoal {
   int effector = 0;  // index in the body's effectors
   EffectorPath path;
+  // m, world: how far the path leaves its line at mid-way for a bow of 1 (see path_bow)
+  Vec3d bow{};
 };
 
 // Everything that is the same for all motions of one search.
@@ -37,6 +39,7 @@ struct ReachProblem {
   // false: the hands go where the guide takes them, and only the last frame has them at their goals
   bool follow_path = true;
   IkSettings ik;
+  bool hold_limits = false;  // no joint passes a limit (see LimitGuard)
   // A step falls short of its path by what joints on arcs leave the straight line. The shortfall
   // changes little from frame to frame, so the next step allows for the last one's, up to this
   // much; farther off, the goal is one that the body cannot follow.
@@ -44,8 +47,10 @@ struct ReachProblem {
   // the last frame has the hand at rest: there the goal itself is to be met, by this many steps …
   double goal_tolerance = 1e-5;  // m
   int goal_corrections = 12;
-  // … and by so many in every other frame, for goals at the very edge of reach …
+  // … and by so many in every other frame that is off by more than path_slack: for goals at the
+  // very edge of reach, and where limits hold joints back …
   int corrections = 0;
+  double path_slack = 1e-5;  // m
   // … but where more than this is missed, nothing is to be gained
   double rescue_limit = 0.05;  // m
   // where a planted foot is off by more than this after all, up to so many steps correct it alone;

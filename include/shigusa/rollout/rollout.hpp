@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <shigusa/criteria/criteria.hpp>
 #include <shigusa/dynamics/centre_of_mass.hpp>
 #include <shigusa/dynamics/contact_forces.hpp>
+#include <shigusa/rollout/limit_guard.hpp>
+#include <shigusa/rollout/motion_input.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <vector>
@@ -30,7 +33,8 @@ class Rollout {
         torques_(speeds_),
         step_(speeds_),
         unlocked_(speeds_),
-        reference_(problem.guide.size()) {
+        reference_(speeds_) {
+    if (problem.hold_limits) limits_.emplace(*problem.body);
     for (const IkTarget<double>& target : ik_targets(problem)) {
       targets_.push_back({.link = target.link,
                           .point = to_scalar<Element<S>>(target.point),
@@ -47,10 +51,9 @@ class Rollout {
     }
   }
 
-  // inverse_weights (dofs): see weighted_ik_step. visit(const MotionFrame<S>&, const
-  // Kinematics<S>&) is called for the frames 0..steps in order.
+  // visit(const MotionFrame<S>&, const Kinematics<S>&) is called for the frames 0..steps in order.
   template <class Visitor>
-  BasicReachOutcome<S> run(std::span<const S> inverse_weights, Visitor&& visit) {
+  BasicReachOutcome<S> run(const MotionInput<S>& input, Visitor&& visit) {
     const BodyModel& body = *problem_->body;
     BasicReachOutcome<S> outcome;
     for (IkTarget<S>& target : targets_) {
@@ -58,13 +61,15 @@ class Rollout {
       target.lead = target.tilt_lead = {};
     }
     now_ = 0;
+    drawn_ = !problem_->guide.empty() || !input.posture.empty();
+    if (limits_) limits_->reset();
     for (std::size_t d = 0; d < speeds_.size(); ++d) {
       angles_[0][d] = angles_[1][d] = S(body.start()[d]);
-      unlocked_[d] = select(inverse_weights[d] > S(0), S(1), S(0));
+      unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
     }
     forward_kinematics<S>(body, angles_[1], now());
     for (int frame = 1; frame <= problem_->steps; ++frame) {
-      follow(frame, inverse_weights, outcome);
+      follow(frame, input, outcome);
       show_frame(visit);
       std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
       now_ = 1 - now_;
@@ -75,28 +80,30 @@ class Rollout {
     return outcome;
   }
 
+  // (dofs, rad) where the last motion ended.
+  [[nodiscard]] std::span<const S> final_angles() const { return angles_[1]; }
+
  private:
   // placements in this frame and in the next
   [[nodiscard]] Kinematics<S>& now() { return kinematics_[now_]; }
   [[nodiscard]] Kinematics<S>& next() { return kinematics_[1 - now_]; }
 
   // moves the angles of the next frame to where the paths are then
-  void follow(int frame, std::span<const S> inverse_weights, BasicReachOutcome<S>& outcome) {
+  void follow(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
     const bool last = frame == problem_->steps;
-    for (std::size_t g = 0; g < contacts_from_; ++g) {
-      const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
-      targets_[g].position = to_scalar<S>(paths_[k]);
-    }
+    const std::span<const S> inverse_weights = input.inverse_weights;
+    place_goals(frame, input);
     const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
     const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
     const auto contacts = std::span<IkTarget<S>>(targets_).subspan(contacts_from_);
-    draw_to_guide(frame);
+    draw_null_space(frame, input);
     step(targets, inverse_weights);
     BasicReachOutcome<S> missed = measure(targets, true);
     const int corrections = last ? problem_->goal_corrections : problem_->corrections;
+    const S slack(last ? problem_->goal_tolerance : problem_->path_slack);
     for (int k = 0; k < corrections; ++k) {
       const S worst = max(missed.path_error, contact_error(missed));
-      const auto off = (worst > S(problem_->goal_tolerance)) & (worst < S(problem_->rescue_limit));
+      const auto off = (worst > slack) & (worst < S(problem_->rescue_limit));
       if (!any(off)) break;
       correct(targets, inverse_weights, off);
       missed = measure(targets, false);
@@ -117,9 +124,15 @@ class Rollout {
 
   // one step of IK from this frame to the next
   void step(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights) {
-    weighted_ik_step<S>(*problem_->body, now(), targets, inverse_weights, reference_, problem_->ik,
-                        ik_, step_);
+    const std::span<const S> reference =
+        drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
+    weighted_ik_step<S>(*problem_->body, now(), targets, within_limits(inverse_weights, angles_[1]),
+                        reference, problem_->ik, ik_, step_);
     for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[1][d] + step_[d];
+    if (limits_) {
+      limits_->learn(inverse_weights, ik_.pull, reference);
+      limits_->hold(angles_[2]);
+    }
     forward_kinematics<S>(*problem_->body, angles_[2], next());
   }
 
@@ -133,8 +146,8 @@ class Rollout {
       leads_.push_back({target.lead, target.tilt_lead});
       target.lead = target.tilt_lead = {};
     }
-    weighted_ik_step<S>(*problem_->body, next(), targets, inverse_weights, {}, problem_->ik, ik_,
-                        step_);
+    weighted_ik_step<S>(*problem_->body, next(), targets,
+                        within_limits(inverse_weights, angles_[2]), {}, problem_->ik, ik_, step_);
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].lead = leads_[i].position;
       targets[i].tilt_lead = leads_[i].tilt;
@@ -142,12 +155,46 @@ class Rollout {
     for (std::size_t d = 0; d < step_.size(); ++d) {
       angles_[2][d] = select(off, angles_[2][d] + step_[d], angles_[2][d]);
     }
+    if (limits_) limits_->hold(angles_[2]);
     forward_kinematics<S>(*problem_->body, angles_[2], next());
   }
 
-  // the step that, taken in every frame, follows the minimum-jerk profile into the guide posture
+  // the inverse weights to step with from these angles
+  std::span<const S> within_limits(std::span<const S> inverse_weights, std::span<const S> angles) {
+    return limits_ ? limits_->soften(inverse_weights, angles) : inverse_weights;
+  }
+
+  // where the effectors are to be in this frame
+  void place_goals(int frame, const MotionInput<S>& input) {
+    const double way = minimum_jerk(static_cast<double>(frame) / problem_->steps);
+    const S off = path_bow(S(way), input.skew) * input.bow;
+    for (std::size_t g = 0; g < contacts_from_; ++g) {
+      const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
+      targets_[g].position = to_scalar<S>(paths_[k]);
+      if (input.posture.empty()) continue;
+      targets_[g].position += to_scalar<S>(problem_->goals[g].bow) * off;
+    }
+  }
+
+  // how far the null space is drawn in this frame: so that, drawn in every frame, it follows the
+  // minimum-jerk profile into the guide posture, or makes the input's change of posture
+  void draw_null_space(int frame, const MotionInput<S>& input) {
+    if (!problem_->guide.empty()) {
+      draw_to_guide(frame);
+    } else if (drawn_) {
+      const S share = posture_share(frame, input) - posture_share(frame - 1, input);
+      for (std::size_t d = 0; d < reference_.size(); ++d) reference_[d] = input.posture[d] * share;
+    }
+  }
+
+  // how much of the change of posture is made by then
+  S posture_share(int frame, const MotionInput<S>& input) const {
+    const S tau(static_cast<double>(frame) / problem_->steps);
+    const S t = clamp((tau - input.delay) / (S(1) - input.delay), S(0), S(1));
+    return t * t * t * (S(10) - t * (S(15) - S(6) * t));
+  }
+
   void draw_to_guide(int frame) {
-    if (reference_.empty()) return;
     const double before = minimum_jerk(static_cast<double>(frame - 1) / problem_->steps);
     const double now = minimum_jerk(static_cast<double>(frame) / problem_->steps);
     for (std::size_t d = 0; d < reference_.size(); ++d) {
@@ -227,7 +274,9 @@ class Rollout {
   std::vector<S> torques_;
   std::vector<S> step_;
   std::vector<S> unlocked_;   // (dofs) 1, or 0 where locked
-  std::vector<S> reference_;  // (dofs), or empty without a guide
+  bool drawn_ = false;        // the null space is drawn somewhere, by …
+  std::vector<S> reference_;  // … (dofs, rad) in this frame
+  std::optional<LimitGuard<S>> limits_;
 };
 
 // A motion with all that is known of it.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <shigusa/search/genetic_operators.hpp>
 #include <shigusa/search/problem.hpp>
 
 namespace shigusa {
@@ -18,6 +19,7 @@ inline constexpr int kPaperUnchangedGenerations = 3;  // generations without cha
 inline constexpr double kPaperFitnessOffset = 0.05;   // fitness F = 1 / (offset + score)
 
 struct GeneticSettings {
+  int bits_per_gene = kPaperBitsPerGene;                   // 1..kMaxBitsPerGene
   int population = kPaperPopulation;                       // even, 2..1000
   double crossover_rate = kPaperCrossoverRate;             // per pair, 0..1
   double mutation_rate = kPaperMutationRate;               // per individual, 0..1
@@ -31,11 +33,14 @@ struct GeneticSettings {
 };
 
 // The paper's genetic algorithm (section 3.2, with rule R7 for what it leaves open); its steps are
-// the functions of genetic_operators.hpp:
+// the functions of genetic_operators.hpp. It searches over strings of codes, bits_per_gene bits for
+// each coordinate; a code stands for the middle of its share of [0, 1] (point_of_genome). What a
+// share means is the problem's affair: the paper's own search (16 shares are the weights 0..15) and
+// the one over logarithmic weights are this same algorithm on two problems.
 //
 //   population := `population` random genomes
 //   repeat until the population, as a set, is unchanged for `unchanged_generations` generations,
-//          or `max_generations` have passed, or the next would exceed `max_evaluations`:
+//          or `max_generations` have passed, or `max_evaluations` are used up:
 //     shuffle into pairs; each pair, with crossover_rate, gives two children by one-point
 //       crossover of the concatenated bit string; parents stay
 //     each parent, with mutation_rate, gives a copy with one random bit flipped
@@ -47,9 +52,11 @@ struct GeneticSettings {
 // kept aside in best_seen. "As a set" disregards order and how many copies there are of a genome.
 //
 // Scoring: each generation's genomes that are new to this search go to problem.evaluate in one call
-// (children, then mutants, equal ones once), so a genome is never scored twice. Scores are meant to
-// be ≥ 0; the roulette takes a negative one for 0. A NaN score is rejected: it counts as
-// +infinity and keeps only the least fitness there is. The memory grows by one genome per scoring.
+// (children, then mutants, equal ones once), so a genome is never scored twice. Of a batch that
+// exceeds `max_evaluations` the first genomes are scored, and the generation is not completed. The
+// problem's start is not used: the paper begins by chance. Scores are meant to be ≥ 0; the roulette
+// takes a negative one for 0. A NaN score is rejected: it counts as +infinity and keeps only the
+// least fitness there is. The memory grows by one genome per scoring.
 //
 // `progress` is told after the initial population and after each generation, on the caller's
 // thread. Cancelling lets the generation under way finish, and has no effect if it is the last; the
@@ -58,22 +65,24 @@ struct GeneticSettings {
 //
 // The result depends on problem and settings only: same seed, same result. Settings or a problem
 // outside the stated ranges throw PreconditionError; what problem.evaluate throws passes through.
-[[nodiscard]] SearchResult genetic_search(const DiscreteProblem& problem,
+[[nodiscard]] SearchResult genetic_search(const SearchProblem& problem,
                                           const GeneticSettings& settings,
                                           const Progress& progress = {});
 
-// Runs that restarted_genetic_search has going at once, so that a batch fills many lanes: as many
-// as the budget lets run to their end, which takes about kEvaluationsPerRun, and kRunsAtOnce at
-// most.
-inline constexpr int kEvaluationsPerRun = 75;
+// Most runs that restarted_genetic_search has going at once, so that a batch fills many lanes.
 inline constexpr int kRunsAtOnce = 16;
+// How many go on until the first have ended.
+inline constexpr std::size_t kRunsAtFirst = 4;
+// It ends as converged when so many runs in succession came upon no genome that was new.
+inline constexpr int kRunsWithoutNew = 64;
 
-// The genetic algorithm again and again, with the streams 0, 1, 2, … of the seed, until less than a
-// population's scorings are left of `evaluations` (≥ population): an equal budget for every search.
-// Several runs go on side by side and are scored in one call; a genome that two of them come upon
-// is scored once. The final population is that of all runs together, by stream; generations are
-// summed.
-[[nodiscard]] SearchResult restarted_genetic_search(const DiscreteProblem& problem,
+// The genetic algorithm again and again, with the streams 0, 1, 2, … of the seed, until
+// `evaluations` (≥ population) are used up: an equal budget for every search. First kRunsAtFirst
+// side by side, later as many as the largest power of two that is not above the number of runs that
+// have ended, kRunsAtOnce at most: 4, 4, 8, 16, 16, … They are scored in one call; a genome that
+// two of them come upon is scored once. The final population is that of all runs together, by
+// stream; generations are summed.
+[[nodiscard]] SearchResult restarted_genetic_search(const SearchProblem& problem,
                                                     const GeneticSettings& settings,
                                                     int evaluations, const Progress& progress = {});
 

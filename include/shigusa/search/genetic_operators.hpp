@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <shigusa/core/random.hpp>
-#include <shigusa/search/problem.hpp>
 #include <span>
 #include <vector>
 
@@ -10,6 +10,23 @@
 // genome: bit b lies in gene b / bits_per_gene, and bit 0 is the most significant of gene 0. What
 // lies outside the stated ranges throws PreconditionError.
 namespace shigusa {
+
+// A fixed-length string of small integers: (genes) each 0..2^bits_per_gene-1.
+using Genome = std::vector<std::uint16_t>;
+
+inline constexpr int kMaxBitsPerGene = 16;
+
+// A genome with its score.
+struct ScoredGenome {
+  Genome genes;
+  double score = 0.0;  // lower is better; +infinity where the problem gave NaN
+};
+
+// A gene's code stands for the middle of its share of [0, 1]: (code + 0.5) / 2^bits_per_gene.
+[[nodiscard]] std::vector<double> point_of_genome(const Genome& genome, int bits_per_gene);
+
+// The codes whose shares the coordinates, each in [0, 1], lie in.
+[[nodiscard]] Genome genome_of_point(std::span<const double> point, int bits_per_gene);
 
 // The fitness of a rejected individual; no fitness is smaller, so that each can still be drawn.
 inline constexpr double kLeastFitness = 1e-30;
@@ -34,12 +51,12 @@ struct Children {
 // The children of one generation: parents in a random order form pairs; each pair, with the given
 // rate, has two children with the cut uniform in 1..total bits-1. Single-bit genomes cannot be cut
 // and have none. The number of parents is even.
-[[nodiscard]] std::vector<Genome> children_of(std::span<const Individual> parents, double rate,
+[[nodiscard]] std::vector<Genome> children_of(std::span<const ScoredGenome> parents, double rate,
                                               int bits_per_gene, Random& random);
 
 // The mutants of one generation: each parent, with the given rate, adds a copy of itself with one
 // bit, drawn uniformly, flipped.
-[[nodiscard]] std::vector<Genome> mutants_of(std::span<const Individual> parents, double rate,
+[[nodiscard]] std::vector<Genome> mutants_of(std::span<const ScoredGenome> parents, double rate,
                                              int bits_per_gene, Random& random);
 
 // 1 / (offset + max(score, 0)), and at least kLeastFitness; offset > 0, score not NaN.
@@ -55,7 +72,7 @@ class ConvergenceTest {
   explicit ConvergenceTest(int unchanged_generations) : needed_(unchanged_generations) {}
 
   // To be called with the initial population and then after each generation.
-  [[nodiscard]] bool converged(std::span<const Individual> population);
+  [[nodiscard]] bool converged(std::span<const ScoredGenome> population);
 
  private:
   int needed_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <shigusa/core/progress.hpp>
 #include <span>
@@ -9,27 +8,26 @@
 
 namespace shigusa {
 
-// A fixed-length string of small integers: (genes) each 0..2^bits_per_gene-1.
-using Genome = std::vector<std::uint16_t>;
-
 inline constexpr int kMaxGenes = 10000;
-inline constexpr int kMaxBitsPerGene = 16;
 
-// A minimisation over genomes. Searches know numbers, never bodies; batch evaluation is the one
-// seam between them and what is searched.
-struct DiscreteProblem {
-  int genes = 0;          // genes per genome, 1..kMaxGenes
-  int bits_per_gene = 4;  // 1..kMaxBitsPerGene; a gene is an integer in 0..2^bits-1
+// A minimisation over the unit cube. Searches know numbers, never bodies; batch evaluation is the
+// one seam between them and what is searched.
+struct SearchProblem {
+  int genes = 0;  // coordinates of a point, 1..kMaxGenes
 
-  // Scores `count` genomes: `genomes` is (count × genes), `scores` is (count), lower is better.
-  // A NaN score, or one left unwritten, is treated as the worst.
-  std::function<void(std::span<const std::uint16_t> genomes, std::span<double> scores)> evaluate;
+  // Scores `count` points: `points` is (count × genes), each coordinate in [0, 1]; `scores` is
+  // (count), lower is better. A NaN score, or one left unwritten, is treated as the worst.
+  std::function<void(std::span<const double> points, std::span<double> scores)> evaluate{};
+
+  // A guess, (genes) in [0, 1]; empty: the middle. Searches over real numbers score it first and go
+  // out from there; those over codes draw their first points by chance.
+  std::vector<double> start{};
 };
 
-// A genome with its score.
+// A point with its score.
 struct Individual {
-  Genome genes;
-  double score = 0.0;  // lower is better; +infinity where the problem gave NaN
+  std::vector<double> point;  // (genes) in [0, 1]
+  double score = 0.0;         // lower is better; +infinity where the problem gave NaN
 
   friend bool operator==(const Individual&, const Individual&) = default;
 };
@@ -37,10 +35,14 @@ struct Individual {
 enum class SearchEnd { converged, budget, cancelled };
 
 // What a search returns.
+//
+// Every search is anytime: its budget decides where it stops and nothing else. The points that are
+// scored with one budget are the first of those scored with a larger one, so with the same seed
+// more budget never gives a worse best_seen.
 struct SearchResult {
-  std::vector<Individual> final_population;  // in the order of the last generation
+  std::vector<Individual> final_population;  // what the search ended with: see each search
   Individual best_seen;                      // the best of all evaluated; the first among equals
-  int evaluations = 0;                       // genomes scored
+  int evaluations = 0;                       // points scored
   int rejected_nan = 0;                      // scores that were NaN
   int generations = 0;                       // completed after the initial population
   SearchEnd end = SearchEnd::budget;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/body_model.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// A joint that moves towards a limit gives way to the others from this far before it (rad).
+inline constexpr double kLimitMargin = radians(8.0);
+
+// Joint limits inside the IK, as an active set that changes smoothly. Towards a limit a freedom's
+// inverse weight falls to 0 over the last kLimitMargin, so that it comes to rest there while others
+// take over; away from it, the freedom has its own weight. Which way it wants to go is taken from
+// the step before. What a step would pass a limit by in spite of that is held back, and left for
+// corrections to make up for with the other freedoms.
+//
+// After T. Chan and R. Dubey, IEEE Trans. Robotics and Automation 11 (1995) 286-292, where weights
+// grow without bound towards a limit; here they do so at the limit itself, not before.
+template <class S>
+class LimitGuard {
+ public:
+  explicit LimitGuard(const BodyModel& body)
+      : wanted_(body.dofs().size()), softened_(body.dofs().size()) {
+    for (std::size_t d = 0; d < wanted_.size(); ++d) {
+      const Dof& dof = body.dofs()[d];
+      // a start posture outside its range may stay where it is
+      limits_.push_back({static_cast<T>(min(dof.lower, body.start()[d])),
+                         static_cast<T>(max(dof.upper, body.start()[d]))});
+    }
+    for (const LimitCoupling& c : body.couplings()) {
+      couplings_.push_back({static_cast<std::size_t>(c.dof), static_cast<std::size_t>(c.driver),
+                            static_cast<T>(c.gain), static_cast<T>(1.0 / c.driver_full)});
+    }
+    upper_.resize(limits_.size());
+  }
+
+  // Before a motion's first step.
+  void reset() {
+    for (S& wanted : wanted_) wanted = S(0);
+  }
+
+  // The inverse weights (dofs) to step with from the angles (dofs, rad).
+  [[nodiscard]] std::span<const S> soften(std::span<const S> inverse_weights,
+                                          std::span<const S> angles) {
+    find_upper(angles);
+    for (std::size_t d = 0; d < limits_.size(); ++d) {
+      const S room =
+          select(wanted_[d] > S(0), upper_[d] - angles[d], angles[d] - S(limits_[d].lower));
+      softened_[d] = inverse_weights[d] * clamp(room * S(1.0 / kLimitMargin), S(0), S(1));
+    }
+    return softened_;
+  }
+
+  // What each freedom would have done by its own weight: `pull` (dofs) is Jᵀ y, see IkWorkspace.
+  void learn(std::span<const S> inverse_weights, std::span<const S> pull,
+             std::span<const S> reference) {
+    for (std::size_t d = 0; d < limits_.size(); ++d) {
+      wanted_[d] = inverse_weights[d] * pull[d];
+      if (!reference.empty()) wanted_[d] = wanted_[d] + reference[d];
+    }
+  }
+
+  // Holds the angles (dofs, rad) within the limits.
+  void hold(std::span<S> angles) {
+    for (std::size_t d = 0; d < limits_.size(); ++d) {
+      if (!coupled(d)) {
+        angles[d] = clamp(angles[d], S(limits_[d].lower), S(limits_[d].upper));
+      }
+    }
+    find_upper(angles);
+    for (const Coupling& c : couplings_) {
+      angles[c.dof] = clamp(angles[c.dof], S(limits_[c.dof].lower), upper_[c.dof]);
+    }
+  }
+
+ private:
+  using T = Element<S>;
+  struct Limit {
+    T lower;
+    T upper;
+  };
+  struct Coupling {
+    std::size_t dof;
+    std::size_t driver;
+    T gain;
+    T per_driver;
+  };
+
+  [[nodiscard]] bool coupled(std::size_t d) const {
+    for (const Coupling& c : couplings_) {
+      if (c.dof == d) return true;
+    }
+    return false;
+  }
+
+  void find_upper(std::span<const S> angles) {
+    for (std::size_t d = 0; d < limits_.size(); ++d) upper_[d] = S(limits_[d].upper);
+    for (const Coupling& c : couplings_) {
+      const S share = clamp(angles[c.driver] * S(c.per_driver), S(0), S(1));
+      upper_[c.dof] = upper_[c.dof] + share * S(c.gain);
+    }
+  }
+
+  std::vector<Limit> limits_;
+  std::vector<Coupling> couplings_;
+  std::vector<S> upper_;     // (dofs) rad, with what the couplings add now
+  std::vector<S> wanted_;    // (dofs) rad, the last step without limits
+  std::vector<S> softened_;  // (dofs)
+};
+
+}  // namespace shigusa

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/math/scalar.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// Parameters of one motion as the kernel computes with them; S is double, or a pack whose lanes are
+// motions of their own.
+template <class S>
+struct MotionInput {
+  std::span<const S> inverse_weights;  // (dofs) see weighted_ik_step
+  // (dofs, rad) by how much the null space is drawn away from the start posture until the end, or
+  // empty
+  std::span<const S> posture{};
+  S delay{};  // share of the duration after which the posture begins to change, 0..kDelayMax
+  S bow{};    // of the effectors' paths, see ReachGoal::bow
+  S skew{};   // of the bow towards the start (> 0) or the end, see path_bow
+
+  // weights alone
+  MotionInput(std::span<const S> weights) : inverse_weights(weights) {}     // NOLINT
+  MotionInput(const std::vector<S>& weights) : inverse_weights(weights) {}  // NOLINT
+  MotionInput(std::span<const S> weights, std::span<const S> change, const S& begin,
+              const S& path_bow, const S& path_skew)
+      : inverse_weights(weights), posture(change), delay(begin), bow(path_bow), skew(path_skew) {}
+};
+
+inline constexpr double kDelayMax = 0.5;  // share of the duration
+
+// The same of many motions, one after the other, in single precision.
+struct MotionInputs {
+  std::span<const float> inverse_weights;  // (motions × dofs)
+  std::span<const float> posture{};        // (motions × dofs) or empty
+  std::span<const float> timing{};         // (motions × 3): delay, bow, skew; empty as posture is
+
+  MotionInputs(std::span<const float> weights) : inverse_weights(weights) {}     // NOLINT
+  MotionInputs(const std::vector<float>& weights) : inverse_weights(weights) {}  // NOLINT
+  MotionInputs(std::span<const float> weights, std::span<const float> change,
+               std::span<const float> times)
+      : inverse_weights(weights), posture(change), timing(times) {}
+
+  // `count` motions from `first` on, of a body with so many dofs.
+  [[nodiscard]] MotionInputs part(std::size_t first, std::size_t count, std::size_t dofs) const {
+    const auto rows = [&](std::span<const float> all, std::size_t columns) {
+      return all.empty() ? all : all.subspan(first * columns, count * columns);
+    };
+    return {rows(inverse_weights, dofs), rows(posture, dofs), rows(timing, 3)};
+  }
+};
+
+}  // namespace shigusa

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/core/names.hpp>
+#include <shigusa/project/result_file.hpp>
+
+namespace shigusa {
+namespace {
+
+// The whole text as a number; infinity where it is none, which no range allows.
+double number_in(std::string_view text) {
+  const std::string copy(text);
+  char* end = nullptr;
+  const double value = std::strtod(copy.c_str(), &end);
+  const bool whole = !copy.empty() && end == copy.c_str() + copy.size();
+  return whole ? value : std::numeric_limits<double>::infinity();
+}
+
+Result<double> parse_weight(std::string_view text) {
+  const double value = number_in(text);
+  if (value >= kWeightMin && value <= kWeightMax) return value;
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("weight is '{}'; allowed are numbers from {:g} to {:g}", text, kWeightMin,
+                          kWeightMax));
+}
+
+Result<void> assign_posture(const BodyModel& body, std::string_view name, std::string_view value,
+                            PostureParameters& posture) {
+  const double number = number_in(value);
+  const std::vector<PostureMode> modes = posture_modes(body);
+  posture.modes.resize(modes.size());
+  std::vector<std::string> names;
+  const auto set = [&](double& into, double to, double low, double high) -> Result<void> {
+    if (!(to >= low && to <= high)) {
+      return fail(
+          ErrorCode::invalid_argument,
+          fmt::format("{} is '{}'; allowed are numbers from {:g} to {:g}", name, value, low, high));
+    }
+    into = to;
+    return {};
+  };
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    names.push_back(modes[m].name + "_deg");
+    names.push_back(modes[m].name + "_rad");
+    const bool in_degrees = name == modes[m].name + "_deg";
+    if (!in_degrees && name != modes[m].name + "_rad") continue;
+    if (in_degrees) {
+      double angle = degrees(posture.modes[m]);
+      const auto done = set(angle, number, degrees(-kPostureMax), degrees(kPostureMax));
+      if (done) posture.modes[m] = radians(angle);
+      return done;
+    }
+    return set(posture.modes[m], number, -kPostureMax, kPostureMax);
+  }
+  if (name == "delay") return set(posture.delay, number, 0.0, kDelayMax);
+  if (name == "bow") return set(posture.bow, number, -kBowMax, kBowMax);
+  if (name == "skew") return set(posture.skew, number, -1.0, 1.0);
+  names.insert(names.end(), {"delay", "bow", "skew"});
+  return fail(ErrorCode::not_found, unknown_name("posture parameter", name, names));
+}
+
+}  // namespace
+
+Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
+                              Parameters& parameters) {
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.substr(0, equals).rfind('.');
+  if (equals == assignment.npos) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("'{}' is not NAME.weight=NUMBER, NAME.locked=true|false or, of the "
+                            "posture, NAME=NUMBER",
+                            assignment.substr(0, 80)));
+  }
+  if (dot == assignment.npos) {
+    return assign_posture(body, assignment.substr(0, equals), assignment.substr(equals + 1),
+                          parameters.posture);
+  }
+  const std::string_view name = assignment.substr(0, dot);
+  const std::string_view member = assignment.substr(dot + 1, equals - dot - 1);
+  const std::string_view value = assignment.substr(equals + 1);
+  const std::vector<std::string> members{"weight", "locked"};
+  if (member != "weight" && member != "locked") {
+    return fail(ErrorCode::invalid_argument, unknown_name("parameter", member, members));
+  }
+  std::vector<std::string> names;
+  bool found = false;
+  for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+    names.push_back(body.dofs()[d].name);
+    const std::string& joint_name = body.dofs()[d].joint;
+    if (std::find(names.begin(), names.end(), joint_name) == names.end()) {
+      names.push_back(joint_name);
+    }
+    if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
+    found = true;
+    JointWeight& joint = parameters.joints[d];
+    if (member == "weight") {
+      const Result<double> weight = parse_weight(value);
+      if (!weight) return tl::unexpected(weight.error());
+      joint = {*weight, false};
+    } else if (value == "true" || value == "false") {
+      joint.locked = value == "true";
+    } else {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("locked is '{}'; allowed are true and false", value));
+    }
+  }
+  if (!found) return fail(ErrorCode::not_found, unknown_name("joint", name, names));
+  return {};
+}
+
+}  // namespace shigusa

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <shigusa/search/problem.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// What a NaN score counts as.
+inline constexpr double kWorst = std::numeric_limits<double>::infinity();
+
+// The one way from a search to its problem: scores batches within the budget and keeps the counts
+// and the best.
+class Scorer {
+ public:
+  // PreconditionError for a problem outside the ranges of SearchProblem and a budget below 1.
+  Scorer(const SearchProblem& problem, int budget, const Progress& progress);
+
+  [[nodiscard]] int genes() const { return problem_.genes; }
+  // The problem's start, or the middle of the cube.
+  [[nodiscard]] std::vector<double> start() const;
+  // Evaluations left of the budget.
+  [[nodiscard]] int left() const { return budget_ - result_.evaluations; }
+
+  // Scores points (count × genes) in order, in one call, until the budget is used up, and returns
+  // how many; scores (count) of the others are kWorst.
+  int score(std::span<const double> points, std::span<double> scores);
+
+  // Tells the caller how far the work has come.
+  void report(double fraction) const;
+  [[nodiscard]] bool cancelled() const { return progress_.cancelled(); }
+
+  // score() and report(); false when the search must end with that: all used up, or cancelled.
+  bool step(std::span<const double> points, std::span<double> scores);
+
+  [[nodiscard]] SearchResult& result() { return result_; }
+  [[nodiscard]] const SearchResult& result() const { return result_; }
+
+ private:
+  const SearchProblem& problem_;
+  const Progress& progress_;
+  int budget_;
+  SearchResult result_;
+};
+
+}  // namespace shigusa
