@@ -128,7 +128,7 @@ class Reducer {
 
 void add_weight(Layer& layer, int dof) {
   layer.genes.push_back(
-      {layer.body.dofs[static_cast<std::size_t>(dof)].name, GeneCode::weight, {dof}});
+      {layer.body.dofs[static_cast<std::size_t>(dof)].name, LayerGeneKind::weight, {dof}});
 }
 
 // one gene for each freedom that is no length, in the body's order
@@ -152,12 +152,13 @@ void add_contractions(Layer& layer, LayerReading reading) {
   for (const auto& [kind, name] : {std::pair{LimbKind::leg, "legs"}, {LimbKind::arm, "arms"}}) {
     const std::vector<int> limbs = limbs_of(kind);
     if (reading == LayerReading::shared_contractions) {
-      layer.genes.push_back({std::string(name) + ".contraction", GeneCode::contraction, limbs});
+      layer.genes.push_back(
+          {std::string(name) + ".contraction", LayerGeneKind::contraction, limbs});
       continue;
     }
     for (const int limb : limbs) {
       const std::string& of = layer.body.limbs[static_cast<std::size_t>(limb)].joints.name;
-      layer.genes.push_back({of + ".contraction", GeneCode::contraction, {limb}});
+      layer.genes.push_back({of + ".contraction", LayerGeneKind::contraction, {limb}});
     }
   }
 }

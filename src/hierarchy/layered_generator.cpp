@@ -2,121 +2,70 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <shigusa/hierarchy/layered_generator.hpp>
-#include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <utility>
 
+#include "candidate.hpp"
 #include "layered_search.hpp"
+#include "ways.hpp"
 
 namespace shigusa {
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// The one place that knows the search: genes of `bits` bits each.
-SearchResult search_genes(const Task& task, std::size_t genes,
-                          const decltype(DiscreteProblem::evaluate)& evaluate,
-                          const Progress& progress) {
-  DiscreteProblem problem;
-  problem.genes = static_cast<int>(genes);
-  problem.bits_per_gene = kPaperBitsPerGene;
-  problem.evaluate = evaluate;
-  if (!task.evaluations) return genetic_search(problem, task.genetic, progress);
-  return restarted_genetic_search(problem, task.genetic, *task.evaluations, progress);
+SearchMethod search_of(const Task& task) { return task.search.value_or(SearchMethod::paper_ga); }
+
+bool searches_paper_code(const Task& task) {
+  const SearchMethod method = search_of(task);
+  return method == SearchMethod::paper_ga || method == SearchMethod::annealing ||
+         method == SearchMethod::random;
 }
 
-std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
-  std::vector<LimitExcess> result;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    double excess = 0.0;
-    for (int f = 0; f < clip.frames; ++f) {
-      const std::span<const double> angles = clip.frame(f);
-      excess = max(excess, angles[index(d)] - upper_limit(body, d, angles));
-      excess = max(excess, body.dof(d).lower - angles[index(d)]);
-    }
-    // less than a tenth of a degree is nothing that anyone sees
-    if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
+SearchResult run_search(const Task& task, const SearchProblem& problem, const Progress& progress) {
+  const SearchMethod method = search_of(task);
+  const int evaluations = task.evaluations.value_or(kFlatEvaluations);
+  if (method == SearchMethod::paper_ga || method == SearchMethod::log_ga) {
+    if (!task.evaluations) return genetic_search(problem, task.genetic, progress);
+    return restarted_genetic_search(problem, task.genetic, evaluations, progress);
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
-  return result;
+  return search(method, problem, evaluations, task.genetic.seed, progress);
 }
 
-// Largest root-mean-square difference of two motions' joint angles over their frames (rad).
-double posture_distance(const Clip& a, const Clip& b) {
-  double largest = 0.0;
-  for (int f = 0; f < a.frames; ++f) {
-    double squares = 0.0;
-    for (std::size_t d = 0; d < index(a.dofs); ++d) {
-      const double difference = a.frame(f)[d] - b.frame(f)[d];
-      squares += difference * difference;
-    }
-    largest = max(largest, squares / a.dofs);
-  }
-  return sqrt(largest);
-}
-
-LayeredCandidate make_candidate(const Task& task, const LayeredProblem& problem,
-                                const LayerParameters& upper, LayeredScorer::Played played) {
-  const BodyModel& body = task.body;
-  Motion& motion = played.motion.motion;
-  LayeredCandidate candidate;
-  candidate.parameters = {upper, std::move(played.arms)};
-  candidate.score = score_motion(body, motion, task_criteria(task));
-  candidate.collision = -1e9;
-  for (std::size_t g = 0; g < task.goals.size(); ++g) {
-    const ReachGoal& goal = problem.reach.goals[g];
-    const Effector& effector = body.effectors()[index(goal.effector)];
-    const Vec3d wanted = task.goals[g].position;
-    const Vec3d reached = motion.effectors[g].back();
-    const PathKind path = goal.path.detour == Vec3d{} ? PathKind::straight : PathKind::detour;
-    candidate.goals.push_back(
-        {effector.name, effector.node, wanted, reached, norm(wanted - reached), path});
-    candidate.collision = max(candidate.collision, collision_depth(body, motion.clip, effector));
+LayeredCandidate make_layered(const Task& task, const LayeredProblem& problem,
+                              const LayerParameters& upper, LayeredScorer::Played played) {
+  LayeredCandidate candidate{
+      make_candidate(task, problem.reach, {}, std::move(played.motion)), {}, -1e9, 0, false};
+  candidate.layered = {upper, std::move(played.arms)};
+  for (const ReachGoal& goal : problem.reach.goals) {
+    const Effector& hand = task.body.effectors()[index(goal.effector)];
+    const double depth = collision_depth(task.body, candidate.motion.clip, hand);
+    candidate.collision = max(candidate.collision, depth);
   }
   candidate.feedback_rounds = played.feedback_rounds;
   candidate.collision_left = candidate.collision > kCollisionDepth;
-  const ReachOutcome& outcome = played.motion.outcome;
-  candidate.path_error = outcome.path_error;
-  for (const Foot& foot : body.feet()) {
-    const double slide = foot.link == kBaseLink ? 0.0 : outcome.contact_slide;
-    candidate.contacts.push_back({foot.name, foot.node, slide});
-  }
-  candidate.over_limit = limit_excess(body, motion.clip);
-  candidate.motion = std::move(motion);
   return candidate;
-}
-
-double ranking(const LayeredCandidate& candidate) {
-  return is_finite(candidate.score.total) ? candidate.score.total
-                                          : std::numeric_limits<double>::infinity();
 }
 
 // The final genomes, each once, lowest score first.
 std::vector<Individual> distinct(const SearchResult& found) {
   std::vector<Individual> ranked;
-  std::set<Genome> known;
+  std::set<std::vector<double>> known;
   for (const Individual& individual : found.final_population) {
-    if (known.insert(individual.genes).second) ranked.push_back(individual);
+    if (known.insert(individual.point).second) ranked.push_back(individual);
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const Individual& a, const Individual& b) { return a.score < b.score; });
   return ranked;
 }
 
-double miss_of(const LayeredCandidate& candidate) {
-  double squares = 0.0;
-  for (const GoalResult& goal : candidate.goals) squares += goal.error * goal.error;
-  return sqrt(squares);
-}
-
 void finish(LayeredGeneration& generation) {
-  std::stable_sort(
-      generation.candidates.begin(), generation.candidates.end(),
-      [](const LayeredCandidate& a, const LayeredCandidate& b) { return ranking(a) < ranking(b); });
+  std::stable_sort(generation.candidates.begin(), generation.candidates.end(),
+                   [](const LayeredCandidate& a, const LayeredCandidate& b) {
+                     return ranking(a.score) < ranking(b.score);
+                   });
   const double miss = miss_of(generation.candidates.front());
   const bool met = miss <= kReachTolerance;
   generation.status = met ? ReachStatus::reached : ReachStatus::unreachable;
@@ -226,15 +175,8 @@ Result<LayeredProblem> make_layered_problem(const Task& task, const LayeredSetti
       problem.arm_bodies.push_back(arm_body(task.body, problem.limbs.arms[a]));
     }
   }
-  const ClosestReach closest = closest_reach(problem.reach);
-  if (closest.reached()) {
-    add_detours(problem.reach);
-  } else {
-    for (std::size_t g = 0; g < problem.reach.goals.size(); ++g) {
-      problem.reach.goals[g].path.goal = closest.positions[g];
-    }
-    problem.reach.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
-  }
+  // the straight way, or around the body; out of reach, to the closest point there is
+  problem.reach = ways_to_goal(problem.reach, closest_reach(problem.reach)).front();
   return problem;
 }
 
@@ -247,17 +189,19 @@ Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettin
   ArmLibraries libraries(task, *problem, settings);
   LayeredScorer scorer(*problem, upper.criteria, task.batch.threads,
                        [&](std::span<const HandPath> paths) { return libraries.choose(paths); });
-  const auto decoded = [&](std::span<const std::uint16_t> genes) {
-    return decode_layer_genes(upper, all_genes(*problem, searched, genes));
+  const auto decoded = [&](std::span<const double> point) {
+    return decode_searched(*problem, searched, point, searches_paper_code(task));
   };
-  const auto evaluate = [&](std::span<const std::uint16_t> genomes, std::span<double> scores) {
+  SearchProblem upper_search;
+  upper_search.genes = static_cast<int>(searched.size());
+  upper_search.evaluate = [&](std::span<const double> points, std::span<double> scores) {
     std::vector<LayerParameters> parameters;
     for (std::size_t i = 0; i < scores.size(); ++i) {
-      parameters.push_back(decoded(genomes.subspan(i * searched.size(), searched.size())));
+      parameters.push_back(decoded(points.subspan(i * searched.size(), searched.size())));
     }
     scorer.score(parameters, scores);
   };
-  const SearchResult found = search_genes(task, searched.size(), evaluate, progress);
+  const SearchResult found = run_search(task, upper_search, progress);
   LayeredGeneration generation;
   generation.duration = problem->reach.duration;
   generation.evaluations = found.evaluations;
@@ -268,7 +212,7 @@ Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettin
   const LayeredScorer::Feedback feedback{settings.feedback_rounds, settings.limb_search};
   for (const Individual& individual : distinct(found)) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
-    const LayerParameters parameters = decoded(individual.genes);
+    const LayerParameters parameters = decoded(individual.point);
     LayeredScorer::Played played = scorer.play(parameters, feedback);
     if (!played.motion.outcome.met(problem->reach.tolerance)) {
       ++generation.missed;
@@ -276,18 +220,18 @@ Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettin
     }
     const Clip& clip = played.motion.motion.clip;
     const auto is_copy = [&clip](const LayeredCandidate& better) {
-      return posture_distance(better.motion.clip, clip) < kDistinctPosture;
+      return largest_distance(better.motion.clip, clip) < kDistinctPosture;
     };
     if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
       ++generation.near_copies;
       continue;
     }
-    generation.candidates.push_back(make_candidate(task, *problem, parameters, std::move(played)));
+    generation.candidates.push_back(make_layered(task, *problem, parameters, std::move(played)));
   }
   if (generation.candidates.empty()) {
     // the one that comes nearest to its goals
-    const LayerParameters best = decoded(found.best_seen.genes);
-    generation.candidates.push_back(make_candidate(task, *problem, best, scorer.play(best)));
+    const LayerParameters best = decoded(found.best_seen.point);
+    generation.candidates.push_back(make_layered(task, *problem, best, scorer.play(best)));
   }
   finish(generation);
   generation.cells_searched = libraries.cells_searched();
@@ -307,7 +251,7 @@ Result<LayeredGeneration> regenerate_layered(const Task& task, const LayeredPara
   LayeredScorer scorer(*problem, problem->layers[0].criteria, task.batch.threads,
                        [&](std::span<const HandPath>) { return parameters.arms; });
   generation.candidates.push_back(
-      make_candidate(task, *problem, parameters.upper, scorer.play(parameters.upper)));
+      make_layered(task, *problem, parameters.upper, scorer.play(parameters.upper)));
   finish(generation);
   return generation;
 }

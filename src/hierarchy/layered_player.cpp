@@ -152,9 +152,9 @@ ReachOutcome LayeredPlayer::measured(Motion& motion) {
   return outcome;
 }
 
-LayeredMotion LayeredPlayer::expand(const ReducedClip& clip, std::span<const ArmWeights> arms) {
+RolledOut LayeredPlayer::expand(const ReducedClip& clip, std::span<const ArmWeights> arms) {
   SHG_CHECK(arms.size() == problem_->arms.size(), "arm weights for each goal");
-  LayeredMotion played;
+  RolledOut played;
   played.motion = whole_.completed(expanded_clip(clip, arms));
   played.outcome = measured(played.motion);
   return played;

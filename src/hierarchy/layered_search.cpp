@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
+#include <shigusa/search/genetic.hpp>
+#include <type_traits>
 #include <utility>
 
 namespace shigusa {
@@ -35,7 +37,7 @@ std::vector<std::size_t> searched_genes(const LayeredProblem& problem) {
   for (std::size_t g = 0; g < layer.genes.size(); ++g) {
     const LayerGene& gene = layer.genes[g];
     const bool used = std::any_of(gene.applies_to.begin(), gene.applies_to.end(), [&](int to) {
-      if (gene.code == GeneCode::weight) return has_use(problem, to);
+      if (gene.kind == LayerGeneKind::weight) return has_use(problem, to);
       const BodyLimb& limb = layer.body.limbs[index(to)].joints;
       return limb.kind == LimbKind::leg || has_goal(problem, limb);
     });
@@ -44,15 +46,28 @@ std::vector<std::size_t> searched_genes(const LayeredProblem& problem) {
   return searched;
 }
 
-std::vector<std::uint16_t> all_genes(const LayeredProblem& problem,
-                                     std::span<const std::size_t> searched,
-                                     std::span<const std::uint16_t> genes) {
-  std::vector<std::uint16_t> all;
-  for (const LayerGene& gene : problem.layers[0].genes) {
-    all.push_back(gene.code == GeneCode::weight ? 1 : 0);
+LayerParameters decode_searched(const LayeredProblem& problem,
+                                std::span<const std::size_t> searched,
+                                std::span<const double> point, bool paper) {
+  const Layer& layer = problem.layers[0];
+  const auto spread = [&](auto rest, const auto& values) {
+    std::vector<typename std::decay_t<decltype(values)>::value_type> all;
+    for (const LayerGene& gene : layer.genes) all.push_back(rest(gene.kind));
+    for (std::size_t k = 0; k < searched.size(); ++k) all[searched[k]] = values[k];
+    return all;
+  };
+  const auto moves = [](LayerGeneKind kind) { return kind == LayerGeneKind::weight; };
+  if (!paper) {
+    const std::vector<double> values(point.begin(), point.end());
+    // the middle is a weight of 1
+    return decode_layer_point(
+        layer, spread([&](LayerGeneKind kind) { return moves(kind) ? 0.5 : 0.0; }, values));
   }
-  for (std::size_t k = 0; k < searched.size(); ++k) all[searched[k]] = genes[k];
-  return all;
+  const Genome genes = genome_of_point(point, kPaperBitsPerGene);
+  return decode_layer_genes(
+      layer,
+      spread([&](LayerGeneKind kind) { return static_cast<std::uint16_t>(moves(kind) ? 1 : 0); },
+             genes));
 }
 
 LayeredScorer::LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria,
@@ -93,7 +108,7 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
   parallel_for(count, threads_, [&](int i, int worker) {
     const auto k = index(i);
     if (paths[k].empty()) return;
-    const LayeredMotion played = player(worker).expand(clips[k], arms[k]);
+    const RolledOut played = player(worker).expand(clips[k], arms[k]);
     scores[k] = played.outcome.met(tolerance)
                     ? score_motion(*problem_->reach.body, played.motion, *criteria_).total
                     : worst + min(played.outcome.path_error, 1.0);

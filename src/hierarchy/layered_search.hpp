@@ -5,14 +5,15 @@
 
 namespace shigusa {
 
-// Which genes of a layer have something to act on: an arm without a goal hangs.
+// The upper layer's genes that have something to act on: an arm without a goal hangs.
 [[nodiscard]] std::vector<std::size_t> searched_genes(const LayeredProblem& problem);
 
-// All genes of the upper layer from those that are searched; the others are at their least code
-// that moves.
-[[nodiscard]] std::vector<std::uint16_t> all_genes(const LayeredProblem& problem,
-                                                   std::span<const std::size_t> searched,
-                                                   std::span<const std::uint16_t> genes);
+// Parameters of the upper layer from a point of the searched genes' unit cube; the genes that are
+// not searched have a weight of 1 and no contraction. `paper`: in the paper's code of 16 numbers,
+// else decode_layer_point's.
+[[nodiscard]] LayerParameters decode_searched(const LayeredProblem& problem,
+                                              std::span<const std::size_t> searched,
+                                              std::span<const double> point, bool paper);
 
 // The layer that the upper one hands a goal's arm to.
 [[nodiscard]] const Layer& arm_layer(const LayeredProblem& problem, std::size_t goal);
@@ -32,7 +33,7 @@ class LayeredScorer {
 
   // One motion in full, by the same way.
   struct Played {
-    LayeredMotion motion;
+    RolledOut motion;
     std::vector<ArmWeights> arms;
     int feedback_rounds = 0;
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <shigusa/core/check.hpp>
+#include <shigusa/hierarchy/parameter_space.hpp>
 #include <shigusa/hierarchy/reduced_motion.hpp>
 #include <shigusa/math/ldlt.hpp>
 
@@ -18,6 +19,26 @@ std::vector<int> chain_to(const ReducedBody& body, int link) {
   for (int d = link; d >= 0; d = body.dofs[index(d)].parent) chain.push_back(d);
   std::reverse(chain.begin(), chain.end());
   return chain;
+}
+
+// `value`(gene, kind): a contraction, or a weight, which is 0 for locked.
+template <class Value>
+LayerParameters decode(const Layer& layer, Value&& value) {
+  LayerParameters parameters;
+  parameters.joints.assign(layer.body.dofs.size(), {.weight = 1.0, .locked = true});
+  parameters.contractions.assign(layer.body.limbs.size(), 0.0);
+  for (std::size_t g = 0; g < layer.genes.size(); ++g) {
+    const LayerGene& gene = layer.genes[g];
+    const double decoded = value(g, gene.kind);
+    for (const int to : gene.applies_to) {
+      if (gene.kind == LayerGeneKind::contraction) {
+        parameters.contractions[index(to)] = decoded;
+      } else if (decoded > 0.0) {
+        parameters.joints[index(to)] = {decoded, false};
+      }
+    }
+  }
+  return parameters;
 }
 
 }  // namespace
@@ -43,20 +64,19 @@ void place_reduced(const ReducedBody& body, std::span<const double> q, ReducedPl
 
 LayerParameters decode_layer_genes(const Layer& layer, std::span<const std::uint16_t> genes) {
   SHG_CHECK(genes.size() == layer.genes.size(), "one number per gene of layer " + layer.name);
-  LayerParameters parameters;
-  parameters.joints.assign(layer.body.dofs.size(), {.weight = 1.0, .locked = true});
-  parameters.contractions.assign(layer.body.limbs.size(), 0.0);
-  for (std::size_t g = 0; g < genes.size(); ++g) {
-    const LayerGene& gene = layer.genes[g];
-    for (const int to : gene.applies_to) {
-      if (gene.code == GeneCode::contraction) {
-        parameters.contractions[index(to)] = static_cast<double>(genes[g]) / kLayerGeneMax;
-      } else if (genes[g] > 0) {
-        parameters.joints[index(to)] = {static_cast<double>(genes[g]), false};
-      }
-    }
-  }
-  return parameters;
+  return decode(layer, [&](std::size_t gene, LayerGeneKind kind) {
+    const auto code = static_cast<double>(genes[gene]);
+    if (kind == LayerGeneKind::contraction) return code / kLayerGeneMax;
+    return code;
+  });
+}
+
+LayerParameters decode_layer_point(const Layer& layer, std::span<const double> point) {
+  SHG_CHECK(point.size() == layer.genes.size(), "one number per gene of layer " + layer.name);
+  return decode(layer, [&](std::size_t gene, LayerGeneKind kind) {
+    if (kind == LayerGeneKind::contraction) return point[gene];
+    return exponential(kLogWeightRange * (2.0 * point[gene] - 1.0));
+  });
 }
 
 ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& problem)

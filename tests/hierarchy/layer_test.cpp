@@ -17,19 +17,19 @@ Layer upper_layer(const BodyModel& body, LayerReading reading = LayerReading::sh
   return paper_layers(body, {}, reading).value()[0];
 }
 
-int count(const Layer& layer, GeneCode code) {
+int count(const Layer& layer, LayerGeneKind kind) {
   return static_cast<int>(std::count_if(layer.genes.begin(), layer.genes.end(),
-                                        [&](const LayerGene& gene) { return gene.code == code; }));
+                                        [&](const LayerGene& gene) { return gene.kind == kind; }));
 }
 
 // Rule R2: the paper's 14 in both readings of it.
 TEST(PaperLayers, HaveFourteenParametersForTheWholeBody) {
   const Layer shared = upper_layer(full_body());
-  EXPECT_EQ(count(shared, GeneCode::weight), 12);
-  EXPECT_EQ(count(shared, GeneCode::contraction), 2);
+  EXPECT_EQ(count(shared, LayerGeneKind::weight), 12);
+  EXPECT_EQ(count(shared, LayerGeneKind::contraction), 2);
   const Layer each = upper_layer(full_body(), LayerReading::contraction_a_limb);
-  EXPECT_EQ(count(each, GeneCode::weight), 10);
-  EXPECT_EQ(count(each, GeneCode::contraction), 4);
+  EXPECT_EQ(count(each, LayerGeneKind::weight), 10);
+  EXPECT_EQ(count(each, LayerGeneKind::contraction), 4);
 }
 
 TEST(PaperLayers, HaveEightParametersForTheRightHalf) {
@@ -127,7 +127,7 @@ TEST(DecodeLayerGenes, WithoutAGeneAHipDoesNotRotate) {
 ReducedClip moved(const Layer& layer, const ReachProblem& problem, Random& random) {
   std::vector<std::uint16_t> genes;
   for (const LayerGene& gene : layer.genes) {
-    const bool weight = gene.code == GeneCode::weight;
+    const bool weight = gene.kind == LayerGeneKind::weight;
     genes.push_back(static_cast<std::uint16_t>(weight ? 1 + random.below(15) : random.below(8)));
   }
   ReducedClip clip;

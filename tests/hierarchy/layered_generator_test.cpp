@@ -35,9 +35,9 @@ std::vector<double> numbers(const LayeredGeneration& g) {
     for (const auto* part : {&c.motion.clip.angles, &c.motion.torques}) {
       all.insert(all.end(), part->begin(), part->end());
     }
-    for (const JointWeight& joint : c.parameters.upper.joints) all.push_back(joint.weight);
-    for (const double contraction : c.parameters.upper.contractions) all.push_back(contraction);
-    for (const ArmWeights& arm : c.parameters.arms) {
+    for (const JointWeight& joint : c.layered.upper.joints) all.push_back(joint.weight);
+    for (const double contraction : c.layered.upper.contractions) all.push_back(contraction);
+    for (const ArmWeights& arm : c.layered.arms) {
       for (const JointWeight& joint : arm)
         all.insert(all.end(), {joint.weight, double(joint.locked)});
     }
@@ -227,8 +227,8 @@ TEST(GenerateLayered, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
       EXPECT_EQ(candidate.collision_left, candidate.collision > kCollisionDepth);
       EXPECT_EQ(candidate.feedback_rounds, 0);
       for (const LayeredCandidate& again : with.candidates) {
-        if (again.parameters.upper != candidate.parameters.upper) continue;
-        EXPECT_EQ(again.feedback_rounds > 0, again.parameters.arms != candidate.parameters.arms);
+        if (again.layered.upper != candidate.layered.upper) continue;
+        EXPECT_EQ(again.feedback_rounds > 0, again.layered.arms != candidate.layered.arms);
         EXPECT_LE(again.feedback_rounds, kCollisionRounds);
         if (!candidate.collision_left || again.collision_left) continue;
         ++taken_back;
@@ -254,7 +254,7 @@ TEST(RegenerateLayered, GivesTheCandidateAgain) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, kFront);
     for (const LayeredCandidate& candidate : generated(task).candidates) {
-      const LayeredGeneration again = regenerate_layered(task, candidate.parameters).value();
+      const LayeredGeneration again = regenerate_layered(task, candidate.layered).value();
       ASSERT_EQ(again.candidates.size(), 1u);
       EXPECT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
       EXPECT_EQ(again.candidates[0].score.total, candidate.score.total);
@@ -266,7 +266,7 @@ TEST(RegenerateLayered, GivesTheCandidateAgain) {
 TEST(RegenerateLayered, MoreContractionOfTheLegsBendsTheKneesMore) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, {-0.1, 0.35, 0.4});
-    LayeredParameters parameters = generated(task).candidates[0].parameters;
+    LayeredParameters parameters = generated(task).candidates[0].layered;
     const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
     double last = 0.0;
     for (const double contraction : {0.1, 0.2, 0.35}) {
@@ -285,7 +285,7 @@ TEST(RegenerateLayered, MoreContractionOfTheLegsBendsTheKneesMore) {
 
 TEST(RegenerateLayered, RefusesParametersOfAnotherBodyOrOutOfRange) {
   const Task task = task_for(half_body(), kFront);
-  const LayeredParameters good = generated(task).candidates[0].parameters;
+  const LayeredParameters good = generated(task).candidates[0].layered;
   const auto message = [&](const LayeredParameters& parameters, const Task& of) {
     const auto result = regenerate_layered(of, parameters);
     return result ? "" : result.error().to_string();

@@ -38,7 +38,7 @@ struct ReducedBody {
 };
 
 // What the number of a gene means.
-enum class GeneCode {
+enum class LayerGeneKind {
   weight,       // of one freedom in weighted IK: 1..15, and 0 locks it
   contraction,  // how much shorter limbs end: 0..15 of 15 parts of their range
 };
@@ -48,7 +48,7 @@ inline constexpr int kLayerGeneMax = 15;
 // One number that a layer searches.
 struct LayerGene {
   std::string name;  // "right_hip.flexion", "legs.contraction"
-  GeneCode code = GeneCode::weight;
+  LayerGeneKind kind = LayerGeneKind::weight;
   std::vector<int> applies_to;  // of the layer's body: the dof with that weight; limbs by number
 };
 

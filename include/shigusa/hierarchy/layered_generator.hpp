@@ -27,15 +27,10 @@ struct LayeredParameters {
   friend bool operator==(const LayeredParameters&, const LayeredParameters&) = default;
 };
 
-// One way to get there; fields as those of Candidate.
-struct LayeredCandidate {
-  LayeredParameters parameters;
-  Motion motion;  // of the whole body
-  Score score;
-  std::vector<GoalResult> goals;
-  double path_error = 0.0;  // m
-  std::vector<ContactResult> contacts;
-  std::vector<LimitExcess> over_limit;
+// One way to get there. What it is generated from is `layered`; the whole body's own parameters
+// are empty.
+struct LayeredCandidate : Candidate {
+  LayeredParameters layered;
   double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
   int feedback_rounds = 0;      // searches that its arms took in all
   bool collision_left = false;  // it is deeper than kCollisionDepth all the same
@@ -63,9 +58,10 @@ struct LayeredGeneration {
                                                           const LayeredSettings& settings = {});
 
 // Finds natural motions for a task by the paper's hierarchical search (section 3.4): the task's
-// genetic algorithm and evaluations search the genes of the upper layer. Motions are those of the
-// whole body and scored by the task's criteria. "Unreachable" is said where no motion of the layers
-// arrives. Fails where make_layered_problem does. Same task, same result.
+// search, or the paper's genetic algorithm where it names none, goes over the genes of the upper
+// layer, in the paper's code (paper_ga, annealing, random) or in decode_layer_point's. Motions are
+// those of the whole body and scored by the task's criteria. "Unreachable" is said where no motion
+// of the layers arrives. Fails where make_layered_problem does. Same task, same result.
 [[nodiscard]] Result<LayeredGeneration> generate_layered(const Task& task,
                                                          const LayeredSettings& settings = {},
                                                          const Progress& progress = {});

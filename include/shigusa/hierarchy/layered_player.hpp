@@ -5,7 +5,7 @@
 #include <shigusa/hierarchy/arm_motion.hpp>
 #include <shigusa/hierarchy/clip_dynamics.hpp>
 #include <shigusa/hierarchy/reduced_motion.hpp>
-#include <shigusa/motion/motion.hpp>
+#include <shigusa/rollout/rollout.hpp>
 #include <vector>
 
 namespace shigusa {
@@ -21,12 +21,6 @@ struct LayeredProblem {
 
 // Where the upper layer leads one arm: the way of its hand as its shoulder sees it.
 using HandPath = std::vector<Vec3d>;  // (frames) m, in the trunk's frame
-
-// A motion of the whole body with what became of hands and feet in it.
-struct LayeredMotion {
-  Motion motion;
-  ReachOutcome outcome;
-};
 
 // Plays a hierarchy from the top: the reduced body moves, then its rods become limbs again. Legs
 // follow in closed form from where the pelvis is (paper, section 3.4; rule R3), their feet where
@@ -51,7 +45,7 @@ class LayeredPlayer {
   [[nodiscard]] PelvisCheck check_pelvis(const ReducedClip& clip) const;
   // The whole body's motion for an upper motion and each goal's arm weights. An arm that cannot
   // follow its path with them (locked, mostly) does so with all freedoms alike.
-  [[nodiscard]] LayeredMotion expand(const ReducedClip& clip, std::span<const ArmWeights> arms);
+  [[nodiscard]] RolledOut expand(const ReducedClip& clip, std::span<const ArmWeights> arms);
 
  private:
   struct LegLine {

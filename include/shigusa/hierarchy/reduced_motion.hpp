@@ -25,9 +25,13 @@ struct LayerParameters {
   friend bool operator==(const LayerParameters&, const LayerParameters&) = default;
 };
 
-// (genes) each 0..kLayerGeneMax. Freedoms without a gene are locked.
+// The paper's code: (genes) each 0..kLayerGeneMax. Freedoms without a gene are locked.
 [[nodiscard]] LayerParameters decode_layer_genes(const Layer& layer,
                                                  std::span<const std::uint16_t> genes);
+
+// A code even in the weights' logarithms (kLogWeightRange), without locks, and even in contraction:
+// (genes) each 0..1. Freedoms without a gene are locked.
+[[nodiscard]] LayerParameters decode_layer_point(const Layer& layer, std::span<const double> point);
 
 // The angles and lengths of a reduced body's dofs, frame after frame, and where that brings it.
 struct ReducedClip {
