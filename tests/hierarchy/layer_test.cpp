@@ -123,6 +123,20 @@ TEST(DecodeLayerGenes, WithoutAGeneAHipDoesNotRotate) {
   }
 }
 
+TEST(DecodeLayerPoint, IsEvenInLogarithmsAndInContraction) {
+  const Layer layer = upper_layer(half_body());
+  const std::vector<double> point{0.0, 0.5, 1.0, 0.75, 0.5, 0.5, 0.25, 1.0};
+  const LayerParameters parameters = decode_layer_point(layer, point);
+  const auto weight = [&](std::size_t gene) {
+    return parameters.joints[static_cast<std::size_t>(layer.genes[gene].applies_to[0])].weight;
+  };
+  EXPECT_NEAR(weight(1), 1.0, 1e-12);
+  EXPECT_NEAR(weight(0) * weight(2), 1.0, 1e-12);
+  EXPECT_NEAR(weight(3) * weight(3), weight(2), 1e-9 * weight(2));
+  EXPECT_GT(weight(2), 200.0);
+  EXPECT_EQ(parameters.contractions, (std::vector<double>{0.25, 1.0}));
+}
+
 // A motion of the upper layer with genes by chance.
 ReducedClip moved(const Layer& layer, const ReachProblem& problem, Random& random) {
   std::vector<std::uint16_t> genes;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <limits>
 #include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/search/searches.hpp>
 
 #include "support/problems.hpp"
 
@@ -143,6 +144,18 @@ TEST(GenerateLayered, MoreEvaluationsFindNoWorse) {
     EXPECT_LE(generation.evaluations, evaluations);
     EXPECT_LE(generation.best_seen_score, best);
     best = generation.best_seen_score;
+  }
+}
+
+TEST(GenerateLayered, EverySearchReaches) {
+  Task task = task_for(half_body(), kFront);
+  task.evaluations = 150;
+  for (const SearchMethod method : kSearchMethods) {
+    task.search = method;
+    const LayeredGeneration generation = generated(task);
+    expect_kept(task, generation);
+    EXPECT_EQ(generation.evaluations, 150) << search_name(method);
+    EXPECT_LT(generation.best_seen_score, worst_score(task.criteria)) << search_name(method);
   }
 }
 
