@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/kinematics/weighted_ik.hpp>
+#include <shigusa/math/variable_metric.hpp>
+
+namespace shigusa {
+
+struct NlpIkSettings {
+  // How much the joints' reluctance to move counts beside the goals, as a share of the mean
+  // diagonal of J W⁻¹ Jᵀ in the start posture, 1e-9..1 …
+  double damping = 3e-5;
+  // … and what is added where a goal lags behind by `lag_scale` (m, > 0); grows with the lag
+  // squared. ≥ 0
+  double lag_damping = 0.01;
+  double lag_scale = 0.1;
+  double limit_approach = 0.2;  // share of the room to a limit that one posture may take, (0, 1]
+  double max_change = 0.25;     // rad, no angle changes by more from one posture to the next, > 0
+  // Stiffness of the planted feet beside the goals', 1..1e4. It decides how fast the multipliers
+  // come right, not where the feet end up.
+  double contact_stiffness = 10.0;
+  double contact_slack =
+      2e-5;  // m: feet that are off by more have their multipliers corrected, > 0
+  int contact_corrections = 20;  // as often as this, 0..1000
+  // Goals have multipliers too while they are missed by less than lead_limit (m, ≥ 0), and these
+  // are corrected up to so often (0..1000) while a goal is missed by more than goal_slack (m, > 0)
+  // and that helps.
+  double lead_limit = 0.05;
+  double goal_slack = 1e-4;
+  int goal_corrections = 8;
+  double max_step = 0.25;   // rad, no angle changes by more in one iteration, > 0
+  double tolerance = 1e-7;  // rad, steps smaller than this are not taken, > 0
+  int iterations = 200;     // of the variable metric method, between corrections, 1..100000
+};
+
+struct NlpIkOutcome {
+  bool converged = true;  // false: an iteration limit was met, or rounding allowed no more descent
+  int evaluations = 0;    // of the objective and its gradient
+};
+
+// Inverse kinematics by nonlinear programming: one posture of a motion is
+//
+//   min  ½ Σ_goals |p_g - x_g(q)|² + ½ ε Σ w_i (q_i - q_i,from - Δq_ref,i)²
+//   s.t. planted feet stand, joints keep their limits,
+//
+// the same sum as weighted_ik_step's, but with the kinematics as they are instead of linear ones,
+// and solved until it is least. For a way that gets shorter and shorter, both take the same step.
+//
+// Limits are linear inequalities: lower ≤ q ≤ upper, and for a coupled limit also
+// q - gain / driver_full · q_driver ≤ upper and q ≤ upper + gain. Feet are equality constraints by
+// an augmented Lagrangian: ½ κ |c|² + κ cᵀ l, where the multipliers l (m, rad: IkTarget's leads)
+// are corrected by l += c after each posture, and within one until c is small. c is a foot's
+// displacement and kContactLength times its tilt. The minimisation is VariableMetric's over
+// √w_i (q_i - q_i,from), whose Hessian is ε times the identity plus a matrix of as many ranks as
+// there are rows in J; so it starts there. The gradient comes from the chain in one sweep from the
+// hands to the base, which adds up forces and their moments.
+//
+// Source: J. Zhao and N. Badler, ACM Trans. Graphics 13 (1994) 313-336. Multipliers as shifts of
+// the constraints: M. Powell, in Optimization, R. Fletcher (ed.), 1969. Left out: goals of
+// orientation, aiming and half spaces, which the project's reaches do not have.
+class NlpIk : private SmoothFunction {
+ public:
+  // Settings outside their ranges throw PreconditionError, as does a body of more than
+  // kMaxMetricVariables dofs or with a coupling that lowers a limit. The body outlives this.
+  explicit NlpIk(const BodyModel& body, const NlpIkSettings& settings = {});
+
+  // Before a motion's first posture. inverse_weights (dofs): as for weighted_ik_step; only their
+  // ratios matter. `targets` are the motion's, for the scale of the goals. The limits let the start
+  // posture be.
+  void begin(std::span<const IkTarget<double>> targets, std::span<const double> inverse_weights);
+
+  // The next posture after `from` (dofs, rad; within the limits), written to `to`. The leads of
+  // contacts are the multipliers, corrected here; a goal's lead is added to its position.
+  // reference: (dofs, rad) or empty. Afterwards kinematics() is the placement in `to`.
+  NlpIkOutcome solve(std::span<IkTarget<double>> targets, std::span<const double> from,
+                     std::span<const double> reference, std::span<double> to);
+
+  // The objective at the angles `at` (dofs, rad), as solve() with these arguments minimises it, and
+  // its gradient per radian (dofs).
+  double objective(std::span<const IkTarget<double>> targets, std::span<const double> from,
+                   std::span<const double> reference, std::span<const double> at,
+                   std::span<double> gradient);
+
+  [[nodiscard]] const Kinematics<double>& kinematics() const { return kinematics_; }
+
+ private:
+  // a joint limit, in radians: angle[dof] - gain · angle[driver] ≤ bound, or -angle[dof] ≤ bound
+  struct AngleLimit {
+    int dof = 0;
+    double sign = 1.0;
+    int driver = 0;
+    double gain = 0.0;
+    double bound = 0.0;
+  };
+  // what the targets do to a link: a force (N, say) and its moment about the world's origin
+  struct Load {
+    Vec3d force{};
+    Vec3d moment{};
+  };
+
+  // how far targets are off (m), a tilt as kContactLength times itself
+  struct Misses {
+    double goal = 0.0;
+    double contact = 0.0;
+  };
+
+  double evaluate(std::span<const double> z, std::span<double> gradient) override;
+  void add_limits();
+  double load_links();
+  double pull_contact(const IkTarget<double>& target, const Vec3d& at);
+  void unload_links(std::span<double> gradient);
+  void bind(std::span<const IkTarget<double>> targets, std::span<const double> from,
+            std::span<const double> reference);
+  void set_bounds();
+  void set_curvature();
+  void minimise(NlpIkOutcome& outcome);
+  void place(std::span<double> to);
+  void stand_still(std::span<IkTarget<double>> targets, std::span<double> to,
+                   NlpIkOutcome& outcome);
+  void stiffen(std::span<IkTarget<double>> targets);
+  template <class Column>
+  void add_rows(int link, double scale, Column&& column);
+  [[nodiscard]] double damping(std::span<const IkTarget<double>> targets) const;
+  [[nodiscard]] Misses correct_leads(std::span<IkTarget<double>> targets) const;
+
+  const BodyModel* body_;
+  NlpIkSettings settings_;
+  VariableMetric metric_;
+  Kinematics<double> kinematics_;
+  std::vector<AngleLimit> angle_limits_;
+  std::vector<LinearLimit> limits_;    // of those, what the unlocked dofs can meet
+  std::vector<std::size_t> limit_of_;  // … and which each is
+  std::vector<double> limit_scale_;    // … and how many radians one unit of it is
+  std::vector<double> size_;           // (dofs) √(1 / w_i), the largest being 1: radians per z
+  std::vector<double> z_;              // (dofs) (q - from) / size
+  std::vector<double> reference_;      // (dofs) the same of the reference
+  std::vector<double> angles_;         // (dofs, rad)
+  std::vector<Load> loads_;            // (dofs)
+  std::vector<double> rows_;           // (rows × dofs) m, of the scaled Jacobian
+  double mean_diagonal_ = 0.0;         // m², of J W⁻¹ Jᵀ in the start posture
+  double stiffness_ = 1.0;             // of the contacts beside the goals
+  double epsilon_ = 0.0;               // m², of the posture being solved for
+  std::span<const IkTarget<double>> targets_;  // … and its arguments
+  std::span<const double> from_;
+};
+
+}  // namespace shigusa
