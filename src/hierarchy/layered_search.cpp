@@ -104,8 +104,9 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
   for (std::size_t k = 0; k < scores.size(); ++k) {
     if (!paths[k].empty()) arms[k] = choose_(paths[k]);
   }
-  // … then the whole body
-  parallel_for(count, threads_, [&](int i, int worker) {
+  // … then the whole body; a user's criteria are called by one thread
+  const int threads = criteria_->user.empty() ? threads_ : 1;
+  parallel_for(count, threads, [&](int i, int worker) {
     const auto k = index(i);
     if (paths[k].empty()) return;
     const RolledOut played = player(worker).expand(clips[k], arms[k]);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <shigusa/hierarchy/layered_generator.hpp>
 #include <shigusa/search/searches.hpp>
+#include <thread>
 
 #include "support/problems.hpp"
 
@@ -194,6 +195,20 @@ TEST(GenerateLayered, OwnCriterionDecides) {
   const LayeredGeneration generation = generated(task);
   EXPECT_GT(generation.rejected_nan, 0);
   EXPECT_EQ(generation.status, ReachStatus::reached);
+}
+
+TEST(GenerateLayered, CallsAUsersCriterionOnTheCallersThread) {
+  Task task = task_for(half_body(), kFront);
+  task.batch.threads = 3;
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<int> elsewhere = 0;
+  task.criteria.user = {
+      {.name = "where", .weight = 1.0, .scale = 1.0, .value = [&](const BodyModel&, const Motion&) {
+         if (std::this_thread::get_id() != caller) ++elsewhere;
+         return 0.0;
+       }}};
+  (void)generated(task);
+  EXPECT_EQ(elsewhere, 0);
 }
 
 TEST(GenerateLayered, GoalOutOfReachIsAStatusWithTheDistanceLeft) {

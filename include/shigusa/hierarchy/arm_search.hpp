@@ -18,7 +18,7 @@ using ArmGenes = std::array<std::uint8_t, kArmDofs>;
 // are left out, as three are needed to place a hand, and so are multiples of another's weights.
 enum class LimbSearch {
   // The best of the codes kLimbLadder in all combinations, then of all codes next to it, again and
-  // again until none is better: some 700 motions.
+  // again until none is better: some 600 motions.
   ladder,
   // The best of all.
   enumeration,

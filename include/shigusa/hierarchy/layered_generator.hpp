@@ -53,7 +53,8 @@ struct LayeredGeneration {
   SearchEnd end = SearchEnd::converged;
 };
 
-// The problem that a task poses to layers. Fails where make_problem or paper_layers does.
+// The problem that a task poses to layers; points into the task. Fails where make_problem or
+// paper_layers does.
 [[nodiscard]] Result<LayeredProblem> make_layered_problem(const Task& task,
                                                           const LayeredSettings& settings = {});
 
