@@ -37,6 +37,7 @@ struct ReachOptions {
   std::optional<std::string> criteria;
   std::optional<std::string> search;
   std::optional<int> evaluations;
+  std::optional<double> seconds;
   std::optional<int> candidates;
   std::optional<std::uint64_t> seed;
   int threads = 0;  // 0: one for each core

@@ -32,12 +32,18 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
                 "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X; repeatable")
       ->allow_extra_args(false);
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
-  c->add_option("--preset", o.preset, "paper");
+  c->add_option(
+      "--preset", o.preset,
+      "paper, as published, or flat: all parameters at once, within joint limits; with its "
+      "own criteria and number of candidates");
   c->add_option("--criteria", o.criteria,
                 "paper or default: what motions are scored by, whatever the task file says");
-  c->add_option("--search", o.search, "paper_ga");
+  c->add_option("--search", o.search,
+                "paper_ga, log_ga, annealing, cma_es, de or random (default: the preset's)");
   c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
       ->check(whole_number(8, 1'000'000'000));
+  c->add_option("--seconds", o.seconds, "Time limit of the search; what is found depends on speed")
+      ->check(CLI::Range(1e-3, 1e6));
   c->add_option("--candidates", o.candidates, "Candidates to deliver, at most")
       ->check(whole_number(1, 1000));
   c->add_option("--seed", o.seed, "Same seed, same bytes (default 0)")

@@ -65,19 +65,31 @@ Result<BatchSettings> batch_settings(const ReachOptions& options) {
 Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
   std::vector<std::string> mixtures;
   for (const CriteriaPreset& preset : criteria_presets()) mixtures.emplace_back(preset.name);
+  std::vector<std::string> preset_names;
+  for (const Preset preset : presets()) preset_names.emplace_back(preset_name(preset));
+  std::vector<std::string> searches;
+  for (const SearchMethod method : kSearchMethods) searches.emplace_back(search_name(method));
   const struct {
     const char* what;
     const std::optional<std::string>& given;
     std::vector<std::string> allowed;
-  } words[] = {{"preset", options.preset, {"paper"}},
+  } words[] = {{"preset", options.preset, preset_names},
                {"criteria", options.criteria, mixtures},
-               {"search", options.search, {"paper_ga"}}};
+               {"search", options.search, searches}};
   for (const auto& word : words) {
     if (!word.given) continue;
     if (const auto known = pick(word.what, *word.given, word.allowed); !known) {
       return tl::unexpected(known.error());
     }
   }
+  for (const Preset preset : presets()) {
+    if (options.preset != preset_name(preset) || preset == file.preset) continue;
+    // with its own criteria and number of candidates
+    file.preset = preset;
+    file.criteria = preset_criteria(preset);
+    if (!options.candidates) file.candidates = preset_candidates(preset);
+  }
+  if (options.search) file.search = search_method(*options.search);
   for (const CriteriaPreset& preset : criteria_presets()) {
     if (options.criteria == preset.name) file.criteria = preset.settings();
   }
@@ -145,10 +157,16 @@ int reach(const ReachOptions& options) {
   note_goals_below_floor(*task);
   if (const auto ready = prepare_folder(options.out); !ready) return report(ready.error());
   const auto begin = std::chrono::steady_clock::now();
-  const Result<Generation> generation = generate(*task, terminal_progress());
+  Progress progress = terminal_progress();
+  if (options.seconds) {
+    progress.deadline = begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                    std::chrono::duration<double>(*options.seconds));
+  }
+  const Result<Generation> generation = generate(*task, progress);
   end_progress_line();
   if (!generation) return report(generation.error());
   RunInfo info;
+  info.search = search_name(task->search.value_or(preset_search(task->preset)));
   info.threads = thread_count(batch->threads);
   info.simd = simd_name(batch->simd);
   info.elapsed_ms =

@@ -4,36 +4,34 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/hierarchy/archive.hpp>
 #include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/hierarchy/parameter_space.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/detour.hpp>
-#include <shigusa/rollout/reachability.hpp>
 #include <utility>
+
+#include "candidate.hpp"
+#include "ways.hpp"
 
 namespace shigusa {
 namespace {
 
-// Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn
-// fast and would jolt into the last frame.
-constexpr int kEdgeCorrections = 3;
+SearchMethod search_of(const Task& task) {
+  return task.search.value_or(preset_search(task.preset));
+}
 
-// Ways to the goals, tried in this order until one leads there: a straight hand path; the same with
-// the null space drawn to a posture that is known to arrive; that posture alone.
-std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
-  if (reach.reached()) add_detours(problem);
-  ReachProblem guided = problem;
-  guided.guide = reach.angles;
-  ReachProblem posture = guided;
-  posture.follow_path = false;
-  if (reach.reached()) return {problem, guided, posture};
-  // the edge of reach: the path ends at the closest point, and a hand whose limb is stretched out
-  // lags behind a path that it need not keep
-  guided.tolerance = posture.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
-  guided.corrections = posture.corrections = kEdgeCorrections;
-  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-    guided.goals[g].path.goal = posture.goals[g].path.goal = reach.positions[g];
+// The paper's own searches go over its codes; the others over a wider range.
+GeneCode gene_code(const Task& task) {
+  if (task.preset != Preset::paper) return GeneCode::natural;
+  switch (search_of(task)) {
+    case SearchMethod::paper_ga:
+    case SearchMethod::annealing:
+    case SearchMethod::random:
+      return GeneCode::paper;
+    default:
+      return GeneCode::logarithmic;
   }
-  return {guided, posture};
 }
 
 // The score in double of what was searched in single precision.
@@ -44,146 +42,132 @@ double replayed_score(const ReachProblem& problem, const Task& task, const Param
              : worst_score(task.criteria);
 }
 
-// The paper's weights at a point of the search's unit cube.
-Parameters decode_point(std::span<const double> point) {
-  return decode_paper_genes(genome_of_point(point, kPaperBitsPerGene));
-}
+// Most of the budget goes to all parameters together; the rest to stoops and squats apart, since
+// people do both and no criterion decides between them. Each part is a search of its own whose
+// budget grows with the whole, so more budget never gives a worse best.
+constexpr double kFreeShare = 0.6;
+constexpr double kStyleShare = 0.2;
+constexpr std::pair<double, double> kStyleRanges[] = {{0.0, radians(30.0)},
+                                                      {radians(85.0), radians(130.0)}};  // rad
 
-// Scores points with criteria of the user's own, which want whole motions: one after the other.
-void evaluate_one_by_one(const ReachProblem& problem, const Task& task,
-                         std::span<const double> points, std::span<double> scores) {
-  const std::size_t genes = problem.body->dofs().size();
-  for (std::size_t i = 0; i < scores.size(); ++i) {
-    scores[i] = replayed_score(problem, task, decode_point(points.subspan(i * genes, genes)));
+// What is searched on one way to the goal, and what the search came upon.
+class Searched {
+ public:
+  Searched(const ReachProblem& problem, const Task& task)
+      : problem_(problem),
+        task_(task),
+        criteria_(task_criteria(task)),
+        space_(problem, gene_code(task)),
+        batch_(problem, criteria_, task.batch),
+        archive_(*problem.body) {}
+
+  SearchResult run(const Progress& progress) {
+    if (task_.preset == Preset::paper) return run_in({}, 1.0, progress);
+    SearchResult all = run_in({}, kFreeShare, progress);
+    const int squat = space_.find("squat");
+    if (squat < 0) return all;
+    for (const auto& [low, high] : kStyleRanges) {
+      if (all.end == SearchEnd::cancelled) break;
+      const Niche niche{squat, space_.coordinate(squat, low), space_.coordinate(squat, high)};
+      add(run_in(niche, kStyleShare, progress), all);
+    }
+    return all;
   }
-}
 
-SearchResult search_weights(const ReachProblem& problem, const Task& task,
-                            const Progress& progress) {
-  SearchProblem searched;
-  searched.genes = problem.body->dof_count();
-  const CriteriaSettings criteria = task_criteria(task);
-  BatchRollout batch(problem, criteria, task.batch);
-  searched.evaluate = [&](std::span<const double> points, std::span<double> scores) {
-    if (task.criteria.user.empty()) {
-      batch.score(inverse_weights_of_genes(genome_of_point(points, kPaperBitsPerGene)), scores);
-    } else {
-      evaluate_one_by_one(problem, task, points, scores);
+  [[nodiscard]] const ParameterSpace& space() const { return space_; }
+  [[nodiscard]] const Archive& archive() const { return archive_; }
+
+ private:
+  // a part of the space: one coordinate within bounds
+  struct Niche {
+    int gene = -1;  // -1: the whole space
+    double low = 0.0;
+    double high = 1.0;
+
+    void take_in(std::span<double> points, std::size_t genes) const {
+      if (gene < 0) return;
+      for (auto k = static_cast<std::size_t>(gene); k < points.size(); k += genes) {
+        points[k] = low + points[k] * (high - low);
+      }
     }
   };
-  if (!task.evaluations) return genetic_search(searched, task.genetic, progress);
-  return restarted_genetic_search(searched, task.genetic, *task.evaluations, progress);
-}
 
-std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
-  std::vector<LimitExcess> result;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    const auto k = static_cast<std::size_t>(d);
-    double excess = 0.0;
-    for (int f = 0; f < clip.frames; ++f) {
-      const std::span<const double> angles = clip.frame(f);
-      excess = max(excess, angles[k] - upper_limit(body, d, angles));
-      excess = max(excess, body.dof(d).lower - angles[k]);
+  // searches a part of the space with a share of the budget
+  SearchResult run_in(const Niche& niche, double share, const Progress& progress) {
+    SearchProblem searched;
+    searched.genes = space_.genes();
+    searched.start = space_.start();
+    if (niche.gene >= 0) searched.start[static_cast<std::size_t>(niche.gene)] = 0.5;
+    const auto genes = static_cast<std::size_t>(searched.genes);
+    searched.evaluate = [&](std::span<const double> points, std::span<double> scores) {
+      moved_.assign(points.begin(), points.end());
+      niche.take_in(moved_, genes);
+      evaluate(moved_, scores);
+    };
+    SearchResult found = search_with(searched, share, progress);
+    niche.take_in(found.best_seen.point, genes);
+    for (Individual& individual : found.final_population) niche.take_in(individual.point, genes);
+    return found;
+  }
+
+  SearchResult search_with(const SearchProblem& searched, double share, const Progress& progress) {
+    const SearchMethod method = search_of(task_);
+    const bool genetic = method == SearchMethod::paper_ga || method == SearchMethod::log_ga;
+    if (genetic && !task_.evaluations && task_.preset == Preset::paper) {
+      return genetic_search(searched, task_.genetic, progress);
     }
-    // less than a tenth of a degree is nothing that anyone sees
-    if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
+    const int all = task_.evaluations.value_or(kFlatEvaluations);
+    const int budget = std::max(static_cast<int>(share * all), kPaperPopulation);
+    if (genetic) return restarted_genetic_search(searched, task_.genetic, budget, progress);
+    return search(method, searched, budget, task_.genetic.seed, progress);
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
-  return result;
-}
 
-PathKind path_kind(const ReachProblem& problem, const EffectorPath& path) {
-  if (!problem.follow_path) return PathKind::free;
-  return path.detour == Vec3d{} ? PathKind::straight : PathKind::detour;
-}
-
-Candidate make_candidate(const Task& task, const ReachProblem& problem,
-                         const Parameters& parameters, RolledOut rolled) {
-  const BodyModel& body = task.body;
-  Candidate candidate;
-  candidate.parameters = parameters;
-  candidate.score = score_motion(body, rolled.motion, task_criteria(task));
-  for (std::size_t g = 0; g < task.goals.size(); ++g) {
-    const auto index = static_cast<std::size_t>(problem.goals[g].effector);
-    const Effector& effector = body.effectors()[index];
-    const Vec3d reached = rolled.motion.effectors[g].back();
-    const Vec3d goal = task.goals[g].position;
-    candidate.goals.push_back({effector.name, effector.node, goal, reached, norm(goal - reached),
-                               path_kind(problem, problem.goals[g].path)});
+  static void add(SearchResult part, SearchResult& all) {
+    all.evaluations += part.evaluations;
+    all.rejected_nan += part.rejected_nan;
+    all.generations += part.generations;
+    all.end = part.end;
+    if (part.best_seen.score < all.best_seen.score) all.best_seen = std::move(part.best_seen);
   }
-  candidate.path_error = rolled.outcome.path_error;
-  for (const Foot& foot : body.feet()) {
-    // the base cannot move; what another foot does was measured in every frame
-    const double slide = foot.link == kBaseLink ? 0.0 : rolled.outcome.contact_slide;
-    candidate.contacts.push_back({foot.name, foot.node, slide});
+
+  void evaluate(std::span<const double> points, std::span<double> scores) {
+    const bool kept = task_.preset != Preset::paper;
+    if (!task_.criteria.user.empty()) return evaluate_one_by_one(points, scores);
+    angles_.resize(kept ? scores.size() * problem_.body->dofs().size() : 0);
+    batch_.score(space_.rows(points), scores, angles_);
+    if (kept) archive_.add(points, scores, angles_, worst_score(criteria_));
   }
-  candidate.over_limit = limit_excess(body, rolled.motion.clip);
-  candidate.motion = std::move(rolled.motion);
-  return candidate;
-}
 
-// Orders scores, a NaN last.
-double ranking(const Score& score) {
-  return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
-}
-
-// Largest root-mean-square difference of two motions' joint angles over their frames (rad).
-double posture_distance(const Clip& a, const Clip& b) {
-  double largest = 0.0;
-  for (int f = 0; f < a.frames; ++f) {
-    double squares = 0.0;
-    for (int d = 0; d < a.dofs; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      const double difference = a.frame(f)[k] - b.frame(f)[k];
-      squares += difference * difference;
-    }
-    largest = max(largest, squares / a.dofs);
-  }
-  return sqrt(largest);
-}
-
-// At the edge of reach limbs are stretched, and some weights bring them there with a jolt: a change
-// of a joint's step by more than this (rad) from one of kMotionSteps frames to the next. Minimum
-// jerk over a range of 4 rad has a fifth of it.
-constexpr double kJolt = radians(2.0);
-
-bool jolts(const Clip& clip) {
-  for (int f = 2; f < clip.frames; ++f) {
-    for (int d = 0; d < clip.dofs; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      const double change = clip.frame(f)[k] - 2.0 * clip.frame(f - 1)[k] + clip.frame(f - 2)[k];
-      if (abs(change) > kJolt) return true;
+  // criteria of the user's own want whole motions: one after the other
+  void evaluate_one_by_one(std::span<const double> points, std::span<double> scores) {
+    const auto genes = static_cast<std::size_t>(space_.genes());
+    std::vector<float> end;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      const std::span<const double> point = points.subspan(i * genes, genes);
+      const RolledOut rolled = roll_out(problem_, space_.decode(point));
+      scores[i] = rolled.outcome.met(problem_.tolerance)
+                      ? score_motion(*problem_.body, rolled.motion, criteria_).total
+                      : worst_score(criteria_);
+      const Clip& clip = rolled.motion.clip;
+      const std::span<const double> last = clip.frame(clip.frames - 1);
+      end.clear();
+      for (const double angle : last) end.push_back(static_cast<float>(angle));
+      archive_.add(point, scores.subspan(i, 1), end, worst_score(criteria_));
     }
   }
-  return false;
-}
 
-// The motion does what its way asks for; beyond reach, without a jolt.
-bool arrives(const ReachProblem& way, const RolledOut& rolled) {
-  if (!rolled.outcome.met(way.tolerance)) return false;
-  return way.tolerance.goal <= kReachTolerance || !jolts(rolled.motion.clip);
-}
-
-struct Arrival {
-  const ReachProblem* way = nullptr;
-  RolledOut rolled;
+  const ReachProblem& problem_;
+  const Task& task_;
+  CriteriaSettings criteria_;
+  ParameterSpace space_;
+  BatchRollout batch_;
+  Archive archive_;
+  std::vector<float> angles_;
+  std::vector<double> moved_;
 };
 
-// The parameters' motion on the first way that brings them to the goal: the same parameters always
-// give the same motion, whichever way they were found on.
-std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
-                                     const Parameters& parameters) {
-  for (const ReachProblem& way : ways) {
-    RolledOut rolled = roll_out(way, parameters);
-    if (arrives(way, rolled)) return Arrival{&way, std::move(rolled)};
-  }
-  return std::nullopt;
-}
-
-// Re-plays the final genomes and keeps those that arrive and differ, best first.
-void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
-                        const SearchResult& found, Generation& generation) {
+// The final genomes, best first, each once: what the paper's user chooses from.
+std::vector<Individual> final_genomes(const SearchResult& found) {
   std::vector<Individual> ranked;
   std::set<std::vector<double>> known;
   for (const Individual& individual : found.final_population) {
@@ -191,16 +175,50 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const Individual& a, const Individual& b) { return a.score < b.score; });
+  return ranked;
+}
+
+// Of all that the search came upon, the best and others that end differently and are not much
+// worse: first the best of each style, then what is left, best first.
+std::vector<Individual> distinct_postures(const Archive& archive, int most) {
+  const std::vector<Archived> ranked = archive.ranked();
+  std::vector<const Archived*> picked;
+  const auto try_pick = [&](const Archived& archived, bool new_style_only) {
+    if (static_cast<int>(picked.size()) >= most) return;
+    if (archived.score > ranked.front().score + kCandidateSpread) return;
+    for (const Archived* better : picked) {
+      const double distance = posture_distance(better->posture, archived.posture);
+      if (distance < kDistinctEnd + kEndSlack) return;
+      if (new_style_only && better->style == archived.style) return;
+    }
+    picked.push_back(&archived);
+  };
+  for (const Archived& archived : ranked) try_pick(archived, true);
+  for (const Archived& archived : ranked) try_pick(archived, false);
+  std::vector<Individual> result;
+  for (const Archived* archived : picked) result.push_back({archived->point, archived->score});
+  return result;
+}
+
+// Replays what was found and keeps what arrives and differs, best first.
+void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
+                        const Searched& searched, const SearchResult& found,
+                        Generation& generation) {
+  const bool paper = task.preset == Preset::paper;
+  const std::vector<Individual> ranked =
+      paper ? final_genomes(found) : distinct_postures(searched.archive(), 4 * task.candidates);
   for (const Individual& individual : ranked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
-    const Parameters parameters = decode_point(individual.point);
+    const Parameters parameters = searched.space().decode(individual.point);
     std::optional<Arrival> arrival = first_arrival(ways, parameters);
     if (!arrival) {
       ++generation.missed;
       continue;
     }
+    const Clip& clip = arrival->rolled.motion.clip;
     const auto is_copy = [&](const Candidate& better) {
-      return posture_distance(better.motion.clip, arrival->rolled.motion.clip) < kDistinctPosture;
+      return paper ? largest_distance(better.motion.clip, clip) < kDistinctPosture
+                   : final_distance(better.motion.clip, clip) < kDistinctEnd;
     };
     if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
       ++generation.near_copies;
@@ -218,12 +236,6 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
   std::stable_sort(
       generation.candidates.begin(), generation.candidates.end(),
       [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
-}
-
-double miss_of(const Candidate& candidate) {
-  double squares = 0.0;
-  for (const GoalResult& goal : candidate.goals) squares += goal.error * goal.error;
-  return sqrt(squares);
 }
 
 // The parameters' motion on the first way that brings them to the goal; where none does, the one
@@ -255,12 +267,36 @@ void finish(const ClosestReach& reach, Generation& generation) {
   generation.remaining_distance = met ? 0.0 : miss;
 }
 
+Result<void> check_posture(const BodyModel& body, const PostureParameters& posture) {
+  if (posture.modes.empty()) return {};
+  const std::vector<PostureMode> modes = posture_modes(body);
+  if (posture.modes.size() != modes.size()) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} posture values for a body of {} posture modes",
+                            posture.modes.size(), modes.size()));
+  }
+  const auto check = [](const std::string& name, double value, double low,
+                        double high) -> Result<void> {
+    if (value >= low && value <= high) return {};
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("value is {}; allowed are {:g} to {:g}", value, low, high), name);
+  };
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const auto checked = check(modes[m].name, posture.modes[m], -kPostureMax, kPostureMax);
+    if (!checked) return checked;
+  }
+  if (const auto c = check("delay", posture.delay, 0.0, kDelayMax); !c) return c;
+  if (const auto c = check("bow", posture.bow, -kBowMax, kBowMax); !c) return c;
+  return check("skew", posture.skew, -1.0, 1.0);
+}
+
 Result<void> check_parameters(const BodyModel& body, const Parameters& parameters) {
   if (parameters.joints.size() != body.dofs().size()) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("{} joint weights for a body of {} dof", parameters.joints.size(),
                             body.dof_count()));
   }
+  if (const auto checked = check_posture(body, parameters.posture); !checked) return checked;
   for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
     const double weight = parameters.joints[d].weight;
     if (weight >= kWeightMin && weight <= kWeightMax) continue;
@@ -282,16 +318,17 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   Generation generation;
   generation.duration = problem->duration;
   for (std::size_t w = 0; w < ways.size(); ++w) {
-    const SearchResult found = search_weights(ways[w], task, progress);
+    Searched searched(ways[w], task);
+    const SearchResult found = searched.run(progress);
     generation.evaluations += found.evaluations;
     generation.generations = found.generations;
     generation.rejected_nan += found.rejected_nan;
     generation.end = found.end;
-    generation.best_seen = decode_point(found.best_seen.point);
+    generation.best_seen = searched.space().decode(found.best_seen.point);
     generation.best_seen_score = replayed_score(ways[w], task, *generation.best_seen);
     generation.missed = generation.replay_differs = 0;
     generation.replay_difference = 0.0;
-    collect_candidates(task, std::span(ways).first(w + 1), found, generation);
+    collect_candidates(task, std::span(ways).first(w + 1), searched, found, generation);
     if (!generation.candidates.empty() || found.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <shigusa/core/names.hpp>
 #include <shigusa/hierarchy/task.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
@@ -64,6 +65,25 @@ Result<void> check_settings(const Task& task) {
   return {};
 }
 
+constexpr int kFlatCandidates = 5;  // what a person can look over
+
+// Where limits hold joints back, a frame takes up to so many further steps to bring an effector
+// back that has left its path by more than this.
+constexpr int kLimitCorrections = 2;
+constexpr double kPathSlack = 3e-4;  // m
+
+// Which way a path over `way` bows out, and how far (m): forwards, square to the way; a way that
+// leads forwards bows upwards.
+Vec3d bow_of(const Vec3d& way) {
+  const double length = norm(way);
+  const Vec3d along = normalized(way);
+  for (const Vec3d& out : {Vec3d{0, 0, 1}, Vec3d{0, 1, 0}}) {
+    const Vec3d square = out - along * dot(along, out);
+    if (norm(square) > 0.5) return normalized(square) * length;
+  }
+  return {};
+}
+
 // Length of a limb: the distances along its chain, stretched out.
 double limb_length(const BodyModel& body, const Effector& effector) {
   double length = norm(effector.point);
@@ -79,8 +99,27 @@ std::string_view preset_name(Preset preset) {
   switch (preset) {
     case Preset::paper:
       return "paper";
+    case Preset::flat:
+      return "flat";
   }
   return "";
+}
+
+std::span<const Preset> presets() {
+  static constexpr std::array kPresets{Preset::paper, Preset::flat};
+  return kPresets;
+}
+
+SearchMethod preset_search(Preset preset) {
+  return preset == Preset::paper ? SearchMethod::paper_ga : SearchMethod::cma_es;
+}
+
+CriteriaSettings preset_criteria(Preset preset) {
+  return preset == Preset::paper ? paper_criteria() : default_criteria();
+}
+
+int preset_candidates(Preset preset) {
+  return preset == Preset::paper ? kPaperPopulation : kFlatCandidates;
 }
 
 CriteriaSettings task_criteria(const Task& task) {
@@ -118,11 +157,16 @@ Result<ReachProblem> make_problem(const Task& task) {
     const Vec3d from = kinematics.point(effector.link, effector.point);
     const Vec3d shoulder = kinematics.origin[static_cast<std::size_t>(effector.limb_root)];
     const bool beyond_arm = norm(goal.position - shoulder) > limb_length(body, effector);
-    problem.goals.push_back({*index, {from, goal.position}});
+    problem.goals.push_back({*index, {from, goal.position}, bow_of(goal.position - from)});
     problem.duration =
         max(problem.duration, reach_duration(norm(goal.position - from), beyond_arm));
   }
   if (task.duration) problem.duration = *task.duration;
+  if (task.preset != Preset::paper) {
+    problem.hold_limits = true;
+    problem.corrections = kLimitCorrections;
+    problem.path_slack = kPathSlack;
+  }
   return problem;
 }
 

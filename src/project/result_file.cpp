@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdlib>
+#include <shigusa/body/posture_modes.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/result_file.hpp>
@@ -22,6 +23,14 @@ Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
   }
   json["contractions"] = Json::object();
   json["posture"] = Json::object();
+  if (parameters.posture.modes.empty()) return json;
+  const std::vector<PostureMode> modes = posture_modes(body);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    json["posture"][modes[m].name + "_rad"] = parameters.posture.modes[m];
+  }
+  json["posture"]["delay"] = parameters.posture.delay;
+  json["posture"]["bow"] = parameters.posture.bow;
+  json["posture"]["skew"] = parameters.posture.skew;
   return json;
 }
 
@@ -121,6 +130,21 @@ Json search_to_json(const BodyModel& body, const Generation& generation) {
   return json;
 }
 
+// An empty object is weights alone; otherwise what is not given is 0.
+void read_posture(const BodyModel& body, JsonReader& parameters, PostureParameters& posture) {
+  if (parameters.value("posture").is_object() && parameters.value("posture").empty()) return;
+  JsonReader reader = parameters.object("posture");
+  for (const PostureMode& mode : posture_modes(body)) {
+    double value = 0.0;
+    reader.number((mode.name + "_rad").c_str(), value, -kPostureMax, kPostureMax);
+    posture.modes.push_back(value);
+  }
+  reader.number("delay", posture.delay, 0.0, kDelayMax);
+  reader.number("bow", posture.bow, -kBowMax, kBowMax);
+  reader.number("skew", posture.skew, -1.0, 1.0);
+  parameters.absorb(reader.finish());
+}
+
 // The parameters of one stored candidate; every freedom must have its weight.
 Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
                                    const std::string& place) {
@@ -152,7 +176,7 @@ Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
     }
   }
   (void)reader.has("contractions");
-  (void)reader.has("posture");
+  if (reader.has("posture")) read_posture(body, reader, parameters.posture);
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return parameters;
 }
@@ -165,19 +189,6 @@ Result<void> check_version(const Json& json, const std::string& place) {
                           version == json.end() ? "missing" : version->dump().substr(0, 60),
                           kResultVersion),
               place);
-}
-
-Result<double> parse_weight(std::string_view text) {
-  std::string copy(text);
-  char* end = nullptr;
-  const double value = std::strtod(copy.c_str(), &end);
-  if (!copy.empty() && end == copy.c_str() + copy.size() && value >= kWeightMin &&
-      value <= kWeightMax) {
-    return value;
-  }
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("weight is '{}'; allowed are numbers from {:g} to {:g}", text, kWeightMin,
-                          kWeightMax));
 }
 
 }  // namespace
@@ -250,48 +261,6 @@ Result<StoredResult> read_result(const std::filesystem::path& path) {
   const Result<std::string> text = read_text_file(file, kResultMaxBytes);
   if (!text) return tl::unexpected(text.error());
   return parse_result(*text, file.filename().string());
-}
-
-Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
-                              Parameters& parameters) {
-  const std::size_t equals = assignment.find('=');
-  const std::size_t dot = assignment.substr(0, equals).rfind('.');
-  if (equals == assignment.npos || dot == assignment.npos) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("'{}' is not NAME.weight=NUMBER or NAME.locked=true|false",
-                            assignment.substr(0, 80)));
-  }
-  const std::string_view name = assignment.substr(0, dot);
-  const std::string_view member = assignment.substr(dot + 1, equals - dot - 1);
-  const std::string_view value = assignment.substr(equals + 1);
-  const std::vector<std::string> members{"weight", "locked"};
-  if (member != "weight" && member != "locked") {
-    return fail(ErrorCode::invalid_argument, unknown_name("parameter", member, members));
-  }
-  std::vector<std::string> names;
-  bool found = false;
-  for (std::size_t d = 0; d < body.dofs().size(); ++d) {
-    names.push_back(body.dofs()[d].name);
-    const std::string& joint_name = body.dofs()[d].joint;
-    if (std::find(names.begin(), names.end(), joint_name) == names.end()) {
-      names.push_back(joint_name);
-    }
-    if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
-    found = true;
-    JointWeight& joint = parameters.joints[d];
-    if (member == "weight") {
-      const Result<double> weight = parse_weight(value);
-      if (!weight) return tl::unexpected(weight.error());
-      joint = {*weight, false};
-    } else if (value == "true" || value == "false") {
-      joint.locked = value == "true";
-    } else {
-      return fail(ErrorCode::invalid_argument,
-                  fmt::format("locked is '{}'; allowed are true and false", value));
-    }
-  }
-  if (!found) return fail(ErrorCode::not_found, unknown_name("joint", name, names));
-  return {};
 }
 
 }  // namespace shigusa

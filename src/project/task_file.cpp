@@ -189,6 +189,7 @@ Json task_to_json(const TaskFile& task) {
   }
   if (task.duration) json["duration_s"] = *task.duration;
   json["preset"] = preset_name(task.preset);
+  if (task.search) json["search"] = search_name(*task.search);
   for_each_criterion([&](const auto& criterion) {
     json["criteria"][criterion.name] = {{"weight", criterion.weight(task.criteria)},
                                         {criterion.scale_name, criterion.scale(task.criteria)}};
@@ -207,7 +208,19 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   read_character(reader, task.character);
   read_goals(reader, task.goals);
   reader.number("duration_s", task.duration, kTaskDurationMin, kTaskDurationMax);
-  reader.choice<Preset>("preset", task.preset, {{"paper", Preset::paper}});
+  std::vector<std::pair<std::string, Preset>> known_presets;
+  for (const Preset preset : presets()) known_presets.emplace_back(preset_name(preset), preset);
+  reader.choice<Preset>("preset", task.preset, known_presets);
+  task.criteria = preset_criteria(task.preset);
+  task.candidates = preset_candidates(task.preset);
+  if (reader.has("search")) {
+    std::vector<std::pair<std::string, SearchMethod>> methods;
+    for (const SearchMethod method : kSearchMethods) {
+      methods.emplace_back(search_name(method), method);
+    }
+    task.search = preset_search(task.preset);
+    reader.choice<SearchMethod>("search", *task.search, methods);
+  }
   read_criteria(reader, task.criteria);
   reader.integer("seed", task.seed, 0, UINT64_MAX);
   reader.integer("candidates", task.candidates, 1, kCandidatesMax);
@@ -248,6 +261,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .duration = file.duration,
             .preset = file.preset,
             .criteria = file.criteria,
+            .search = file.search,
             .genetic = {},
             .candidates = file.candidates,
             .evaluations = file.evaluations};

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <shigusa/body/posture_modes.hpp>
 #include <shigusa/core/check.hpp>
 #include <shigusa/rollout/parameters.hpp>
 
 namespace shigusa {
 
 Parameters uniform_parameters(const BodyModel& body) {
-  return {std::vector<JointWeight>(body.dofs().size())};
+  return {std::vector<JointWeight>(body.dofs().size()), {}};
 }
 
 Parameters decode_paper_genes(std::span<const std::uint16_t> genes) {
@@ -33,6 +34,28 @@ std::vector<double> inverse_weights(const Parameters& parameters) {
     inverse.push_back(joint.locked ? 0.0 : 1.0 / joint.weight);
   }
   return inverse;
+}
+
+std::vector<double> posture_change(const BodyModel& body, const PostureParameters& posture) {
+  const std::vector<PostureMode> modes = posture_modes(body);
+  SHG_CHECK(posture.modes.size() == modes.size(), "one value for each posture mode");
+  std::vector<double> change(body.dofs().size());
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    for (std::size_t d = 0; d < change.size(); ++d) {
+      change[d] += posture.modes[m] * modes[m].direction[d];
+    }
+  }
+  return change;
+}
+
+HeldInput::HeldInput(const BodyModel& body, const Parameters& parameters)
+    : weights_(inverse_weights(parameters)), posture_(parameters.posture) {
+  if (!posture_.modes.empty()) change_ = posture_change(body, posture_);
+}
+
+MotionInput<double> HeldInput::input() const {
+  if (change_.empty()) return weights_;
+  return {weights_, change_, posture_.delay, posture_.bow, posture_.skew};
 }
 
 }  // namespace shigusa

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <shigusa/core/random.hpp>
+#include <shigusa/rollout/limit_guard.hpp>
 #include <shigusa/rollout/reachability.hpp>
 
 namespace shigusa {
@@ -36,7 +38,9 @@ class Descent {
         trial_(weights_),
         kinematics_(body_),
         trial_kinematics_(body_),
-        workspace_(body_) {}
+        workspace_(body_) {
+    if (problem.hold_limits) limits_.emplace(body_);
+  }
 
   // Walks from the start posture towards a random one with the feet planted: the way there is a
   // motion that the body can make.
@@ -118,9 +122,19 @@ class Descent {
 
   void advance(std::span<const IkTarget<double>> targets, const IkSettings& ik,
                std::span<const double> reference) {
-    weighted_ik_step<double>(body_, trial_kinematics_, targets, weights_, reference, ik, workspace_,
+    std::span<const double> weights = weights_;
+    std::span<const double> drawn = reference;
+    if (limits_) {
+      weights = limits_->soften(weights_, trial_);
+      if (!reference.empty()) drawn = limits_->allowed(reference);
+    }
+    weighted_ik_step<double>(body_, trial_kinematics_, targets, weights, drawn, ik, workspace_,
                              step_);
     for (std::size_t d = 0; d < step_.size(); ++d) trial_[d] += step_[d];
+    if (limits_) {
+      limits_->learn(weights_, workspace_.pull, reference);
+      limits_->hold(trial_);
+    }
     forward_kinematics<double>(body_, trial_, trial_kinematics_);
   }
 
@@ -160,6 +174,7 @@ class Descent {
   Kinematics<double> kinematics_;
   Kinematics<double> trial_kinematics_;
   IkWorkspace<double> workspace_;
+  std::optional<LimitGuard<double>> limits_;
 };
 
 }  // namespace

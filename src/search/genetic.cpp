@@ -166,7 +166,7 @@ class Runs {
   // It must not depend on the budget: what is scored first would.
   void refill() {
     const std::size_t ended = runs_.size() - going_.size();
-    std::size_t at_once = 1;
+    std::size_t at_once = kRunsAtFirst;
     while (2 * at_once <= std::min<std::size_t>(ended, kRunsAtOnce)) at_once *= 2;
     while (going_.size() < at_once && scorer_.left() > 0 && !exhausted()) start();
   }

@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
     Settings, BadInput,
     testing::Values(
         Case{"Preset", {"reach", "--preset", "papr"}, {"'papr'", "did you mean 'paper'?"}},
-        Case{"Search", {"reach", "--search", "cma_es"}, {"'cma_es'", "Known: paper_ga"}},
+        Case{"Search", {"reach", "--search", "cmaes"}, {"'cmaes'", "cma_es"}},
         Case{"Criteria",
              {"reach", "--criteria", "defualt"},
              {"'defualt'", "did you mean 'default'?"}},

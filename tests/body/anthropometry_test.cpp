@@ -102,7 +102,7 @@ void expect_limits(const JointLimits& limits, double lower_deg, double upper_deg
 }
 
 TEST(JointLimits, AreTheTables) {
-  expect_limits(kAnkleFlexion, -50, 30);
+  expect_limits(kAnkleFlexion, -50, 40);
   expect_limits(kKneeFlexion, 0, 145);
   expect_limits(kHipFlexion, -20, 115);
   expect_limits(kHipAbduction, -25, 45);

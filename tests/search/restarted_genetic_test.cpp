@@ -162,7 +162,7 @@ TEST(RunsSideBySide, BecomeAsManyAsAPowerOfTwoBelowThoseThatHaveEnded) {
   for (const auto& batch : recorder.batches) {
     if (!batch.empty()) runs.push_back(batch.size() / kPaperPopulation);
   }
-  EXPECT_EQ(runs, (std::vector<std::size_t>{1, 1, 2, 4, 8, 16, 16, 16, 16}));
+  EXPECT_EQ(runs, (std::vector<std::size_t>{4, 4, 8, 16, 16, 16, 16}));
 }
 
 TEST(RunsSideBySide, FillSixteenLanesInMostBatchesOnceTheyAreMany) {

@@ -136,8 +136,7 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
   const std::size_t count = constants.joints.size();
   // accelerating upwards by g replaces the weight
   const Vec3<S> lift = transpose_times(kinematics.base_rotation, Vec3<S>{S(0), S(kGravity), S(0)});
-  Vec3<S> mass_moment =
-      kinematics.point(kBaseLink, constants.base_com) * S(constants.base_mass);
+  Vec3<S> mass_moment = kinematics.point(kBaseLink, constants.base_com) * S(constants.base_mass);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& joint = constants.joints[i];
     auto& piece = work.pieces[i];

@@ -78,6 +78,12 @@ struct Generation {
 // Two motions whose joint angles never differ by more than this, root mean square over the dofs,
 // are one candidate (rad).
 inline constexpr double kDistinctPosture = radians(5.0);
+// Presets other than the paper's tell candidates apart by how they end: root mean square (rad).
+inline constexpr double kDistinctEnd = radians(10.0);
+// What a replay in double may bring two ends nearer by (rad).
+inline constexpr double kEndSlack = radians(0.1);
+// Candidates score at most this much worse than the best.
+inline constexpr double kCandidateSpread = 0.15;
 // Searches score in single precision; every candidate is played again in double and scored anew.
 // What scores may differ by without being counted.
 inline constexpr double kReplayTolerance = 1e-3;

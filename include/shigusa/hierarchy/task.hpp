@@ -7,6 +7,7 @@
 #include <shigusa/criteria/criteria.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/search/genetic.hpp>
+#include <shigusa/search/searches.hpp>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,22 @@ namespace shigusa {
 // How the parameters are searched and what they are.
 enum class Preset {
   paper,  // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
+  flat,   // all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
 };
 
-// "paper".
+// "paper", "flat".
 [[nodiscard]] std::string_view preset_name(Preset preset);
+[[nodiscard]] std::span<const Preset> presets();
+
+// What a preset searches with, by which criteria and how long, where a task says nothing else.
+[[nodiscard]] SearchMethod preset_search(Preset preset);
+[[nodiscard]] CriteriaSettings preset_criteria(Preset preset);
+
+// How many candidates a preset delivers at most.
+[[nodiscard]] int preset_candidates(Preset preset);
+
+// Motions that the preset flat scores where a task says nothing else.
+inline constexpr int kFlatEvaluations = 3000;
 
 // The final state of one effector.
 struct Goal {
@@ -38,11 +51,12 @@ struct Task {
   std::optional<double> duration{};  // s; from the distance (reach_duration) when not given
   Preset preset = Preset::paper;
   CriteriaSettings criteria{};
-  GeneticSettings genetic{};          // with the seed
-  int candidates = kPaperPopulation;  // at most so many are delivered, ≥ 1
-  // Motions that the search may score, at least a population's. When given, the genetic algorithm
-  // starts again, with other random numbers, until it is used up, and candidates come from all its
-  // final populations; when not, it runs once.
+  std::optional<SearchMethod> search{};  // the preset's own when not given
+  GeneticSettings genetic{};             // of the searches paper_ga and log_ga; the seed of all
+  int candidates = kPaperPopulation;     // at most so many are delivered, ≥ 1
+  // Motions that the search may score, at least a population's. When given, every search uses all
+  // of them: it starts again, with other random numbers, until they are used up. When not, the
+  // paper's genetic algorithm runs once, and the others score kFlatEvaluations.
   std::optional<int> evaluations{};
   BatchSettings batch{};  // SIMD set and threads; change no result
 };

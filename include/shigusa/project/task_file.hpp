@@ -21,9 +21,10 @@ struct TaskFile {
   std::vector<Goal> goals;
   std::optional<double> duration;  // s
   Preset preset = Preset::paper;
-  CriteriaSettings criteria;  // the built-in ones: functions do not go into files
+  std::optional<SearchMethod> search;  // the preset's own when not given
+  CriteriaSettings criteria;           // the built-in ones: functions do not go into files
   std::uint64_t seed = 0;
-  int candidates = kPaperPopulation;  // 1..1000
+  int candidates = kPaperPopulation;  // 1..1000; preset_candidates where a file does not say
   std::optional<int> evaluations;     // motions the search may score, 8..1e9; see Task
 };
 

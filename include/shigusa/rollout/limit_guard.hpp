@@ -11,10 +11,10 @@ namespace shigusa {
 inline constexpr double kLimitMargin = radians(8.0);
 
 // Joint limits inside the IK, as an active set that changes smoothly. Towards a limit a freedom's
-// inverse weight falls to 0 over the last kLimitMargin, so that it comes to rest there while others
-// take over; away from it, the freedom has its own weight. Which way it wants to go is taken from
-// the step before. What a step would pass a limit by in spite of that is held back, and left for
-// corrections to make up for with the other freedoms.
+// inverse weight, and what it is drawn by, fall to 0 over the last kLimitMargin, so that it comes
+// to rest there while others take over; away from it, the freedom has its own weight. Which way it
+// wants to go is taken from the step before. What a step would pass a limit by in spite of that is
+// held back, and left for corrections to make up for with the other freedoms.
 //
 // After T. Chan and R. Dubey, IEEE Trans. Robotics and Automation 11 (1995) 286-292, where weights
 // grow without bound towards a limit; here they do so at the limit itself, not before.
@@ -22,7 +22,7 @@ template <class S>
 class LimitGuard {
  public:
   explicit LimitGuard(const BodyModel& body)
-      : wanted_(body.dofs().size()), softened_(body.dofs().size()) {
+      : wanted_(body.dofs().size()), share_(wanted_), softened_(wanted_), allowed_(wanted_) {
     for (std::size_t d = 0; d < wanted_.size(); ++d) {
       const Dof& dof = body.dofs()[d];
       // a start posture outside its range may stay where it is
@@ -48,9 +48,16 @@ class LimitGuard {
     for (std::size_t d = 0; d < limits_.size(); ++d) {
       const S room =
           select(wanted_[d] > S(0), upper_[d] - angles[d], angles[d] - S(limits_[d].lower));
-      softened_[d] = inverse_weights[d] * clamp(room * S(1.0 / kLimitMargin), S(0), S(1));
+      share_[d] = clamp(room * S(1.0 / kLimitMargin), S(0), S(1));
+      softened_[d] = inverse_weights[d] * share_[d];
     }
     return softened_;
+  }
+
+  // The part of a reference (dofs, rad) that leads no freedom into its limit; after soften.
+  [[nodiscard]] std::span<const S> allowed(std::span<const S> reference) {
+    for (std::size_t d = 0; d < limits_.size(); ++d) allowed_[d] = reference[d] * share_[d];
+    return allowed_;
   }
 
   // What each freedom would have done by its own weight: `pull` (dofs) is Jᵀ y, see IkWorkspace.
@@ -107,7 +114,9 @@ class LimitGuard {
   std::vector<Coupling> couplings_;
   std::vector<S> upper_;     // (dofs) rad, with what the couplings add now
   std::vector<S> wanted_;    // (dofs) rad, the last step without limits
-  std::vector<S> softened_;  // (dofs)
+  std::vector<S> share_;     // (dofs) 0..1, how far a freedom may still follow its own weight
+  std::vector<S> softened_;  // (dofs) inverse weights
+  std::vector<S> allowed_;   // (dofs) rad, of the reference
 };
 
 }  // namespace shigusa

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/rollout/motion_input.hpp>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace shigusa {
 // relative, would blunt the goals.
 inline constexpr double kWeightMin = 1e-3;
 inline constexpr double kWeightMax = 1e3;
+// Of the way's length, what a path may be bowed by, forwards or (< 0) backwards. People's reaches
+// leave the straight line by a tenth to a fifth of it.
+inline constexpr double kBowMax = 0.3;
+inline constexpr double kPostureMax = 3.2;  // rad, of a posture mode's value
 
 // How readily one joint freedom moves.
 struct JointWeight {
@@ -21,9 +26,20 @@ struct JointWeight {
   friend bool operator==(const JointWeight&, const JointWeight&) = default;
 };
 
+// Where a motion is drawn to in what its goals leave free, and how it gets there.
+struct PostureParameters {
+  std::vector<double> modes;  // (posture_modes of the body) rad, -kPostureMax..kPostureMax
+  double delay = 0.0;         // share of the duration before the posture changes, 0..kDelayMax
+  double bow = 0.0;           // share of the way's length, -kBowMax..kBowMax
+  double skew = 0.0;          // of the bow, -1 (late) .. 1 (early)
+
+  friend bool operator==(const PostureParameters&, const PostureParameters&) = default;
+};
+
 // The few readable numbers that a motion is generated from; what a search finds and a person edits.
 struct Parameters {
   std::vector<JointWeight> joints;  // (dofs) in the body's order
+  PostureParameters posture{};      // no modes: weights alone, as in the paper
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
@@ -40,5 +56,23 @@ struct Parameters {
 
 // 1 / weight, or 0 where locked: (dofs), what weighted IK computes with.
 [[nodiscard]] std::vector<double> inverse_weights(const Parameters& parameters);
+
+// (dofs, rad) the change of posture that the modes' values add up to; PreconditionError where there
+// are not as many values as the body has modes.
+[[nodiscard]] std::vector<double> posture_change(const BodyModel& body,
+                                                 const PostureParameters& posture);
+
+// Parameters with the memory that a MotionInput looks into.
+class HeldInput {
+ public:
+  HeldInput(const BodyModel& body, const Parameters& parameters);
+
+  [[nodiscard]] MotionInput<double> input() const;
+
+ private:
+  std::vector<double> weights_;
+  std::vector<double> change_;  // empty without modes
+  PostureParameters posture_;
+};
 
 }  // namespace shigusa

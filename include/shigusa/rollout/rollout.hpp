@@ -124,10 +124,12 @@ class Rollout {
 
   // one step of IK from this frame to the next
   void step(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights) {
+    const std::span<const S> weights = within_limits(inverse_weights, angles_[1]);
     const std::span<const S> reference =
         drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
-    weighted_ik_step<S>(*problem_->body, now(), targets, within_limits(inverse_weights, angles_[1]),
-                        reference, problem_->ik, ik_, step_);
+    weighted_ik_step<S>(*problem_->body, now(), targets, weights,
+                        limits_ && drawn_ ? limits_->allowed(reference) : reference, problem_->ik,
+                        ik_, step_);
     for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[1][d] + step_[d];
     if (limits_) {
       limits_->learn(inverse_weights, ik_.pull, reference);

@@ -71,15 +71,17 @@ struct GeneticSettings {
 
 // Most runs that restarted_genetic_search has going at once, so that a batch fills many lanes.
 inline constexpr int kRunsAtOnce = 16;
+// How many go on until the first have ended.
+inline constexpr std::size_t kRunsAtFirst = 4;
 // It ends as converged when so many runs in succession came upon no genome that was new.
 inline constexpr int kRunsWithoutNew = 64;
 
 // The genetic algorithm again and again, with the streams 0, 1, 2, … of the seed, until
-// `evaluations` (≥ population) are used up: an equal budget for every search. First one run alone,
-// then, as soon as one ends, as many side by side as the largest power of two that is not above the
-// number of runs that have ended, kRunsAtOnce at most: 1, 1, 2, 4, 8, 16, 16, … They are scored in
-// one call; a genome that two of them come upon is scored once. The final population is that of
-// all runs together, by stream; generations are summed.
+// `evaluations` (≥ population) are used up: an equal budget for every search. First kRunsAtFirst
+// side by side, later as many as the largest power of two that is not above the number of runs that
+// have ended, kRunsAtOnce at most: 4, 4, 8, 16, 16, … They are scored in one call; a genome that
+// two of them come upon is scored once. The final population is that of all runs together, by
+// stream; generations are summed.
 [[nodiscard]] SearchResult restarted_genetic_search(const SearchProblem& problem,
                                                     const GeneticSettings& settings,
                                                     int evaluations, const Progress& progress = {});

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <map>
+#include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/search/problem.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// A point that was scored, with the posture in which its motion ends.
+struct Archived {
+  std::vector<double> point;
+  double score = 0.0;
+  std::vector<float> posture;  // (dofs) rad
+  int style = 0;               // how far the knees are bent: 0 stoop, 1 between, 2 squat
+};
+
+// Mean knee flexion (rad) at which a posture is no stoop any more, and from which it is a squat.
+inline constexpr double kStoopKnee = radians(35.0);
+inline constexpr double kSquatKnee = radians(75.0);
+
+// What a search came upon, sorted by how the motion ends, so that different answers are kept beside
+// better ones: of each cell of a grid over measured descriptors (knee flexion: squat or stoop; hip
+// rotation: twist of the trunk; shoulder rotation: swivel of the arm) the best few. Its memory is
+// bounded by the grid. After MAP-Elites (J.-B. Mouret and J. Clune, arXiv 1504.04909), but the
+// archive only watches: the search does not draw from it.
+class Archive {
+ public:
+  static constexpr double kCell = radians(20.0);  // rad, of each descriptor
+  static constexpr std::size_t kPerCell = 4;
+
+  explicit Archive(const BodyModel& body);
+
+  // points (motions × genes), scores (motions), postures (motions × dofs). Motions whose score is
+  // `worst` or above missed something and are passed over.
+  void add(std::span<const double> points, std::span<const double> scores,
+           std::span<const float> postures, double worst);
+
+  // All that is kept, best first; equal scores in the order of their cells and of their coming.
+  [[nodiscard]] std::vector<Archived> ranked() const;
+
+ private:
+  using Cell = std::array<int, 3>;
+
+  [[nodiscard]] double mean_of(std::size_t descriptor, std::span<const float> posture) const;
+  [[nodiscard]] Cell cell_of(std::span<const float> posture) const;
+
+  std::size_t dofs_;
+  std::array<std::vector<std::size_t>, 3> descriptors_;  // dofs whose mean each is
+  std::map<Cell, std::vector<Archived>> cells_;          // each best first
+};
+
+// Root-mean-square difference of two postures' joint angles (rad).
+[[nodiscard]] double posture_distance(std::span<const float> a, std::span<const float> b);
+
+}  // namespace shigusa

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <shigusa/hierarchy/body_limbs.hpp>
+#include <shigusa/kinematics/weighted_ik.hpp>
+#include <shigusa/rollout/parameters.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+inline constexpr int kArmDofs = 4;
+
+// Of shoulder flexion, abduction and rotation, and elbow flexion.
+using ArmWeights = std::array<JointWeight, kArmDofs>;
+
+// An arm alone, on a trunk that stands upright and does not move: the body of the layer below. The
+// base's frame is the trunk's with the origin in the shoulder; the arm starts as the body's does.
+[[nodiscard]] BodyModel arm_body(const BodyModel& body, const BodyLimb& arm);
+
+// Moves the hand of an arm_body along a path of any shape, by weighted IK with three steps a frame:
+// what three lengths' worth of path leave to choose is where the elbow goes. Holds its scratch
+// memory: make one per thread. The arm outlives it.
+class ArmRollout {
+ public:
+  explicit ArmRollout(const BodyModel& arm);
+
+  // path (frames) m, of the hand from the shoulder in the trunk's frame, from the start posture's
+  // place on. angles: (frames × kArmDofs) rad, the start posture first. Returns the largest
+  // distance of the hand from the path (m).
+  double run(std::span<const Vec3d> path, const ArmWeights& weights, std::vector<double>& angles);
+
+ private:
+  const BodyModel* arm_;
+  Kinematics<double> placed_;
+  IkWorkspace<double> ik_;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/core/result.hpp>
+#include <shigusa/kinematics/limb.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+enum class LimbKind { leg, arm };
+
+// A limb of the body as layers see it: a ball joint at the trunk, a hinge in the middle and, of a
+// leg, a second hinge at the foot, which is planted. Numbers are those of the body's dofs.
+struct BodyLimb {
+  std::string name;  // "right_arm"
+  LimbKind kind = LimbKind::arm;
+  int flexion = 0;  // of shoulder or hip
+  int abduction = 0;
+  int rotation = 0;
+  int hinge = 0;         // elbow or knee
+  int ankle = -1;        // of a leg
+  bool carries = false;  // the leg that stands on the base: its chain leads up to the trunk
+  int effector = -1;     // of an arm, in the body's effectors
+  int foot = -1;         // of a leg, in the body's feet
+  Vec3d root{};          // m, centre of the ball joint in the trunk's frame
+  // from the shoulder to the hand's point, or from the ankle up to the hip
+  HingedLimb segments{{0, 1, 0}, {0, 1, 0}, 1.0};
+
+  // The rotation from the trunk to upper arm or thigh by the turns of the ball joint's dofs, and
+  // the other way round: signs of the dofs, and of the chain's direction.
+  [[nodiscard]] BallTurns turns_of(const BodyModel& body, std::span<const double> angles) const;
+  void put_turns(const BodyModel& body, const BallTurns& turns, std::span<double> angles) const;
+};
+
+// The limbs that move: legs whose foot is planted, the base's first; arms with an effector. A leg
+// that is lifted moves with the trunk.
+struct BodyLimbs {
+  int trunk = 0;  // link
+  std::vector<BodyLimb> legs;
+  std::vector<BodyLimb> arms;  // in the order of the body's effectors
+};
+
+// Finds them by the shape of the body's tree. Fails on a body that has another.
+[[nodiscard]] Result<BodyLimbs> find_limbs(const BodyModel& body);
+
+}  // namespace shigusa

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <shigusa/hierarchy/arm_motion.hpp>
+#include <shigusa/hierarchy/clip_dynamics.hpp>
+#include <shigusa/hierarchy/reduced_motion.hpp>
+#include <shigusa/rollout/rollout.hpp>
+#include <vector>
+
+namespace shigusa {
+
+// What a hierarchy's motions are played with: the layers, and the problem of the whole body.
+struct LayeredProblem {
+  ReachProblem reach;         // points to the whole body
+  std::vector<Layer> layers;  // trunk and limb lengths first
+  BodyLimbs limbs;
+  std::vector<int> arms;              // (goals) index in limbs.arms
+  std::vector<BodyModel> arm_bodies;  // (goals)
+};
+
+// Where the upper layer leads one arm: the way of its hand as its shoulder sees it.
+using HandPath = std::vector<Vec3d>;  // (frames) m, in the trunk's frame
+
+// Plays a hierarchy from the top: the reduced body moves, then its rods become limbs again. Legs
+// follow in closed form from where the pelvis is (paper, section 3.4; rule R3), their feet where
+// they stand; arms that have a goal move along the path that the rod's end took; the others hang.
+// Holds its scratch memory: make one per thread. The problem outlives it.
+class LayeredPlayer {
+ public:
+  explicit LayeredPlayer(const LayeredProblem& problem);
+
+  // The upper layer's motion.
+  void run_upper(const LayerParameters& parameters, ReducedClip& clip) {
+    upper_.run(parameters, clip);
+  }
+  // The hand's way of each goal in an upper motion.
+  [[nodiscard]] std::vector<HandPath> hand_paths(const ReducedClip& clip) const;
+  // How far the legs' joints would pass their limits for the pelvis of an upper motion (rad, the
+  // most of any frame; rule R4), and whether all legs can be so long.
+  struct PelvisCheck {
+    double excess = 0.0;
+    bool in_reach = true;
+  };
+  [[nodiscard]] PelvisCheck check_pelvis(const ReducedClip& clip) const;
+  // The whole body's motion for an upper motion and each goal's arm weights. An arm that cannot
+  // follow its path with them (locked, mostly) does so with all freedoms alike.
+  [[nodiscard]] RolledOut expand(const ReducedClip& clip, std::span<const ArmWeights> arms);
+
+ private:
+  struct LegLine {
+    double lean = 0.0;    // rad
+    double length = 0.0;  // m
+  };
+
+  [[nodiscard]] LegLine leg_line(const BodyLimb& leg, const ReducedClip& clip, int frame) const;
+  void bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
+                std::span<double> angles) const;
+  [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, std::span<const ArmWeights> arms);
+  [[nodiscard]] ReachOutcome measured(Motion& motion);
+
+  const LayeredProblem* problem_;
+  const BodyModel* body_;
+  ReducedRollout upper_;
+  Kinematics<double> start_;
+  Kinematics<double> placed_;
+  ClipDynamics whole_;
+  std::vector<std::unique_ptr<ArmRollout>> arms_;  // (goals)
+  std::vector<PelvisRange> ranges_;                // (legs)
+};
+
+}  // namespace shigusa

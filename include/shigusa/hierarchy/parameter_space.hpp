@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/rollout/parameters.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+// What a point of a search's unit cube means.
+enum class GeneCode {
+  paper,        // a 4-bit weight 0..15 for each freedom, 0 locks it
+  logarithmic,  // a weight for each freedom, even in its logarithm
+  natural,      // logarithmic weights and postures, delay and bow: see ParameterSpace
+};
+
+// Weights of the logarithmic codes are e^-5.5 .. e^5.5: a range of 15 is too narrow to reach
+// natural postures, and wider ones add nothing.
+inline constexpr double kLogWeightRange = 5.5;
+inline constexpr double kBowSearched = 0.2;
+
+// The parameters that a search looks for. The natural code has one weight for each freedom that
+// moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
+// mode that moves one of these; delay, bow and skew.
+class ParameterSpace {
+ public:
+  ParameterSpace(const ReachProblem& problem, GeneCode code);
+
+  [[nodiscard]] int genes() const { return static_cast<int>(genes_.size()); }
+  // What each coordinate is: "right_knee.flexion", "squat", "delay".
+  [[nodiscard]] std::vector<std::string> names() const;
+  // (genes) the plain pseudo-inverse on a straight path.
+  [[nodiscard]] std::vector<double> start() const;
+  [[nodiscard]] Parameters decode(std::span<const double> point) const;
+
+  // Index of the coordinate of that name, or -1.
+  [[nodiscard]] int find(std::string_view name) const;
+  // Where a coordinate is when its parameter has that value, held to [0, 1].
+  [[nodiscard]] double coordinate(int gene, double value) const;
+
+  // The same of many points, one after the other, as BatchRollout takes them; valid until the next
+  // call.
+  [[nodiscard]] MotionInputs rows(std::span<const double> points);
+
+ private:
+  enum class Kind { weight, posture, delay, bow, skew };
+  struct Gene {
+    Kind kind = Kind::weight;
+    std::string name;
+    std::vector<std::size_t> dofs{};  // whose weight it is
+    std::size_t mode = 0;             // whose value it is
+    double lower = 0.0;               // of what x = 0 stands for; the logarithm of a weight
+    double upper = 1.0;
+
+    [[nodiscard]] double at(double x) const { return lower + x * (upper - lower); }
+    [[nodiscard]] double of(double value) const { return (value - lower) / (upper - lower); }
+  };
+
+  void add_weights(const ReachProblem& problem);
+  void add_posture(const ReachProblem& problem);
+
+  const BodyModel* body_;
+  GeneCode code_;
+  std::vector<Gene> genes_;
+  std::vector<PostureMode> modes_;
+  std::vector<float> weights_;
+  std::vector<float> postures_;
+  std::vector<float> timing_;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <initializer_list>
+#include <shigusa/body/posture_modes.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+class ModeBuilder {
+ public:
+  explicit ModeBuilder(const BodyModel& body) : body_(body) {}
+
+  // a mode of the freedoms that the body has; none at all, no mode
+  void add(const char* name, double lower, double upper,
+           std::initializer_list<std::pair<const char*, double>> freedoms) {
+    PostureMode mode{name, std::vector<double>(body_.dofs().size()), lower, upper};
+    for (const auto& [dof, share] : freedoms) {
+      if (const auto d = body_.find_dof(dof)) mode.direction[static_cast<std::size_t>(*d)] = share;
+    }
+    const auto is_0 = [](double share) { return share == 0.0; };
+    if (std::all_of(mode.direction.begin(), mode.direction.end(), is_0)) return;
+    modes_.push_back(std::move(mode));
+  }
+
+  std::vector<PostureMode> take() { return std::move(modes_); }
+
+ private:
+  const BodyModel& body_;
+  std::vector<PostureMode> modes_;
+};
+
+}  // namespace
+
+std::vector<PostureMode> posture_modes(const BodyModel& body) {
+  ModeBuilder modes(body);
+  modes.add("squat", 0.0, radians(130.0),
+            {{"right_knee.flexion", 1.0},
+             {"left_knee.flexion", 1.0},
+             {"right_hip.flexion", 0.5},
+             {"left_hip.flexion", 0.5},
+             {"right_ankle.flexion", 0.5},
+             {"left_ankle.flexion", 0.5}});
+  modes.add("lean", radians(-20.0), radians(110.0),
+            {{"right_hip.flexion", 1.0}, {"left_hip.flexion", 1.0}});
+  modes.add("twist", radians(-40.0), radians(40.0),
+            {{"right_hip.rotation", 1.0}, {"left_hip.rotation", -1.0}});
+  modes.add("right_elbow", 0.0, radians(110.0), {{"right_elbow.flexion", 1.0}});
+  modes.add("left_elbow", 0.0, radians(110.0), {{"left_elbow.flexion", 1.0}});
+  modes.add("right_swivel", radians(-60.0), radians(60.0), {{"right_shoulder.rotation", 1.0}});
+  modes.add("left_swivel", radians(-60.0), radians(60.0), {{"left_shoulder.rotation", 1.0}});
+  return modes.take();
+}
+
+}  // namespace shigusa

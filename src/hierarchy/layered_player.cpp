@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/core/check.hpp>
+#include <shigusa/hierarchy/layered_player.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// how the knee turns the thigh on the shank, seen from the foot
+double climbing_sign(const BodyModel& body, const BodyLimb& leg) {
+  const double sign = body.dof(leg.hinge).sign;
+  return leg.carries ? sign : -sign;
+}
+
+int foot_link(const BodyLimb& leg) { return leg.carries ? kBaseLink : leg.ankle; }
+
+// m, of the ankle in its foot's frame
+Vec3d ankle_in_foot(const BodyModel& body, const BodyLimb& leg) {
+  return leg.carries ? body.dof(leg.ankle).offset : Vec3d{};
+}
+
+}  // namespace
+
+LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
+    : problem_(&problem),
+      body_(problem.reach.body),
+      upper_(problem.layers[0].body, problem.reach),
+      start_(*body_),
+      placed_(*body_),
+      whole_(*body_) {
+  forward_kinematics<double>(*body_, body_->start(), start_);
+  for (const BodyModel& arm : problem.arm_bodies)
+    arms_.push_back(std::make_unique<ArmRollout>(arm));
+  for (const BodyLimb& leg : problem.limbs.legs) {
+    const Dof& ankle = body_->dof(leg.ankle);
+    const Dof& knee = body_->dof(leg.hinge);
+    ranges_.emplace_back(leg.segments,
+                         PelvisRange::Limits{ankle.lower, ankle.upper, knee.lower, knee.upper});
+  }
+}
+
+std::vector<HandPath> LayeredPlayer::hand_paths(const ReducedClip& clip) const {
+  std::vector<HandPath> paths(problem_->arms.size());
+  for (std::size_t g = 0; g < paths.size(); ++g) {
+    const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
+    for (std::size_t f = 0; f < clip.trunk.size(); ++f) {
+      const Transformd& trunk = clip.trunk[f];
+      const Vec3d hand = clip.hands[g][f] - trunk.translation;
+      paths[g].push_back(transpose_times(trunk.rotation, hand) - arm.root);
+    }
+  }
+  return paths;
+}
+
+// where the hip is from the foot
+LayeredPlayer::LegLine LayeredPlayer::leg_line(const BodyLimb& leg, const ReducedClip& clip,
+                                               int frame) const {
+  // the base's leg has both as freedoms of its own
+  if (leg.carries) return {clip.frame(frame)[0], clip.frame(frame)[1]};
+  const Vec3d hip = clip.trunk[index(frame)] * leg.root;
+  const int foot = foot_link(leg);
+  const Vec3d way = transpose_times(start_.link_rotation(foot),
+                                    hip - start_.point(foot, ankle_in_foot(*body_, leg)));
+  return {atan2(way.z, way.y), sqrt(way.y * way.y + way.z * way.z)};
+}
+
+LayeredPlayer::PelvisCheck LayeredPlayer::check_pelvis(const ReducedClip& clip) const {
+  PelvisCheck check;
+  for (int f = 1; f <= problem_->reach.steps; ++f) {
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      const BodyLimb& leg = problem_->limbs.legs[i];
+      const LegLine line = leg_line(leg, clip, f);
+      check.excess = max(check.excess, ranges_[i].excess(line.lean, line.length));
+      if (line.length > leg.segments.longest() || line.length < leg.segments.shortest()) {
+        check.in_reach = false;
+      }
+    }
+  }
+  return check;
+}
+
+// `angles` has the frame before's, to go on from
+void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
+                             std::span<double> angles) const {
+  const double knee = leg.segments.bend(line.length);
+  const double ankle = line.lean - leg.segments.direction(knee);
+  angles[index(leg.hinge)] = knee;
+  angles[index(leg.ankle)] = ankle;
+  const Mat3d thigh = start_.link_rotation(foot_link(leg)) *
+                      rotation(Axis::x, ankle + climbing_sign(*body_, leg) * knee);
+  const BallTurns before = leg.turns_of(*body_, angles);
+  leg.put_turns(*body_, ball_turns(transpose(trunk) * thigh, before), angles);
+}
+
+Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, std::span<const ArmWeights> arms) {
+  const ReachProblem& reach = problem_->reach;
+  const std::vector<HandPath> paths = hand_paths(clip);
+  std::vector<std::vector<double>> arm_angles(paths.size());
+  for (std::size_t g = 0; g < paths.size(); ++g) {
+    const double miss = arms_[g]->run(paths[g], arms[g], arm_angles[g]);
+    if (!(miss <= reach.tolerance.path)) arms_[g]->run(paths[g], ArmWeights{}, arm_angles[g]);
+  }
+  Clip whole{.dofs = body_->dof_count(),
+             .frames = reach.steps + 1,
+             .frame_time = reach.duration / reach.steps,
+             .angles = {}};
+  std::vector<double> angles(body_->start().begin(), body_->start().end());
+  whole.angles = angles;
+  for (int f = 1; f <= reach.steps; ++f) {
+    for (const BodyLimb& leg : problem_->limbs.legs) {
+      bend_leg(leg, leg_line(leg, clip, f), clip.trunk[index(f)].rotation, angles);
+    }
+    for (std::size_t g = 0; g < paths.size(); ++g) {
+      const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
+      const double* at = arm_angles[g].data() + index(f) * kArmDofs;
+      for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
+        angles[index(dof)] = *at++;
+      }
+    }
+    whole.angles.insert(whole.angles.end(), angles.begin(), angles.end());
+  }
+  return whole;
+}
+
+// hands and feet, frame after frame
+ReachOutcome LayeredPlayer::measured(Motion& motion) {
+  const ReachProblem& reach = problem_->reach;
+  ReachOutcome outcome;
+  motion.effectors.resize(reach.goals.size());
+  for (int f = 0; f <= reach.steps; ++f) {
+    const double tau = static_cast<double>(f) / reach.steps;
+    forward_kinematics<double>(*body_, motion.clip.frame(f), placed_);
+    for (std::size_t g = 0; g < reach.goals.size(); ++g) {
+      const Effector& hand = body_->effectors()[index(reach.goals[g].effector)];
+      const Vec3d at = placed_.point(hand.link, hand.point);
+      motion.effectors[g].push_back(at);
+      const double miss = norm(at - reach.goals[g].path.at(tau));
+      outcome.path_error = max(outcome.path_error, miss);
+      if (f == reach.steps) outcome.goal_error = max(outcome.goal_error, miss);
+    }
+    for (const Foot& foot : body_->feet()) {
+      const double slide =
+          norm(placed_.point(foot.link, foot.centre) - start_.point(foot.link, foot.centre));
+      const double tilt =
+          rotation_chord(placed_.link_rotation(foot.link), start_.link_rotation(foot.link));
+      outcome.contact_slide = max(outcome.contact_slide, slide);
+      outcome.contact_tilt = max(outcome.contact_tilt, tilt);
+    }
+  }
+  return outcome;
+}
+
+RolledOut LayeredPlayer::expand(const ReducedClip& clip, std::span<const ArmWeights> arms) {
+  SHG_CHECK(arms.size() == problem_->arms.size(), "arm weights for each goal");
+  RolledOut played;
+  played.motion = whole_.completed(expanded_clip(clip, arms));
+  played.outcome = measured(played.motion);
+  return played;
+}
+
+}  // namespace shigusa

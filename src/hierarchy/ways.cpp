@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "ways.hpp"
+
+#include <limits>
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/rollout/detour.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+// Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn
+// fast and would jolt into the last frame.
+constexpr int kEdgeCorrections = 3;
+
+// At the edge of reach limbs are stretched, and some weights bring them there with a jolt: a change
+// of a joint's step by more than this (rad) from one of kMotionSteps frames to the next. Minimum
+// jerk over a range of 4 rad has a fifth of it.
+constexpr double kJolt = radians(2.0);
+
+bool jolts(const Clip& clip) {
+  for (int f = 2; f < clip.frames; ++f) {
+    for (int d = 0; d < clip.dofs; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      const double change = clip.frame(f)[k] - 2.0 * clip.frame(f - 1)[k] + clip.frame(f - 2)[k];
+      if (abs(change) > kJolt) return true;
+    }
+  }
+  return false;
+}
+
+// The motion does what its way asks for; beyond reach, without a jolt.
+bool arrives(const ReachProblem& way, const RolledOut& rolled) {
+  if (!rolled.outcome.met(way.tolerance)) return false;
+  return way.tolerance.goal <= kReachTolerance || !jolts(rolled.motion.clip);
+}
+
+}  // namespace
+
+std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
+  if (reach.reached()) add_detours(problem);
+  ReachProblem guided = problem;
+  guided.guide = reach.angles;
+  ReachProblem posture = guided;
+  posture.follow_path = false;
+  if (reach.reached()) return {problem, guided, posture};
+  // the edge of reach: the path ends at the closest point, and a hand whose limb is stretched out
+  // lags behind a path that it need not keep
+  guided.tolerance = posture.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
+  guided.corrections = posture.corrections = kEdgeCorrections;
+  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+    guided.goals[g].path.goal = posture.goals[g].path.goal = reach.positions[g];
+  }
+  return {guided, posture};
+}
+
+std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
+                                     const Parameters& parameters) {
+  for (const ReachProblem& way : ways) {
+    RolledOut rolled = roll_out(way, parameters);
+    if (arrives(way, rolled)) return Arrival{&way, std::move(rolled)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace shigusa

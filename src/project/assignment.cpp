@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/core/names.hpp>
+#include <shigusa/project/result_file.hpp>
+
+namespace shigusa {
+namespace {
+
+// The whole text as a number; infinity where it is none, which no range allows.
+double number_in(std::string_view text) {
+  const std::string copy(text);
+  char* end = nullptr;
+  const double value = std::strtod(copy.c_str(), &end);
+  const bool whole = !copy.empty() && end == copy.c_str() + copy.size();
+  return whole ? value : std::numeric_limits<double>::infinity();
+}
+
+Result<double> parse_weight(std::string_view text) {
+  const double value = number_in(text);
+  if (value >= kWeightMin && value <= kWeightMax) return value;
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("weight is '{}'; allowed are numbers from {:g} to {:g}", text, kWeightMin,
+                          kWeightMax));
+}
+
+// One number of the posture, as a person writes it.
+struct PostureMember {
+  std::string name;
+  double* value = nullptr;
+  double low = 0.0;
+  double high = 0.0;
+  double unit = 1.0;  // what 1 stands for
+};
+
+// All of them, of `posture`, which has all modes.
+std::vector<PostureMember> members_of(const BodyModel& body, PostureParameters& posture) {
+  std::vector<PostureMember> members;
+  const std::vector<PostureMode> modes = posture_modes(body);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    double* value = &posture.modes[m];
+    members.push_back({modes[m].name + "_deg", value, -kPostureMax, kPostureMax, radians(1.0)});
+    members.push_back({modes[m].name + "_rad", value, -kPostureMax, kPostureMax});
+  }
+  members.push_back({"delay", &posture.delay, 0.0, kDelayMax});
+  members.push_back({"bow", &posture.bow, -kBowMax, kBowMax});
+  members.push_back({"skew", &posture.skew, -1.0, 1.0});
+  return members;
+}
+
+Result<void> assign_posture(const BodyModel& body, std::string_view name, std::string_view text,
+                            PostureParameters& posture) {
+  PostureParameters changed = posture;
+  changed.modes.resize(posture_modes(body).size());
+  std::vector<std::string> names;
+  for (const PostureMember& member : members_of(body, changed)) {
+    names.push_back(member.name);
+    if (member.name != name) continue;
+    const double value = number_in(text) * member.unit;
+    if (!(value >= member.low && value <= member.high)) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("{} is '{}'; allowed are numbers from {:.4g} to {:.4g}", name, text,
+                              member.low / member.unit, member.high / member.unit));
+    }
+    *member.value = value;
+    posture = changed;
+    return {};
+  }
+  return fail(ErrorCode::not_found,
+              fmt::format("'{}' is not NAME.weight=NUMBER or NAME.locked=true|false, nor of the "
+                          "posture: {}",
+                          name, unknown_name("posture parameter", name, names)));
+}
+
+}  // namespace
+
+Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
+                              Parameters& parameters) {
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.substr(0, equals).rfind('.');
+  if (equals == assignment.npos) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("'{}' is not NAME.weight=NUMBER, NAME.locked=true|false or, of the "
+                            "posture, NAME=NUMBER",
+                            assignment.substr(0, 80)));
+  }
+  if (dot == assignment.npos) {
+    return assign_posture(body, assignment.substr(0, equals), assignment.substr(equals + 1),
+                          parameters.posture);
+  }
+  const std::string_view name = assignment.substr(0, dot);
+  const std::string_view member = assignment.substr(dot + 1, equals - dot - 1);
+  const std::string_view value = assignment.substr(equals + 1);
+  const std::vector<std::string> members{"weight", "locked"};
+  if (member != "weight" && member != "locked") {
+    return fail(ErrorCode::invalid_argument, unknown_name("parameter", member, members));
+  }
+  std::vector<std::string> names;
+  bool found = false;
+  for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+    names.push_back(body.dofs()[d].name);
+    const std::string& joint_name = body.dofs()[d].joint;
+    if (std::find(names.begin(), names.end(), joint_name) == names.end()) {
+      names.push_back(joint_name);
+    }
+    if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
+    found = true;
+    JointWeight& joint = parameters.joints[d];
+    if (member == "weight") {
+      const Result<double> weight = parse_weight(value);
+      if (!weight) return tl::unexpected(weight.error());
+      joint = {*weight, false};
+    } else if (value == "true" || value == "false") {
+      joint.locked = value == "true";
+    } else {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("locked is '{}'; allowed are true and false", value));
+    }
+  }
+  if (!found) return fail(ErrorCode::not_found, unknown_name("joint", name, names));
+  return {};
+}
+
+}  // namespace shigusa

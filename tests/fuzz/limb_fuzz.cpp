@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// From the bytes of a stored limb library to cells: nothing may crash, hang or fill the memory, and
+// what is taken must be a library again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/hierarchy/layer.hpp>
+#include <shigusa/hierarchy/limb_library.hpp>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace shigusa;
+  static const BodyModel body = half_body();
+  static const BodyModel arm = arm_body(body, find_limbs(body).value().arms[0]);
+  LimbLibrary library(arm);
+  if (!library.take(std::string_view(reinterpret_cast<const char*>(data), size))) {
+    if (library.cells_built() != 0) std::abort();
+    return 0;
+  }
+  LimbLibrary again(arm);
+  if (!again.take(library.bytes()) || again.bytes() != library.bytes()) std::abort();
+  return 0;
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// The preset flat: its parameter space, its archive, and what generate() makes of them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/hierarchy/archive.hpp>
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/hierarchy/parameter_space.hpp>
+
+#include "support/problems.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::Contains;
+using testing::Not;
+
+constexpr Vec3d kAtTheFeet{-0.15, 0.05, 0.45};
+
+Task flat_task(const BodyModel& body, const Vec3d& goal) {
+  Task task{.body = body, .goals = {{"right_hand", goal}}, .preset = Preset::flat};
+  task.criteria = default_criteria();
+  task.candidates = 5;
+  return task;
+}
+
+TEST(ParameterSpace, StartsAtThePlainMotion) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  const ParameterSpace space(problem, GeneCode::natural);
+  const Parameters start = space.decode(space.start());
+  for (const JointWeight& joint : start.joints) {
+    EXPECT_NEAR(joint.weight, 1.0, 1e-12);
+    EXPECT_FALSE(joint.locked);
+  }
+  for (const double value : start.posture.modes) EXPECT_NEAR(value, 0.0, 1e-12);
+  EXPECT_EQ(start.posture.delay, 0.0);
+  EXPECT_NEAR(start.posture.bow, 0.0, 1e-12);
+}
+
+TEST(ParameterSpace, SearchesOnlyWhatMovesAGoalOrAFoot) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  const std::vector<std::string> names = ParameterSpace(problem, GeneCode::natural).names();
+  for (const char* name : {"hip.flexion", "knee.flexion", "right_elbow.flexion", "squat", "lean",
+                           "twist", "right_swivel", "delay", "bow", "skew"}) {
+    EXPECT_THAT(names, Contains(name));
+  }
+  for (const char* name : {"left_elbow.flexion", "left_swivel", "left_knee.flexion"}) {
+    EXPECT_THAT(names, Not(Contains(name)));
+  }
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+}
+
+TEST(ParameterSpace, PaperCodesAreThePapersWeights) {
+  const Task task = flat_task(half_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  const ParameterSpace space(problem, GeneCode::paper);
+  ASSERT_EQ(space.genes(), 9);
+  std::vector<double> point;
+  std::vector<std::uint16_t> codes;
+  for (const int code : {0, 1, 7, 14, 15, 3, 2, 9, 8}) {
+    point.push_back((code + 0.5) / 16.0);
+    codes.push_back(static_cast<std::uint16_t>(code));
+  }
+  EXPECT_EQ(space.decode(point), decode_paper_genes(codes));
+}
+
+TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  ParameterSpace space(problem, GeneCode::natural);
+  Random random(2);
+  std::vector<double> points;
+  for (int k = 0; k < 3 * space.genes(); ++k) points.push_back(random.uniform());
+  const MotionInputs rows = space.rows(points);
+  const std::size_t dofs = task.body.dofs().size();
+  ASSERT_EQ(rows.inverse_weights.size(), 3 * dofs);
+  const auto genes = static_cast<std::size_t>(space.genes());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Parameters p = space.decode(std::span(points).subspan(i * genes, genes));
+    const std::vector<double> change = posture_change(task.body, p.posture);
+    for (std::size_t d = 0; d < dofs; ++d) {
+      EXPECT_NEAR(static_cast<double>(rows.inverse_weights[i * dofs + d]) * p.joints[d].weight, 1.0,
+                  1e-6);
+      EXPECT_NEAR(static_cast<double>(rows.posture[i * dofs + d]), change[d], 1e-6);
+    }
+    EXPECT_NEAR(static_cast<double>(rows.timing[3 * i]), p.posture.delay, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[3 * i + 1]), p.posture.bow, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[3 * i + 2]), p.posture.skew, 1e-7);
+  }
+}
+
+TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
+  const BodyModel body = half_body();
+  Archive archive(body);
+  const std::size_t dofs = body.dofs().size();
+  const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  std::vector<float> postures(10 * dofs, 0.0F);
+  std::vector<double> points;
+  std::vector<double> scores;
+  for (std::size_t i = 0; i < 10; ++i) {
+    points.push_back(0.1 * static_cast<double>(i));
+    scores.push_back(i == 3 ? 1.0 : 0.9 - 0.05 * static_cast<double>(i));
+    postures[i * dofs + knee] = i == 9 ? 1.6F : 0.1F;
+  }
+  archive.add(points, scores, postures, 1.0);
+  const std::vector<Archived> ranked = archive.ranked();
+  ASSERT_EQ(ranked.size(), Archive::kPerCell + 1);
+  EXPECT_EQ(ranked[0].point[0], points[9]);
+  EXPECT_EQ(ranked[0].style, 2);
+  for (std::size_t k = 1; k < ranked.size(); ++k) {
+    EXPECT_EQ(ranked[k].point[0], points[9 - k]);
+    EXPECT_EQ(ranked[k].style, 0);
+  }
+}
+
+class Flat : public testing::TestWithParam<Vec3d> {};
+
+TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndEndApart) {
+  const Task task = flat_task(full_body(), GetParam());
+  const Generation generation = generate(task).value();
+  EXPECT_EQ(generation.status, ReachStatus::reached);
+  ASSERT_GE(generation.candidates.size(), 4U);
+  const ReachProblem problem = make_problem(task).value();
+  for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+    const Candidate& candidate = generation.candidates[i];
+    EXPECT_LE(candidate.goals[0].error, 1e-3);
+    EXPECT_TRUE(candidate.over_limit.empty());
+    EXPECT_LE(MeasuredMotion(problem, candidate.motion.clip).contact_slide, 1e-3);
+    const Clip& a = candidate.motion.clip;
+    for (std::size_t k = 0; k < i; ++k) {
+      const Clip& b = generation.candidates[k].motion.clip;
+      double squares = 0.0;
+      for (int d = 0; d < a.dofs; ++d) {
+        const auto j = static_cast<std::size_t>(d);
+        const double difference = a.frame(a.frames - 1)[j] - b.frame(b.frames - 1)[j];
+        squares += difference * difference;
+      }
+      EXPECT_GE(degrees(std::sqrt(squares / a.dofs)), 10.0);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Goals, Flat,
+                         testing::Values(Vec3d{0.25, 0.55, 0.5}, kAtTheFeet,
+                                         Vec3d{-0.35, 1.9, 0.25}));
+
+TEST(FlatSearch, AtTheFeetItFindsAStoopAndASquat) {
+  const Generation generation = generate(flat_task(full_body(), kAtTheFeet)).value();
+  double least = 180.0;
+  double most = 0.0;
+  for (const Candidate& candidate : generation.candidates) {
+    const Clip& clip = candidate.motion.clip;
+    const BodyModel body = full_body();
+    const auto knee = [&](const char* name) {
+      return degrees(clip.frame(clip.frames - 1)[static_cast<std::size_t>(*body.find_dof(name))]);
+    };
+    const double mean = 0.5 * (knee("right_knee.flexion") + knee("left_knee.flexion"));
+    least = std::fmin(least, mean);
+    most = std::fmax(most, mean);
+  }
+  EXPECT_LT(least, 35.0);
+  EXPECT_GT(most, 75.0);
+}
+
+TEST(FlatSearch, BeatsThePapersAlgorithmByThePapersOwnCriteria) {
+  Task paper{.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}};
+  paper.evaluations = 3000;
+  Task flat = flat_task(full_body(), kAtTheFeet);
+  flat.criteria = paper_criteria();
+  EXPECT_LT(generate(flat).value().candidates[0].score.total,
+            0.8 * generate(paper).value().best_seen_score);
+}
+
+TEST(FlatSearch, MoreBudgetIsNeverWorse) {
+  double before = 1e9;
+  for (const int evaluations : {100, 300, 1000, 2000}) {
+    Task task = flat_task(half_body(), kAtTheFeet);
+    task.evaluations = evaluations;
+    const double best = generate(task).value().best_seen_score;
+    EXPECT_LE(best, before + kReplayTolerance) << evaluations;
+    before = best;
+  }
+}
+
+TEST(FlatSearch, EverySearchFindsCandidates) {
+  for (const SearchMethod method : kSearchMethods) {
+    Task task = flat_task(half_body(), {-0.2, 0.6, 0.5});
+    task.search = method;
+    task.evaluations = 300;
+    const Generation generation = generate(task).value();
+    EXPECT_EQ(generation.status, ReachStatus::reached) << search_name(method);
+    EXPECT_LE(generation.evaluations, 300) << search_name(method);
+    EXPECT_GE(generation.evaluations, 290) << search_name(method);
+  }
+}
+
+TEST(FlatSearch, EditedPostureIsCheckedAndPlayed) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  Parameters parameters = uniform_parameters(task.body);
+  parameters.posture.modes.assign(posture_modes(task.body).size(), 0.0);
+  EXPECT_TRUE(regenerate(task, parameters).has_value());
+  parameters.posture.bow = 1.0;
+  EXPECT_FALSE(regenerate(task, parameters).has_value());
+  parameters.posture.bow = 0.0;
+  parameters.posture.modes.pop_back();
+  EXPECT_FALSE(regenerate(task, parameters).has_value());
+}
+
+}  // namespace
+}  // namespace shigusa

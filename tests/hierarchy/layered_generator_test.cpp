@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <limits>
+#include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/search/searches.hpp>
+#include <thread>
+
+#include "support/problems.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr Vec3d kFrontLow{-0.15, 0.5, 0.5};
+constexpr Vec3d kFront{-0.3, 1.2, 0.35};
+constexpr Vec3d kOutOfReach{-1.5, 1.5, 1.2};
+
+Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) {
+  Task task{.body = body, .goals = {{"right_hand", goal}}};
+  task.genetic.seed = seed;
+  return task;
+}
+
+LayeredGeneration generated(const Task& task, const LayeredSettings& settings = {}) {
+  return generate_layered(task, settings).value();
+}
+
+// Everything that a generation says, number by number.
+std::vector<double> numbers(const LayeredGeneration& g) {
+  std::vector<double> all{g.remaining_distance,  g.duration,       double(g.evaluations),
+                          double(g.near_copies), double(g.missed), g.best_seen_score};
+  for (const LayeredCandidate& c : g.candidates) {
+    for (const auto* part : {&c.motion.clip.angles, &c.motion.torques}) {
+      all.insert(all.end(), part->begin(), part->end());
+    }
+    for (const JointWeight& joint : c.layered.upper.joints) all.push_back(joint.weight);
+    for (const double contraction : c.layered.upper.contractions) all.push_back(contraction);
+    for (const ArmWeights& arm : c.layered.arms) {
+      for (const JointWeight& joint : arm)
+        all.insert(all.end(), {joint.weight, double(joint.locked)});
+    }
+    all.insert(all.end(), {c.score.total, c.path_error, c.collision, double(c.feedback_rounds)});
+  }
+  return all;
+}
+
+// What every motion of a task must keep.
+void expect_kept(const Task& task, const LayeredGeneration& generation) {
+  EXPECT_EQ(generation.status, ReachStatus::reached) << task.body.name();
+  EXPECT_EQ(generation.remaining_distance, 0.0);
+  const ReachProblem problem = make_layered_problem(task).value().reach;
+  ASSERT_FALSE(generation.candidates.empty());
+  for (const LayeredCandidate& candidate : generation.candidates) {
+    const MeasuredMotion measured(problem, candidate.motion.clip);
+    EXPECT_TRUE(measured.finite);
+    EXPECT_EQ(measured.start_error, 0.0);
+    EXPECT_LT(measured.goal_error, 1e-8);
+    EXPECT_LT(measured.path_error, kReachTolerance);
+    // a foot that is the base does not move, nor does one that the leg is bent from; the closed
+    // chain of two legs is kept by steps of IK
+    EXPECT_LT(measured.contact_slide, task.body.feet().size() == 1 ? 1e-12 : kReachTolerance);
+    EXPECT_LT(measured.contact_tilt, kTiltTolerance);
+    EXPECT_EQ(candidate.score.total,
+              score_motion(task.body, candidate.motion, task_criteria(task)).total);
+    ASSERT_EQ(candidate.goals.size(), task.goals.size());
+    for (const GoalResult& goal : candidate.goals) EXPECT_LT(goal.error, 1e-8);
+    EXPECT_EQ(candidate.contacts.size(), task.body.feet().size());
+  }
+}
+
+TEST(GenerateLayered, HandArrivesAndFeetStay) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    for (const Vec3d& goal : {kFrontLow, kFront, Vec3d{-0.5, 1.6, 0.2}}) {
+      const Task task = task_for(body, goal);
+      expect_kept(task, generated(task));
+    }
+  }
+}
+
+TEST(GenerateLayered, PeopleOfAllSizesAndShapesReach) {
+  Landmarks lifted = standing_landmarks(1.7, 0.1);
+  lift_leg(lifted.right_leg, 1.0);
+  const std::vector<BodyModel> people{
+      full_body({0.5, 8.0, Sex::female}), full_body({2.5, 150.0, Sex::male}),
+      build_human(asymmetric_person(), {"asymmetric", BodyExtent::full, 1.6, 60.0}),
+      build_human(asymmetric_person(), {"asymmetric_half", BodyExtent::half, 1.6, 60.0}),
+      build_human(lifted, {"right_leg_up", BodyExtent::full, 1.7, 70.0})};
+  for (const BodyModel& body : people) {
+    const Task task = task_for(body, kFront * (body.stature() / 1.741));
+    expect_kept(task, generated(task));
+  }
+}
+
+TEST(GenerateLayered, EitherHandAndBothTogetherReach) {
+  Task task{.body = full_body(), .goals = {{"left_hand", {0.3, 1.2, 0.35}}}};
+  expect_kept(task, generated(task));
+  task.goals.push_back({"right_hand", {-0.2, 1.1, 0.4}});
+  expect_kept(task, generated(task));
+}
+
+TEST(GenerateLayered, BothReadingsReach) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const Task task = task_for(body, kFront);
+    const auto each = generated(task, {.reading = LayerReading::contraction_a_limb});
+    expect_kept(task, each);
+    EXPECT_NE(numbers(each), numbers(generated(task)));
+  }
+}
+
+TEST(GenerateLayered, ArmWithoutAGoalHangs) {
+  const BodyModel body = full_body();
+  for (const LayeredCandidate& candidate : generated(task_for(body, kFrontLow)).candidates) {
+    for (int f = 0; f < candidate.motion.clip.frames; ++f) {
+      for (int d = 0; d < body.dof_count(); ++d) {
+        const bool left_arm =
+            body.dof(d).joint == "left_shoulder" || body.dof(d).joint == "left_elbow";
+        const auto k = static_cast<std::size_t>(d);
+        if (!left_arm) continue;
+        EXPECT_EQ(candidate.motion.clip.frame(f)[k], body.start()[k]);
+      }
+    }
+  }
+}
+
+TEST(GenerateLayered, SameSeedGivesTheSameNumbersOnAnyMachine) {
+  Task task = task_for(full_body(), kFront, 5);
+  task.batch = {SimdSet::scalar, 1};
+  const auto one = numbers(generated(task));
+  task.batch = {widest_simd_set(), 3};
+  EXPECT_EQ(numbers(generated(task)), one);
+  task.genetic.seed = 6;
+  EXPECT_NE(numbers(generated(task)), one);
+}
+
+TEST(GenerateLayered, MoreEvaluationsFindNoWorse) {
+  Task task = task_for(half_body(), kFrontLow);
+  double best = std::numeric_limits<double>::infinity();
+  for (const int evaluations : {8, 100, 300}) {
+    task.evaluations = evaluations;
+    const LayeredGeneration generation = generated(task);
+    EXPECT_LE(generation.evaluations, evaluations);
+    EXPECT_LE(generation.best_seen_score, best);
+    best = generation.best_seen_score;
+  }
+}
+
+TEST(GenerateLayered, EverySearchReaches) {
+  Task task = task_for(half_body(), kFront);
+  task.evaluations = 150;
+  for (const SearchMethod method : kSearchMethods) {
+    task.search = method;
+    const LayeredGeneration generation = generated(task);
+    expect_kept(task, generation);
+    EXPECT_EQ(generation.evaluations, 150) << search_name(method);
+    EXPECT_LT(generation.best_seen_score, worst_score(task.criteria)) << search_name(method);
+  }
+}
+
+TEST(GenerateLayered, CandidatesAreRankedAndDiffer) {
+  Task task = task_for(half_body(), kFront);
+  task.evaluations = 300;
+  task.candidates = 4;
+  const auto candidates = generated(task).candidates;
+  ASSERT_GE(candidates.size(), 2u);
+  EXPECT_LE(candidates.size(), 4u);
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    if (candidates[i].collision_left == candidates[i - 1].collision_left) {
+      EXPECT_LE(candidates[i - 1].score.total, candidates[i].score.total);
+    }
+    EXPECT_NE(candidates[i].motion.clip.angles, candidates[i - 1].motion.clip.angles);
+  }
+}
+
+TEST(GenerateLayered, OwnCriterionDecides) {
+  Task task = task_for(half_body(), kFront);
+  task.evaluations = 200;
+  const auto knee = static_cast<std::size_t>(task.body.find_dof("right_knee.flexion").value());
+  const auto last_knee = [knee](const Motion& motion) {
+    return motion.clip.frame(motion.clip.frames - 1)[knee];
+  };
+  // a penalty for knees that are straight at the end
+  task.criteria.user = {
+      {.name = "sit",
+       .weight = 5.0,
+       .scale = 1.0,
+       .value = [&](const BodyModel&, const Motion& motion) { return 1.0 - last_knee(motion); }}};
+  EXPECT_GT(last_knee(generated(task).candidates[0].motion), 0.8);
+  task.criteria.user[0].value = [](const BodyModel&, const Motion&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  const LayeredGeneration generation = generated(task);
+  EXPECT_GT(generation.rejected_nan, 0);
+  EXPECT_EQ(generation.status, ReachStatus::reached);
+}
+
+TEST(GenerateLayered, CallsAUsersCriterionOnTheCallersThread) {
+  Task task = task_for(half_body(), kFront);
+  task.batch.threads = 3;
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<int> elsewhere = 0;
+  task.criteria.user = {
+      {.name = "where", .weight = 1.0, .scale = 1.0, .value = [&](const BodyModel&, const Motion&) {
+         if (std::this_thread::get_id() != caller) ++elsewhere;
+         return 0.0;
+       }}};
+  (void)generated(task);
+  EXPECT_EQ(elsewhere, 0);
+}
+
+TEST(GenerateLayered, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const LayeredGeneration generation = generated(task_for(body, kOutOfReach));
+    EXPECT_EQ(generation.status, ReachStatus::unreachable);
+    ASSERT_FALSE(generation.candidates.empty());
+    EXPECT_GT(generation.remaining_distance, 0.1);
+    for (const LayeredCandidate& candidate : generation.candidates) {
+      const MeasuredMotion measured(reach_with(body, "right_hand", kOutOfReach),
+                                    candidate.motion.clip);
+      EXPECT_TRUE(measured.finite);
+      EXPECT_LE(measured.contact_slide, kReachTolerance);
+    }
+  }
+}
+
+TEST(GenerateLayered, CancelledBeforeItBeganStillGivesAMotion) {
+  const std::atomic<bool> cancel = true;
+  const Task task = task_for(half_body(), kFront);
+  const auto generation = generate_layered(task, {}, {.report = {}, .cancel = &cancel}).value();
+  EXPECT_EQ(generation.end, SearchEnd::cancelled);
+  EXPECT_FALSE(generation.candidates.empty());
+}
+
+TEST(GenerateLayered, WrongTasksAndBodiesAreErrors) {
+  Task task = task_for(half_body(), kFront);
+  task.goals[0].effector = "left_hand";
+  EXPECT_EQ(generate_layered(task).error().code, ErrorCode::not_found);
+  const Task rods{.body = chain({{}, {}, {}}), .goals = {{"tip", {0.1, 1.0, 0.1}}}};
+  EXPECT_EQ(generate_layered(rods).error().code, ErrorCode::unsupported);
+}
+
+// Rule R11. The hand goes to the other side of the trunk, and the library, which knows of no trunk,
+// lays the forearm through it.
+TEST(GenerateLayered, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
+  int taken_back = 0;
+  for (const Vec3d& goal : {Vec3d{0.1, 0.9, 0.3}, {0.1, 0.9, 0.15}, {0.3, 1.2, 0.3}}) {
+    const Task task = task_for(half_body(), goal, 0);
+    const LayeredGeneration without = generated(task, {.feedback_rounds = 0});
+    const LayeredGeneration with = generated(task);
+    expect_kept(task, with);
+    for (const LayeredCandidate& candidate : without.candidates) {
+      EXPECT_EQ(candidate.collision_left, candidate.collision > kCollisionDepth);
+      EXPECT_EQ(candidate.feedback_rounds, 0);
+      for (const LayeredCandidate& again : with.candidates) {
+        if (again.layered.upper != candidate.layered.upper) continue;
+        EXPECT_EQ(again.feedback_rounds > 0, again.layered.arms != candidate.layered.arms);
+        EXPECT_LE(again.feedback_rounds, kCollisionRounds);
+        if (!candidate.collision_left || again.collision_left) continue;
+        ++taken_back;
+        EXPECT_LE(again.collision, kCollisionDepth);
+        // measured apart from the search
+        EXPECT_EQ(again.collision,
+                  collision_depth(task.body, again.motion.clip, task.body.effectors()[0]));
+      }
+    }
+  }
+  EXPECT_GE(taken_back, 3);
+}
+
+TEST(GenerateLayered, CollisionThatNoArmCanAvoidIsSaid) {
+  // the hand's own way leads through the thigh
+  const LayeredGeneration generation = generated(task_for(half_body(), {0.1, 0.5, 0.15}));
+  const LayeredCandidate& candidate = generation.candidates.front();
+  EXPECT_TRUE(candidate.collision_left);
+  EXPECT_GT(candidate.collision, kCollisionDepth);
+}
+
+TEST(RegenerateLayered, GivesTheCandidateAgain) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const Task task = task_for(body, kFront);
+    for (const LayeredCandidate& candidate : generated(task).candidates) {
+      const LayeredGeneration again = regenerate_layered(task, candidate.layered).value();
+      ASSERT_EQ(again.candidates.size(), 1u);
+      EXPECT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
+      EXPECT_EQ(again.candidates[0].score.total, candidate.score.total);
+    }
+  }
+}
+
+// The paper's figure 7.
+TEST(RegenerateLayered, MoreContractionOfTheLegsBendsTheKneesMore) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const Task task = task_for(body, {-0.1, 0.35, 0.4});
+    LayeredParameters parameters = generated(task).candidates[0].layered;
+    const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+    double last = 0.0;
+    for (const double contraction : {0.1, 0.2, 0.35}) {
+      for (std::size_t i = 0; i < body.feet().size(); ++i) {
+        parameters.upper.contractions[i] = contraction;
+      }
+      const auto edited = regenerate_layered(task, parameters).value();
+      expect_kept(task, edited);
+      const Clip& clip = edited.candidates[0].motion.clip;
+      const double bend = clip.frame(clip.frames - 1)[knee];
+      EXPECT_GT(bend, last + 0.1) << body.name();
+      last = bend;
+    }
+  }
+}
+
+TEST(RegenerateLayered, RefusesParametersOfAnotherBodyOrOutOfRange) {
+  const Task task = task_for(half_body(), kFront);
+  const LayeredParameters good = generated(task).candidates[0].layered;
+  const auto message = [&](const LayeredParameters& parameters, const Task& of) {
+    const auto result = regenerate_layered(of, parameters);
+    return result ? "" : result.error().to_string();
+  };
+  EXPECT_EQ(message(good, task), "");
+  EXPECT_THAT(message(good, task_for(full_body(), kFront)), testing::HasSubstr("8 freedoms"));
+  LayeredParameters bad = good;
+  bad.upper.contractions[0] = 1.5;
+  EXPECT_THAT(message(bad, task), testing::HasSubstr("contraction is 1.5"));
+  bad = good;
+  bad.arms[0][1].weight = 0.0;
+  EXPECT_THAT(message(bad, task), testing::HasSubstr("weight is 0"));
+}
+
+}  // namespace
+}  // namespace shigusa

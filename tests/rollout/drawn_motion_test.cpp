@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Motions that are drawn to a posture, on bowed paths.
+#include <gtest/gtest.h>
+
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/rollout/batch_rollout.hpp>
+
+#include "support/problems.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr Vec3d kLow{-0.2, 0.5, 0.5};
+
+Parameters drawn(const BodyModel& body, const std::string& mode, double value) {
+  Parameters parameters = uniform_parameters(body);
+  for (const PostureMode& known : posture_modes(body)) {
+    parameters.posture.modes.push_back(known.name == mode ? value : 0.0);
+  }
+  return parameters;
+}
+
+double final_angle(const BodyModel& body, const RolledOut& rolled, const char* dof) {
+  const Clip& clip = rolled.motion.clip;
+  return clip.frame(clip.frames - 1)[static_cast<std::size_t>(body.find_dof(dof).value())];
+}
+
+TEST(DrawnMotion, SquatBendsTheKneesByAsMuchMoreAndGoalsAreMetAllTheSame) {
+  const BodyModel body = full_body();
+  const ReachProblem problem = reach_with(body, "right_hand", kLow);
+  double before = -1.0;
+  for (const double squat : {0.0, 30.0, 60.0, 90.0}) {
+    const RolledOut rolled = roll_out(problem, drawn(body, "squat", radians(squat)));
+    EXPECT_TRUE(rolled.outcome.met()) << squat;
+    const double knee = degrees(final_angle(body, rolled, "right_knee.flexion") +
+                                final_angle(body, rolled, "left_knee.flexion")) /
+                        2.0;
+    EXPECT_GT(knee, before + 15.0) << squat;
+    before = knee;
+  }
+}
+
+TEST(DrawnMotion, WithoutAValueIsThePlainMotion) {
+  const BodyModel body = half_body();
+  const ReachProblem problem = reach_with(body, "right_hand", kLow);
+  const Clip plain = roll_out(problem, uniform_parameters(body)).motion.clip;
+  const Clip drawn_nowhere = roll_out(problem, drawn(body, "", 0.0)).motion.clip;
+  for (std::size_t k = 0; k < plain.angles.size(); ++k) {
+    EXPECT_NEAR(plain.angles[k], drawn_nowhere.angles[k], 1e-12);
+  }
+}
+
+TEST(DrawnMotion, DelayKeepsThePostureBackAtFirst) {
+  const BodyModel body = full_body();
+  ReachProblem problem =
+      reach_with(body, "left_hand", effector_position(body, body.start(), "left_hand"));
+  Parameters parameters = drawn(body, "squat", radians(60.0));
+  parameters.posture.delay = 0.5;
+  const Clip late = roll_out(problem, parameters).motion.clip;
+  const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  EXPECT_NEAR(late.frame(30)[knee], late.frame(0)[knee], 1e-9);
+  EXPECT_GT(late.frame(60)[knee], late.frame(0)[knee] + radians(30.0));
+}
+
+TEST(DrawnMotion, BowTakesTheHandOffItsLineByThatMuch) {
+  const BodyModel body = full_body();
+  ReachProblem problem = reach_with(body, "right_hand", {-0.25, 1.3, 0.3});
+  const EffectorPath& path = problem.goals[0].path;
+  problem.goals[0].bow = {0.0, 0.0, norm(path.goal - path.start)};
+  Parameters parameters = drawn(body, "", 0.0);
+  parameters.posture.bow = 0.1;
+  const RolledOut rolled = roll_out(problem, parameters);
+  ASSERT_TRUE(rolled.outcome.met());
+  double farthest = 0.0;
+  const std::vector<Vec3d>& hand = rolled.motion.effectors[0];
+  for (int f = 0; f < problem.steps + 1; ++f) {
+    const Vec3d off =
+        hand[static_cast<std::size_t>(f)] - path.at(static_cast<double>(f) / problem.steps);
+    farthest = max(farthest, off.z);
+    EXPECT_LT(abs(off.x) + abs(off.y), 2e-3);
+  }
+  EXPECT_NEAR(farthest, 0.1 * problem.goals[0].bow.z, 1e-3);
+}
+
+TEST(DrawnMotion, SkewBringsTheBowForward) {
+  EXPECT_EQ(path_bow(0.0, 0.5), 0.0);
+  EXPECT_EQ(path_bow(1.0, 0.5), 0.0);
+  EXPECT_EQ(path_bow(0.5, 0.7), 1.0);
+  EXPECT_GT(path_bow(0.25, 0.5), path_bow(0.75, 0.5));
+  EXPECT_LT(path_bow(0.25, -0.5), path_bow(0.75, -0.5));
+}
+
+TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
+  const BodyModel body = full_body();
+  ReachProblem problem = reach_with(body, "right_hand", kLow);
+  problem.hold_limits = true;
+  problem.goals[0].bow = {0.0, 0.3, 0.0};
+  const CriteriaSettings criteria = default_criteria();
+  Random random(3);
+  const std::size_t dofs = body.dofs().size();
+  std::vector<float> weights;
+  std::vector<float> changes;
+  std::vector<float> timing;
+  std::vector<double> expected;
+  std::vector<bool> met;
+  std::vector<double> ends;
+  for (int i = 0; i < 37; ++i) {
+    Parameters parameters = random_parameters(body, random);
+    for (const PostureMode& mode : posture_modes(body)) {
+      parameters.posture.modes.push_back(0.5 * random.uniform(mode.lower, mode.upper));
+    }
+    parameters.posture.delay = random.uniform(0.0, 0.4);
+    parameters.posture.bow = random.uniform(-0.1, 0.2);
+    parameters.posture.skew = random.uniform(-1.0, 1.0);
+    for (const double w : inverse_weights(parameters)) weights.push_back(static_cast<float>(w));
+    for (const double c : posture_change(body, parameters.posture)) {
+      changes.push_back(static_cast<float>(c));
+    }
+    for (const double t :
+         {parameters.posture.delay, parameters.posture.bow, parameters.posture.skew}) {
+      timing.push_back(static_cast<float>(t));
+    }
+    const RolledOut rolled = roll_out(problem, parameters);
+    met.push_back(rolled.outcome.met());
+    expected.push_back(score_motion(body, rolled.motion, criteria).total);
+    const Clip& clip = rolled.motion.clip;
+    ends.insert(ends.end(), clip.frame(clip.frames - 1).begin(), clip.frame(clip.frames - 1).end());
+  }
+  for (const SimdSet set : usable_simd_sets()) {
+    BatchRollout batch(problem, criteria, {set, 1});
+    std::vector<double> scores(expected.size());
+    std::vector<float> angles(expected.size() * dofs);
+    batch.score({weights, changes, timing}, scores, angles);
+    int compared = 0;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      if (!met[i] || scores[i] >= worst_score(criteria)) continue;
+      ++compared;
+      EXPECT_NEAR(scores[i], expected[i], 2e-3) << simd_name(set) << ' ' << i;
+      for (std::size_t d = 0; d < dofs; ++d) {
+        EXPECT_NEAR(static_cast<double>(angles[i * dofs + d]), ends[i * dofs + d], 2e-3);
+      }
+    }
+    EXPECT_GT(compared, 15) << simd_name(set);
+  }
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/criteria/joint_range.hpp>
+#include <shigusa/rollout/limit_guard.hpp>
+
+#include "support/problems.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+// the most (rad) by which any angle passes its limit in any frame
+double largest_excess(const BodyModel& body, const Clip& clip) {
+  double largest = 0.0;
+  for (int f = 0; f < clip.frames; ++f) {
+    for (int d = 0; d < body.dof_count(); ++d) {
+      const double angle = clip.frame(f)[static_cast<std::size_t>(d)];
+      largest = max(largest, angle - upper_limit(body, d, clip.frame(f)));
+      largest = max(largest, body.dof(d).lower - angle);
+    }
+  }
+  return largest;
+}
+
+ReachProblem held(ReachProblem problem) {
+  problem.hold_limits = true;
+  problem.corrections = 2;
+  problem.path_slack = 3e-4;
+  return problem;
+}
+
+Parameters random_posture(const BodyModel& body, Random& random) {
+  Parameters parameters = random_parameters(body, random);
+  for (const PostureMode& mode : posture_modes(body)) {
+    parameters.posture.modes.push_back(random.uniform(mode.lower, mode.upper));
+  }
+  parameters.posture.delay = random.uniform(0.0, kDelayMax);
+  return parameters;
+}
+
+TEST(LimitGuard, NoMotionPassesALimitWhateverItIsDrawnTo) {
+  Random random(31);
+  int pushed = 0;  // motions that pass a limit where nothing holds them
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    for (int i = 0; i < 150; ++i) {
+      const Vec3d goal{random.uniform(-0.6, 0.2), random.uniform(0.0, 1.9),
+                       random.uniform(0.1, 0.7)};
+      const ReachProblem problem = reach_with(body, "right_hand", goal);
+      const Parameters parameters = random_posture(body, random);
+      const RolledOut free = roll_out(problem, parameters);
+      pushed += largest_excess(body, free.motion.clip) > radians(1.0) ? 1 : 0;
+      const RolledOut rolled = roll_out(held(problem), parameters);
+      // what a hip may do depends on a knee that a correction can still move
+      EXPECT_LE(largest_excess(body, rolled.motion.clip), 1e-12) << body.name() << ' ' << i;
+    }
+  }
+  EXPECT_GT(pushed, 100);
+}
+
+TEST(LimitGuard, GoalIsStillMetWithOtherJoints) {
+  // the elbow alone would bend beyond its range on the way to the shoulder
+  Random random(5);
+  int met = 0;
+  int met_free = 0;
+  const BodyModel body = full_body();
+  for (int i = 0; i < 100; ++i) {
+    const ReachProblem problem = reach_with(body, "right_hand", near_goal(body, random));
+    const Parameters parameters = random_parameters(body, random);
+    met_free += roll_out(problem, parameters).outcome.met() ? 1 : 0;
+    met += roll_out(held(problem), parameters).outcome.met() ? 1 : 0;
+  }
+  EXPECT_GE(met, met_free * 8 / 10);
+}
+
+TEST(LimitGuard, FarFromLimitsNothingChanges) {
+  const BodyModel body = full_body();
+  const ReachProblem problem = reach_with(body, "right_hand", {-0.25, 1.1, 0.35});
+  Parameters stiff = uniform_parameters(body);
+  for (std::size_t d = 0; d < stiff.joints.size(); ++d) {
+    // straight knees and a hanging arm stand at the ends of their ranges
+    if (body.dofs()[d].name.find("shoulder") == std::string::npos) stiff.joints[d].weight = 1e3;
+  }
+  const RolledOut rolled = roll_out(held(problem), stiff);
+  EXPECT_TRUE(rolled.outcome.met());
+  EXPECT_LE(largest_excess(body, rolled.motion.clip), 1e-12);
+}
+
+TEST(LimitGuard, SharesFallToNothingTowardsALimitAndNotAwayFromIt) {
+  const BodyModel body = half_body();
+  const std::size_t knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  LimitGuard<double> guard(body);
+  const std::vector<double> weights(body.dofs().size(), 2.0);
+  std::vector<double> pull(body.dofs().size());
+  std::vector<double> angles(body.start().begin(), body.start().end());
+  pull[knee] = 0.01;  // wants to bend further
+  guard.learn(weights, pull, {});
+  angles[knee] = body.dofs()[knee].upper - 0.25 * kLimitMargin;
+  EXPECT_NEAR(guard.soften(weights, angles)[knee], 2.0 * 0.25, 1e-12);
+  angles[knee] = body.dofs()[knee].upper;
+  EXPECT_EQ(guard.soften(weights, angles)[knee], 0.0);
+  EXPECT_EQ(guard.allowed(pull)[knee], 0.0);
+  pull[knee] = -0.01;  // wants to stretch
+  guard.learn(weights, pull, {});
+  EXPECT_EQ(guard.soften(weights, angles)[knee], 2.0);
+  EXPECT_EQ(guard.allowed(pull)[knee], -0.01);
+}
+
+TEST(LimitGuard, HoldsAHipByWhatItsKneeAllows) {
+  const BodyModel body = full_body();
+  const std::size_t knee = static_cast<std::size_t>(body.find_dof("left_knee.flexion").value());
+  const std::size_t hip = static_cast<std::size_t>(body.find_dof("left_hip.flexion").value());
+  LimitGuard<double> guard(body);
+  std::vector<double> angles(body.start().begin(), body.start().end());
+  angles[hip] = 3.0;
+  angles[knee] = 0.0;
+  guard.hold(angles);
+  const double straight = angles[hip];
+  angles[hip] = 3.0;
+  angles[knee] = radians(60.0);
+  guard.hold(angles);
+  EXPECT_NEAR(straight, body.dofs()[hip].upper, 1e-12);
+  EXPECT_NEAR(angles[hip] - straight, radians(50.0), 1e-12);
+}
+
+}  // namespace
+}  // namespace shigusa
