@@ -72,8 +72,9 @@ struct JointLimits {
   double torque_positive;
   double torque_negative;
 };
-// Dorsiflexion as a bent knee and the body's weight allow it: up to +40° in a recorded man's reaches
-// to the floor; 30° of the tables, with a straight knee, would keep a flat foot from any squat.
+// Dorsiflexion as a bent knee and the body's weight allow it: up to +40° in a recorded man's
+// reaches to the floor; 30° of the tables, with a straight knee, would keep a flat foot from any
+// squat.
 inline constexpr JointLimits kAnkleFlexion{radians(-50), radians(40), 45, 150};
 inline constexpr JointLimits kKneeFlexion{0, radians(145), 100, 230};
 inline constexpr JointLimits kHipFlexion{radians(-20), radians(115), 120, 220};
