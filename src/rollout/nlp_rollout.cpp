@@ -135,9 +135,9 @@ RolledOut roll_out_nlp(const ReachProblem& problem, const Parameters& parameters
   motion.clip.frame_time = problem.duration / problem.steps;
   motion.effectors.resize(problem.goals.size());
   NlpRollout rollout(problem);
-  const std::vector<double> inverse = inverse_weights(parameters);
-  result.outcome = rollout.run(inverse, [&](const MotionFrame<double>& frame,
-                                            const Kinematics<double>& kinematics) {
+  const HeldInput held(body, parameters);
+  result.outcome = rollout.run(held.input(), [&](const MotionFrame<double>& frame,
+                                                 const Kinematics<double>& kinematics) {
     motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(), frame.angles.end());
     motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
     motion.centre_of_mass.push_back(frame.centre_of_mass);
