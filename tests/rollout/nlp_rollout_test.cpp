@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <shigusa/body/posture_modes.hpp>
 #include <shigusa/criteria/joint_range.hpp>
 #include <shigusa/rollout/nlp_rollout.hpp>
 
@@ -91,6 +92,25 @@ RC_GTEST_PROP(NlpRolloutProperty, FeetStandAndLimitsHoldWhateverIsAsked, (std::u
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
   RC_ASSERT(measured.largest_step <= NlpIkSettings{}.max_change + 1e-9);
   RC_ASSERT(limit_excess(full(), clip) <= 0.0);
+}
+
+RC_GTEST_PROP(NlpRolloutProperty, DrawnToAPostureTheHandIsStillOnItsPath,
+              (std::uint64_t seed, bool whole)) {
+  RandomReach reach(whole ? full() : half(), seed);
+  Random random(seed, 1);
+  PostureParameters& posture = reach.parameters.posture;
+  for (std::size_t m = 0; m < posture_modes(reach.body).size(); ++m) {
+    posture.modes.push_back(random.uniform(-0.5, 0.5));
+  }
+  posture.delay = random.uniform(0.0, kDelayMax);
+  const Clip clip = roll_out_nlp(reach.problem, reach.parameters).motion.clip;
+  const MeasuredMotion measured(reach.problem, clip);
+  RC_ASSERT(measured.path_error <= kReachTolerance);
+  RC_ASSERT(measured.contact_slide <= kReachTolerance);
+  RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
+  RC_ASSERT(limit_excess(reach.body, clip) <= 0.0);
+  reach.parameters.posture = {};
+  RC_ASSERT(roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles != clip.angles);
 }
 
 RC_GTEST_PROP(NlpRolloutProperty, OutcomeIsWhatTheMotionDoes, (std::uint64_t seed)) {
