@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/hierarchy/archive.hpp>
 #include <shigusa/hierarchy/generator.hpp>
@@ -166,18 +165,6 @@ class Searched {
   std::vector<double> moved_;
 };
 
-// The final genomes, best first, each once: what the paper's user chooses from.
-std::vector<Individual> final_genomes(const SearchResult& found) {
-  std::vector<Individual> ranked;
-  std::set<std::vector<double>> known;
-  for (const Individual& individual : found.final_population) {
-    if (known.insert(individual.point).second) ranked.push_back(individual);
-  }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const Individual& a, const Individual& b) { return a.score < b.score; });
-  return ranked;
-}
-
 // Of all that the search came upon, the best and others that end differently and are not much
 // worse: first the best of each style, then what is left, best first.
 std::vector<Individual> distinct_postures(const Archive& archive, int most) {
@@ -206,7 +193,7 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
                         Generation& generation) {
   const bool paper = task.preset == Preset::paper;
   const std::vector<Individual> ranked =
-      paper ? final_genomes(found) : distinct_postures(searched.archive(), 4 * task.candidates);
+      paper ? ranked_population(found) : distinct_postures(searched.archive(), 4 * task.candidates);
   for (const Individual& individual : ranked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
     const Parameters parameters = searched.space().decode(individual.point);

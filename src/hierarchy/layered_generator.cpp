@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <shigusa/hierarchy/layered_generator.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <utility>
@@ -47,18 +46,6 @@ LayeredCandidate make_layered(const Task& task, const LayeredProblem& problem,
   candidate.feedback_rounds = played.feedback_rounds;
   candidate.collision_left = candidate.collision > kCollisionDepth;
   return candidate;
-}
-
-// The final genomes, each once, lowest score first.
-std::vector<Individual> distinct(const SearchResult& found) {
-  std::vector<Individual> ranked;
-  std::set<std::vector<double>> known;
-  for (const Individual& individual : found.final_population) {
-    if (known.insert(individual.point).second) ranked.push_back(individual);
-  }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const Individual& a, const Individual& b) { return a.score < b.score; });
-  return ranked;
 }
 
 void finish(LayeredGeneration& generation) {
@@ -210,7 +197,7 @@ Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettin
   generation.end = found.end;
   generation.best_seen_score = found.best_seen.score;
   const LayeredScorer::Feedback feedback{settings.feedback_rounds, settings.limb_search};
-  for (const Individual& individual : distinct(found)) {
+  for (const Individual& individual : ranked_population(found)) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
     const LayerParameters parameters = decoded(individual.point);
     LayeredScorer::Played played = scorer.play(parameters, feedback);

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <shigusa/rollout/nlp_rollout.hpp>
 
+#include "record_motion.hpp"
+
 namespace shigusa {
 
 NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& settings)
@@ -127,27 +129,7 @@ MotionFrame<double> NlpRollout::moving_frame() {
 }
 
 RolledOut roll_out_nlp(const ReachProblem& problem, const Parameters& parameters) {
-  const BodyModel& body = *problem.body;
-  RolledOut result;
-  Motion& motion = result.motion;
-  motion.clip.dofs = body.dof_count();
-  motion.clip.frames = problem.steps + 1;
-  motion.clip.frame_time = problem.duration / problem.steps;
-  motion.effectors.resize(problem.goals.size());
-  NlpRollout rollout(problem);
-  const HeldInput held(body, parameters);
-  result.outcome = rollout.run(held.input(), [&](const MotionFrame<double>& frame,
-                                                 const Kinematics<double>& kinematics) {
-    motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(), frame.angles.end());
-    motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
-    motion.centre_of_mass.push_back(frame.centre_of_mass);
-    for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-      const auto index = static_cast<std::size_t>(problem.goals[g].effector);
-      const Effector& effector = body.effectors()[index];
-      motion.effectors[g].push_back(kinematics.point(effector.link, effector.point));
-    }
-  });
-  return result;
+  return record_motion(problem, parameters, NlpRollout(problem));
 }
 
 }  // namespace shigusa

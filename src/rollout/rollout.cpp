@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/rollout/rollout.hpp>
 
+#include "record_motion.hpp"
+
 namespace shigusa {
 
 std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {
@@ -24,27 +26,7 @@ std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {
 }
 
 RolledOut roll_out(const ReachProblem& problem, const Parameters& parameters) {
-  const BodyModel& body = *problem.body;
-  RolledOut result;
-  Motion& motion = result.motion;
-  motion.clip.dofs = body.dof_count();
-  motion.clip.frames = problem.steps + 1;
-  motion.clip.frame_time = problem.duration / problem.steps;
-  motion.effectors.resize(problem.goals.size());
-  Rollout<double> rollout(problem);
-  const HeldInput held(body, parameters);
-  result.outcome = rollout.run(held.input(), [&](const MotionFrame<double>& frame,
-                                                 const Kinematics<double>& kinematics) {
-    motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(), frame.angles.end());
-    motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
-    motion.centre_of_mass.push_back(frame.centre_of_mass);
-    for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-      const auto index = static_cast<std::size_t>(problem.goals[g].effector);
-      const Effector& effector = body.effectors()[index];
-      motion.effectors[g].push_back(kinematics.point(effector.link, effector.point));
-    }
-  });
-  return result;
+  return record_motion(problem, parameters, Rollout<double>(problem));
 }
 
 }  // namespace shigusa

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <shigusa/math/scalar.hpp>
 #include <utility>
 
@@ -47,6 +48,17 @@ void keep_best(std::vector<Individual>& best, std::span<const double> points,
     best.insert(place, Individual{{point.begin(), point.end()}, scores[i]});
     if (best.size() > keep) best.pop_back();
   }
+}
+
+std::vector<Individual> ranked_population(const SearchResult& result) {
+  std::vector<Individual> ranked;
+  std::set<std::vector<double>> known;
+  for (const Individual& individual : result.final_population) {
+    if (known.insert(individual.point).second) ranked.push_back(individual);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Individual& a, const Individual& b) { return a.score < b.score; });
+  return ranked;
 }
 
 }  // namespace shigusa

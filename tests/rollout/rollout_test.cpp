@@ -246,26 +246,29 @@ RC_GTEST_PROP(RollOutProperty, FeetStandWhateverIsAsked, (std::uint64_t seed)) {
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
 }
 
-RC_GTEST_PROP(RollOutProperty, HandIsOnItsPathAtEveryFrameWhateverTheWeights,
-              (std::uint64_t seed)) {
-  const RandomReach reach(half(), seed);
+RC_GTEST_PROP(RollOutProperty, HandIsOnItsPathAtEveryFrameOrTheMotionSaysSo,
+              (std::uint64_t seed, bool whole)) {
+  const RandomReach reach(whole ? full() : half(), seed);
   const RolledOut rolled = roll_out(reach.problem, reach.parameters);
   const MeasuredMotion measured(reach.problem, rolled.motion.clip);
-  // typically 0.06 mm; most where the elbow folds up
-  RC_ASSERT(measured.path_error <= kReachTolerance);
-  RC_ASSERT(measured.goal_error <= reach.problem.goal_tolerance * 1.001);
+  RC_ASSERT(measured.path_error <= kReachTolerance * 1.001 || !rolled.outcome.met());
 }
 
-TEST(RollOut, FullBodysHandIsOnItsPathButForFoldedElbows) {
-  // the trunk may carry the shoulder onto the hand's path, and the folded arm there is singular
-  int on_path = 0;
+TEST(RollOut, HandIsOnItsPathButForFoldedElbows) {
+  // typically within 0.06 mm; the trunk may carry the shoulder onto the hand's path, and the folded
+  // arm there is singular
   constexpr int kTrials = 300;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const RandomReach reach(full(), static_cast<std::uint64_t>(trial));
-    const RolledOut rolled = roll_out(reach.problem, reach.parameters);
-    if (MeasuredMotion(reach.problem, rolled.motion.clip).path_error <= 5e-4) ++on_path;
+  for (const BodyModel* body : {&half(), &full()}) {
+    int on_path = 0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      const RandomReach reach(*body, static_cast<std::uint64_t>(trial));
+      const RolledOut rolled = roll_out(reach.problem, reach.parameters);
+      const MeasuredMotion measured(reach.problem, rolled.motion.clip);
+      EXPECT_LE(measured.goal_error, reach.problem.goal_tolerance * 1.001) << trial;
+      if (measured.path_error <= 5e-4) ++on_path;
+    }
+    EXPECT_GE(on_path, kTrials * 99 / 100) << body->name();
   }
-  EXPECT_GE(on_path, kTrials * 99 / 100);
 }
 
 RC_GTEST_PROP(RollOutProperty, LockedJointsKeepTheirStartAngles, (std::uint64_t seed, bool whole)) {

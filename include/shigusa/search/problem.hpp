@@ -48,4 +48,7 @@ struct SearchResult {
   SearchEnd end = SearchEnd::budget;
 };
 
+// The final population, each point once, lowest score first; equal ones in their order.
+[[nodiscard]] std::vector<Individual> ranked_population(const SearchResult& result);
+
 }  // namespace shigusa
