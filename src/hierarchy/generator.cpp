@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <shigusa/body/posture_modes.hpp>
 #include <shigusa/hierarchy/archive.hpp>
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/hierarchy/parameter_space.hpp>
@@ -43,9 +42,13 @@ double replayed_score(const ReachProblem& problem, const Task& task, const Param
 
 // Most of the budget goes to all parameters together; the rest to stoops and squats apart, since
 // people do both and no criterion decides between them. Each part is a search of its own whose
-// budget grows with the whole, so more budget never gives a worse best.
+// budget never shrinks as the whole grows, so more budget never gives a worse best.
 constexpr double kFreeShare = 0.6;
 constexpr double kStyleShare = 0.2;
+// A part is at least a population of the genetic searches; a budget too small for three of them is
+// spent on all parameters together, up to that many.
+constexpr int kLeastStyleBudget = kPaperPopulation;
+constexpr int kLeastFreeBudget = 3 * kPaperPopulation;
 constexpr std::pair<double, double> kStyleRanges[] = {{0.0, radians(30.0)},
                                                       {radians(85.0), radians(130.0)}};  // rad
 
@@ -61,14 +64,18 @@ class Searched {
         archive_(*problem.body) {}
 
   SearchResult run(const Progress& progress) {
-    if (task_.preset == Preset::paper) return run_in({}, 1.0, progress);
-    SearchResult all = run_in({}, kFreeShare, progress);
+    const int budget = task_.evaluations.value_or(kFlatEvaluations);
+    if (task_.preset == Preset::paper) return run_in({}, budget, progress);
+    const int free =
+        std::max(static_cast<int>(kFreeShare * budget), std::min(budget, kLeastFreeBudget));
+    SearchResult all = run_in({}, free, progress);
     const int squat = space_.find("squat");
-    if (squat < 0) return all;
+    const int style = static_cast<int>(kStyleShare * budget);
+    if (squat < 0 || style < kLeastStyleBudget) return all;
     for (const auto& [low, high] : kStyleRanges) {
       if (all.end == SearchEnd::cancelled) break;
       const Niche niche{squat, space_.coordinate(squat, low), space_.coordinate(squat, high)};
-      add(run_in(niche, kStyleShare, progress), all);
+      add(run_in(niche, style, progress), all);
     }
     return all;
   }
@@ -91,8 +98,7 @@ class Searched {
     }
   };
 
-  // searches a part of the space with a share of the budget
-  SearchResult run_in(const Niche& niche, double share, const Progress& progress) {
+  SearchResult run_in(const Niche& niche, int budget, const Progress& progress) {
     SearchProblem searched;
     searched.genes = space_.genes();
     searched.start = space_.start();
@@ -103,22 +109,20 @@ class Searched {
       niche.take_in(moved_, genes);
       evaluate(moved_, scores);
     };
-    SearchResult found = search_with(searched, share, progress);
+    SearchResult found = search_with(searched, budget, progress);
     niche.take_in(found.best_seen.point, genes);
     for (Individual& individual : found.final_population) niche.take_in(individual.point, genes);
     return found;
   }
 
-  SearchResult search_with(const SearchProblem& searched, double share, const Progress& progress) {
+  SearchResult search_with(const SearchProblem& searched, int budget, const Progress& progress) {
     const SearchMethod method = search_of(task_);
-    const bool genetic = method == SearchMethod::paper_ga || method == SearchMethod::log_ga;
-    if (genetic && !task_.evaluations && task_.preset == Preset::paper) {
-      return genetic_search(searched, task_.genetic, progress);
+    if (method != SearchMethod::paper_ga && method != SearchMethod::log_ga) {
+      return search(method, searched, budget, task_.genetic.seed, progress);
     }
-    const int all = task_.evaluations.value_or(kFlatEvaluations);
-    const int budget = std::max(static_cast<int>(share * all), kPaperPopulation);
-    if (genetic) return restarted_genetic_search(searched, task_.genetic, budget, progress);
-    return search(method, searched, budget, task_.genetic.seed, progress);
+    const bool once = !task_.evaluations && task_.preset == Preset::paper;
+    return once ? genetic_search(searched, task_.genetic, progress)
+                : restarted_genetic_search(searched, task_.genetic, budget, progress);
   }
 
   static void add(SearchResult part, SearchResult& all) {
@@ -254,27 +258,23 @@ void finish(const ClosestReach& reach, Generation& generation) {
   generation.remaining_distance = met ? 0.0 : miss;
 }
 
-Result<void> check_posture(const BodyModel& body, const PostureParameters& posture) {
+Result<void> check_posture(const BodyModel& body, PostureParameters posture) {
   if (posture.modes.empty()) return {};
-  const std::vector<PostureMode> modes = posture_modes(body);
-  if (posture.modes.size() != modes.size()) {
+  const std::size_t given = posture.modes.size();
+  const std::vector<PostureMember> members = posture_members(body, posture);
+  if (given != posture.modes.size()) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("{} posture values for a body of {} posture modes",
-                            posture.modes.size(), modes.size()));
+                fmt::format("{} posture values for a body of {} posture modes", given,
+                            posture.modes.size()));
   }
-  const auto check = [](const std::string& name, double value, double low,
-                        double high) -> Result<void> {
-    if (value >= low && value <= high) return {};
+  for (const PostureMember& member : members) {
+    if (*member.value >= member.low && *member.value <= member.high) continue;
     return fail(ErrorCode::invalid_argument,
-                fmt::format("value is {}; allowed are {:g} to {:g}", value, low, high), name);
-  };
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    const auto checked = check(modes[m].name, posture.modes[m], -kPostureMax, kPostureMax);
-    if (!checked) return checked;
+                fmt::format("value is {}; allowed are {:g} to {:g}", *member.value, member.low,
+                            member.high),
+                member.name);
   }
-  if (const auto c = check("delay", posture.delay, 0.0, kDelayMax); !c) return c;
-  if (const auto c = check("bow", posture.bow, -kBowMax, kBowMax); !c) return c;
-  return check("skew", posture.skew, -1.0, 1.0);
+  return {};
 }
 
 Result<void> check_parameters(const BodyModel& body, const Parameters& parameters) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <shigusa/hierarchy/parameter_space.hpp>
+#include <shigusa/search/genetic.hpp>
+#include <shigusa/search/genetic_operators.hpp>
 
 namespace shigusa {
 namespace {
-
-constexpr double kPaperCodes = 16.0;
 
 // the freedoms that move a target: the others do nothing in weighted IK
 std::vector<bool> useful_dofs(const ReachProblem& problem) {
@@ -26,19 +26,6 @@ std::string shared_name(const std::string& name) {
     if (joint == "hip" || joint == "knee" || joint == "ankle") return rest;
   }
   return name;
-}
-
-// the paper's weight, 0 locks
-int paper_code(double x) { return std::min(static_cast<int>(x * kPaperCodes), 15); }
-
-JointWeight paper_weight(double x) {
-  const int code = paper_code(x);
-  return code == 0 ? JointWeight{1.0, true} : JointWeight{static_cast<double>(code), false};
-}
-
-float paper_inverse(double x) {
-  const int code = paper_code(x);
-  return code == 0 ? 0.0F : 1.0F / static_cast<float>(code);
 }
 
 }  // namespace
@@ -116,6 +103,9 @@ double ParameterSpace::coordinate(int gene, double value) const {
 }
 
 Parameters ParameterSpace::decode(std::span<const double> point) const {
+  if (code_ == GeneCode::paper) {
+    return decode_paper_genes(genome_of_point(point, kPaperBitsPerGene));
+  }
   Parameters parameters = uniform_parameters(*body_);
   if (code_ == GeneCode::natural) parameters.posture.modes.resize(modes_.size());
   for (std::size_t g = 0; g < genes_.size(); ++g) {
@@ -124,8 +114,7 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
     switch (gene.kind) {
       case Kind::weight:
         for (const std::size_t d : gene.dofs) {
-          parameters.joints[d] = code_ == GeneCode::paper ? paper_weight(point[g])
-                                                          : JointWeight{exponential(value), false};
+          parameters.joints[d].weight = exponential(value);
         }
         break;
       case Kind::posture:
@@ -146,6 +135,10 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
 }
 
 MotionInputs ParameterSpace::rows(std::span<const double> points) {
+  if (code_ == GeneCode::paper) {
+    weights_ = inverse_weights_of_genes(genome_of_point(points, kPaperBitsPerGene));
+    return weights_;
+  }
   const std::size_t motions = points.size() / genes_.size();
   const std::size_t dofs = body_->dofs().size();
   weights_.assign(motions * dofs, 1.0F);
@@ -158,8 +151,7 @@ MotionInputs ParameterSpace::rows(std::span<const double> points) {
       const Gene& gene = genes_[g];
       const double value = gene.at(point[g]);
       if (gene.kind == Kind::weight) {
-        const float inverse = code_ == GeneCode::paper ? paper_inverse(point[g])
-                                                       : static_cast<float>(exponential(-value));
+        const auto inverse = static_cast<float>(exponential(-value));
         for (const std::size_t d : gene.dofs) weights_[i * dofs + d] = inverse;
       } else if (gene.kind == Kind::posture) {
         const std::vector<double>& direction = modes_[gene.mode].direction;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
-#include <shigusa/body/posture_modes.hpp>
 #include <shigusa/core/names.hpp>
 #include <shigusa/project/result_file.hpp>
 
@@ -28,47 +27,27 @@ Result<double> parse_weight(std::string_view text) {
                           kWeightMax));
 }
 
-// One number of the posture, as a person writes it.
-struct PostureMember {
-  std::string name;
-  double* value = nullptr;
-  double low = 0.0;
-  double high = 0.0;
-  double unit = 1.0;  // what 1 stands for
-};
-
-// All of them, of `posture`, which has all modes.
-std::vector<PostureMember> members_of(const BodyModel& body, PostureParameters& posture) {
-  std::vector<PostureMember> members;
-  const std::vector<PostureMode> modes = posture_modes(body);
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    double* value = &posture.modes[m];
-    members.push_back({modes[m].name + "_deg", value, -kPostureMax, kPostureMax, radians(1.0)});
-    members.push_back({modes[m].name + "_rad", value, -kPostureMax, kPostureMax});
-  }
-  members.push_back({"delay", &posture.delay, 0.0, kDelayMax});
-  members.push_back({"bow", &posture.bow, -kBowMax, kBowMax});
-  members.push_back({"skew", &posture.skew, -1.0, 1.0});
-  return members;
-}
-
+// An angle is NAME_deg or NAME_rad.
 Result<void> assign_posture(const BodyModel& body, std::string_view name, std::string_view text,
                             PostureParameters& posture) {
   PostureParameters changed = posture;
-  changed.modes.resize(posture_modes(body).size());
   std::vector<std::string> names;
-  for (const PostureMember& member : members_of(body, changed)) {
-    names.push_back(member.name);
-    if (member.name != name) continue;
-    const double value = number_in(text) * member.unit;
-    if (!(value >= member.low && value <= member.high)) {
-      return fail(ErrorCode::invalid_argument,
-                  fmt::format("{} is '{}'; allowed are numbers from {:.4g} to {:.4g}", name, text,
-                              member.low / member.unit, member.high / member.unit));
+  for (const PostureMember& member : posture_members(body, changed)) {
+    for (const char* suffix : {"_deg", "_rad", ""}) {
+      if (member.angle == std::string_view(suffix).empty()) continue;
+      names.push_back(member.name + suffix);
+      if (names.back() != name) continue;
+      const double unit = std::string_view(suffix) == "_deg" ? radians(1.0) : 1.0;
+      const double value = number_in(text) * unit;
+      if (!(value >= member.low && value <= member.high)) {
+        return fail(ErrorCode::invalid_argument,
+                    fmt::format("{} is '{}'; allowed are numbers from {:.4g} to {:.4g}", name, text,
+                                member.low / unit, member.high / unit));
+      }
+      *member.value = value;
+      posture = changed;
+      return {};
     }
-    *member.value = value;
-    posture = changed;
-    return {};
   }
   return fail(ErrorCode::not_found,
               fmt::format("'{}' is not NAME.weight=NUMBER or NAME.locked=true|false, nor of the "

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdlib>
-#include <shigusa/body/posture_modes.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/result_file.hpp>
@@ -12,6 +11,11 @@ namespace shigusa {
 namespace {
 
 constexpr double kMillimetres = 1000.0;  // per metre
+
+// "squat_rad", "delay"
+std::string key_of(const PostureMember& member) {
+  return member.name + (member.angle ? "_rad" : "");
+}
 
 Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
   Json json;
@@ -24,13 +28,10 @@ Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
   json["contractions"] = Json::object();
   json["posture"] = Json::object();
   if (parameters.posture.modes.empty()) return json;
-  const std::vector<PostureMode> modes = posture_modes(body);
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    json["posture"][modes[m].name + "_rad"] = parameters.posture.modes[m];
+  PostureParameters posture = parameters.posture;
+  for (const PostureMember& member : posture_members(body, posture)) {
+    json["posture"][key_of(member)] = *member.value;
   }
-  json["posture"]["delay"] = parameters.posture.delay;
-  json["posture"]["bow"] = parameters.posture.bow;
-  json["posture"]["skew"] = parameters.posture.skew;
   return json;
 }
 
@@ -134,14 +135,9 @@ Json search_to_json(const BodyModel& body, const Generation& generation) {
 void read_posture(const BodyModel& body, JsonReader& parameters, PostureParameters& posture) {
   if (parameters.value("posture").is_object() && parameters.value("posture").empty()) return;
   JsonReader reader = parameters.object("posture");
-  for (const PostureMode& mode : posture_modes(body)) {
-    double value = 0.0;
-    reader.number((mode.name + "_rad").c_str(), value, -kPostureMax, kPostureMax);
-    posture.modes.push_back(value);
+  for (const PostureMember& member : posture_members(body, posture)) {
+    reader.number(key_of(member).c_str(), *member.value, member.low, member.high);
   }
-  reader.number("delay", posture.delay, 0.0, kDelayMax);
-  reader.number("bow", posture.bow, -kBowMax, kBowMax);
-  reader.number("skew", posture.skew, -1.0, 1.0);
   parameters.absorb(reader.finish());
 }
 

@@ -36,6 +36,19 @@ std::vector<double> inverse_weights(const Parameters& parameters) {
   return inverse;
 }
 
+std::vector<PostureMember> posture_members(const BodyModel& body, PostureParameters& posture) {
+  const std::vector<PostureMode> modes = posture_modes(body);
+  posture.modes.resize(modes.size());
+  std::vector<PostureMember> members;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    members.push_back({modes[m].name, &posture.modes[m], -kPostureMax, kPostureMax, true});
+  }
+  members.push_back({"delay", &posture.delay, 0.0, kDelayMax});
+  members.push_back({"bow", &posture.bow, -kBowMax, kBowMax});
+  members.push_back({"skew", &posture.skew, -1.0, 1.0});
+  return members;
+}
+
 std::vector<double> posture_change(const BodyModel& body, const PostureParameters& posture) {
   const std::vector<PostureMode> modes = posture_modes(body);
   SHG_CHECK(posture.modes.size() == modes.size(), "one value for each posture mode");

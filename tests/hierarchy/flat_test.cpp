@@ -178,12 +178,23 @@ TEST(FlatSearch, BeatsThePapersAlgorithmByThePapersOwnCriteria) {
 
 TEST(FlatSearch, MoreBudgetIsNeverWorse) {
   double before = 1e9;
-  for (const int evaluations : {100, 300, 1000, 2000}) {
+  for (const int evaluations : {24, 39, 40, 41, 100, 300, 1000, 2000}) {
     Task task = flat_task(half_body(), kAtTheFeet);
     task.evaluations = evaluations;
     const double best = generate(task).value().best_seen_score;
     EXPECT_LE(best, before + kReplayTolerance) << evaluations;
     before = best;
+  }
+}
+
+TEST(FlatSearch, NeverScoresMoreThanItsBudget) {
+  for (const int evaluations : {8, 9, 23, 24, 39, 40, 41, 100}) {
+    Task task = flat_task(half_body(), kAtTheFeet);
+    task.evaluations = evaluations;
+    // a goal that no way leads to would be searched for on each
+    EXPECT_LE(generate(task).value().evaluations, 3 * evaluations) << evaluations;
+    task.goals[0].position = {-0.25, 1.0, 0.35};
+    EXPECT_LE(generate(task).value().evaluations, evaluations) << evaluations;
   }
 }
 

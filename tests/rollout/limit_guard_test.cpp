@@ -62,31 +62,20 @@ TEST(LimitGuard, NoMotionPassesALimitWhateverItIsDrawnTo) {
 }
 
 TEST(LimitGuard, GoalIsStillMetWithOtherJoints) {
-  // the elbow alone would bend beyond its range on the way to the shoulder
   Random random(5);
-  int met = 0;
-  int met_free = 0;
+  int pushed = 0;  // met, but beyond a limit, where nothing holds it
+  int met = 0;     // of these
   const BodyModel body = full_body();
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 200; ++i) {
     const ReachProblem problem = reach_with(body, "right_hand", near_goal(body, random));
     const Parameters parameters = random_parameters(body, random);
-    met_free += roll_out(problem, parameters).outcome.met() ? 1 : 0;
+    const RolledOut free = roll_out(problem, parameters);
+    if (!free.outcome.met() || largest_excess(body, free.motion.clip) < radians(5.0)) continue;
+    ++pushed;
     met += roll_out(held(problem), parameters).outcome.met() ? 1 : 0;
   }
-  EXPECT_GE(met, met_free * 8 / 10);
-}
-
-TEST(LimitGuard, FarFromLimitsNothingChanges) {
-  const BodyModel body = full_body();
-  const ReachProblem problem = reach_with(body, "right_hand", {-0.25, 1.1, 0.35});
-  Parameters stiff = uniform_parameters(body);
-  for (std::size_t d = 0; d < stiff.joints.size(); ++d) {
-    // straight knees and a hanging arm stand at the ends of their ranges
-    if (body.dofs()[d].name.find("shoulder") == std::string::npos) stiff.joints[d].weight = 1e3;
-  }
-  const RolledOut rolled = roll_out(held(problem), stiff);
-  EXPECT_TRUE(rolled.outcome.met());
-  EXPECT_LE(largest_excess(body, rolled.motion.clip), 1e-12);
+  EXPECT_GT(pushed, 30);
+  EXPECT_GE(met, pushed * 95 / 100);
 }
 
 TEST(LimitGuard, SharesFallToNothingTowardsALimitAndNotAwayFromIt) {

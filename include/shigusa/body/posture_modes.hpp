@@ -25,7 +25,7 @@ struct PostureMode {
 //   right_swivel, left_swivel the upper arm turns outwards about its axis
 // Source of the choice: weights alone never find a squat, since for a nearly straight knee lowering
 // the hand begins with extending it; references for knee, trunk and swivel did most for the fit to
-// a recorded man (docs/experiments.md).
+// a recorded man (docs/architecture.md, decision 13).
 [[nodiscard]] std::vector<PostureMode> posture_modes(const BodyModel& body);
 
 }  // namespace shigusa

@@ -44,14 +44,6 @@ template <class S, class T>
   return upright ? rotation.cy * S(place.y) : rotation * to_scalar<S>(place);
 }
 
-// the columns a and b of a rotation, after a turn from a towards b
-template <class S>
-[[gnu::always_inline]] inline void turn_columns(Vec3<S>& a, Vec3<S>& b, const SinCos<S>& turn) {
-  const Vec3<S> before = a;
-  a = a * turn.cos + b * turn.sin;
-  b = b * turn.cos - before * turn.sin;
-}
-
 // Places all links for the joint angles q (dofs, rad).
 template <class S>
 void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<S>& kinematics) {

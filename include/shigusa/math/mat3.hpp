@@ -45,18 +45,28 @@ template <class S>
 
 enum class Axis { x, y, z };
 
+// The columns a and b of a rotation after a turn from a towards b, given its sine and cosine.
+template <class S>
+[[gnu::always_inline]] inline void turn_columns(Vec3<S>& a, Vec3<S>& b, const SinCos<S>& turn) {
+  const Vec3<S> before = a;
+  a = a * turn.cos + b * turn.sin;
+  b = b * turn.cos - before * turn.sin;
+}
+
 // m · Rot(axis, angle), given the sine and cosine of the angle: turns two columns of m.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Mat3<S> rotated(const Mat3<S>& m, Axis axis,
-                                                         const SinCos<S>& a) {
+[[nodiscard]] Mat3<S> rotated(Mat3<S> m, Axis axis, const SinCos<S>& a) {
   switch (axis) {
     case Axis::x:
-      return {m.cx, m.cy * a.cos + m.cz * a.sin, m.cz * a.cos - m.cy * a.sin};
+      turn_columns(m.cy, m.cz, a);
+      break;
     case Axis::y:
-      return {m.cx * a.cos - m.cz * a.sin, m.cy, m.cz * a.cos + m.cx * a.sin};
+      turn_columns(m.cz, m.cx, a);
+      break;
     default:
-      return {m.cx * a.cos + m.cy * a.sin, m.cy * a.cos - m.cx * a.sin, m.cz};
+      turn_columns(m.cx, m.cy, a);
   }
+  return m;
 }
 
 // Rot(axis, angle) · v, given the sine and cosine of the angle …
@@ -76,14 +86,7 @@ template <class S>
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vec3<S> turned_back(const Vec3<S>& v, Axis axis,
                                                              const SinCos<S>& a) {
-  switch (axis) {
-    case Axis::x:
-      return {v.x, v.y * a.cos + v.z * a.sin, v.z * a.cos - v.y * a.sin};
-    case Axis::y:
-      return {v.x * a.cos - v.z * a.sin, v.y, v.z * a.cos + v.x * a.sin};
-    default:
-      return {v.x * a.cos + v.y * a.sin, v.y * a.cos - v.x * a.sin, v.z};
-  }
+  return turned(v, axis, {-a.sin, a.cos});
 }
 
 // Rotation about a coordinate axis by an angle in radians.

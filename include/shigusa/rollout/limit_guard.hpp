@@ -33,6 +33,7 @@ class LimitGuard {
       couplings_.push_back({static_cast<std::size_t>(c.dof), static_cast<std::size_t>(c.driver),
                             static_cast<T>(c.gain), static_cast<T>(1.0 / c.driver_full)});
     }
+    for (const Coupling& c : couplings_) limits_[c.dof].coupled = true;
     upper_.resize(limits_.size());
   }
 
@@ -72,7 +73,7 @@ class LimitGuard {
   // Holds the angles (dofs, rad) within the limits.
   void hold(std::span<S> angles) {
     for (std::size_t d = 0; d < limits_.size(); ++d) {
-      if (!coupled(d)) {
+      if (!limits_[d].coupled) {
         angles[d] = clamp(angles[d], S(limits_[d].lower), S(limits_[d].upper));
       }
     }
@@ -87,6 +88,7 @@ class LimitGuard {
   struct Limit {
     T lower;
     T upper;
+    bool coupled = false;  // upper grows with another angle
   };
   struct Coupling {
     std::size_t dof;
@@ -94,13 +96,6 @@ class LimitGuard {
     T gain;
     T per_driver;
   };
-
-  [[nodiscard]] bool coupled(std::size_t d) const {
-    for (const Coupling& c : couplings_) {
-      if (c.dof == d) return true;
-    }
-    return false;
-  }
 
   void find_upper(std::span<const S> angles) {
     for (std::size_t d = 0; d < limits_.size(); ++d) upper_[d] = S(limits_[d].upper);

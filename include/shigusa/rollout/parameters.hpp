@@ -5,6 +5,7 @@
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/rollout/motion_input.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace shigusa {
@@ -35,6 +36,20 @@ struct PostureParameters {
 
   friend bool operator==(const PostureParameters&, const PostureParameters&) = default;
 };
+
+// One number of the posture: its name, where it is, and what is allowed.
+struct PostureMember {
+  std::string name;  // a mode's name, "delay", "bow", "skew"
+  double* value = nullptr;
+  double low = 0.0;
+  double high = 0.0;
+  bool angle = false;  // in radians
+};
+
+// All numbers of `posture`; where it has no modes, or another count than the body, their missing
+// values are added as 0. What reads, writes or checks them goes by this list.
+[[nodiscard]] std::vector<PostureMember> posture_members(const BodyModel& body,
+                                                         PostureParameters& posture);
 
 // The few readable numbers that a motion is generated from; what a search finds and a person edits.
 struct Parameters {
