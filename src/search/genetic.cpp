@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <shigusa/core/check.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/genetic_operators.hpp>
@@ -41,47 +42,44 @@ class GenomeScorer {
  public:
   GenomeScorer(Scorer& scorer, int bits_per_gene) : scorer_(scorer), bits_(bits_per_gene) {}
 
-  // Adds what is new among these genomes to the next batch.
-  void plan(const std::vector<Genome>& genomes) {
+  // A genome and its score, once it has one; it stays where it is.
+  using Entry = std::pair<const Genome, std::optional<double>>;
+
+  // Queues what is new among these genomes; the entries of all of them.
+  std::vector<const Entry*> plan(const std::vector<Genome>& genomes) {
+    std::vector<const Entry*> entries;
+    entries.reserve(genomes.size());
     for (const Genome& genome : genomes) {
-      const auto [entry, is_new] = scores_.try_emplace(genome, kWorst);
-      if (is_new) batch_.push_back(entry);
+      const auto [entry, is_new] = scores_.try_emplace(genome, std::nullopt);
+      if (is_new) queue_.push_back(&*entry);
+      entries.push_back(&*entry);
     }
+    return entries;
   }
 
-  // Forgets what the budget did not suffice for.
-  void score_batch() {
+  [[nodiscard]] std::size_t queued() const { return queue_.size(); }
+
+  // The first of the queue, as many as fill batches of `size`; all of them if they are fewer. What
+  // the budget does not suffice for never gets a score.
+  void score_batches_of(std::size_t size) {
+    const std::size_t count =
+        queue_.size() < size ? queue_.size() : queue_.size() - queue_.size() % size;
     std::vector<double> points;
-    for (const auto& entry : batch_) {
-      const std::vector<double> point = point_of_genome(entry->first, bits_);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::vector<double> point = point_of_genome(queue_[i]->first, bits_);
       points.insert(points.end(), point.begin(), point.end());
     }
-    std::vector<double> scores(batch_.size());
+    std::vector<double> scores(count);
     const auto scored = static_cast<std::size_t>(scorer_.score(points, scores));
-    for (std::size_t i = 0; i < batch_.size(); ++i) {
-      if (i < scored) {
-        batch_[i]->second = scores[i];
-      } else {
-        scores_.erase(batch_[i]);
-      }
-    }
-    batch_.clear();
-  }
-
-  [[nodiscard]] bool all_scored(const std::vector<Genome>& genomes) const {
-    return std::all_of(genomes.begin(), genomes.end(),
-                       [&](const Genome& genome) { return scores_.contains(genome); });
-  }
-
-  [[nodiscard]] ScoredGenome scored(const Genome& genome) const {
-    return {genome, scores_.at(genome)};
+    for (std::size_t i = 0; i < scored; ++i) queue_[i]->second = scores[i];
+    queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
  private:
   Scorer& scorer_;
   int bits_;
-  std::map<Genome, double> scores_;
-  std::vector<std::map<Genome, double>::iterator> batch_;
+  std::map<Genome, std::optional<double>> scores_;
+  std::vector<Entry*> queue_;
 };
 
 std::vector<ScoredGenome> next_population(std::vector<ScoredGenome> pool,
@@ -100,42 +98,49 @@ std::vector<ScoredGenome> next_population(std::vector<ScoredGenome> pool,
 // One run of the algorithm, a generation at a time, so that several runs are scored together.
 class Run {
  public:
-  Run(int genes, const GeneticSettings& settings)
+  Run(int genes, const GeneticSettings& settings, GenomeScorer& genomes)
       : bits_(settings.bits_per_gene),
         settings_(settings),
         random_(settings.seed, settings.stream),
         test_(settings.unchanged_generations) {
+    std::vector<Genome> initial;
     for (int i = 0; i < settings.population; ++i) {
-      wanted_.push_back(random_genome(genes, bits_, random_));
+      initial.push_back(random_genome(genes, bits_, random_));
     }
+    wanted_ = genomes.plan(initial);
   }
 
-  // The genomes that the next step needs the scores of; meaningless once it has ended.
-  [[nodiscard]] const std::vector<Genome>& wanted() const { return wanted_; }
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] bool converged() const { return converged_; }
   [[nodiscard]] int generations() const { return generations_; }
   [[nodiscard]] const std::vector<ScoredGenome>& population() const { return population_; }
 
+  // Whether all that the next step needs is scored.
+  [[nodiscard]] bool ready() const {
+    return std::all_of(wanted_.begin(), wanted_.end(),
+                       [](const auto* entry) { return entry->second.has_value(); });
+  }
+
   // The initial population, or the next one from the one before and its offspring.
-  void step(const GenomeScorer& scorer) {
+  void step(GenomeScorer& genomes) {
     const bool initial = population_.empty();
-    for (const Genome& genome : wanted_) population_.push_back(scorer.scored(genome));
+    for (const auto* entry : wanted_) population_.push_back({entry->first, entry->second.value()});
     if (!initial) {
       population_ = next_population(std::move(population_), settings_, random_);
       ++generations_;
     }
     converged_ = test_.converged(population_);
     ended_ = converged_ || generations_ == settings_.max_generations;
-    if (!ended_) want_offspring();
+    if (!ended_) wanted_ = genomes.plan(offspring());
   }
 
  private:
-  void want_offspring() {
-    wanted_ = children_of(population_, settings_.crossover_rate, bits_, random_);
+  std::vector<Genome> offspring() {
+    std::vector<Genome> all = children_of(population_, settings_.crossover_rate, bits_, random_);
     for (Genome& mutant : mutants_of(population_, settings_.mutation_rate, bits_, random_)) {
-      wanted_.push_back(std::move(mutant));
+      all.push_back(std::move(mutant));
     }
+    return all;
   }
 
   int bits_;
@@ -143,13 +148,13 @@ class Run {
   Random random_;
   ConvergenceTest test_;
   std::vector<ScoredGenome> population_;
-  std::vector<Genome> wanted_;
+  std::vector<const GenomeScorer::Entry*> wanted_;
   int generations_ = 0;
   bool converged_ = false;
   bool ended_ = false;
 };
 
-// Runs side by side, all their new genomes scored together, generation by generation.
+// Runs side by side, their new genomes scored together.
 class Runs {
  public:
   Runs(Scorer& scorer, const GeneticSettings& settings)
@@ -159,16 +164,18 @@ class Runs {
     GeneticSettings settings = settings_;
     settings.stream += runs_.size();
     going_.push_back(runs_.size());
-    runs_.emplace_back(scorer_.genes(), settings);
+    runs_.emplace_back(scorer_.genes(), settings, genomes_);
   }
 
-  // Starts runs while there is budget, as many at once as the number of those that have ended says.
+  // Starts runs while there is budget, as many at once as the number of those that have ended says,
+  // and more where a batch would not be full.
   // It must not depend on the budget: what is scored first would.
   void refill() {
     const std::size_t ended = runs_.size() - going_.size();
     std::size_t at_once = kRunsAtFirst;
     while (2 * at_once <= std::min<std::size_t>(ended, kRunsAtOnce)) at_once *= 2;
-    while (going_.size() < at_once && scorer_.left() > 0 && !exhausted()) start();
+    const auto fewer = [&] { return going_.size() < at_once || genomes_.queued() < kFullBatch; };
+    while (fewer() && scorer_.left() > 0 && !exhausted()) start();
   }
 
   [[nodiscard]] bool going() const { return !going_.empty(); }
@@ -176,19 +183,24 @@ class Runs {
     return runs_.size() >= runs_when_new_ + kRunsWithoutNew + kRunsAtOnce;
   }
 
-  // One step of each run that goes on; those that the budget does not suffice for end instead.
-  void step() {
-    for (const std::size_t r : going_) genomes_.plan(runs_[r].wanted());
+  // Scores what is wanted, as full batches of `size` where it fills one; runs whose genomes are all
+  // scored go one step, the others wait, or end once the budget is used up.
+  void step(std::size_t size) {
     const int before = scorer_.left();
-    genomes_.score_batch();
+    genomes_.score_batches_of(size);
     if (scorer_.left() < before) runs_when_new_ = runs_.size();
     std::vector<std::size_t> still_going;
     for (const std::size_t r : going_) {
-      if (!genomes_.all_scored(runs_[r].wanted())) continue;
-      const int generations = runs_[r].generations();
-      runs_[r].step(genomes_);
-      scorer_.result().generations += runs_[r].generations() - generations;
-      if (!runs_[r].ended()) still_going.push_back(r);
+      Run& run = runs_[r];
+      if (run.ready()) {
+        const int generations = run.generations();
+        run.step(genomes_);
+        scorer_.result().generations += run.generations() - generations;
+        if (run.ended()) continue;
+      } else if (scorer_.left() == 0) {
+        continue;
+      }
+      still_going.push_back(r);
     }
     going_ = std::move(still_going);
   }
@@ -227,7 +239,7 @@ SearchResult genetic_search(const SearchProblem& problem, const GeneticSettings&
   runs.start();
   for (int now = -1; runs.going();) {
     if (now >= 0 && progress.cancelled()) return runs.finish(SearchEnd::cancelled);
-    runs.step();
+    runs.step(1);
     // nothing to tell where the limit did not let it step
     if (now == runs.first().generations()) break;
     now = runs.first().generations();
@@ -248,7 +260,7 @@ SearchResult restarted_genetic_search(const SearchProblem& problem, const Geneti
   for (runs.refill(); runs.going(); runs.refill()) {
     const SearchResult& so_far = scorer.result();
     if (so_far.evaluations > 0 && progress.cancelled()) return runs.finish(SearchEnd::cancelled);
-    runs.step();
+    runs.step(kFullBatch);
     scorer.report(static_cast<double>(so_far.evaluations) / evaluations);
   }
   return runs.finish(scorer.left() > 0 ? SearchEnd::converged : SearchEnd::budget);

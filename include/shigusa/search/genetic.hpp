@@ -73,15 +73,18 @@ struct GeneticSettings {
 inline constexpr int kRunsAtOnce = 16;
 // How many go on until the first have ended.
 inline constexpr std::size_t kRunsAtFirst = 4;
+// Genomes are scored in multiples of so many: the lanes of the widest set, on every machine.
+inline constexpr std::size_t kFullBatch = 16;
 // It ends as converged when so many runs in succession came upon no genome that was new.
 inline constexpr int kRunsWithoutNew = 64;
 
 // The genetic algorithm again and again, with the streams 0, 1, 2, … of the seed, until
 // `evaluations` (≥ population) are used up: an equal budget for every search. First kRunsAtFirst
 // side by side, later as many as the largest power of two that is not above the number of runs that
-// have ended, kRunsAtOnce at most: 4, 4, 8, 16, 16, … They are scored in one call; a genome that
-// two of them come upon is scored once. The final population is that of all runs together, by
-// stream; generations are summed.
+// have ended, kRunsAtOnce at most: 4, 4, 8, 16, 16, … Their genomes wait in one queue, the first of
+// which are scored in full batches (where one would not be full, another run starts); a run goes on
+// as soon as all of its own are scored. A genome that two of them come upon is scored once. The
+// final population is that of all runs together, by stream; generations are summed.
 [[nodiscard]] SearchResult restarted_genetic_search(const SearchProblem& problem,
                                                     const GeneticSettings& settings,
                                                     int evaluations, const Progress& progress = {});
