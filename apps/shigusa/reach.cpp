@@ -132,15 +132,6 @@ void note_goals_below_floor(const Task& task) {
   }
 }
 
-// Without a task file: the default preset, which files from before it was one do not mean.
-TaskFile new_task() {
-  TaskFile file;
-  file.preset = Preset::flat;
-  file.criteria = preset_criteria(file.preset);
-  file.candidates = preset_candidates(file.preset);
-  return file;
-}
-
 }  // namespace
 
 int reach(const ReachOptions& options) {
@@ -148,7 +139,7 @@ int reach(const ReachOptions& options) {
   if (!formats) return report(formats.error());
   const Result<BatchSettings> batch = batch_settings(options);
   if (!batch) return report(batch.error());
-  Result<TaskFile> file = options.task.empty() ? new_task() : read_task(options.task);
+  Result<TaskFile> file = options.task.empty() ? TaskFile{} : read_task(options.task);
   if (!file) return report(file.error());
   if (const auto applied = apply_options(options, *file); !applied) {
     return report(applied.error());

@@ -50,7 +50,7 @@ constexpr double kStyleShare = 0.2;
 constexpr int kLeastStyleBudget = kPaperPopulation;
 constexpr int kLeastFreeBudget = 3 * kPaperPopulation;
 constexpr std::pair<double, double> kStyleRanges[] = {{0.0, radians(30.0)},
-                                                      {radians(85.0), radians(130.0)}};  // rad
+                                                      {radians(115.0), radians(138.0)}};  // rad
 
 // What is searched on one way to the goal, and what the search came upon.
 class Searched {
@@ -169,26 +169,63 @@ class Searched {
   std::vector<double> moved_;
 };
 
+// What is worth a replay, best first, and what was not.
+struct Choice {
+  std::vector<Individual> picked;
+  int similar = 0;  // end as a better one does
+  int worse = 0;    // score more than kCandidateSpread worse than the best
+};
+
 // Of all that the search came upon, the best and others that end differently and are not much
 // worse: first the best of each style, then what is left, best first.
-std::vector<Individual> distinct_postures(const Archive& archive, int most) {
+Choice distinct_postures(const Archive& archive, int most) {
   const std::vector<Archived> ranked = archive.ranked();
   std::vector<const Archived*> picked;
-  const auto try_pick = [&](const Archived& archived, bool new_style_only) {
-    if (static_cast<int>(picked.size()) >= most) return;
-    if (archived.score > ranked.front().score + kCandidateSpread) return;
-    for (const Archived* better : picked) {
-      const double distance = posture_distance(better->posture, archived.posture);
-      if (distance < kDistinctEnd + kEndSlack) return;
-      if (new_style_only && better->style == archived.style) return;
-    }
-    picked.push_back(&archived);
+  Choice choice;
+  const auto near = [](const Archived& a, const Archived& b) {
+    return posture_distance(a.posture, b.posture) < kDistinctEnd + kEndSlack;
   };
-  for (const Archived& archived : ranked) try_pick(archived, true);
-  for (const Archived& archived : ranked) try_pick(archived, false);
-  std::vector<Individual> result;
-  for (const Archived* archived : picked) result.push_back({archived->point, archived->score});
-  return result;
+  for (const bool new_style_only : {true, false}) {
+    choice.similar = choice.worse = 0;
+    for (const Archived& archived : ranked) {
+      if (static_cast<int>(picked.size()) >= most) break;
+      const double spread = new_style_only ? kStyleSpread : kCandidateSpread;
+      if (archived.score > ranked.front().score + spread) {
+        ++choice.worse;
+      } else if (std::any_of(picked.begin(), picked.end(),
+                             [&](const Archived* better) { return near(*better, archived); })) {
+        ++choice.similar;
+      } else if (!new_style_only ||
+                 std::none_of(picked.begin(), picked.end(), [&](const Archived* better) {
+                   return better->style == archived.style;
+                 })) {
+        picked.push_back(&archived);
+      }
+    }
+  }
+  choice.similar -= static_cast<int>(picked.size());  // each is near itself
+  for (const Archived* archived : picked) {
+    choice.picked.push_back({archived->point, archived->score});
+  }
+  return choice;
+}
+
+// Why there are fewer candidates than asked for.
+std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {
+  if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
+  const bool paper = task.preset == Preset::paper;
+  std::vector<std::string> reasons;
+  const auto add = [&](int count, std::string_view what) {
+    if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
+  };
+  add(choice.similar + generation.near_copies,
+      paper ? "move as a better one does" : "end within 10° of a better one");
+  add(choice.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
+  add(generation.missed, "miss the goal, leave the path or move a foot when replayed");
+  return fmt::format(
+      "{} of {} candidates: of the others that were kept, {}", generation.candidates.size(),
+      task.candidates,
+      reasons.empty() ? "there are none" : fmt::format("{}", fmt::join(reasons, "; ")));
 }
 
 // Replays what was found and keeps what arrives and differs, best first.
@@ -196,9 +233,9 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
                         const Searched& searched, const SearchResult& found,
                         Generation& generation) {
   const bool paper = task.preset == Preset::paper;
-  const std::vector<Individual> ranked =
-      paper ? ranked_population(found) : distinct_postures(searched.archive(), 4 * task.candidates);
-  for (const Individual& individual : ranked) {
+  const Choice choice = paper ? Choice{.picked = ranked_population(found)}
+                              : distinct_postures(searched.archive(), 4 * task.candidates);
+  for (const Individual& individual : choice.picked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
     const Parameters parameters = searched.space().decode(individual.point);
     std::optional<Arrival> arrival = first_arrival(ways, parameters);
@@ -227,6 +264,7 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
   std::stable_sort(
       generation.candidates.begin(), generation.candidates.end(),
       [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
+  generation.fewer = why_fewer(task, generation, choice);
 }
 
 // The parameters' motion on the first way that brings them to the goal; where none does, the one
