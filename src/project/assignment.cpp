@@ -29,10 +29,12 @@ Result<double> parse_weight(std::string_view text) {
 
 // An angle is NAME_deg or NAME_rad.
 Result<void> assign_posture(const BodyModel& body, std::string_view name, std::string_view text,
-                            PostureParameters& posture) {
-  PostureParameters changed = posture;
+                            FixedParameters& fixed) {
+  PostureParameters changed = fixed.values.posture;
   std::vector<std::string> names;
-  for (const PostureMember& member : posture_members(body, changed)) {
+  const std::vector<PostureMember> members = posture_members(body, changed);
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const PostureMember& member = members[m];
     for (const char* suffix : {"_deg", "_rad", ""}) {
       if (member.angle == std::string_view(suffix).empty()) continue;
       names.push_back(member.name + suffix);
@@ -45,7 +47,8 @@ Result<void> assign_posture(const BodyModel& body, std::string_view name, std::s
                                 member.low / unit, member.high / unit));
       }
       *member.value = value;
-      posture = changed;
+      fixed.values.posture = changed;
+      fixed.posture[m] = true;
       return {};
     }
   }
@@ -57,8 +60,8 @@ Result<void> assign_posture(const BodyModel& body, std::string_view name, std::s
 
 }  // namespace
 
-Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
-                              Parameters& parameters) {
+Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
+                           FixedParameters& fixed) {
   const std::size_t equals = assignment.find('=');
   const std::size_t dot = assignment.substr(0, equals).rfind('.');
   if (equals == assignment.npos) {
@@ -68,8 +71,7 @@ Result<void> assign_parameter(const BodyModel& body, std::string_view assignment
                             assignment.substr(0, 80)));
   }
   if (dot == assignment.npos) {
-    return assign_posture(body, assignment.substr(0, equals), assignment.substr(equals + 1),
-                          parameters.posture);
+    return assign_posture(body, assignment.substr(0, equals), assignment.substr(equals + 1), fixed);
   }
   const std::string_view name = assignment.substr(0, dot);
   const std::string_view member = assignment.substr(dot + 1, equals - dot - 1);
@@ -88,7 +90,8 @@ Result<void> assign_parameter(const BodyModel& body, std::string_view assignment
     }
     if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
     found = true;
-    JointWeight& joint = parameters.joints[d];
+    fixed.joints[d] = true;
+    JointWeight& joint = fixed.values.joints[d];
     if (member == "weight") {
       const Result<double> weight = parse_weight(value);
       if (!weight) return tl::unexpected(weight.error());
@@ -102,6 +105,15 @@ Result<void> assign_parameter(const BodyModel& body, std::string_view assignment
   }
   if (!found) return fail(ErrorCode::not_found, unknown_name("joint", name, names));
   return {};
+}
+
+Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
+                              Parameters& parameters) {
+  FixedParameters fixed = no_fixed_parameters(body);
+  fixed.values = parameters;
+  const Result<void> done = fix_parameter(body, assignment, fixed);
+  if (done) parameters = fixed.values;
+  return done;
 }
 
 }  // namespace shigusa

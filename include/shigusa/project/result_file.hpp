@@ -54,5 +54,8 @@ struct StoredResult {
 // Fails on an unknown name (the nearest is suggested), or a value that is not allowed.
 [[nodiscard]] Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
                                             Parameters& parameters);
+// The same, and notes what was set; `fixed` begins as no_fixed_parameters.
+[[nodiscard]] Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
+                                         FixedParameters& fixed);
 
 }  // namespace shigusa

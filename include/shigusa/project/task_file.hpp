@@ -25,6 +25,7 @@ struct TaskFile {
   std::optional<SearchMethod> search;  // the preset's own when not given
   // the built-in ones: functions do not go into files
   CriteriaSettings criteria = preset_criteria(Preset::flat);
+  std::vector<std::string> fixed;  // parameters that are not searched, as assignments
   std::uint64_t seed = 0;
   int candidates = preset_candidates(Preset::flat);  // 1..1000
   std::optional<int> evaluations;  // motions the search may score, 8..1e9; see Task
