@@ -34,6 +34,7 @@ struct ReachOptions {
   std::vector<std::string> goals;  // EFFECTOR=X,Y,Z
   std::optional<double> duration;  // s
   std::optional<std::string> preset;
+  std::optional<std::string> layer_reading;
   std::optional<std::string> criteria;
   std::optional<std::string> search;
   std::optional<int> evaluations;

@@ -34,8 +34,12 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
   c->add_option(
       "--preset", o.preset,
-      "paper, as published, or flat: all parameters at once, within joint limits; with its "
-      "own criteria and number of candidates");
+      "paper, as published; flat: all parameters at once, within joint limits; or layers: "
+      "the paper's hierarchy, first trunk and limb lengths, then arms; with its own criteria "
+      "and number of candidates");
+  c->add_option("--layer-reading", o.layer_reading,
+                "Of the preset layers: shared_contractions (12 weights and 2 contractions) or "
+                "contraction_a_limb (10 and 4)");
   c->add_option("--criteria", o.criteria,
                 "paper or default: what motions are scored by, whatever the task file says");
   c->add_option("--search", o.search,
@@ -64,7 +68,8 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
   c->add_option("--set", o.assignments,
                 "NAME.weight=NUMBER or NAME.locked=true|false; NAME is a joint or a freedom, "
-                "such as right_shoulder.flexion; repeatable")
+                "such as right_shoulder.flexion. Of the preset layers: also "
+                "legs.contraction=NUMBER (0..15), and right_arm.NAME for the arm's own; repeatable")
       ->allow_extra_args(false);
   c->add_option("--out", o.out, "Folder for the new result (default: edit-N beside the old one)");
   c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();

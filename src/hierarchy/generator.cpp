@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "candidate.hpp"
+#include "layered_generator.hpp"
 #include "ways.hpp"
 
 namespace shigusa {
@@ -298,6 +299,7 @@ Result<void> check_parameters(const BodyModel& body, const Parameters& parameter
 }  // namespace
 
 Result<Generation> generate(const Task& task, const Progress& progress) {
+  if (task.preset == Preset::layers) return generate_layered(task, progress);
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
   const ClosestReach reach = closest_reach(*problem);
@@ -326,6 +328,10 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
 }
 
 Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
+  if (task.preset == Preset::layers) {
+    return fail(ErrorCode::invalid_argument,
+                "the preset layers goes by layered parameters, not by weights of the whole body");
+  }
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
   if (const auto checked = check_parameters(task.body, parameters); !checked) {
@@ -338,6 +344,10 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
   generation.candidates.push_back(only_candidate(task, ways, parameters));
   finish(reach, generation);
   return generation;
+}
+
+Result<Generation> regenerate(const Task& task, const LayeredParameters& parameters) {
+  return regenerate_layered(task, parameters);
 }
 
 }  // namespace shigusa

@@ -2,7 +2,6 @@
 #include "layered_search.hpp"
 
 #include <algorithm>
-#include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <type_traits>
@@ -116,10 +115,6 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
   });
 }
 
-LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters) {
-  return play(parameters, {.rounds = 0});
-}
-
 LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
                                           const Feedback& feedback) {
   if (!players_[0]) players_[0] = std::make_unique<LayeredPlayer>(*problem_);
@@ -140,7 +135,7 @@ LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
       if (unavoidable_depth(report) > kCollisionDepth) break;
       ++played.feedback_rounds;
       const std::optional<FoundArm> found = search_free_arm(
-          report, arm_layer(*problem_, g).criteria, weight, feedback.search, threads_);
+          report, problem_->layers[1 + g].criteria, weight, feedback.search, threads_);
       if (!found) break;
       played.arms[g] = arm_weights(found->genes);
       played.motion = player.expand(clip, played.arms);
@@ -148,14 +143,6 @@ LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
     }
   }
   return played;
-}
-
-const Layer& arm_layer(const LayeredProblem& problem, std::size_t goal) {
-  const std::string& arm = problem.limbs.arms[index(problem.arms[goal])].name;
-  const auto found = std::find_if(problem.layers.begin(), problem.layers.end(),
-                                  [&](const Layer& layer) { return layer.name == arm; });
-  SHG_CHECK(found != problem.layers.end(), "a layer for " + arm);
-  return *found;
 }
 
 }  // namespace shigusa

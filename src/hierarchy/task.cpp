@@ -101,25 +101,27 @@ std::string_view preset_name(Preset preset) {
       return "paper";
     case Preset::flat:
       return "flat";
+    case Preset::layers:
+      return "layers";
   }
   return "";
 }
 
 std::span<const Preset> presets() {
-  static constexpr std::array kPresets{Preset::paper, Preset::flat};
+  static constexpr std::array kPresets{Preset::paper, Preset::flat, Preset::layers};
   return kPresets;
 }
 
 SearchMethod preset_search(Preset preset) {
-  return preset == Preset::paper ? SearchMethod::paper_ga : SearchMethod::cma_es;
+  return preset == Preset::flat ? SearchMethod::cma_es : SearchMethod::paper_ga;
 }
 
 CriteriaSettings preset_criteria(Preset preset) {
-  return preset == Preset::paper ? paper_criteria() : default_criteria();
+  return preset == Preset::flat ? default_criteria() : paper_criteria();
 }
 
 int preset_candidates(Preset preset) {
-  return preset == Preset::paper ? kPaperPopulation : kFlatCandidates;
+  return preset == Preset::flat ? kFlatCandidates : kPaperPopulation;
 }
 
 CriteriaSettings task_criteria(const Task& task) {
@@ -162,7 +164,7 @@ Result<ReachProblem> make_problem(const Task& task) {
         max(problem.duration, reach_duration(norm(goal.position - from), beyond_arm));
   }
   if (task.duration) problem.duration = *task.duration;
-  if (task.preset != Preset::paper) {
+  if (task.preset == Preset::flat) {
     problem.hold_limits = true;
     problem.corrections = kLimitCorrections;
     problem.path_slack = kPathSlack;

@@ -18,6 +18,14 @@ constexpr int kEdgeCorrections = 3;
 // jerk over a range of 4 rad has a fifth of it.
 constexpr double kJolt = radians(2.0);
 
+// The motion does what its way asks for; beyond reach, without a jolt.
+bool arrives(const ReachProblem& way, const RolledOut& rolled) {
+  if (!rolled.outcome.met(way.tolerance)) return false;
+  return way.tolerance.goal <= kReachTolerance || !jolts(rolled.motion.clip);
+}
+
+}  // namespace
+
 bool jolts(const Clip& clip) {
   for (int f = 2; f < clip.frames; ++f) {
     for (int d = 0; d < clip.dofs; ++d) {
@@ -28,14 +36,6 @@ bool jolts(const Clip& clip) {
   }
   return false;
 }
-
-// The motion does what its way asks for; beyond reach, without a jolt.
-bool arrives(const ReachProblem& way, const RolledOut& rolled) {
-  if (!rolled.outcome.met(way.tolerance)) return false;
-  return way.tolerance.goal <= kReachTolerance || !jolts(rolled.motion.clip);
-}
-
-}  // namespace
 
 std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
   if (reach.reached()) add_detours(problem);

@@ -189,6 +189,9 @@ Json task_to_json(const TaskFile& task) {
   }
   if (task.duration) json["duration_s"] = *task.duration;
   json["preset"] = preset_name(task.preset);
+  if (task.preset == Preset::layers || task.layer_reading != LayerReading{}) {
+    json["layer_reading"] = layer_reading_name(task.layer_reading);
+  }
   if (task.search) json["search"] = search_name(*task.search);
   for_each_criterion([&](const auto& criterion) {
     json["criteria"][criterion.name] = {{"weight", criterion.weight(task.criteria)},
@@ -211,6 +214,11 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   std::vector<std::pair<std::string, Preset>> known_presets;
   for (const Preset preset : presets()) known_presets.emplace_back(preset_name(preset), preset);
   reader.choice<Preset>("preset", task.preset, known_presets);
+  std::vector<std::pair<std::string, LayerReading>> readings;
+  for (const LayerReading reading : layer_readings()) {
+    readings.emplace_back(layer_reading_name(reading), reading);
+  }
+  reader.choice<LayerReading>("layer_reading", task.layer_reading, readings);
   task.criteria = preset_criteria(task.preset);
   task.candidates = preset_candidates(task.preset);
   if (reader.has("search")) {
@@ -266,6 +274,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .candidates = file.candidates,
             .evaluations = file.evaluations};
   task.genetic.seed = file.seed;
+  task.layers.reading = file.layer_reading;
   return task;
 }
 

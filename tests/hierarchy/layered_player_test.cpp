@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/hierarchy/layered_problem.hpp>
 
 #include "support/problems.hpp"
 

@@ -13,7 +13,8 @@ namespace shigusa {
 // What a hierarchy's motions are played with: the layers, and the problem of the whole body.
 struct LayeredProblem {
   ReachProblem reach;         // points to the whole body
-  std::vector<Layer> layers;  // trunk and limb lengths first
+  bool in_reach = true;       // of the whole body; if not, paths end at the closest point
+  std::vector<Layer> layers;  // (1 + goals) trunk and limb lengths, then each goal's arm
   BodyLimbs limbs;
   std::vector<int> arms;              // (goals) index in limbs.arms
   std::vector<BodyModel> arm_bodies;  // (goals)

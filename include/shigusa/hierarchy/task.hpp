@@ -5,6 +5,7 @@
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/core/result.hpp>
 #include <shigusa/criteria/criteria.hpp>
+#include <shigusa/hierarchy/layered_settings.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/searches.hpp>
@@ -15,11 +16,12 @@ namespace shigusa {
 
 // How the parameters are searched and what they are.
 enum class Preset {
-  paper,  // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
-  flat,   // all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
+  paper,   // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
+  flat,    // all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
+  layers,  // the paper's hierarchy: first trunk and limb lengths, then arms from a limb library
 };
 
-// "paper", "flat".
+// "paper", "flat", "layers".
 [[nodiscard]] std::string_view preset_name(Preset preset);
 [[nodiscard]] std::span<const Preset> presets();
 
@@ -58,7 +60,8 @@ struct Task {
   // of them: it starts again, with other random numbers, until they are used up. When not, the
   // paper's genetic algorithm runs once, and the others score kFlatEvaluations.
   std::optional<int> evaluations{};
-  BatchSettings batch{};  // SIMD set and threads; change no result
+  LayeredSettings layers{};  // of the preset layers
+  BatchSettings batch{};     // SIMD set and threads; change no result
 };
 
 // What the task's motions are scored by: its criteria, with the eyes on the first goal where

@@ -21,6 +21,7 @@ struct TaskFile {
   std::vector<Goal> goals;
   std::optional<double> duration;  // s
   Preset preset = Preset::paper;
+  LayerReading layer_reading = LayerReading::shared_contractions;  // of the preset layers
   std::optional<SearchMethod> search;  // the preset's own when not given
   CriteriaSettings criteria;           // the built-in ones: functions do not go into files
   std::uint64_t seed = 0;
