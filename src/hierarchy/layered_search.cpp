@@ -108,7 +108,7 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
   parallel_for(count, threads, [&](int i, int worker) {
     const auto k = index(i);
     if (paths[k].empty()) return;
-    const RolledOut played = player(worker).expand(clips[k], arms[k]);
+    const RolledOut played = player(worker).expand_freeing(clips[k], arms[k]);
     scores[k] = played.outcome.met(tolerance)
                     ? score_motion(*problem_->reach.body, played.motion, *criteria_).total
                     : worst + min(played.outcome.path_error, 1.0);
@@ -123,7 +123,7 @@ LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
   player.run_upper(parameters, clip);
   const std::vector<HandPath> paths = player.hand_paths(clip);
   Played played{.motion = {}, .arms = choose_(paths)};
-  played.motion = player.expand(clip, played.arms);
+  played.motion = player.expand_freeing(clip, played.arms);
   if (!played.motion.outcome.met(problem_->reach.tolerance)) return played;
   const BodyModel& body = *problem_->reach.body;
   for (std::size_t g = 0; g < paths.size(); ++g) {
@@ -138,7 +138,7 @@ LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
           report, problem_->layers[1 + g].criteria, weight, feedback.search, threads_);
       if (!found) break;
       played.arms[g] = arm_weights(found->genes);
-      played.motion = player.expand(clip, played.arms);
+      played.motion = player.expand_freeing(clip, played.arms);
       weight *= kCollisionGrowth;
     }
   }

@@ -7,6 +7,7 @@
 #include <shigusa/hierarchy/arm_feedback.hpp>
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/hierarchy/layered_problem.hpp>
+#include <shigusa/rollout/reachability.hpp>
 #include <shigusa/search/searches.hpp>
 #include <thread>
 
@@ -225,6 +226,34 @@ TEST(GenerateLayers, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
                                     candidate.motion.clip);
       EXPECT_TRUE(measured.finite);
       EXPECT_LE(measured.contact_slide, kReachTolerance);
+    }
+  }
+}
+
+// Random genomes do not stretch their limbs all at once, as these goals ask.
+TEST(GenerateLayers, GoalsAtTheEdgeOfReachAreMet) {
+  for (const Vec3d& goal :
+       {Vec3d{-0.83, 1.65, -0.03}, {-0.79, 1.81, 0.26}, {0.46, 1.83, 0.64}, {-0.69, 1.63, 0.68}}) {
+    const Task task = task_for(half_body(), goal, 0);
+    expect_kept(task, generated(task));
+  }
+}
+
+TEST(GenerateLayers, ClosestMotionsEndNearWhereTheBodyCould) {
+  // what layers lack: a limb's last 5° of bend, and 5 mm for more than one candidate
+  constexpr double kShort = 0.025;
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    for (const Vec3d& goal : {Vec3d{-0.2, 2.36, 0.31}, {0.06, 1.98, 1.67}, {-1.96, 2.45, 0.62}}) {
+      const Task task = task_for(body, goal, 0);
+      const double closest = closest_reach(make_problem(task).value()).distance;
+      const Generation generation = generated(task);
+      EXPECT_EQ(generation.status, ReachStatus::unreachable);
+      EXPECT_LT(generation.remaining_distance, closest + kShort);
+      for (const Candidate& candidate : generation.candidates) {
+        const auto again = regenerate(task, candidate.layered.value()).value();
+        EXPECT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
+        EXPECT_EQ(again.status, ReachStatus::unreachable);
+      }
     }
   }
 }

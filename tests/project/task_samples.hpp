@@ -47,6 +47,10 @@ inline CharacterSpec any_character() {
 
 inline TaskFile any_task() {
   TaskFile task;
+  const std::span<const Preset> known = presets();
+  task.preset = known[*rc::gen::inRange<std::size_t>(0, known.size())];
+  task.layer_reading =
+      *rc::gen::element(LayerReading::shared_contractions, LayerReading::contraction_a_limb);
   task.character = any_character();
   for (const char* name : {"right_hand", "left_hand", "", "目"}) {
     if (*rc::gen::arbitrary<bool>()) task.goals.push_back({name, any_point(kGoalRange)});
@@ -93,7 +97,8 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
 
 // All words of a task.
 inline std::vector<std::string> words(const TaskFile& task) {
-  std::vector<std::string> all{task.character.source, std::string(preset_name(task.preset))};
+  std::vector<std::string> all{task.character.source, std::string(preset_name(task.preset)),
+                               std::string(layer_reading_name(task.layer_reading))};
   all.insert(all.end(), task.character.doubts.begin(), task.character.doubts.end());
   for (const Goal& goal : task.goals) all.push_back(goal.effector);
   return all;
