@@ -34,9 +34,12 @@ struct ReachOptions {
   std::vector<std::string> goals;  // EFFECTOR=X,Y,Z
   std::optional<double> duration;  // s
   std::optional<std::string> preset;
+  std::optional<std::string> layer_reading;
   std::optional<std::string> criteria;
   std::optional<std::string> search;
   std::vector<std::string> fixed;  // NAME=VALUE
+  bool pareto = false;
+  std::optional<std::string> generator;
   std::optional<int> evaluations;
   std::optional<double> seconds;
   std::optional<int> candidates;

@@ -30,6 +30,36 @@ Result<std::filesystem::path> edit_folder(const EditOptions& options) {
   }
 }
 
+// Makes all assignments to parameters; `of` is what tells their names.
+template <class Names, class Edited>
+Result<void> assign_all(const EditOptions& options, const Names& of, Edited& parameters) {
+  for (const std::string& assignment : options.assignments) {
+    if (const auto ok = assign_parameter(of, assignment, parameters); !ok) {
+      return fail(ok.error().code, ok.error().message, "--set " + assignment);
+    }
+  }
+  return {};
+}
+
+// The candidate's motion anew, from what the assignments make of its parameters.
+Result<Generation> edited(const EditOptions& options, StoredResult& stored, const Task& task) {
+  const auto index = static_cast<std::size_t>(options.candidate - 1);
+  if (task.preset != Preset::layers) {
+    Parameters& parameters = stored.candidates[index];
+    if (const auto ok = assign_all(options, task.body, parameters); !ok) {
+      return tl::unexpected(ok.error());
+    }
+    return regenerate(task, parameters);
+  }
+  const auto layers = layers_to_goals(task.body, task.goals, task.layers);
+  if (!layers) return tl::unexpected(layers.error());
+  LayeredParameters& parameters = stored.layered[index];
+  if (const auto ok = assign_all(options, *layers, parameters); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  return regenerate(task, parameters);
+}
+
 }  // namespace
 
 int edit(const EditOptions& options) {
@@ -39,7 +69,7 @@ int edit(const EditOptions& options) {
   if (!folder) return report(folder.error());
   Result<StoredResult> stored = read_result(options.result);
   if (!stored) return report(stored.error());
-  const auto count = static_cast<int>(stored->candidates.size());
+  const auto count = static_cast<int>(stored->candidates.size() + stored->layered.size());
   if (options.candidate < 1 || options.candidate > count) {
     return report({ErrorCode::invalid_argument,
                    fmt::format("candidate {} does not exist; the result has the candidates 1 to {}",
@@ -48,14 +78,8 @@ int edit(const EditOptions& options) {
   }
   const Result<Task> task = make_task(stored->task, {});
   if (!task) return report(task.error());
-  Parameters parameters = stored->candidates[static_cast<std::size_t>(options.candidate - 1)];
-  for (const std::string& assignment : options.assignments) {
-    if (const auto ok = assign_parameter(task->body, assignment, parameters); !ok) {
-      return report({ok.error().code, ok.error().message, "--set " + assignment});
-    }
-  }
   const auto begin = std::chrono::steady_clock::now();
-  const Result<Generation> generation = regenerate(*task, parameters);
+  const Result<Generation> generation = edited(options, *stored, *task);
   if (!generation) return report(generation.error());
   RunInfo info{.search = "edit"};
   info.elapsed_ms =

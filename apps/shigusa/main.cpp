@@ -34,15 +34,25 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
   c->add_option(
       "--preset", o.preset,
-      "paper, as published, or flat: all parameters at once, within joint limits; with its "
-      "own criteria and number of candidates");
-  c->add_option("--criteria", o.criteria,
-                "paper or default: what motions are scored by, whatever the task file says");
+      "paper, as published; flat: all parameters at once, within joint limits; or layers: "
+      "the paper's hierarchy, first trunk and limb lengths, then arms; with its own criteria "
+      "and number of candidates");
+  c->add_option("--layer-reading", o.layer_reading,
+                "Of the preset layers: shared_contractions (12 weights and 2 contractions) or "
+                "contraction_a_limb (10 and 4)");
+  c->add_option(
+      "--criteria", o.criteria,
+      "paper, default or pareto: what motions are scored by, whatever the task file says");
   c->add_option("--search", o.search,
                 "paper_ga, log_ga, annealing, cma_es, de or random (default: the preset's)");
   c->add_option("--fix", o.fixed,
                 "Leave a parameter as given and search the rest: as --set of edit; repeatable")
       ->allow_extra_args(false);
+  c->add_flag("--pareto", o.pareto,
+              "Deliver a front of the criteria (--criteria pareto where none are given): motions "
+              "that none is better than by all of them");
+  c->add_option("--generator", o.generator,
+                "weighted_ik, or nlp_ik: constrained minimisation in each frame, ten times slower");
   c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
       ->check(whole_number(8, 1'000'000'000));
   c->add_option("--seconds", o.seconds, "Time limit of the search; what is found depends on speed")
@@ -67,7 +77,9 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
   c->add_option("--set", o.assignments,
                 "NAME.weight=NUMBER or NAME.locked=true|false, NAME a joint or a freedom such as "
-                "right_shoulder.flexion; or of the posture squat_deg=NUMBER and so on; repeatable")
+                "right_shoulder.flexion; of the posture squat_deg=NUMBER and so on. Of the preset "
+                "layers: legs.contraction=NUMBER (0..15), right_arm.NAME for the arm's own; "
+                "repeatable")
       ->allow_extra_args(false);
   c->add_option("--out", o.out, "Folder for the new result (default: edit-N beside the old one)");
   c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();

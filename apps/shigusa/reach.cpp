@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <shigusa/core/names.hpp>
 #include <shigusa/core/parallel.hpp>
+#include <shigusa/project/limb_cache.hpp>
 
 #include "commands.hpp"
 #include "table.hpp"
@@ -67,6 +68,10 @@ Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
   for (const CriteriaPreset& preset : criteria_presets()) mixtures.emplace_back(preset.name);
   std::vector<std::string> preset_names;
   for (const Preset preset : presets()) preset_names.emplace_back(preset_name(preset));
+  std::vector<std::string> readings;
+  for (const LayerReading reading : layer_readings()) {
+    readings.emplace_back(layer_reading_name(reading));
+  }
   std::vector<std::string> searches;
   for (const SearchMethod method : kSearchMethods) searches.emplace_back(search_name(method));
   const struct {
@@ -74,8 +79,10 @@ Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
     const std::optional<std::string>& given;
     std::vector<std::string> allowed;
   } words[] = {{"preset", options.preset, preset_names},
+               {"layer reading", options.layer_reading, readings},
                {"criteria", options.criteria, mixtures},
-               {"search", options.search, searches}};
+               {"search", options.search, searches},
+               {"generator", options.generator, {"weighted_ik", "nlp_ik"}}};
   for (const auto& word : words) {
     if (!word.given) continue;
     if (const auto known = pick(word.what, *word.given, word.allowed); !known) {
@@ -89,7 +96,23 @@ Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
     file.criteria = preset_criteria(preset);
     if (!options.candidates) file.candidates = preset_candidates(preset);
   }
+  if (options.layer_reading && file.preset != Preset::layers) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("is of the preset layers, and the preset is {}", preset_name(file.preset)),
+        "--layer-reading");
+  }
+  for (const LayerReading reading : layer_readings()) {
+    if (options.layer_reading == layer_reading_name(reading)) file.layer_reading = reading;
+  }
   if (options.search) file.search = search_method(*options.search);
+  if (options.pareto) {
+    file.pareto = true;
+    file.criteria = pareto_criteria();
+  }
+  for (const MotionGenerator generator : {MotionGenerator::weighted_ik, MotionGenerator::nlp_ik}) {
+    if (options.generator == generator_name(generator)) file.generator = generator;
+  }
   for (const CriteriaPreset& preset : criteria_presets()) {
     if (options.criteria == preset.name) file.criteria = preset.settings();
   }
@@ -152,6 +175,7 @@ int reach(const ReachOptions& options) {
   Result<Task> task = make_task(*file, folder);
   if (!task) return report(task.error());
   task->batch = *batch;
+  task->layers.store = limb_store();
   if (const auto problem = make_problem(*task); !problem) {
     return report(in_task(problem.error(), options));
   }

@@ -21,6 +21,8 @@ std::string candidate_table(const Generation& generation) {
   for (const ScoreTerm& term : generation.candidates.front().score.terms) {
     text += fmt::format("  {:>{}}", term.name, column_width(term));
   }
+  const bool layered = generation.candidates.front().layered.has_value();
+  if (layered) text += fmt::format("  {:>14}", "arm in body mm");
   text += fmt::format("  {:>9}  {:>9}  {:<20}  {}\n", "error mm", "slide mm", "ends as",
                       "most over its limit");
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
@@ -29,6 +31,7 @@ std::string candidate_table(const Generation& generation) {
     for (const ScoreTerm& term : candidate.score.terms) {
       text += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
     }
+    if (layered) text += fmt::format("  {:>14.1f}", 1e3 * std::max(candidate.collision, 0.0));
     double error = 0.0;
     double slide = 0.0;
     for (const GoalResult& goal : candidate.goals) error = std::max(error, goal.error);
@@ -58,6 +61,9 @@ std::string headline(const Task& task, const Generation& generation, const RunIn
   if (generation.evaluations > 0) {
     text += fmt::format("; {} motions in {} generations, {:.0f} ms", generation.evaluations,
                         generation.generations, info.elapsed_ms);
+  }
+  if (generation.cells_searched > 0) {
+    text += fmt::format("; {} cells of the limb library searched", generation.cells_searched);
   }
   if (generation.end == SearchEnd::cancelled) text += "; stopped early";
   return text + "\n";

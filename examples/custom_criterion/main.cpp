@@ -36,7 +36,7 @@ int main() {
   task.goals = {{"right_hand", {-0.20, 0.60, 0.55}}};
   task.evaluations = 1000;
 
-  std::printf("the paper's criteria:\n");
+  std::printf("the default criteria:\n");
   const double without = best_sinking(task);
 
   task.criteria.user.push_back({.name = "sinking", .weight = 2.0, .scale = 0.3, .value = sinking});

@@ -19,9 +19,16 @@ CriteriaSettings default_criteria() {
   return settings;
 }
 
+CriteriaSettings pareto_criteria() {
+  CriteriaSettings settings;
+  for_each_criterion([&](const auto& entry) { entry.weight(settings) = 0.0; });
+  settings.discomfort_weight = settings.balance_weight = settings.torque_weight = 1.0 / 3.0;
+  return settings;
+}
+
 std::span<const CriteriaPreset> criteria_presets() {
-  static constexpr std::array<CriteriaPreset, 2> kPresets{
-      {{"paper", paper_criteria}, {"default", default_criteria}}};
+  static constexpr std::array<CriteriaPreset, 3> kPresets{
+      {{"paper", paper_criteria}, {"default", default_criteria}, {"pareto", pareto_criteria}}};
   return kPresets;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <shigusa/hierarchy/layer.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <utility>
@@ -183,6 +184,22 @@ Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
 }
 
 }  // namespace
+
+std::string_view layer_reading_name(LayerReading reading) {
+  switch (reading) {
+    case LayerReading::shared_contractions:
+      return "shared_contractions";
+    case LayerReading::contraction_a_limb:
+      return "contraction_a_limb";
+  }
+  return "";
+}
+
+std::span<const LayerReading> layer_readings() {
+  static constexpr std::array kReadings{LayerReading::shared_contractions,
+                                        LayerReading::contraction_a_limb};
+  return kReadings;
+}
 
 Result<std::vector<Layer>> paper_layers(const BodyModel& body, const CriteriaSettings& criteria,
                                         LayerReading reading) {

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include "layered_generator.hpp"
 
 #include <algorithm>
-#include <shigusa/hierarchy/layered_generator.hpp>
-#include <shigusa/rollout/reachability.hpp>
+#include <limits>
+#include <shigusa/hierarchy/layered_problem.hpp>
 #include <utility>
 
+#include "arm_libraries.hpp"
 #include "candidate.hpp"
 #include "layered_search.hpp"
-#include "ways.hpp"
+#include "layered_ways.hpp"
 
 namespace shigusa {
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-SearchMethod search_of(const Task& task) { return task.search.value_or(SearchMethod::paper_ga); }
+SearchMethod search_of(const Task& task) {
+  return task.search.value_or(preset_search(Preset::layers));
+}
 
 bool searches_paper_code(const Task& task) {
   const SearchMethod method = search_of(task);
@@ -33,213 +36,165 @@ SearchResult run_search(const Task& task, const SearchProblem& problem, const Pr
   return search(method, problem, evaluations, task.genetic.seed, progress);
 }
 
-LayeredCandidate make_layered(const Task& task, const LayeredProblem& problem,
-                              const LayerParameters& upper, LayeredScorer::Played played) {
-  LayeredCandidate candidate{
-      make_candidate(task, problem.reach, {}, std::move(played.motion)), {}, -1e9, 0, false};
-  candidate.layered = {upper, std::move(played.arms)};
-  for (const ReachGoal& goal : problem.reach.goals) {
+Candidate make_layered(const Task& task, const LayeredParameters& parameters,
+                       LayeredArrival arrival) {
+  Candidate candidate = make_candidate(task, arrival.way, {}, std::move(arrival.rolled));
+  candidate.layered = parameters;
+  candidate.collision = -std::numeric_limits<double>::infinity();
+  for (const ReachGoal& goal : arrival.way.goals) {
     const Effector& hand = task.body.effectors()[index(goal.effector)];
     const double depth = collision_depth(task.body, candidate.motion.clip, hand);
     candidate.collision = max(candidate.collision, depth);
   }
-  candidate.feedback_rounds = played.feedback_rounds;
   candidate.collision_left = candidate.collision > kCollisionDepth;
   return candidate;
 }
 
-void finish(LayeredGeneration& generation) {
-  std::stable_sort(generation.candidates.begin(), generation.candidates.end(),
-                   [](const LayeredCandidate& a, const LayeredCandidate& b) {
-                     return ranking(a.score) < ranking(b.score);
-                   });
-  const double miss = miss_of(generation.candidates.front());
-  const bool met = miss <= kReachTolerance;
-  generation.status = met ? ReachStatus::reached : ReachStatus::unreachable;
-  generation.remaining_distance = met ? 0.0 : miss;
-}
-
-// The libraries of the arms that have a goal.
-class ArmLibraries {
+// The search of the upper layer on one way to the goals.
+class UpperSearch {
  public:
-  ArmLibraries(const Task& task, const LayeredProblem& problem, const LayeredSettings& settings)
-      : store_(settings.store) {
-    for (std::size_t g = 0; g < problem.arms.size(); ++g) {
-      libraries_.emplace_back(problem.arm_bodies[g], LimbLibrarySettings{
-                                                         .search = settings.limb_search,
-                                                         .criteria = arm_layer(problem, g).criteria,
-                                                         .batch = task.batch,
-                                                     });
-      names_.push_back(limb_file_name(arm_layer(problem, g).name, libraries_[g].hash()));
-      take_stored(g);
-      found_ += libraries_[g].cells_built();
-    }
+  // `lengths`: those of the limbs, where they are given and weights alone are searched.
+  UpperSearch(const Task& task, const LayeredProblem& problem, ArmLibraries& libraries,
+              const LayerParameters* lengths)
+      : task_(task),
+        problem_(problem),
+        lengths_(lengths),
+        genes_(searched_genes(problem)),
+        scorer_(problem, problem.layers[0].criteria, task.batch.threads,
+                [&](std::span<const HandPath> paths) { return libraries.choose(paths); }) {
+    if (lengths == nullptr) return;
+    std::erase_if(genes_, [&problem](std::size_t gene) {
+      return problem.layers[0].genes[gene].kind == LayerGeneKind::contraction;
+    });
   }
 
-  // By where the hands end: the lower layer's weights stay the same during a motion.
-  std::vector<ArmWeights> choose(std::span<const HandPath> paths) {
-    std::vector<ArmWeights> arms;
-    for (std::size_t g = 0; g < paths.size(); ++g) {
-      const int cell = libraries_[g].cell_of(paths[g].back());
-      arms.push_back(arm_weights(libraries_[g].genes(cell)));
-    }
-    return arms;
+  SearchResult run(const Progress& progress) {
+    SearchProblem searched;
+    searched.genes = static_cast<int>(genes_.size());
+    searched.evaluate = [this](std::span<const double> points, std::span<double> scores) {
+      std::vector<LayerParameters> parameters;
+      for (std::size_t i = 0; i < scores.size(); ++i) {
+        parameters.push_back(decoded(points.subspan(i * genes_.size(), genes_.size())));
+      }
+      scorer_.score(parameters, scores);
+    };
+    return run_search(task_, searched, progress);
   }
 
-  // Stores what is new, beside what others have stored meanwhile.
-  void keep() {
-    if (cells_searched() == 0 || !store_.save) return;
-    for (std::size_t g = 0; g < libraries_.size(); ++g) {
-      take_stored(g);
-      store_.save(names_[g], libraries_[g].bytes());
-    }
-  }
-
-  // Counted before keep().
-  [[nodiscard]] int cells_searched() const {
-    int built = 0;
-    for (const LimbLibrary& library : libraries_) built += library.cells_built();
-    return built - found_;
+  // What a point's motion is generated from, its arms as their libraries have them or as the
+  // feedback changed them.
+  struct Found {
+    LayeredParameters parameters;
+    int feedback_rounds = 0;
+  };
+  Found found(std::span<const double> point, int feedback_rounds) {
+    LayerParameters upper = decoded(point);
+    LayeredScorer::Played played = scorer_.play(upper, {feedback_rounds, task_.layers.limb_search});
+    return {{std::move(upper), std::move(played.arms)}, played.feedback_rounds};
   }
 
  private:
-  void take_stored(std::size_t goal) {
-    if (!store_.load) return;
-    // damaged or old ones are left alone, and replaced when something new is stored
-    if (const auto bytes = store_.load(names_[goal])) libraries_[goal].take(*bytes);
+  [[nodiscard]] LayerParameters decoded(std::span<const double> point) const {
+    LayerParameters parameters =
+        decode_searched(problem_, genes_, point, searches_paper_code(task_));
+    if (lengths_ != nullptr) parameters.contractions = lengths_->contractions;
+    return parameters;
   }
 
-  LimbStore store_;
-  std::vector<LimbLibrary> libraries_;  // (goals)
-  std::vector<std::string> names_;
-  int found_ = 0;  // cells that were stored
+  const Task& task_;
+  const LayeredProblem& problem_;
+  const LayerParameters* lengths_;
+  std::vector<std::size_t> genes_;
+  LayeredScorer scorer_;
 };
 
-Result<void> check_parameters(const LayeredProblem& problem, const LayeredParameters& parameters) {
-  const ReducedBody& body = problem.layers[0].body;
-  if (parameters.upper.joints.size() != body.dofs.size() ||
-      parameters.upper.contractions.size() != body.limbs.size() ||
-      parameters.arms.size() != problem.arms.size()) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} freedoms, {} limbs and {} arms, for layers of {}, {} and {}",
-                            parameters.upper.joints.size(), parameters.upper.contractions.size(),
-                            parameters.arms.size(), body.dofs.size(), body.limbs.size(),
-                            problem.arms.size()));
-  }
-  std::vector<JointWeight> weights = parameters.upper.joints;
-  for (const ArmWeights& arm : parameters.arms)
-    weights.insert(weights.end(), arm.begin(), arm.end());
-  for (const JointWeight& joint : weights) {
-    if (joint.weight >= kWeightMin && joint.weight <= kWeightMax) continue;
-    return fail(ErrorCode::invalid_argument, fmt::format("weight is {}; allowed are {:g} to {:g}",
-                                                         joint.weight, kWeightMin, kWeightMax));
-  }
-  for (const double contraction : parameters.upper.contractions) {
-    if (contraction >= 0.0 && contraction <= 1.0) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("contraction is {}; allowed are 0 to 1", contraction));
-  }
-  return {};
-}
-
-}  // namespace
-
-Result<LayeredProblem> make_layered_problem(const Task& task, const LayeredSettings& settings) {
-  Result<ReachProblem> reach = make_problem(task);
-  if (!reach) return tl::unexpected(reach.error());
-  Result<std::vector<Layer>> layers =
-      paper_layers(task.body, task_criteria(task), settings.reading);
-  if (!layers) return tl::unexpected(layers.error());
-  LayeredProblem problem{.reach = std::move(*reach),
-                         .layers = std::move(*layers),
-                         .limbs = find_limbs(task.body).value(),
-                         .arms = {},
-                         .arm_bodies = {}};
-  for (const ReachGoal& goal : problem.reach.goals) {
-    for (std::size_t a = 0; a < problem.limbs.arms.size(); ++a) {
-      if (problem.limbs.arms[a].effector != goal.effector) continue;
-      problem.arms.push_back(static_cast<int>(a));
-      problem.arm_bodies.push_back(arm_body(task.body, problem.limbs.arms[a]));
-    }
-  }
-  // the straight way, or around the body; out of reach, to the closest point there is
-  problem.reach = ways_to_goal(problem.reach, closest_reach(problem.reach)).front();
-  return problem;
-}
-
-Result<LayeredGeneration> generate_layered(const Task& task, const LayeredSettings& settings,
-                                           const Progress& progress) {
-  const Result<LayeredProblem> problem = make_layered_problem(task, settings);
-  if (!problem) return tl::unexpected(problem.error());
-  const Layer& upper = problem->layers[0];
-  const std::vector<std::size_t> searched = searched_genes(*problem);
-  ArmLibraries libraries(task, *problem, settings);
-  LayeredScorer scorer(*problem, upper.criteria, task.batch.threads,
-                       [&](std::span<const HandPath> paths) { return libraries.choose(paths); });
-  const auto decoded = [&](std::span<const double> point) {
-    return decode_searched(*problem, searched, point, searches_paper_code(task));
-  };
-  SearchProblem upper_search;
-  upper_search.genes = static_cast<int>(searched.size());
-  upper_search.evaluate = [&](std::span<const double> points, std::span<double> scores) {
-    std::vector<LayerParameters> parameters;
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-      parameters.push_back(decoded(points.subspan(i * searched.size(), searched.size())));
-    }
-    scorer.score(parameters, scores);
-  };
-  const SearchResult found = run_search(task, upper_search, progress);
-  LayeredGeneration generation;
-  generation.duration = problem->reach.duration;
-  generation.evaluations = found.evaluations;
-  generation.generations = found.generations;
-  generation.rejected_nan = found.rejected_nan;
-  generation.end = found.end;
-  generation.best_seen_score = found.best_seen.score;
-  const LayeredScorer::Feedback feedback{settings.feedback_rounds, settings.limb_search};
+// Keeps what arrives on the way that was searched, or before, and differs; lowest score first.
+void collect(const Task& task, LayeredWays& ways, LayeredWay searched, UpperSearch& search,
+             const SearchResult& found, Generation& generation) {
   for (const Individual& individual : ranked_population(found)) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
-    const LayerParameters parameters = decoded(individual.point);
-    LayeredScorer::Played played = scorer.play(parameters, feedback);
-    if (!played.motion.outcome.met(problem->reach.tolerance)) {
+    const UpperSearch::Found picked = search.found(individual.point, task.layers.feedback_rounds);
+    std::optional<LayeredArrival> arrival = ways.arrival(picked.parameters, searched);
+    if (!arrival) {
       ++generation.missed;
       continue;
     }
-    const Clip& clip = played.motion.motion.clip;
-    const auto is_copy = [&clip](const LayeredCandidate& better) {
+    const Clip& clip = arrival->rolled.motion.clip;
+    const auto is_copy = [&clip](const Candidate& better) {
       return largest_distance(better.motion.clip, clip) < kDistinctPosture;
     };
     if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
       ++generation.near_copies;
       continue;
     }
-    generation.candidates.push_back(make_layered(task, *problem, parameters, std::move(played)));
+    generation.candidates.push_back(make_layered(task, picked.parameters, std::move(*arrival)));
+    generation.candidates.back().feedback_rounds = picked.feedback_rounds;
+  }
+}
+
+// Searches one way, and keeps what it comes to.
+void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& ways, LayeredWay way,
+                ArmLibraries& libraries, const Progress& progress, Generation& generation) {
+  const LayerParameters* lengths =
+      way == LayeredWay::edge ? &ways.edge().parameters.upper : nullptr;
+  UpperSearch search(task, way == LayeredWay::edge ? ways.edge().problem : problem, libraries,
+                     lengths);
+  const SearchResult found = search.run(progress);
+  generation.evaluations += found.evaluations;
+  generation.generations = found.generations;
+  generation.rejected_nan += found.rejected_nan;
+  generation.end = found.end;
+  generation.best_seen_layered = search.found(found.best_seen.point, 0).parameters;
+  generation.best_seen_score = found.best_seen.score;
+  generation.missed = 0;
+  collect(task, ways, way, search, found, generation);
+}
+
+void finish(const LayeredProblem& problem, Generation& generation) {
+  std::stable_sort(
+      generation.candidates.begin(), generation.candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
+  const double miss = miss_of(generation.candidates.front());
+  const bool met = problem.in_reach && miss <= kReachTolerance;
+  generation.status = met ? ReachStatus::reached : ReachStatus::unreachable;
+  generation.remaining_distance = met ? 0.0 : miss;
+}
+
+}  // namespace
+
+Result<Generation> generate_layered(const Task& task, const Progress& progress) {
+  const Result<LayeredProblem> problem = make_layered_problem(task);
+  if (!problem) return tl::unexpected(problem.error());
+  ArmLibraries libraries(task, *problem);
+  LayeredWays ways(*problem);
+  Generation generation;
+  generation.duration = problem->reach.duration;
+  for (const LayeredWay way : {LayeredWay::whole, LayeredWay::edge}) {
+    if (way == LayeredWay::whole && !problem->in_reach) continue;
+    search_way(task, *problem, ways, way, libraries, progress, generation);
+    if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {
-    // the one that comes nearest to its goals
-    const LayerParameters best = decoded(found.best_seen.point);
-    generation.candidates.push_back(make_layered(task, *problem, best, scorer.play(best)));
+    const LayeredParameters& nearest = ways.edge().parameters;
+    generation.candidates.push_back(make_layered(task, nearest, ways.any_arrival(nearest)));
   }
-  finish(generation);
+  finish(*problem, generation);
   generation.cells_searched = libraries.cells_searched();
   libraries.keep();
   return generation;
 }
 
-Result<LayeredGeneration> regenerate_layered(const Task& task, const LayeredParameters& parameters,
-                                             const LayeredSettings& settings) {
-  const Result<LayeredProblem> problem = make_layered_problem(task, settings);
+Result<Generation> regenerate_layered(const Task& task, const LayeredParameters& parameters) {
+  const Result<LayeredProblem> problem = make_layered_problem(task);
   if (!problem) return tl::unexpected(problem.error());
-  if (const auto checked = check_parameters(*problem, parameters); !checked) {
+  if (const auto checked = check_layered(problem->layers, parameters); !checked) {
     return tl::unexpected(checked.error());
   }
-  LayeredGeneration generation;
+  Generation generation;
   generation.duration = problem->reach.duration;
-  LayeredScorer scorer(*problem, problem->layers[0].criteria, task.batch.threads,
-                       [&](std::span<const HandPath>) { return parameters.arms; });
-  generation.candidates.push_back(
-      make_layered(task, *problem, parameters.upper, scorer.play(parameters.upper)));
-  finish(generation);
+  LayeredWays ways(*problem);
+  generation.candidates.push_back(make_layered(task, parameters, ways.any_arrival(parameters)));
+  finish(*problem, generation);
   return generation;
 }
 

@@ -94,14 +94,8 @@ void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line, const Mat
   leg.put_turns(*body_, ball_turns(transpose(trunk) * thigh, before), angles);
 }
 
-Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, std::span<const ArmWeights> arms) {
+Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles) const {
   const ReachProblem& reach = problem_->reach;
-  const std::vector<HandPath> paths = hand_paths(clip);
-  std::vector<std::vector<double>> arm_angles(paths.size());
-  for (std::size_t g = 0; g < paths.size(); ++g) {
-    const double miss = arms_[g]->run(paths[g], arms[g], arm_angles[g]);
-    if (!(miss <= reach.tolerance.path)) arms_[g]->run(paths[g], ArmWeights{}, arm_angles[g]);
-  }
   Clip whole{.dofs = body_->dof_count(),
              .frames = reach.steps + 1,
              .frame_time = reach.duration / reach.steps,
@@ -112,7 +106,7 @@ Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, std::span<const ArmWe
     for (const BodyLimb& leg : problem_->limbs.legs) {
       bend_leg(leg, leg_line(leg, clip, f), clip.trunk[index(f)].rotation, angles);
     }
-    for (std::size_t g = 0; g < paths.size(); ++g) {
+    for (std::size_t g = 0; g < arm_angles.size(); ++g) {
       const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
       const double* at = arm_angles[g].data() + index(f) * kArmDofs;
       for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
@@ -152,12 +146,32 @@ ReachOutcome LayeredPlayer::measured(Motion& motion) {
   return outcome;
 }
 
-RolledOut LayeredPlayer::expand(const ReducedClip& clip, std::span<const ArmWeights> arms) {
-  SHG_CHECK(arms.size() == problem_->arms.size(), "arm weights for each goal");
+RolledOut LayeredPlayer::expanded(const ReducedClip& clip, const ArmAngles& arm_angles) {
   RolledOut played;
-  played.motion = whole_.completed(expanded_clip(clip, arms));
+  played.motion = whole_.completed(expanded_clip(clip, arm_angles));
   played.outcome = measured(played.motion);
   return played;
+}
+
+RolledOut LayeredPlayer::expand(const ReducedClip& clip, std::span<const ArmWeights> arms) {
+  SHG_CHECK(arms.size() == problem_->arms.size(), "arm weights for each goal");
+  const std::vector<HandPath> paths = hand_paths(clip);
+  ArmAngles angles(arms.size());
+  for (std::size_t g = 0; g < arms.size(); ++g) arms_[g]->run(paths[g], arms[g], angles[g]);
+  return expanded(clip, angles);
+}
+
+RolledOut LayeredPlayer::expand_freeing(const ReducedClip& clip, std::span<ArmWeights> arms) {
+  SHG_CHECK(arms.size() == problem_->arms.size(), "arm weights for each goal");
+  const std::vector<HandPath> paths = hand_paths(clip);
+  ArmAngles angles(arms.size());
+  for (std::size_t g = 0; g < arms.size(); ++g) {
+    const double miss = arms_[g]->run(paths[g], arms[g], angles[g]);
+    if (miss <= problem_->reach.tolerance.path) continue;
+    arms[g] = {};
+    arms_[g]->run(paths[g], arms[g], angles[g]);
+  }
+  return expanded(clip, angles);
 }
 
 }  // namespace shigusa

@@ -2,7 +2,6 @@
 #include "layered_search.hpp"
 
 #include <algorithm>
-#include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <type_traits>
@@ -109,15 +108,11 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
   parallel_for(count, threads, [&](int i, int worker) {
     const auto k = index(i);
     if (paths[k].empty()) return;
-    const RolledOut played = player(worker).expand(clips[k], arms[k]);
+    const RolledOut played = player(worker).expand_freeing(clips[k], arms[k]);
     scores[k] = played.outcome.met(tolerance)
                     ? score_motion(*problem_->reach.body, played.motion, *criteria_).total
                     : worst + min(played.outcome.path_error, 1.0);
   });
-}
-
-LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters) {
-  return play(parameters, {.rounds = 0});
 }
 
 LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
@@ -128,7 +123,7 @@ LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
   player.run_upper(parameters, clip);
   const std::vector<HandPath> paths = player.hand_paths(clip);
   Played played{.motion = {}, .arms = choose_(paths)};
-  played.motion = player.expand(clip, played.arms);
+  played.motion = player.expand_freeing(clip, played.arms);
   if (!played.motion.outcome.met(problem_->reach.tolerance)) return played;
   const BodyModel& body = *problem_->reach.body;
   for (std::size_t g = 0; g < paths.size(); ++g) {
@@ -140,22 +135,14 @@ LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
       if (unavoidable_depth(report) > kCollisionDepth) break;
       ++played.feedback_rounds;
       const std::optional<FoundArm> found = search_free_arm(
-          report, arm_layer(*problem_, g).criteria, weight, feedback.search, threads_);
+          report, problem_->layers[1 + g].criteria, weight, feedback.search, threads_);
       if (!found) break;
       played.arms[g] = arm_weights(found->genes);
-      played.motion = player.expand(clip, played.arms);
+      played.motion = player.expand_freeing(clip, played.arms);
       weight *= kCollisionGrowth;
     }
   }
   return played;
-}
-
-const Layer& arm_layer(const LayeredProblem& problem, std::size_t goal) {
-  const std::string& arm = problem.limbs.arms[index(problem.arms[goal])].name;
-  const auto found = std::find_if(problem.layers.begin(), problem.layers.end(),
-                                  [&](const Layer& layer) { return layer.name == arm; });
-  SHG_CHECK(found != problem.layers.end(), "a layer for " + arm);
-  return *found;
 }
 
 }  // namespace shigusa

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/hierarchy/arm_feedback.hpp>
+#include <shigusa/hierarchy/layered_player.hpp>
+#include <shigusa/hierarchy/layered_settings.hpp>
 
 namespace shigusa {
 
@@ -14,9 +16,6 @@ namespace shigusa {
 [[nodiscard]] LayerParameters decode_searched(const LayeredProblem& problem,
                                               std::span<const std::size_t> searched,
                                               std::span<const double> point, bool paper);
-
-// The layer that the upper one hands a goal's arm to.
-[[nodiscard]] const Layer& arm_layer(const LayeredProblem& problem, std::size_t goal);
 
 // Scores upper motions with their limbs, many at once.
 class LayeredScorer {
@@ -37,8 +36,6 @@ class LayeredScorer {
     std::vector<ArmWeights> arms;
     int feedback_rounds = 0;
   };
-  [[nodiscard]] Played play(const LayerParameters& parameters);
-
   // What the upper layer reports to the lower one (rule R11): arms that pass through the body are
   // searched again for this motion alone, up to `rounds` times each. The upper motion stays.
   struct Feedback {

@@ -64,17 +64,14 @@ void place_reduced(const ReducedBody& body, std::span<const double> q, ReducedPl
 
 LayerParameters decode_layer_genes(const Layer& layer, std::span<const std::uint16_t> genes) {
   SHG_CHECK(genes.size() == layer.genes.size(), "one number per gene of layer " + layer.name);
-  return decode(layer, [&](std::size_t gene, LayerGeneKind kind) {
-    const auto code = static_cast<double>(genes[gene]);
-    if (kind == LayerGeneKind::contraction) return code / kLayerGeneMax;
-    return code;
-  });
+  return decode(layer,
+                [&](std::size_t gene, LayerGeneKind) { return static_cast<double>(genes[gene]); });
 }
 
 LayerParameters decode_layer_point(const Layer& layer, std::span<const double> point) {
   SHG_CHECK(point.size() == layer.genes.size(), "one number per gene of layer " + layer.name);
   return decode(layer, [&](std::size_t gene, LayerGeneKind kind) {
-    if (kind == LayerGeneKind::contraction) return point[gene];
+    if (kind == LayerGeneKind::contraction) return kLayerGeneMax * point[gene];
     return exponential(kLogWeightRange * (2.0 * point[gene] - 1.0));
   });
 }
@@ -134,7 +131,7 @@ void ReducedRollout::set_up(const LayerParameters& parameters) {
   }
   for (std::size_t i = 0; i < body_->limbs.size(); ++i) {
     const ReducedLimb& limb = body_->limbs[i];
-    const double share = parameters.contractions[i];
+    const double share = parameters.contractions[i] / kLayerGeneMax;
     const auto slide = index(limb.slide);
     final_lengths_[slide] =
         moves_[i] ? limb.longest - (limb.longest - limb.shortest) * share : q_[slide];

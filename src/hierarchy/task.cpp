@@ -65,8 +65,6 @@ Result<void> check_settings(const Task& task) {
   return {};
 }
 
-constexpr int kFlatCandidates = 5;  // what a person can look over
-
 // Where limits hold joints back, a frame takes up to so many further steps to bring an effector
 // back that has left its path by more than this.
 constexpr int kLimitCorrections = 2;
@@ -101,25 +99,38 @@ std::string_view preset_name(Preset preset) {
       return "paper";
     case Preset::flat:
       return "flat";
+    case Preset::layers:
+      return "layers";
   }
   return "";
 }
 
 std::span<const Preset> presets() {
-  static constexpr std::array kPresets{Preset::paper, Preset::flat};
+  static constexpr std::array kPresets{Preset::paper, Preset::flat, Preset::layers};
   return kPresets;
 }
 
 SearchMethod preset_search(Preset preset) {
-  return preset == Preset::paper ? SearchMethod::paper_ga : SearchMethod::cma_es;
+  return preset == Preset::flat ? SearchMethod::cma_es : SearchMethod::paper_ga;
 }
 
 CriteriaSettings preset_criteria(Preset preset) {
-  return preset == Preset::paper ? paper_criteria() : default_criteria();
+  return preset == Preset::flat ? default_criteria() : paper_criteria();
 }
 
 int preset_candidates(Preset preset) {
-  return preset == Preset::paper ? kPaperPopulation : kFlatCandidates;
+  return preset == Preset::flat ? kFlatCandidates : kPaperPopulation;
+}
+
+std::string_view generator_name(MotionGenerator generator) {
+  return generator == MotionGenerator::nlp_ik ? "nlp_ik" : "weighted_ik";
+}
+
+Task with_preset(Task task, Preset preset) {
+  task.preset = preset;
+  task.criteria = preset_criteria(preset);
+  task.candidates = preset_candidates(preset);
+  return task;
 }
 
 CriteriaSettings task_criteria(const Task& task) {
@@ -162,7 +173,7 @@ Result<ReachProblem> make_problem(const Task& task) {
         max(problem.duration, reach_duration(norm(goal.position - from), beyond_arm));
   }
   if (task.duration) problem.duration = *task.duration;
-  if (task.preset != Preset::paper) {
+  if (task.preset == Preset::flat) {
     problem.hold_limits = true;
     problem.corrections = kLimitCorrections;
     problem.path_slack = kPathSlack;

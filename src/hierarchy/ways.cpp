@@ -4,6 +4,7 @@
 #include <limits>
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/rollout/detour.hpp>
+#include <shigusa/rollout/nlp_rollout.hpp>
 #include <utility>
 
 namespace shigusa {
@@ -17,17 +18,6 @@ constexpr int kEdgeCorrections = 3;
 // of a joint's step by more than this (rad) from one of kMotionSteps frames to the next. Minimum
 // jerk over a range of 4 rad has a fifth of it.
 constexpr double kJolt = radians(2.0);
-
-bool jolts(const Clip& clip) {
-  for (int f = 2; f < clip.frames; ++f) {
-    for (int d = 0; d < clip.dofs; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      const double change = clip.frame(f)[k] - 2.0 * clip.frame(f - 1)[k] + clip.frame(f - 2)[k];
-      if (abs(change) > kJolt) return true;
-    }
-  }
-  return false;
-}
 
 // How far (m) a hand at the edge of reach may still come in the last frame.
 constexpr double kRestStep = 1e-3;
@@ -49,6 +39,17 @@ bool arrives(const ReachProblem& way, const RolledOut& rolled) {
 
 }  // namespace
 
+bool jolts(const Clip& clip) {
+  for (int f = 2; f < clip.frames; ++f) {
+    for (int d = 0; d < clip.dofs; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      const double change = clip.frame(f)[k] - 2.0 * clip.frame(f - 1)[k] + clip.frame(f - 2)[k];
+      if (abs(change) > kJolt) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
   if (reach.reached()) add_detours(problem);
   ReachProblem guided = problem;
@@ -66,10 +67,16 @@ std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach&
   return {guided, posture};
 }
 
+RolledOut play(const ReachProblem& problem, const Parameters& parameters,
+               MotionGenerator generator) {
+  return generator == MotionGenerator::nlp_ik ? roll_out_nlp(problem, parameters)
+                                              : roll_out(problem, parameters);
+}
+
 std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
-                                     const Parameters& parameters) {
+                                     const Parameters& parameters, MotionGenerator generator) {
   for (const ReachProblem& way : ways) {
-    RolledOut rolled = roll_out(way, parameters);
+    RolledOut rolled = play(way, parameters, generator);
     if (arrives(way, rolled)) return Arrival{&way, std::move(rolled)};
   }
   return std::nullopt;

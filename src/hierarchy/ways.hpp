@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <shigusa/hierarchy/task.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <span>
@@ -14,6 +15,9 @@ namespace shigusa {
 [[nodiscard]] std::vector<ReachProblem> ways_to_goal(ReachProblem problem,
                                                      const ClosestReach& reach);
 
+// Whether some joint's step changes from one frame to the next by more than a smooth motion's does.
+[[nodiscard]] bool jolts(const Clip& clip);
+
 struct Arrival {
   const ReachProblem* way = nullptr;
   RolledOut rolled;
@@ -21,7 +25,12 @@ struct Arrival {
 
 // The parameters' motion on the first way that brings them to the goal: the same parameters always
 // give the same motion, whichever way they were found on.
-[[nodiscard]] std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
-                                                   const Parameters& parameters);
+[[nodiscard]] std::optional<Arrival> first_arrival(
+    std::span<const ReachProblem> ways, const Parameters& parameters,
+    MotionGenerator generator = MotionGenerator::weighted_ik);
+
+// The parameters' motion as the generator makes it.
+[[nodiscard]] RolledOut play(const ReachProblem& problem, const Parameters& parameters,
+                             MotionGenerator generator);
 
 }  // namespace shigusa

@@ -6,6 +6,7 @@
 #include <limits>
 #include <shigusa/core/names.hpp>
 #include <shigusa/project/result_file.hpp>
+#include <utility>
 
 namespace shigusa {
 namespace {
@@ -58,6 +59,40 @@ Result<void> assign_posture(const BodyModel& body, std::string_view name, std::s
                           name, unknown_name("posture parameter", name, names)));
 }
 
+// "right_hip.flexion" of "right_hip.flexion.weight=3", with what follows.
+struct Assignment {
+  std::string_view name;
+  std::string_view member;  // "weight", "locked", "contraction"
+  std::string_view value;
+};
+
+// Weight or lock of one freedom.
+Result<void> assign_joint(const Assignment& assignment, JointWeight& joint) {
+  if (assignment.member == "weight") {
+    const Result<double> weight = parse_weight(assignment.value);
+    if (!weight) return tl::unexpected(weight.error());
+    joint = {*weight, false};
+    return {};
+  }
+  if (assignment.value != "true" && assignment.value != "false") {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("locked is '{}'; allowed are true and false", assignment.value));
+  }
+  joint.locked = assignment.value == "true";
+  return {};
+}
+
+Result<void> assign_contraction(const Assignment& assignment, const LayeredMember& member) {
+  const double value = number_in(assignment.value);
+  if (!(value >= 0.0 && value <= kLayerGeneMax)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("contraction is '{}'; allowed are numbers from 0 to {}",
+                            assignment.value, kLayerGeneMax));
+  }
+  for (double* limb : member.contraction) *limb = value;
+  return {};
+}
+
 }  // namespace
 
 Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
@@ -91,17 +126,7 @@ Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
     if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
     found = true;
     fixed.joints[d] = true;
-    JointWeight& joint = fixed.values.joints[d];
-    if (member == "weight") {
-      const Result<double> weight = parse_weight(value);
-      if (!weight) return tl::unexpected(weight.error());
-      joint = {*weight, false};
-    } else if (value == "true" || value == "false") {
-      joint.locked = value == "true";
-    } else {
-      return fail(ErrorCode::invalid_argument,
-                  fmt::format("locked is '{}'; allowed are true and false", value));
-    }
+    if (const auto ok = assign_joint({name, member, value}, fixed.values.joints[d]); !ok) return ok;
   }
   if (!found) return fail(ErrorCode::not_found, unknown_name("joint", name, names));
   return {};
@@ -114,6 +139,47 @@ Result<void> assign_parameter(const BodyModel& body, std::string_view assignment
   const Result<void> done = fix_parameter(body, assignment, fixed);
   if (done) parameters = fixed.values;
   return done;
+}
+
+Result<void> assign_parameter(std::span<const Layer> layers, std::string_view assignment,
+                              LayeredParameters& parameters) {
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.substr(0, equals).rfind('.');
+  if (equals == assignment.npos || dot == assignment.npos) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("'{}' is not NAME.weight=NUMBER, NAME.locked=true|false or "
+                            "NAME.contraction=NUMBER",
+                            assignment.substr(0, 80)));
+  }
+  const Assignment asked{assignment.substr(0, dot), assignment.substr(dot + 1, equals - dot - 1),
+                         assignment.substr(equals + 1)};
+  const std::vector<std::string> kinds{"weight", "locked", "contraction"};
+  if (std::find(kinds.begin(), kinds.end(), asked.member) == kinds.end()) {
+    return fail(ErrorCode::invalid_argument, unknown_name("parameter", asked.member, kinds));
+  }
+  const bool contracts = asked.member == "contraction";
+  std::vector<std::string> names;
+  bool found = false;
+  LayeredParameters changed = parameters;
+  for (const LayeredMember& member : layered_members(layers, changed)) {
+    if (contracts != (member.joint == nullptr)) continue;
+    const std::string whole = member.layer.empty() ? member.name : member.layer + "." + member.name;
+    const std::string joint = whole.substr(0, contracts ? whole.npos : whole.rfind('.'));
+    for (const std::string& name : {whole, joint}) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    if (asked.name != whole && asked.name != joint) continue;
+    found = true;
+    const Result<void> ok =
+        contracts ? assign_contraction(asked, member) : assign_joint(asked, *member.joint);
+    if (!ok) return ok;
+  }
+  if (!found) {
+    return fail(ErrorCode::not_found,
+                unknown_name(contracts ? "limb" : "joint", asked.name, names));
+  }
+  parameters = std::move(changed);
+  return {};
 }
 
 }  // namespace shigusa

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cstdlib>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/result_file.hpp>
 
+#include "parameters_json.hpp"
 #include "task_json.hpp"
 
 namespace shigusa {
@@ -33,6 +33,13 @@ Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
     json["posture"][key_of(member)] = *member.value;
   }
   return json;
+}
+
+// Of a candidate, or of the best that was seen.
+Json any_parameters_to_json(const Task& task, const Parameters& parameters,
+                            const std::optional<LayeredParameters>& layered) {
+  if (!layered) return parameters_to_json(task.body, parameters);
+  return layered_to_json(layers_to_goals(task.body, task.goals, task.layers).value(), *layered);
 }
 
 const char* path_name(PathKind path) {
@@ -88,7 +95,7 @@ Json posture_to_json(const FinalPosture& posture) {
   return json;
 }
 
-Json candidate_to_json(const BodyModel& body, const Generation& generation, std::size_t index,
+Json candidate_to_json(const Task& task, const Generation& generation, std::size_t index,
                        const CandidateFiles* files) {
   const Candidate& candidate = generation.candidates[index];
   Json json;
@@ -107,7 +114,12 @@ Json candidate_to_json(const BodyModel& body, const Generation& generation, std:
   json["final_posture"] = posture_to_json(candidate.final_posture);
   json["duration_s"] = generation.duration;
   json["frames"] = candidate.motion.clip.frames;
-  json["parameters"] = parameters_to_json(body, candidate.parameters);
+  if (candidate.layered) {
+    json["arm_collision"] = {{"depth_mm", max(candidate.collision, 0.0) * kMillimetres},
+                             {"searches", candidate.feedback_rounds},
+                             {"left", candidate.collision_left}};
+  }
+  json["parameters"] = any_parameters_to_json(task, candidate.parameters, candidate.layered);
   json["files"] = Json::object();
   if (files != nullptr) {
     for (const auto& [format, name] : *files) json["files"][format] = name;
@@ -128,7 +140,7 @@ const char* end_name(SearchEnd end) {
   return "";
 }
 
-Json search_to_json(const BodyModel& body, const Generation& generation) {
+Json search_to_json(const Task& task, const Generation& generation) {
   Json json{{"end", end_name(generation.end)},
             {"generations", generation.generations},
             {"missed", generation.missed},
@@ -136,9 +148,11 @@ Json search_to_json(const BodyModel& body, const Generation& generation) {
             {"rejected_nan", generation.rejected_nan},
             {"replay_differs", generation.replay_differs},
             {"replay_difference", generation.replay_difference}};
-  if (generation.best_seen) {
-    json["best_seen"] = {{"score", generation.best_seen_score},
-                         {"parameters", parameters_to_json(body, *generation.best_seen)}};
+  if (generation.best_seen || generation.best_seen_layered) {
+    json["best_seen"] = {
+        {"score", generation.best_seen_score},
+        {"parameters", any_parameters_to_json(task, generation.best_seen.value_or(Parameters{}),
+                                              generation.best_seen_layered)}};
   }
   return json;
 }
@@ -156,33 +170,15 @@ void read_posture(const BodyModel& body, JsonReader& parameters, PostureParamete
 // The parameters of one stored candidate; every freedom must have its weight.
 Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
                                    const std::string& place) {
-  const auto member = candidate.is_object() ? candidate.find("parameters") : candidate.end();
-  if (!candidate.is_object() || member == candidate.end()) {
-    return fail(ErrorCode::parse, "is missing", place + ".parameters");
-  }
-  JsonReader reader(*member, place + ".parameters");
+  const Result<const Json*> object = parameters_of(candidate, place);
+  if (!object) return tl::unexpected(object.error());
+  JsonReader reader(**object, place + ".parameters");
   Parameters parameters = uniform_parameters(body);
-  reader.require("weights");
-  if (reader.has("weights")) {
-    JsonReader weights = reader.object("weights");
-    for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
-      const char* name = body.dofs()[d].name.c_str();
-      weights.require(name);
-      weights.number(name, parameters.joints[d].weight, kWeightMin, kWeightMax);
-    }
-    reader.absorb(weights.finish());
+  NamedJoints joints;
+  for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
+    joints.emplace_back(body.dofs()[d].name, &parameters.joints[d]);
   }
-  if (reader.has("locked")) {
-    if (!reader.value("locked").is_array()) reader.wrong("locked", "must be a list [ … ] of texts");
-    for (const Json& name : reader.value("locked")) {
-      const auto dof = name.is_string() ? body.find_dof(name.get<std::string>()) : std::nullopt;
-      if (dof) {
-        parameters.joints[static_cast<std::size_t>(*dof)].locked = true;
-      } else {
-        reader.wrong("locked", "names a freedom that this body does not have");
-      }
-    }
-  }
+  read_joints(reader, joints);
   (void)reader.has("contractions");
   if (reader.has("posture")) read_posture(body, reader, parameters.posture);
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
@@ -211,6 +207,7 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   json["seed"] = file.seed;
   json["evaluations"] = generation.evaluations;
   json["elapsed_ms"] = info.elapsed_ms;
+  if (task.preset == Preset::layers) json["cells_searched"] = generation.cells_searched;
   json["threads"] = info.threads;
   json["simd"] = info.simd;
   json["character"] = file.character.source;
@@ -223,10 +220,10 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   json["candidates"] = Json::array();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     json["candidates"].push_back(
-        candidate_to_json(task.body, generation, i, i < files.size() ? &files[i] : nullptr));
+        candidate_to_json(task, generation, i, i < files.size() ? &files[i] : nullptr));
   }
   if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
-  json["search_detail"] = search_to_json(task.body, generation);
+  json["search_detail"] = search_to_json(task, generation);
   json["doubts"] = std::vector<std::string>(task.body.doubts().begin(), task.body.doubts().end());
   json["task"] = task_to_json(file);
   // names from files may hold anything; what is not UTF-8 is replaced
@@ -244,7 +241,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   if (const auto known = check_version(*json, place); !known) return tl::unexpected(known.error());
   Result<TaskFile> task = task_from_json((*json)["task"], place + ": task");
   if (!task) return tl::unexpected(task.error());
-  StoredResult result{std::move(*task), {}};
+  StoredResult result{std::move(*task), {}, {}};
   const CharacterSpec& character = result.task.character;
   if (!is_built_in(character) && !character.landmarks) {
     return fail(ErrorCode::parse, "landmarks_m is missing: a result holds the person as measured",
@@ -254,11 +251,25 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   if (!body) return tl::unexpected(body.error());
   const Json& candidates = (*json)["candidates"];
   if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
+  LayeredSettings settings;
+  settings.reading = result.task.layer_reading;
+  std::vector<Layer> layers;
+  if (result.task.preset == Preset::layers) {
+    Result<std::vector<Layer>> known = layers_to_goals(*body, result.task.goals, settings);
+    if (!known) return fail(ErrorCode::parse, known.error().to_string(), place + ": task");
+    layers = std::move(*known);
+  }
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    Result<Parameters> parameters =
-        read_parameters(*body, candidates[i], fmt::format("{}: candidates[{}]", place, i));
-    if (!parameters) return tl::unexpected(parameters.error());
-    result.candidates.push_back(std::move(*parameters));
+    const std::string at = fmt::format("{}: candidates[{}]", place, i);
+    if (layers.empty()) {
+      Result<Parameters> parameters = read_parameters(*body, candidates[i], at);
+      if (!parameters) return tl::unexpected(parameters.error());
+      result.candidates.push_back(std::move(*parameters));
+    } else {
+      Result<LayeredParameters> parameters = read_layered(layers, candidates[i], at);
+      if (!parameters) return tl::unexpected(parameters.error());
+      result.layered.push_back(std::move(*parameters));
+    }
   }
   return result;
 }

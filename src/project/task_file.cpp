@@ -57,6 +57,12 @@ Json character_to_json(const CharacterSpec& c) {
   return json;
 }
 
+void read_truth(JsonReader& reader, const char* key, bool& into) {
+  if (!reader.has(key)) return;
+  if (!reader.value(key).is_boolean()) return reader.wrong(key, "must be true or false");
+  into = reader.value(key).get<bool>();
+}
+
 void read_texts(JsonReader& reader, const char* key, std::vector<std::string>& texts) {
   if (!reader.has(key)) return;
   const Json& list = reader.value(key);
@@ -190,12 +196,17 @@ Json task_to_json(const TaskFile& task) {
   }
   if (task.duration) json["duration_s"] = *task.duration;
   json["preset"] = preset_name(task.preset);
+  if (task.preset == Preset::layers || task.layer_reading != LayerReading{}) {
+    json["layer_reading"] = layer_reading_name(task.layer_reading);
+  }
   if (task.search) json["search"] = search_name(*task.search);
   for_each_criterion([&](const auto& criterion) {
     json["criteria"][criterion.name] = {{"weight", criterion.weight(task.criteria)},
                                         {criterion.scale_name, criterion.scale(task.criteria)}};
   });
   if (!task.fixed.empty()) json["fixed"] = task.fixed;
+  if (task.pareto) json["pareto"] = true;
+  if (task.generator != MotionGenerator{}) json["generator"] = generator_name(task.generator);
   json["seed"] = task.seed;
   json["candidates"] = task.candidates;
   if (task.evaluations) json["evaluations"] = *task.evaluations;
@@ -213,6 +224,11 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   std::vector<std::pair<std::string, Preset>> known_presets;
   for (const Preset preset : presets()) known_presets.emplace_back(preset_name(preset), preset);
   reader.choice<Preset>("preset", task.preset, known_presets);
+  std::vector<std::pair<std::string, LayerReading>> readings;
+  for (const LayerReading reading : layer_readings()) {
+    readings.emplace_back(layer_reading_name(reading), reading);
+  }
+  reader.choice<LayerReading>("layer_reading", task.layer_reading, readings);
   task.criteria = preset_criteria(task.preset);
   task.candidates = preset_candidates(task.preset);
   if (reader.has("search")) {
@@ -223,7 +239,14 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
     task.search = preset_search(task.preset);
     reader.choice<SearchMethod>("search", *task.search, methods);
   }
+  read_truth(reader, "pareto", task.pareto);
+  if (task.pareto) task.criteria = pareto_criteria();
   read_criteria(reader, task.criteria);
+  std::vector<std::pair<std::string, MotionGenerator>> generators;
+  for (const MotionGenerator generator : {MotionGenerator::weighted_ik, MotionGenerator::nlp_ik}) {
+    generators.emplace_back(generator_name(generator), generator);
+  }
+  reader.choice<MotionGenerator>("generator", task.generator, generators);
   read_texts(reader, "fixed", task.fixed);
   reader.integer("seed", task.seed, 0, UINT64_MAX);
   reader.integer("candidates", task.candidates, 1, kCandidatesMax);
@@ -268,6 +291,8 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .genetic = {},
             .candidates = file.candidates,
             .evaluations = file.evaluations};
+  task.pareto = file.pareto;
+  task.generator = file.generator;
   task.genetic.seed = file.seed;
   for (const std::string& assignment : file.fixed) {
     if (!task.fixed) task.fixed = no_fixed_parameters(task.body);
@@ -276,6 +301,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
                   "fixed parameter " + assignment.substr(0, 80));
     }
   }
+  task.layers.reading = file.layer_reading;
   return task;
 }
 

@@ -13,13 +13,14 @@ struct FarGoal {
   const char* name;
   const char* body;
   const char* goal;
+  const char* preset = "paper";
 };
 
 class Unreachable : public testing::TestWithParam<FarGoal> {
  protected:
   Unreachable()
       : run_(run_shigusa(
-            {"reach", "--character", GetParam().body, "--goal",
+            {"reach", "--preset", GetParam().preset, "--character", GetParam().body, "--goal",
              std::string("right_hand=") + GetParam().goal, "--formats", "bvh,csv", "--out", "out"},
             {.folder = work_.path()})),
         stored_(work_, "out") {}
@@ -100,14 +101,21 @@ TEST_P(Unreachable, MotionEndsAtRest) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Goal, Unreachable,
-                         testing::Values(FarGoal{"OverheadHalf", "half_body", "0,3,0"},
-                                         FarGoal{"AheadHalf", "half_body", "-0.2,1.2,2"},
-                                         FarGoal{"LeftHalf", "half_body", "1.5,1,0.5"},
-                                         FarGoal{"OverheadFull", "full_body", "0,3,0"},
-                                         FarGoal{"RightFull", "full_body", "-1.5,1.2,0.5"},
-                                         FarGoal{"FarAwayFull", "full_body", "60,40,-90"}),
-                         [](const auto& of) { return std::string(of.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Goal, Unreachable,
+    testing::Values(FarGoal{"OverheadHalf", "half_body", "0,3,0"},
+                    FarGoal{"AheadHalf", "half_body", "-0.2,1.2,2"},
+                    FarGoal{"LeftHalf", "half_body", "1.5,1,0.5"},
+                    FarGoal{"OverheadFull", "full_body", "0,3,0"},
+                    FarGoal{"RightFull", "full_body", "-1.5,1.2,0.5"},
+                    FarGoal{"FarAwayFull", "full_body", "60,40,-90"},
+                    FarGoal{"LayersOverheadHalf", "half_body", "0,3,0", "layers"},
+                    FarGoal{"LayersAheadHalf", "half_body", "-0.2,1.2,2", "layers"},
+                    FarGoal{"LayersLeftHalf", "half_body", "1.5,1,0.5", "layers"},
+                    FarGoal{"LayersOverheadFull", "full_body", "0,3,0", "layers"},
+                    FarGoal{"LayersRightFull", "full_body", "-1.5,1.2,0.5", "layers"},
+                    FarGoal{"LayersFarAwayFull", "full_body", "60,40,-90", "layers"}),
+    [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
 }  // namespace shigusa

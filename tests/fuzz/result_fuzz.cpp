@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <shigusa/project/result_file.hpp>
+#include <string>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -17,6 +18,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (Parameters& parameters : result->candidates) {
     if (parameters.joints.size() != task->body.dofs().size()) std::abort();
     if (!assign_parameter(task->body, "right_elbow.weight=2", parameters)) std::abort();
+  }
+  if (result->layered.empty()) return 0;
+  const auto layers = layers_to_goals(task->body, task->goals, task->layers);
+  if (!layers) std::abort();
+  for (LayeredParameters& parameters : result->layered) {
+    if (!check_layered(*layers, parameters)) std::abort();
+    const std::string first = layers->front().genes.front().name;
+    if (!assign_parameter(*layers, first + ".weight=2", parameters)) std::abort();
   }
   return 0;
 }

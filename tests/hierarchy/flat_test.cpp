@@ -21,10 +21,7 @@ using testing::Not;
 constexpr Vec3d kAtTheFeet{-0.15, 0.05, 0.45};
 
 Task flat_task(const BodyModel& body, const Vec3d& goal) {
-  Task task{.body = body, .goals = {{"right_hand", goal}}, .preset = Preset::flat};
-  task.criteria = default_criteria();
-  task.candidates = 5;
-  return task;
+  return {.body = body, .goals = {{"right_hand", goal}}};
 }
 
 TEST(ParameterSpace, StartsAtThePlainMotion) {
@@ -179,7 +176,8 @@ TEST(FlatSearch, SaysWhyThereAreFewerCandidates) {
 }
 
 TEST(FlatSearch, BeatsThePapersAlgorithmByThePapersOwnCriteria) {
-  Task paper{.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}};
+  Task paper =
+      with_preset({.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}}, Preset::paper);
   paper.evaluations = 3000;
   Task flat = flat_task(full_body(), kAtTheFeet);
   flat.criteria = paper_criteria();

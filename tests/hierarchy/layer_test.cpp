@@ -109,7 +109,7 @@ TEST(DecodeLayerGenes, LocksAtZeroAndSharesContractions) {
   const LayerParameters parameters = decode_layer_genes(layer, genes);
   EXPECT_TRUE(parameters.joints[static_cast<std::size_t>(layer.genes[0].applies_to[0])].locked);
   EXPECT_EQ(parameters.joints[static_cast<std::size_t>(layer.genes[1].applies_to[0])].weight, 7.0);
-  EXPECT_EQ(parameters.contractions, (std::vector<double>{1.0, 1.0, 5.0 / 15, 5.0 / 15}));
+  EXPECT_EQ(parameters.contractions, (std::vector<double>{15.0, 15.0, 5.0, 5.0}));
 }
 
 TEST(DecodeLayerGenes, WithoutAGeneAHipDoesNotRotate) {
@@ -134,7 +134,7 @@ TEST(DecodeLayerPoint, IsEvenInLogarithmsAndInContraction) {
   EXPECT_NEAR(weight(0) * weight(2), 1.0, 1e-12);
   EXPECT_NEAR(weight(3) * weight(3), weight(2), 1e-9 * weight(2));
   EXPECT_GT(weight(2), 200.0);
-  EXPECT_EQ(parameters.contractions, (std::vector<double>{0.25, 1.0}));
+  EXPECT_EQ(parameters.contractions, (std::vector<double>{0.25 * 15.0, 15.0}));
 }
 
 // A motion of the upper layer with genes by chance.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/hierarchy/layered_problem.hpp>
 
 #include "support/problems.hpp"
 
@@ -28,7 +28,8 @@ double leg_excess(const LayeredProblem& problem, const Clip& clip) {
 // Rule R4: the hand stays on its path where the pelvis leaves its range, and the score tells.
 TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
   for (const BodyModel& body : {half_body(), full_body()}) {
-    const Task task{.body = body, .goals = {{"right_hand", {0.0, 0.3, 0.5}}}};
+    const Task task =
+        with_preset({.body = body, .goals = {{"right_hand", {0.0, 0.3, 0.5}}}}, Preset::layers);
     const LayeredProblem problem = make_layered_problem(task).value();
     LayeredPlayer player(problem);
     Random random(3);
@@ -55,8 +56,9 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
 
 TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
   const BodyModel body = full_body();
-  const Task task{.body = body,
-                  .goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}};
+  const Task task = with_preset(
+      {.body = body, .goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}},
+      Preset::layers);
   const LayeredProblem problem = make_layered_problem(task).value();
   LayeredPlayer player(problem);
   std::vector<std::uint16_t> genes(problem.layers[0].genes.size(), 2);

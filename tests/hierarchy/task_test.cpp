@@ -17,7 +17,9 @@ using testing::HasSubstr;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Task task_for(const Vec3d& goal) { return {.body = full_body(), .goals = {{"right_hand", goal}}}; }
+Task task_for(const Vec3d& goal) {
+  return with_preset({.body = full_body(), .goals = {{"right_hand", goal}}}, Preset::paper);
+}
 
 // The message that a task is refused with, or nothing.
 std::string refusal(const Task& task) {

@@ -2,7 +2,8 @@
 // Layers on characters that nobody here made.
 #include <gtest/gtest.h>
 
-#include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/hierarchy/layered_problem.hpp>
 #include <shigusa/project/task_file.hpp>
 
 #include "support/problems.hpp"
@@ -28,6 +29,7 @@ class LayeredCharacter : public testing::TestWithParam<Recorded> {
     file_.character.frame = GetParam().frame;
     file_.character.extent = GetParam().extent;
     file_.goals = {{"right_hand", {0, 1, 0}}};
+    file_.preset = Preset::layers;
   }
 
   TaskFile file_;
@@ -40,10 +42,10 @@ TEST_P(LayeredCharacter, MeetsItsGoalWithPlantedFeet) {
   const Vec3d shoulder =
       placed(task.body, task.body.start()).origin[static_cast<std::size_t>(arm.flexion)];
   task.goals[0].position = shoulder + Vec3d{0.1, -0.3, 0.9} * arm.segments.longest();
-  const LayeredGeneration generation = generate_layered(task).value();
+  const Generation generation = generate(task).value();
   EXPECT_EQ(generation.status, ReachStatus::reached);
   const ReachProblem problem = make_layered_problem(task).value().reach;
-  for (const LayeredCandidate& candidate : generation.candidates) {
+  for (const Candidate& candidate : generation.candidates) {
     const MeasuredMotion measured(problem, candidate.motion.clip);
     EXPECT_EQ(measured.start_error, 0.0);
     EXPECT_LE(measured.goal_error, kReachTolerance);

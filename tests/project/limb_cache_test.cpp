@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 #include <shigusa/body/human_body.hpp>
-#include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/project/limb_cache.hpp>
 #include <thread>
 
@@ -14,17 +14,18 @@ namespace {
 
 using namespace testing_support;
 
-Task task_for(const Vec3d& goal) {
-  Task task{.body = half_body(), .goals = {{"right_hand", goal}}};
+Task task_for(const Vec3d& goal, const LimbStore& store) {
+  Task task = with_preset({.body = half_body(), .goals = {{"right_hand", goal}}}, Preset::layers);
+  task.layers.store = store;
   task.genetic.seed = 3;
   return task;
 }
 
 constexpr Vec3d kGoal{-0.3, 1.0, 0.45};
 
-std::vector<double> numbers(const LayeredGeneration& generation) {
+std::vector<double> numbers(const Generation& generation) {
   std::vector<double> all{generation.best_seen_score, double(generation.evaluations)};
-  for (const LayeredCandidate& candidate : generation.candidates) {
+  for (const Candidate& candidate : generation.candidates) {
     all.push_back(candidate.score.total);
     const std::vector<double>& angles = candidate.motion.clip.angles;
     all.insert(all.end(), angles.begin(), angles.end());
@@ -32,15 +33,13 @@ std::vector<double> numbers(const LayeredGeneration& generation) {
   return all;
 }
 
-LayeredGeneration generated(const LimbStore& store) {
-  return generate_layered(task_for(kGoal), {.store = store}).value();
-}
+Generation generated(const LimbStore& store) { return generate(task_for(kGoal, store)).value(); }
 
 TEST(LimbCache, ColdWarmAndWithoutGiveTheSameNumbers) {
   const WorkFolder folder;
-  const LayeredGeneration without = generated({});
-  const LayeredGeneration cold = generated(limb_store(folder / "new" / "cache"));
-  const LayeredGeneration warm = generated(limb_store(folder / "new" / "cache"));
+  const Generation without = generated({});
+  const Generation cold = generated(limb_store(folder / "new" / "cache"));
+  const Generation warm = generated(limb_store(folder / "new" / "cache"));
   EXPECT_GT(cold.cells_searched, 0);
   EXPECT_EQ(warm.cells_searched, 0);
   EXPECT_EQ(numbers(cold), numbers(without));
@@ -51,9 +50,9 @@ TEST(LimbCache, GrowsWithTheGoalsAsked) {
   const WorkFolder folder;
   const LimbStore store = limb_store(folder.path());
   (void)generated(store);
-  const Task other = task_for({-0.5, 1.5, 0.2});
-  EXPECT_GT(generate_layered(other, {.store = store}).value().cells_searched, 0);
-  EXPECT_EQ(generate_layered(other, {.store = store}).value().cells_searched, 0);
+  const Task other = task_for({-0.5, 1.5, 0.2}, store);
+  EXPECT_GT(generate(other).value().cells_searched, 0);
+  EXPECT_EQ(generate(other).value().cells_searched, 0);
   EXPECT_EQ(generated(store).cells_searched, 0);
   EXPECT_EQ(folder.contents().size(), 1u) << "one arm, one file";
 }
@@ -61,13 +60,13 @@ TEST(LimbCache, GrowsWithTheGoalsAsked) {
 TEST(LimbCache, ReplacesDamagedFiles) {
   const WorkFolder folder;
   const LimbStore store = limb_store(folder.path());
-  const LayeredGeneration cold = generated(store);
+  const Generation cold = generated(store);
   const auto good = folder.contents();
   const std::string name = good.begin()->first;
   for (const std::string& bad : {std::string(), std::string("not a library"),
                                  good.begin()->second.substr(0, 100), std::string(70000, 'x')}) {
     folder.put(name, bad);
-    const LayeredGeneration again = generated(store);
+    const Generation again = generated(store);
     EXPECT_EQ(again.cells_searched, cold.cells_searched);
     EXPECT_EQ(numbers(again), numbers(cold));
     EXPECT_EQ(folder.contents(), good);
@@ -77,7 +76,7 @@ TEST(LimbCache, ReplacesDamagedFiles) {
 TEST(LimbCache, FolderThatCannotBeWrittenIsAsGoodAsNone) {
   const WorkFolder folder;
   folder.put("file", "x");
-  const LayeredGeneration nowhere = generated(limb_store(folder / "file" / "below"));
+  const Generation nowhere = generated(limb_store(folder / "file" / "below"));
   EXPECT_EQ(numbers(nowhere), numbers(generated({})));
 }
 

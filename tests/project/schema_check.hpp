@@ -82,6 +82,7 @@ class SchemaCheck {
     if (type == "object") return value.is_object();
     if (type == "array") return value.is_array();
     if (type == "string") return value.is_string();
+    if (type == "boolean") return value.is_boolean();
     if (type == "number") return value.is_number();
     SHG_CHECK(type == "integer", "a type that is not read: " + type);
     return value.is_number_integer();

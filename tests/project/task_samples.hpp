@@ -47,6 +47,10 @@ inline CharacterSpec any_character() {
 
 inline TaskFile any_task() {
   TaskFile task;
+  const std::span<const Preset> known = presets();
+  task.preset = known[*rc::gen::inRange<std::size_t>(0, known.size())];
+  task.layer_reading =
+      *rc::gen::element(LayerReading::shared_contractions, LayerReading::contraction_a_limb);
   task.character = any_character();
   for (const char* name : {"right_hand", "left_hand", "", "目"}) {
     if (*rc::gen::arbitrary<bool>()) task.goals.push_back({name, any_point(kGoalRange)});
@@ -62,6 +66,8 @@ inline TaskFile any_task() {
       *rc::gen::element<std::uint64_t>(0, 1, UINT64_MAX, *rc::gen::arbitrary<std::uint64_t>());
   task.candidates = *rc::gen::inRange(1, 1001);
   if (*rc::gen::arbitrary<bool>()) task.fixed = {"squat_deg=60", "目", ""};
+  task.pareto = *rc::gen::arbitrary<bool>();
+  if (*rc::gen::arbitrary<bool>()) task.generator = MotionGenerator::nlp_ik;
   if (*rc::gen::arbitrary<bool>()) task.evaluations = *rc::gen::inRange(8, 1'000'000'001);
   return task;
 }
@@ -78,6 +84,7 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
   }
   all.insert(all.end(), {static_cast<std::uint64_t>(c.sex), static_cast<std::uint64_t>(c.extent),
                          static_cast<std::uint64_t>(c.frame), c.landmarks.has_value(), task.seed,
+                         task.pareto, static_cast<std::uint64_t>(task.generator),
                          static_cast<std::uint64_t>(task.candidates),
                          static_cast<std::uint64_t>(task.evaluations.value_or(-1))});
   if (c.landmarks) {
@@ -94,7 +101,8 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
 
 // All words of a task.
 inline std::vector<std::string> words(const TaskFile& task) {
-  std::vector<std::string> all{task.character.source, std::string(preset_name(task.preset))};
+  std::vector<std::string> all{task.character.source, std::string(preset_name(task.preset)),
+                               std::string(layer_reading_name(task.layer_reading))};
   all.insert(all.end(), task.character.doubts.begin(), task.character.doubts.end());
   for (const Goal& goal : task.goals) all.push_back(goal.effector);
   all.insert(all.end(), task.fixed.begin(), task.fixed.end());

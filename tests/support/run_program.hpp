@@ -21,7 +21,9 @@ namespace shigusa::testing_support {
 
 struct RunSettings {
   std::filesystem::path folder = ".";  // where the program is started
-  bool terminal = false;               // stderr is a terminal
+  // what the program keeps between runs; by default a folder that cannot be made
+  std::filesystem::path cache = "/dev/null/cache";
+  bool terminal = false;  // stderr is a terminal
   // SIGINT comes this long after the start
   std::optional<std::chrono::milliseconds> interrupt_after = {};
 };
@@ -69,9 +71,8 @@ struct Channel {
 };
 
 // Starts the program with its output and messages going to the channels.
-inline pid_t start_shigusa(const std::vector<std::string>& arguments,
-                           const std::filesystem::path& folder, const Channel& out,
-                           const Channel& err) {
+inline pid_t start_shigusa(const std::vector<std::string>& arguments, const RunSettings& settings,
+                           const Channel& out, const Channel& err) {
   const std::string program = SHIGUSA_BINARY;
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -80,8 +81,9 @@ inline pid_t start_shigusa(const std::vector<std::string>& arguments,
   SHG_CHECK(child >= 0, "a process");
   if (child == 0) {
     const int nothing = open("/dev/null", O_RDONLY);
-    if (chdir(folder.c_str()) == 0 && dup2(nothing, 0) >= 0 && dup2(out.write_end, 1) >= 0 &&
-        dup2(err.write_end, 2) >= 0) {
+    if (chdir(settings.folder.c_str()) == 0 &&
+        setenv("SHIGUSA_CACHE", settings.cache.c_str(), 1) == 0 && dup2(nothing, 0) >= 0 &&
+        dup2(out.write_end, 1) >= 0 && dup2(err.write_end, 2) >= 0) {
       execv(program.c_str(), argv.data());
     }
     _exit(127);
@@ -107,7 +109,7 @@ inline ProgramRun run_shigusa(const std::vector<std::string>& arguments,
                               const RunSettings& settings = {}) {
   const Channel out(false);
   const Channel err(settings.terminal);
-  const pid_t child = start_shigusa(arguments, settings.folder, out, err);
+  const pid_t child = start_shigusa(arguments, settings, out, err);
   std::thread interrupt;
   if (settings.interrupt_after) {
     interrupt = std::thread([&] {

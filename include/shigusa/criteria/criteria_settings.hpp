@@ -129,12 +129,16 @@ void for_each_criterion(Visitor&& visit) {
 // 0.22, low back 0.06.
 [[nodiscard]] CriteriaSettings default_criteria();
 
+// What a Pareto view weighs against each other: joint range, as discomfort near its ends (no motion
+// within limits has any of the paper's own), balance and torque, a third each.
+[[nodiscard]] CriteriaSettings pareto_criteria();
+
 // A mixture that files and the command line call by its name.
 struct CriteriaPreset {
   std::string_view name;
   CriteriaSettings (*settings)();
 };
-// "paper" and "default".
+// "paper", "default" and "pareto".
 [[nodiscard]] std::span<const CriteriaPreset> criteria_presets();
 
 }  // namespace shigusa

@@ -13,9 +13,8 @@ inline constexpr double kCollisionDepth = 5e-3;
 // … which searches the arm anew with a penalty P = min(1, depth / kCollisionFull) of this weight …
 inline constexpr double kCollisionFull = 0.05;  // m
 inline constexpr double kCollisionWeight = 0.5;
-// … that is so many times as heavy in each further round; after the last one the collision is left.
+// … that is so many times as heavy in each further round, of kCollisionRounds.
 inline constexpr double kCollisionGrowth = 4.0;
-inline constexpr int kCollisionRounds = 3;
 
 // The deepest that a goal's forearm and hand are inside the rest of the body at any frame (m, less
 // what they are at the start, if they are; negative: that far apart).

@@ -5,6 +5,7 @@
 #include <shigusa/core/progress.hpp>
 #include <shigusa/core/result.hpp>
 #include <shigusa/hierarchy/final_posture.hpp>
+#include <shigusa/hierarchy/layered_parameters.hpp>
 #include <shigusa/hierarchy/task.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <string>
@@ -58,6 +59,11 @@ struct Candidate {
   std::vector<ContactResult> contacts;
   std::vector<LimitExcess> over_limit;  // the worst first
   FinalPosture final_posture;
+  // Of the preset layers, what the motion is generated from; `parameters` are empty then.
+  std::optional<LayeredParameters> layered{};
+  double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
+  int feedback_rounds = 0;      // searches that its arms took in all
+  bool collision_left = false;  // it is deeper than kCollisionDepth all the same
 };
 
 // What a search came to.
@@ -75,7 +81,9 @@ struct Generation {
   int replay_differs = 0;  // candidates whose score in the search was off by over kReplayTolerance
   double replay_difference = 0.0;  // the most that a candidate's score in the search was off by
   std::optional<Parameters> best_seen;  // the best of all genomes evaluated, kept or not
+  std::optional<LayeredParameters> best_seen_layered;  // the same of the preset layers
   double best_seen_score = 0.0;
+  int cells_searched = 0;  // of the arms' libraries, which were in no store
   SearchEnd end = SearchEnd::converged;
 };
 
@@ -99,12 +107,19 @@ inline constexpr double kEdgeTolerance = 5e-3;
 // Finds natural motions for a task: the distinct genomes that the search ends with, ranked
 // (paper, sections 3.2 and 4). Fails on a task that is wrong (see make_problem); an unreachable
 // goal is a status. When cancelled, returns the best so far. Same task, same result.
+//
+// The preset layers searches as the paper's section 3.4 has it: the genes of the upper layer alone,
+// in the paper's code (paper_ga, annealing, random) or in decode_layer_point's, while arms come
+// from their libraries. Motions are those of the whole body and scored by the task's criteria.
 [[nodiscard]] Result<Generation> generate(const Task& task, const Progress& progress = {});
 
 // Generates one motion from given parameters, without a search: the parameter editor (paper,
 // section 4.2). The hand still meets its goal, or comes as near as the given locks allow; the
 // status tells. Fails on a task or parameters that are wrong (count of joints, weights not in
-// 1e-3..1e3).
+// 1e-3..1e3), and on a task of the preset layers.
 [[nodiscard]] Result<Generation> regenerate(const Task& task, const Parameters& parameters);
+
+// The same of the preset layers (figure 7). Fails where check_layered does.
+[[nodiscard]] Result<Generation> regenerate(const Task& task, const LayeredParameters& parameters);
 
 }  // namespace shigusa

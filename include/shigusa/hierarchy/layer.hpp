@@ -3,7 +3,9 @@
 
 #include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/hierarchy/body_limbs.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shigusa {
@@ -80,6 +82,10 @@ enum class LayerReading {
   shared_contractions,  // 6 weights a half, and 2 contractions: of the arms, of the legs
   contraction_a_limb,   // hips do not rotate: 5 weights a half, and 4 contractions
 };
+
+// "shared_contractions", "contraction_a_limb".
+[[nodiscard]] std::string_view layer_reading_name(LayerReading reading);
+[[nodiscard]] std::span<const LayerReading> layer_readings();
 
 // The paper's two layers for a body: first the trunk with arms and legs of variable length, scored
 // by `criteria` when its limbs have been expanded; then one layer for each arm, scored by joint

@@ -13,7 +13,8 @@ namespace shigusa {
 // What a hierarchy's motions are played with: the layers, and the problem of the whole body.
 struct LayeredProblem {
   ReachProblem reach;         // points to the whole body
-  std::vector<Layer> layers;  // trunk and limb lengths first
+  bool in_reach = true;       // of the whole body; if not, paths end at the closest point
+  std::vector<Layer> layers;  // (1 + goals) trunk and limb lengths, then each goal's arm
   BodyLimbs limbs;
   std::vector<int> arms;              // (goals) index in limbs.arms
   std::vector<BodyModel> arm_bodies;  // (goals)
@@ -43,11 +44,14 @@ class LayeredPlayer {
     bool in_reach = true;
   };
   [[nodiscard]] PelvisCheck check_pelvis(const ReducedClip& clip) const;
-  // The whole body's motion for an upper motion and each goal's arm weights. An arm that cannot
-  // follow its path with them (locked, mostly) does so with all freedoms alike.
+  // The whole body's motion for an upper motion and each goal's arm weights. A hand whose arm
+  // cannot follow its path with them (locked, mostly) leaves it.
   [[nodiscard]] RolledOut expand(const ReducedClip& clip, std::span<const ArmWeights> arms);
+  // The same; such an arm is given the weights of all freedoms alike.
+  [[nodiscard]] RolledOut expand_freeing(const ReducedClip& clip, std::span<ArmWeights> arms);
 
  private:
+  using ArmAngles = std::vector<std::vector<double>>;  // [goal] (frames × kArmDofs) rad
   struct LegLine {
     double lean = 0.0;    // rad
     double length = 0.0;  // m
@@ -56,7 +60,8 @@ class LayeredPlayer {
   [[nodiscard]] LegLine leg_line(const BodyLimb& leg, const ReducedClip& clip, int frame) const;
   void bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
                 std::span<double> angles) const;
-  [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, std::span<const ArmWeights> arms);
+  [[nodiscard]] RolledOut expanded(const ReducedClip& clip, const ArmAngles& arm_angles);
+  [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles) const;
   [[nodiscard]] ReachOutcome measured(Motion& motion);
 
   const LayeredProblem* problem_;

@@ -19,8 +19,9 @@ void place_reduced(const ReducedBody& body, std::span<const double> q, ReducedPl
 
 // What a layer's motion is made from: its genes, decoded.
 struct LayerParameters {
-  std::vector<JointWeight> joints;   // (dofs of the layer's body); a slide's means nothing
-  std::vector<double> contractions;  // (limbs) 0..1: of the way from the longest to the shortest
+  std::vector<JointWeight> joints;  // (dofs of the layer's body); a slide's means nothing
+  // (limbs) 0..kLayerGeneMax, where the limb is longest and shortest
+  std::vector<double> contractions;
 
   friend bool operator==(const LayerParameters&, const LayerParameters&) = default;
 };
@@ -51,7 +52,7 @@ struct ReducedClip {
 
 // Moves a reduced body by weighted IK along the hands' paths (rules R3 and R6):
 //
-//   L(t) = L_0 + (L_f - L_0) s(t),  L_f = longest - (longest - shortest) · contraction,
+//   L(t) = L_0 + (L_f - L_0) s(t),  L_f = longest - (longest - shortest) · contraction / 15,
 //   min Σ w_i Δq_i²   s.t.   J Δq = e - J_L ΔL,
 //
 // with s(t) the minimum jerk of the motion. The lengths of the arms that have a goal, and of a leg

@@ -5,6 +5,7 @@
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/core/result.hpp>
 #include <shigusa/criteria/criteria.hpp>
+#include <shigusa/hierarchy/layered_settings.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/search/genetic.hpp>
@@ -16,11 +17,12 @@ namespace shigusa {
 
 // How the parameters are searched and what they are.
 enum class Preset {
-  paper,  // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
-  flat,   // all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
+  paper,   // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
+  flat,    // all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
+  layers,  // the paper's hierarchy: first trunk and limb lengths, then arms from a limb library
 };
 
-// "paper", "flat".
+// "paper", "flat", "layers".
 [[nodiscard]] std::string_view preset_name(Preset preset);
 [[nodiscard]] std::span<const Preset> presets();
 
@@ -33,6 +35,8 @@ enum class Preset {
 
 // Motions that the preset flat scores where a task says nothing else.
 inline constexpr int kFlatEvaluations = 3000;
+// The same by NLP-IK, which takes some ten times as long for one and knows no lanes.
+inline constexpr int kNlpEvaluations = 300;
 
 // The final state of one effector.
 struct Goal {
@@ -45,24 +49,44 @@ inline constexpr double kGoalRange = 100.0;
 inline constexpr double kTaskDurationMin = 0.05;  // s
 inline constexpr double kTaskDurationMax = 60.0;  // s
 
-// What is asked for.
+// Candidates of the preset flat: what a person can look over.
+inline constexpr int kFlatCandidates = 5;
+
+// What generates a motion from parameters.
+enum class MotionGenerator {
+  weighted_ik,  // the weighted pseudo-inverse (WeightedIk)
+  nlp_ik,       // constrained minimisation in each frame (Zhao and Badler), always within limits
+};
+
+// "weighted_ik", "nlp_ik".
+[[nodiscard]] std::string_view generator_name(MotionGenerator generator);
+
+// What is asked for. Another preset's criteria and number of candidates come by with_preset.
 struct Task {
   BodyModel body;
   std::vector<Goal> goals{};         // 1 or more, each for another effector
   std::optional<double> duration{};  // s; from the distance (reach_duration) when not given
-  Preset preset = Preset::paper;
-  CriteriaSettings criteria{};
+  Preset preset = Preset::flat;
+  CriteriaSettings criteria = default_criteria();
   std::optional<SearchMethod> search{};  // the preset's own when not given
   GeneticSettings genetic{};             // of the searches paper_ga and log_ga; the seed of all
   // What the search leaves as it is; nothing when not given.
   std::optional<FixedParameters> fixed{};
-  int candidates = kPaperPopulation;  // at most so many are delivered, ≥ 1
+  int candidates = kFlatCandidates;  // at most so many are delivered, ≥ 1
+  // Of the preset flat: candidates are those of which none is better by joint range, balance and
+  // torque at once, each the best of a search by other weights of the three (see pareto.hpp).
+  bool pareto = false;
+  MotionGenerator generator = MotionGenerator::weighted_ik;  // not of the preset layers
   // Motions that the search may score, at least a population's. When given, every search uses all
   // of them: it starts again, with other random numbers, until they are used up. When not, the
   // paper's genetic algorithm runs once, and the others score kFlatEvaluations.
   std::optional<int> evaluations{};
-  BatchSettings batch{};  // SIMD set and threads; change no result
+  LayeredSettings layers{};  // of the preset layers
+  BatchSettings batch{};     // SIMD set and threads; change no result
 };
+
+// The task by a preset, with its criteria and number of candidates.
+[[nodiscard]] Task with_preset(Task task, Preset preset);
 
 // What the task's motions are scored by: its criteria, with the eyes on the first goal where
 // nothing else is said.

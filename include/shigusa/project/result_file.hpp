@@ -38,6 +38,8 @@ using CandidateFiles = std::map<std::string, std::string>;
 struct StoredResult {
   TaskFile task;
   std::vector<Parameters> candidates;  // in rank order
+  std::vector<LayeredParameters>
+      layered;  // the same of the preset layers, whose `candidates` are none
 };
 
 // Parses a result. Errors name the place, the value seen and what is allowed.
@@ -57,5 +59,13 @@ struct StoredResult {
 // The same, and notes what was set; `fixed` begins as no_fixed_parameters.
 [[nodiscard]] Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
                                          FixedParameters& fixed);
+
+// The same of layered parameters, whose `layers` are those to the goals:
+//   right_hip.flexion.weight=12, right_hip.weight=12, right_hip.locked=true   of the upper layer
+//   legs.contraction=8                      0..15: how much shorter the legs end
+//   right_arm.right_elbow.flexion.weight=3  of the layer below that moves the arm
+[[nodiscard]] Result<void> assign_parameter(std::span<const Layer> layers,
+                                            std::string_view assignment,
+                                            LayeredParameters& parameters);
 
 }  // namespace shigusa

@@ -22,10 +22,13 @@ struct TaskFile {
   std::vector<Goal> goals;
   std::optional<double> duration;  // s
   Preset preset = Preset::flat;
+  LayerReading layer_reading = LayerReading::shared_contractions;  // of the preset layers
   std::optional<SearchMethod> search;  // the preset's own when not given
   // the built-in ones: functions do not go into files
   CriteriaSettings criteria = preset_criteria(Preset::flat);
   std::vector<std::string> fixed;  // parameters that are not searched, as assignments
+  bool pareto = false;             // see Task
+  MotionGenerator generator = MotionGenerator::weighted_ik;
   std::uint64_t seed = 0;
   int candidates = preset_candidates(Preset::flat);  // 1..1000
   std::optional<int> evaluations;  // motions the search may score, 8..1e9; see Task

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace shigusa {
+
+Choice distinct_postures(const Archive& archive, int most) {
+  const std::vector<Archived> ranked = archive.ranked();
+  std::vector<const Archived*> picked;
+  Choice choice;
+  const auto near = [](const Archived& a, const Archived& b) {
+    return posture_distance(a.posture, b.posture) < kDistinctEnd + kEndSlack;
+  };
+  for (const bool new_style_only : {true, false}) {
+    choice.similar = choice.worse = 0;
+    for (const Archived& archived : ranked) {
+      if (static_cast<int>(picked.size()) >= most) break;
+      const double spread = new_style_only ? kStyleSpread : kCandidateSpread;
+      if (archived.score > ranked.front().score + spread) {
+        ++choice.worse;
+      } else if (std::any_of(picked.begin(), picked.end(),
+                             [&](const Archived* better) { return near(*better, archived); })) {
+        ++choice.similar;
+      } else if (!new_style_only ||
+                 std::none_of(picked.begin(), picked.end(), [&](const Archived* better) {
+                   return better->style == archived.style;
+                 })) {
+        picked.push_back(&archived);
+      }
+    }
+  }
+  choice.similar -= static_cast<int>(picked.size());  // each is near itself
+  for (const Archived* archived : picked) {
+    choice.picked.push_back({archived->point, archived->score});
+  }
+  return choice;
+}
+
+std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {
+  if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
+  const bool paper = task.preset == Preset::paper;
+  std::vector<std::string> reasons;
+  const auto add = [&](int count, std::string_view what) {
+    if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
+  };
+  add(choice.similar + generation.near_copies,
+      paper ? "move as a better one does" : "end within 10° of a better one");
+  add(choice.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
+  add(generation.missed, "miss the goal, leave the path or move a foot when replayed");
+  return fmt::format(
+      "{} of {} candidates: of the others that were kept, {}", generation.candidates.size(),
+      task.candidates,
+      reasons.empty() ? "there are none" : fmt::format("{}", fmt::join(reasons, "; ")));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/hierarchy/archive.hpp>
+#include <shigusa/hierarchy/generator.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+// What is worth a replay, best first, and what was not.
+struct Choice {
+  std::vector<Individual> picked;
+  int similar = 0;  // end as a better one does
+  int worse = 0;    // score more than kCandidateSpread worse than the best
+};
+
+// Of all that a search came upon, at most so many that end differently and are not much worse than
+// the best: first the best of each style, then what is left, best first.
+[[nodiscard]] Choice distinct_postures(const Archive& archive, int most);
+
+// Why there are fewer candidates than the task asks for; empty where there are not.
+[[nodiscard]] std::string why_fewer(const Task& task, const Generation& generation,
+                                    const Choice& choice);
+
+}  // namespace shigusa

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/hierarchy/layered_parameters.hpp>
+#include <shigusa/hierarchy/layered_problem.hpp>
+#include <shigusa/rollout/reachability.hpp>
+#include <utility>
+
+#include "ways.hpp"
+
+namespace shigusa {
+
+Result<LayeredProblem> make_layered_problem(const Task& task) {
+  Result<ReachProblem> reach = make_problem(task);
+  if (!reach) return tl::unexpected(reach.error());
+  Result<std::vector<Layer>> layers =
+      layers_to_goals(task.body, task.goals, task.layers, task_criteria(task));
+  if (!layers) return tl::unexpected(layers.error());
+  LayeredProblem problem{.reach = std::move(*reach),
+                         .in_reach = true,
+                         .layers = std::move(*layers),
+                         .limbs = find_limbs(task.body).value(),
+                         .arms = {},
+                         .arm_bodies = {}};
+  for (const ReachGoal& goal : problem.reach.goals) {
+    for (std::size_t a = 0; a < problem.limbs.arms.size(); ++a) {
+      if (problem.limbs.arms[a].effector != goal.effector) continue;
+      problem.arms.push_back(static_cast<int>(a));
+      problem.arm_bodies.push_back(arm_body(task.body, problem.limbs.arms[a]));
+    }
+  }
+  // the straight way, or around the body; out of reach, to the closest point there is, and a hand
+  // keeps to its path all the same
+  const ReachTolerance tolerance = problem.reach.tolerance;
+  const ClosestReach closest = closest_reach(problem.reach);
+  problem.reach = ways_to_goal(problem.reach, closest).front();
+  problem.reach.tolerance = tolerance;
+  problem.in_reach = closest.reached();
+  return problem;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "pareto.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "candidate.hpp"
+#include "choice.hpp"
+#include "searched.hpp"
+#include "ways.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr std::size_t kPairedAxes = 3;  // of more criteria, pairs are too many searches
+constexpr int kKeptPerCandidate = 4;    // motions of each search that are replayed
+
+// The settings with other weights, by the criterion's number in kCriteria.
+CriteriaSettings weighted(const CriteriaSettings& criteria, std::span<const std::size_t> axes) {
+  CriteriaSettings settings = criteria;
+  settings.user.clear();
+  std::size_t number = 0;
+  for_each_criterion([&](const auto& entry) {
+    const bool axis = std::find(axes.begin(), axes.end(), number++) != axes.end();
+    entry.weight(settings) = axis ? 1.0 / static_cast<double>(axes.size()) : 0.0;
+  });
+  return settings;
+}
+
+bool dominates(const Score& a, const Score& b) {
+  bool better = false;
+  for (std::size_t k = 0; k < a.terms.size(); ++k) {
+    if (!(a.terms[k].penalty <= b.terms[k].penalty)) return false;
+    better = better || a.terms[k].penalty < b.terms[k].penalty;
+  }
+  return better;
+}
+
+// Best first, of those that end alike.
+std::vector<Candidate> without_copies(std::vector<Candidate> front) {
+  std::stable_sort(front.begin(), front.end(), [](const Candidate& a, const Candidate& b) {
+    return ranking(a.score) < ranking(b.score);
+  });
+  std::vector<Candidate> apart;
+  for (Candidate& candidate : front) {
+    const auto is_copy = [&](const Candidate& better) {
+      return final_distance(better.motion.clip, candidate.motion.clip) < kDistinctEnd;
+    };
+    if (std::none_of(apart.begin(), apart.end(), is_copy)) apart.push_back(std::move(candidate));
+  }
+  return apart;
+}
+
+// Penalties over the range that they have in the front, 0 for the best.
+std::vector<std::vector<double>> scaled_penalties(std::span<const Candidate> front) {
+  std::vector<std::vector<double>> scaled(front.size());
+  for (std::size_t k = 0; k < front.front().score.terms.size(); ++k) {
+    const auto of = [&](const Candidate& c) { return c.score.terms[k].penalty; };
+    const auto [low, high] =
+        std::minmax_element(front.begin(), front.end(),
+                            [&](const Candidate& a, const Candidate& b) { return of(a) < of(b); });
+    const double range = of(*high) - of(*low);
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      scaled[i].push_back(range > 0.0 ? (of(front[i]) - of(*low)) / range : 0.0);
+    }
+  }
+  return scaled;
+}
+
+double square_distance(std::span<const double> a, std::span<const double> b) {
+  double squares = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) squares += (a[k] - b[k]) * (a[k] - b[k]);
+  return squares;
+}
+
+}  // namespace
+
+std::vector<CriteriaSettings> pareto_mixtures(const CriteriaSettings& criteria) {
+  std::vector<std::size_t> axes;
+  std::size_t number = 0;
+  for_each_criterion([&](const auto& entry) {
+    if (entry.weight(criteria) > 0.0) axes.push_back(number);
+    ++number;
+  });
+  std::vector<CriteriaSettings> mixtures{criteria};
+  if (axes.size() < 2) return mixtures;
+  for (const std::size_t axis : axes) mixtures.push_back(weighted(criteria, {&axis, 1}));
+  for (std::size_t i = 0; axes.size() <= kPairedAxes && i < axes.size(); ++i) {
+    for (std::size_t k = i + 1; k < axes.size(); ++k) {
+      const std::size_t pair[] = {axes[i], axes[k]};
+      mixtures.push_back(weighted(criteria, pair));
+    }
+  }
+  return mixtures;
+}
+
+std::vector<Candidate> not_dominated(std::vector<Candidate> candidates) {
+  std::vector<char> worse(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    worse[i] = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+      return dominates(other.score, candidates[i].score);
+    });
+  }
+  std::vector<Candidate> front;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (worse[i] == 0) front.push_back(std::move(candidates[i]));
+  }
+  return front;
+}
+
+std::vector<Candidate> spread_over(std::vector<Candidate> front, int most) {
+  if (front.empty()) return front;
+  const std::vector<std::vector<double>> scaled = scaled_penalties(front);
+  std::vector<std::size_t> taken;
+  const auto take = [&](std::size_t i) {
+    if (std::find(taken.begin(), taken.end(), i) == taken.end()) taken.push_back(i);
+  };
+  for (std::size_t k = 0; k < scaled.front().size(); ++k) {
+    // of equals, the one that is better by the others
+    const auto sum = [](const auto& penalties) {
+      double total = 0.0;
+      for (const double penalty : penalties) total += penalty;
+      return total;
+    };
+    const auto best =
+        std::min_element(scaled.begin(), scaled.end(), [&](const auto& a, const auto& b) {
+          return a[k] < b[k] || (a[k] == b[k] && sum(a) < sum(b));
+        });
+    take(static_cast<std::size_t>(best - scaled.begin()));
+  }
+  const std::size_t count = std::min(front.size(), static_cast<std::size_t>(most));
+  while (taken.size() < count) {
+    double farthest = -1.0;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const std::size_t t : taken) {
+        nearest = min(nearest, t == i ? -1.0 : square_distance(scaled[i], scaled[t]));
+      }
+      if (nearest > farthest) {
+        farthest = nearest;
+        next = i;
+      }
+    }
+    take(next);
+  }
+  taken.resize(count);
+  std::vector<Candidate> chosen;
+  for (const std::size_t i : taken) chosen.push_back(std::move(front[i]));
+  std::stable_sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) {
+    return ranking(a.score) < ranking(b.score);
+  });
+  return chosen;
+}
+
+void search_front(const Task& task, std::span<const ReachProblem> ways, const Progress& progress,
+                  Generation& generation) {
+  const std::vector<CriteriaSettings> mixtures = pareto_mixtures(task.criteria);
+  const int share = task.evaluations.value_or(kFlatEvaluations) / static_cast<int>(mixtures.size());
+  std::vector<Candidate> all;
+  for (const CriteriaSettings& mixture : mixtures) {
+    Task part = task;
+    part.criteria = mixture;
+    part.evaluations = std::max(share, kPaperPopulation);
+    Searched searched(ways.back(), part);
+    const SearchResult found = searched.run(progress);
+    generation.evaluations += found.evaluations;
+    generation.generations += found.generations;
+    generation.rejected_nan += found.rejected_nan;
+    generation.end = found.end;
+    const Choice choice =
+        distinct_postures(searched.archive(), kKeptPerCandidate * task.candidates);
+    for (const Individual& individual : choice.picked) {
+      const Parameters parameters = searched.space().decode(individual.point);
+      std::optional<Arrival> arrival = first_arrival(ways, parameters, task.generator);
+      if (!arrival) {
+        ++generation.missed;
+      } else {
+        all.push_back(make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled)));
+      }
+    }
+    if (found.end == SearchEnd::cancelled) break;
+  }
+  const std::size_t kept = all.size();
+  std::vector<Candidate> front = not_dominated(std::move(all));
+  const std::size_t with_copies = front.size();
+  front = without_copies(std::move(front));
+  generation.near_copies += static_cast<int>(with_copies - front.size());
+  const std::size_t size = front.size();
+  generation.candidates = spread_over(std::move(front), task.candidates);
+  if (static_cast<int>(size) >= task.candidates) return;
+  generation.fewer = fmt::format(
+      "{} of {} candidates: of {} motions that were kept, the others are no better by any "
+      "criterion "
+      "than one of these, or end within 10° of one",
+      size, task.candidates, kept);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/hierarchy/task.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
+// leave more or less of it, so the search is told how much.
+class SquatDial {
+ public:
+  // None where the task fixes no squat.
+  static std::optional<SquatDial> of(const Task& task) {
+    if (!task.fixed) return std::nullopt;
+    PostureParameters posture = task.fixed->values.posture;
+    const std::vector<PostureMember> members = posture_members(task.body, posture);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      if (members[m].name != "squat" || !task.fixed->posture[m]) continue;
+      SquatDial dial;
+      for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
+        const std::optional<int> dof = task.body.find_dof(knee);
+        if (!dof) continue;
+        dial.knees_.push_back(static_cast<std::size_t>(*dof));
+        dial.wanted_ += *members[m].value + task.body.start()[dial.knees_.back()];
+      }
+      if (!dial.knees_.empty()) return dial;
+    }
+    return std::nullopt;
+  }
+
+  // How far (rad) the mean of the knees' angles is off.
+  [[nodiscard]] double off(std::span<const float> angles) const {
+    double sum = -wanted_;
+    for (const std::size_t knee : knees_) sum += static_cast<double>(angles[knee]);
+    return abs(sum) / static_cast<double>(knees_.size());
+  }
+
+ private:
+  std::vector<std::size_t> knees_;
+  double wanted_ = 0.0;  // rad, of all knees together
+};
+
+// How near (rad) the dial's motions come to it, what the search aims at, and what a radian off
+// costs there; no criterion is 1 for more than that.
+inline constexpr double kDialSlack = radians(8.0);
+inline constexpr double kDialAim = radians(4.0);
+inline constexpr double kDialPull = 1.0;
+
+}  // namespace shigusa

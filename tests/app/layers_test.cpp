@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// The preset layers from the command line: results, the library's cache, edits, what is refused.
+#include "app/result_checks.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Words = std::vector<std::string>;
+
+const char* const kGoal = "right_hand=-0.3,0.9,0.45";
+const char* const kLow = "right_hand=-0.1,0.35,0.4";
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> names;
+  for (const auto& member : object.items()) names.push_back(member.key());
+  return names;
+}
+
+double last_angle(const std::string& csv, const std::string& dof) {
+  return csv_column(csv, dof + " [rad]").back();
+}
+
+class Layers : public testing::Test {
+ protected:
+  ProgramRun run(Words call) {
+    return run_shigusa(call, {.folder = work_.path(), .cache = work_ / "cache"});
+  }
+
+  ProgramRun reach(const Words& more, const std::string& out = "out") {
+    Words call{"reach", "--preset", "layers", "--formats", "bvh,csv", "--out", out};
+    call.insert(call.end(), more.begin(), more.end());
+    return run(call);
+  }
+
+  ProgramRun edit(const std::string& result, const Words& more) {
+    Words call{"edit", result, "--formats", "bvh,csv"};
+    call.insert(call.end(), more.begin(), more.end());
+    return run(call);
+  }
+
+  // All files of a result, less what tells how it was computed.
+  [[nodiscard]] std::map<std::string, std::string> bytes(const std::string& folder) const {
+    const StoredRun stored(work_, folder);
+    std::map<std::string, std::string> all;
+    for (const std::string& name : stored.files()) all[name] = stored.get(name);
+    Json summary = stored.summary();
+    for (const char* key : {"elapsed_ms", "threads", "simd", "cells_searched"}) summary.erase(key);
+    all["summary.json"] = summary.dump();
+    return all;
+  }
+
+  WorkFolder work_;
+};
+
+TEST_F(Layers, HandArrivesAndFeetStay) {
+  for (const char* body : {"half_body", "full_body"}) {
+    const ProgramRun run = reach({"--character", body, "--goal", kGoal}, body);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, testing::AllOf(HasSubstr("reached: "), HasSubstr("arm in body mm"),
+                                        HasSubstr("cells of the limb library searched")));
+    const StoredRun stored(work_, body);
+    expect_promises_kept(stored);
+    EXPECT_EQ(stored.summary().at("preset"), "layers");
+    EXPECT_EQ(stored.summary().at("search"), "paper_ga");
+    EXPECT_GT(stored.summary().at("cells_searched"), 0);
+    EXPECT_THAT(keys(stored.candidate(1).at("arm_collision")),
+                ElementsAre("depth_mm", "searches", "left"));
+  }
+}
+
+TEST_F(Layers, BothHandsHaveTheirGoals) {
+  const ProgramRun run = reach({"--character", "full_body", "--goal", "right_hand=-0.3,1.2,0.35",
+                                "--goal", "left_hand=0.3,1.1,0.4"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const StoredRun stored(work_, "out");
+  expect_promises_kept(stored);
+  EXPECT_THAT(keys(stored.candidate(1).at("parameters").at("arms")),
+              ElementsAre("right_arm", "left_arm"));
+}
+
+TEST_F(Layers, ParametersAreThoseOfTheReading) {
+  const struct {
+    Words options;
+    std::vector<std::string> contractions;
+    std::size_t weights;
+  } readings[] = {
+      {{}, {"legs", "arms"}, 12},
+      {{"--layer-reading", "shared_contractions"}, {"legs", "arms"}, 12},
+      {{"--layer-reading", "contraction_a_limb"},
+       {"right_leg", "left_leg", "right_arm", "left_arm"},
+       10},
+  };
+  for (const auto& reading : readings) {
+    Words options{"--character", "full_body", "--goal", kGoal};
+    options.insert(options.end(), reading.options.begin(), reading.options.end());
+    ASSERT_EQ(reach(options).exit_code, 0);
+    const StoredRun stored(work_, "out");
+    for (const Json& candidate : stored.summary().at("candidates")) {
+      const Json& parameters = candidate.at("parameters");
+      EXPECT_THAT(keys(parameters.at("contractions")),
+                  testing::UnorderedElementsAreArray(reading.contractions));
+      EXPECT_EQ(parameters.at("weights").size(), reading.weights);
+      for (const Json& contraction : parameters.at("contractions")) {
+        EXPECT_EQ(contraction.get<double>(), static_cast<int>(contraction.get<double>()));
+      }
+    }
+    expect_promises_kept(stored);
+  }
+}
+
+TEST_F(Layers, TaskFileNamesPresetAndReading) {
+  work_.put("task.json", R"({"character": "full_body", "preset": "layers",
+    "layer_reading": "contraction_a_limb",
+    "goals": [{"effector": "right_hand", "position_m": [-0.3, 0.9, 0.45]}]})");
+  ASSERT_EQ(run({"reach", "task.json", "--formats", "bvh,csv", "--out", "file"}).exit_code, 0);
+  ASSERT_EQ(
+      reach({"--character", "full_body", "--goal", kGoal, "--layer-reading", "contraction_a_limb"})
+          .exit_code,
+      0);
+  EXPECT_EQ(bytes("file"), bytes("out"));
+  ASSERT_EQ(reach({"--character", "full_body", "--goal", kGoal}, "other").exit_code, 0);
+  EXPECT_NE(bytes("other"), bytes("out"));
+}
+
+TEST_F(Layers, ColdWarmAndWithoutCacheGiveTheSameBytes) {
+  const Words call{"--character", "full_body", "--goal", kGoal, "--seed", "4"};
+  ASSERT_EQ(reach(call, "cold").exit_code, 0);
+  ASSERT_EQ(reach(call, "warm").exit_code, 0);
+  Words without{"reach", "--preset", "layers", "--formats", "bvh,csv", "--out", "without"};
+  without.insert(without.end(), call.begin(), call.end());
+  ASSERT_EQ(run_shigusa(without, {.folder = work_.path()}).exit_code, 0);
+  const auto cells = [this](const char* folder) {
+    return StoredRun(work_, folder).summary().at("cells_searched").get<int>();
+  };
+  EXPECT_GT(cells("cold"), 0);
+  EXPECT_EQ(cells("warm"), 0);
+  EXPECT_EQ(cells("without"), cells("cold"));
+  EXPECT_EQ(bytes("warm"), bytes("cold"));
+  EXPECT_EQ(bytes("without"), bytes("cold"));
+}
+
+TEST_F(Layers, DamagedCacheIsMadeAnew) {
+  ASSERT_EQ(reach({"--goal", kGoal}, "cold").exit_code, 0);
+  for (const auto& entry : std::filesystem::directory_iterator(work_ / "cache")) {
+    work_.put("cache/" + entry.path().filename().string(), "no library");
+  }
+  ASSERT_EQ(reach({"--goal", kGoal}, "damaged").exit_code, 0);
+  EXPECT_EQ(bytes("damaged"), bytes("cold"));
+  ASSERT_EQ(reach({"--goal", kGoal}, "warm").exit_code, 0);
+  EXPECT_EQ(StoredRun(work_, "warm").summary().at("cells_searched"), 0);
+}
+
+TEST_F(Layers, EditWithoutChangesGivesTheSameBytes) {
+  for (const Words& how : {Words{"--goal", kGoal}, Words{"--goal", kGoal, "--search", "cma_es"},
+                           Words{"--goal", "right_hand=0,3,0"}}) {
+    Words call{"--character", "full_body", "--evaluations", "200"};
+    call.insert(call.end(), how.begin(), how.end());
+    const int status = reach(call).exit_code;
+    const StoredRun stored(work_, "out");
+    for (std::size_t rank = 1; rank <= stored.summary().at("candidates").size(); ++rank) {
+      const ProgramRun run = edit("out", {"--candidate", std::to_string(rank), "--out", "same"});
+      EXPECT_EQ(run.exit_code, status) << run.err;
+      const StoredRun same(work_, "same");
+      for (const std::string ending : {".bvh", ".csv"}) {
+        EXPECT_EQ(same.get("candidate-1" + ending),
+                  stored.get("candidate-" + std::to_string(rank) + ending));
+      }
+      EXPECT_EQ(same.candidate(1).at("score"), stored.candidate(rank).at("score"));
+      EXPECT_EQ(same.candidate(1).at("parameters"), stored.candidate(rank).at("parameters"));
+    }
+  }
+}
+
+// The paper's figure 7.
+TEST_F(Layers, MoreContractionOfTheLegsBendsTheKneesMore) {
+  for (const char* body : {"half_body", "full_body"}) {
+    ASSERT_EQ(reach({"--character", body, "--goal", kLow}, body).exit_code, 0);
+    double last = 0.0;
+    for (const char* contraction : {"1.5", "3", "5.25"}) {
+      const ProgramRun run =
+          edit(body, {"--set", std::string("legs.contraction=") + contraction, "--out", "edited"});
+      EXPECT_EQ(run.exit_code, 0) << run.err;
+      const StoredRun stored(work_, "edited");
+      expect_promises_kept(stored);
+      const double knee = last_angle(stored.get("candidate-1.csv"), "right_knee.flexion");
+      EXPECT_GT(knee, last + 0.1) << body << ' ' << contraction;
+      last = knee;
+    }
+  }
+}
+
+TEST_F(Layers, EditOfTheArmLeavesTheTrunkWhereItWas) {
+  ASSERT_EQ(reach({"--goal", kGoal}).exit_code, 0);
+  const ProgramRun run = edit("out", {"--set", "right_arm.right_shoulder.weight=1", "--set",
+                                      "right_arm.right_shoulder.rotation.locked=true"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StoredRun edited(work_, "out/edit-1");
+  expect_promises_kept(edited);
+  EXPECT_THAT(edited.candidate(1).at("parameters").at("arms").at("right_arm").at("locked"),
+              ElementsAre("right_shoulder.rotation"));
+  const std::string csv = edited.get("candidate-1.csv");
+  EXPECT_THAT(csv_column(csv, "right_shoulder.rotation [rad]"),
+              testing::Each(csv_column(csv, "right_shoulder.rotation [rad]").front()));
+  for (const char* dof : {"right_hip.flexion", "right_knee.flexion", "right_ankle.flexion"}) {
+    EXPECT_EQ(last_angle(csv, dof), last_angle(work_.get("out/candidate-1.csv"), dof));
+  }
+}
+
+TEST_F(Layers, ArmThatIsLockedTooMuchIsToldAsOutOfReach) {
+  ASSERT_EQ(reach({"--goal", kGoal}).exit_code, 0);
+  const ProgramRun run = edit("out", {"--set", "right_arm.right_shoulder.locked=true"});
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("out of reach: the closest motion ends "));
+  const StoredRun stored(work_, "out/edit-1");
+  for (const char* dof : {"right_shoulder.flexion", "right_shoulder.abduction"}) {
+    const auto angles = csv_column(stored.get("candidate-1.csv"), std::string(dof) + " [rad]");
+    EXPECT_THAT(angles, testing::Each(angles.front()));
+  }
+  expect_ends_as_told(stored.motion(stored.candidate(1)), stored.candidate(1));
+}
+
+TEST_F(Layers, EditOfAnEditGoesOnFromThere) {
+  ASSERT_EQ(
+      reach({"--character", "full_body", "--goal", kGoal, "--layer-reading", "contraction_a_limb"})
+          .exit_code,
+      0);
+  ASSERT_EQ(edit("out", {"--set", "right_hip.weight=5"}).exit_code, 0);
+  ASSERT_EQ(edit("out/edit-1", {"--set", "left_arm.contraction=2"}).exit_code, 0);
+  const StoredRun stored(work_, "out/edit-1/edit-1");
+  const Json& parameters = stored.candidate(1).at("parameters");
+  EXPECT_EQ(parameters.at("weights").at("right_hip.flexion"), 5.0);
+  EXPECT_EQ(parameters.at("weights").at("right_hip.abduction"), 5.0);
+  EXPECT_EQ(parameters.at("contractions").at("left_arm"), 2.0);
+  EXPECT_EQ(stored.summary().at("task").at("layer_reading"), "contraction_a_limb");
+  expect_promises_kept(stored);
+}
+
+TEST_F(Layers, LocksThatKeepTheHandFromItsGoalAreToldAsOutOfReach) {
+  ASSERT_EQ(reach({"--goal", kLow}).exit_code, 0);
+  const ProgramRun run = edit("out", {"--set", "right_ankle.locked=true", "--set",
+                                      "right_hip.locked=true", "--set", "legs.contraction=0"});
+  EXPECT_EQ(run.exit_code, 3) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("out of reach: the closest motion ends "));
+  const StoredRun stored(work_, "out/edit-1");
+  EXPECT_GT(stored.summary().at("remaining_mm").get<double>(), 10.0);
+  const ExportedMotion motion = stored.motion(stored.candidate(1));
+  expect_ends_as_told(motion, stored.candidate(1));
+  expect_feet_stand(motion, stored.candidate(1));
+}
+
+TEST_F(Layers, WrongValuesAreRefusedInWords) {
+  ASSERT_EQ(reach({"--goal", kGoal}).exit_code, 0);
+  const struct {
+    Words call;
+    Words told;
+  } table[] = {
+      {{"reach", "--goal", kGoal, "--preset", "layer"}, {"'layer'", "did you mean 'layers'?"}},
+      {{"reach", "--goal", kGoal, "--preset", "layers", "--layer-reading", "shared_contraction"},
+       {"'shared_contraction'", "did you mean 'shared_contractions'?"}},
+      {{"reach", "--goal", kGoal, "--preset", "flat", "--layer-reading", "contraction_a_limb"},
+       {"--layer-reading", "of the preset layers", "the preset is flat"}},
+      {{"reach", "--preset", "layers", "--goal", "left_hand=0,1,0.3"},
+       {"'left_hand'", "Known: right_hand"}},
+      {{"edit", "out", "--set", "legs.contraction=16"},
+       {"legs.contraction=16", "contraction is '16'", "0 to 15"}},
+      {{"edit", "out", "--set", "legs.contraction=-1"}, {"'-1'", "0 to 15"}},
+      {{"edit", "out", "--set", "legs.contraction=nan"}, {"'nan'", "0 to 15"}},
+      {{"edit", "out", "--set", "legs.contraction="}, {"contraction is ''"}},
+      {{"edit", "out", "--set", "legs.contraction"}, {"NAME.contraction=NUMBER"}},
+      {{"edit", "out", "--set", "leggs.contraction=1"}, {"'leggs'", "did you mean 'legs'?"}},
+      {{"edit", "out", "--set", "legs.weight=1"}, {"unknown joint 'legs'"}},
+      {{"edit", "out", "--set", "right_hip.contraction=1"}, {"unknown limb 'right_hip'"}},
+      {{"edit", "out", "--set", "legs.contractoin=1"}, {"did you mean 'contraction'?"}},
+      {{"edit", "out", "--set", "right_hip.weight=0"}, {"'0'", "0.001 to 1000"}},
+      {{"edit", "out", "--set", "right_hip.locked=yes"}, {"'yes'", "true and false"}},
+      {{"edit", "out", "--set", "squat_deg=60"}, {"NAME.contraction=NUMBER"}},
+      {{"edit", "out", "--set", "right_arm.right_elbw.weight=1"},
+       {"did you mean 'right_arm.right_elbow'?"}},
+  };
+  const auto before = work_.contents();
+  for (const auto& row : table) {
+    const ProgramRun refused = run(row.call);
+    EXPECT_EQ(refused.exit_code, 2) << row.call.back();
+    EXPECT_EQ(refused.out, "");
+    for (const std::string& word : row.told) EXPECT_THAT(refused.err, HasSubstr(word));
+  }
+  EXPECT_EQ(work_.contents(), before);
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// Results of the preset layers in files, and assignments to their parameters.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "project/schema_check.hpp"
+#include "shigusa/project/result_file.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+struct Sample {
+  TaskFile file;
+  Task task;
+  Generation generation;
+
+  explicit Sample(const TaskFile& asked)
+      : file(asked), task(make_task(file, {}).value()), generation(generate(task).value()) {}
+
+  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}, {}); }
+};
+
+TaskFile layers_task() {
+  TaskFile file;
+  file.character.source = "full_body";
+  file.preset = Preset::layers;
+  file.goals = {{"left_hand", {0.3, 1.1, 0.4}}, {"right_hand", {-0.2, 1.1, 0.4}}};
+  file.seed = 3;
+  file.evaluations = 100;
+  return file;
+}
+
+const Sample& sample() {
+  static const Sample made(layers_task());
+  return made;
+}
+
+std::string message(const Json& json) {
+  const Result<StoredResult> result = parse_result(json.dump(), "summary.json");
+  return result ? "" : result.error().to_string();
+}
+
+TEST(LayeredResult, ParametersAreReadBackBitForBit) {
+  for (const LayerReading reading : layer_readings()) {
+    // in the paper's code, and in one of any numbers
+    for (const SearchMethod method : {SearchMethod::paper_ga, SearchMethod::cma_es}) {
+      TaskFile file = layers_task();
+      file.layer_reading = reading;
+      file.search = method;
+      const Sample made(file);
+      const StoredResult stored = parse_result(made.text(), "summary.json").value();
+      EXPECT_EQ(stored.task.preset, Preset::layers);
+      EXPECT_EQ(stored.task.layer_reading, reading);
+      EXPECT_TRUE(stored.candidates.empty());
+      ASSERT_EQ(stored.layered.size(), made.generation.candidates.size());
+      for (std::size_t i = 0; i < stored.layered.size(); ++i) {
+        EXPECT_EQ(stored.layered[i], made.generation.candidates[i].layered);
+      }
+    }
+  }
+}
+
+TEST(LayeredResult, StoredParametersGiveTheSameMotion) {
+  StoredResult stored = parse_result(sample().text(), "summary.json").value();
+  const Task task = make_task(stored.task, {}).value();
+  const Generation again = regenerate(task, stored.layered[0]).value();
+  EXPECT_EQ(again.candidates[0].motion.clip.angles,
+            sample().generation.candidates[0].motion.clip.angles);
+}
+
+TEST(LayeredResult, FollowsTheSchema) {
+  const SchemaCheck schema = SchemaCheck::in_docs("result.schema.json");
+  EXPECT_EQ(schema.judge(nlohmann::json::parse(sample().text())), "");
+  TaskFile far = layers_task();
+  far.goals = {{"right_hand", {0, 5, 0}}};
+  EXPECT_EQ(schema.judge(nlohmann::json::parse(Sample(far).text())), "");
+}
+
+TEST(LayeredResult, WrongParametersAreNamedByTheirPlace) {
+  const Json good = Json::parse(sample().text());
+  ASSERT_EQ(message(good), "");
+  const auto with = [&good](const Json::json_pointer& place, const Json& value) {
+    Json json = good;
+    json[place] = value;
+    return message(json);
+  };
+  const Json::json_pointer parameters("/candidates/0/parameters");
+  EXPECT_THAT(with(parameters / "weights" / "right_hip.flexion", 0),
+              HasSubstr("right_hip.flexion: is 0; allowed are numbers from 0.001 to 1000"));
+  EXPECT_THAT(with(parameters / "weights" / "right_knee.flexion", 1),
+              HasSubstr("'right_knee.flexion'"));
+  EXPECT_THAT(with(parameters / "locked", {"right_knee.flexion"}), HasSubstr("parameters.locked"));
+  EXPECT_THAT(with(parameters / "contractions" / "legs", 16),
+              HasSubstr("contractions.legs: is 16; allowed are numbers from 0 to 15"));
+  EXPECT_THAT(with(parameters / "contractions", Json::object()),
+              HasSubstr("contractions.legs: is missing"));
+  EXPECT_THAT(with(parameters / "posture" / "delay", 0.1), HasSubstr("'delay'"));
+  EXPECT_THAT(with(parameters / "arms", Json::object()), HasSubstr("arms.left_arm: is missing"));
+  EXPECT_THAT(with(parameters / "arms" / "right_arm" / "weights" / "right_elbow.flexion", "x"),
+              HasSubstr("arms.right_arm.weights.right_elbow.flexion"));
+  EXPECT_THAT(with(parameters / "arms" / "third_arm", 1), HasSubstr("'third_arm'"));
+  EXPECT_THAT(with(Json::json_pointer("/task/goals/0/effector"), "foot"), HasSubstr("'foot'"));
+  EXPECT_THAT(with(Json::json_pointer("/task/layer_reading"), "none"), HasSubstr("'none'"));
+}
+
+TEST(LayeredResult, OtherPresetsHaveNoArms) {
+  Json json = Json::parse(sample().text());
+  json["task"]["preset"] = "paper";
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].parameters"));
+}
+
+class AssignLayered : public testing::Test {
+ protected:
+  // The freedoms of that name in the upper layer.
+  [[nodiscard]] std::vector<std::size_t> dofs(const std::string& part) const {
+    std::vector<std::size_t> found;
+    for (std::size_t d = 0; d < layers_[0].body.dofs.size(); ++d) {
+      if (layers_[0].body.dofs[d].name.find(part) == 0) found.push_back(d);
+    }
+    return found;
+  }
+
+  BodyModel body_ = full_body();
+  std::vector<Goal> goals_{{"left_hand", {}}, {"right_hand", {}}};
+  std::vector<Layer> layers_ = layers_to_goals(body_, goals_).value();
+  LayeredParameters before_ = [this] {
+    LayeredParameters parameters;
+    (void)layered_members(layers_, parameters);
+    return parameters;
+  }();
+  LayeredParameters after_ = before_;
+  LayeredParameters expected_ = before_;
+};
+
+TEST_F(AssignLayered, WeightAndLockOfTheUpperLayer) {
+  ASSERT_TRUE(assign_parameter(layers_, "right_hip.weight=3", after_));
+  ASSERT_EQ(dofs("right_hip.").size(), 3u);
+  for (const std::size_t d : dofs("right_hip.")) expected_.upper.joints[d] = {3.0, false};
+  EXPECT_EQ(after_, expected_);
+  ASSERT_TRUE(assign_parameter(layers_, "right_shoulder.flexion.locked=true", after_));
+  expected_.upper.joints[dofs("right_shoulder.flexion").at(0)].locked = true;
+  EXPECT_EQ(after_, expected_);
+  ASSERT_TRUE(assign_parameter(layers_, "right_shoulder.flexion.weight=2e2", after_));
+  expected_.upper.joints[dofs("right_shoulder.flexion").at(0)] = {200.0, false};
+  EXPECT_EQ(after_, expected_);
+}
+
+TEST_F(AssignLayered, ContractionOfAllLimbsThatShareIt) {
+  ASSERT_TRUE(assign_parameter(layers_, "arms.contraction=7.5", after_));
+  for (std::size_t i = 0; i < layers_[0].body.limbs.size(); ++i) {
+    if (layers_[0].body.limbs[i].joints.kind == LimbKind::arm) {
+      expected_.upper.contractions[i] = 7.5;
+    }
+  }
+  EXPECT_EQ(after_, expected_);
+  EXPECT_NE(after_, before_);
+}
+
+TEST_F(AssignLayered, ArmsOwnLayerByItsName) {
+  ASSERT_TRUE(assign_parameter(layers_, "right_arm.right_elbow.flexion.weight=9", after_));
+  expected_.arms[1][3] = {9.0, false};  // the second goal's
+  EXPECT_EQ(after_, expected_);
+  ASSERT_TRUE(assign_parameter(layers_, "left_arm.left_shoulder.locked=true", after_));
+  for (std::size_t k = 0; k < 3; ++k) expected_.arms[0][k].locked = true;
+  EXPECT_EQ(after_, expected_);
+}
+
+TEST_F(AssignLayered, WrongOnesChangeNothing) {
+  for (const char* wrong :
+       {"", "=", "legs=8", "legs.contraction", "legs.contraction=15.1", "legs.contraction=1e999",
+        "right_hip.weight=0", "right_knee.weight=2", "right_elbow.weight=2",
+        "right_arm.right_hip.weight=2", "right_hip.locked=1", "right_leg.contraction=3"}) {
+    EXPECT_FALSE(assign_parameter(layers_, wrong, after_)) << wrong;
+    EXPECT_EQ(after_, before_) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace shigusa
