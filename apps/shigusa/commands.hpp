@@ -37,6 +37,7 @@ struct ReachOptions {
   std::optional<std::string> layer_reading;
   std::optional<std::string> criteria;
   std::optional<std::string> search;
+  std::vector<std::string> fixed;  // NAME=VALUE
   std::optional<int> evaluations;
   std::optional<double> seconds;
   std::optional<int> candidates;

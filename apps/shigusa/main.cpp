@@ -44,6 +44,9 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
                 "paper or default: what motions are scored by, whatever the task file says");
   c->add_option("--search", o.search,
                 "paper_ga, log_ga, annealing, cma_es, de or random (default: the preset's)");
+  c->add_option("--fix", o.fixed,
+                "Leave a parameter as given and search the rest: as --set of edit; repeatable")
+      ->allow_extra_args(false);
   c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
       ->check(whole_number(8, 1'000'000'000));
   c->add_option("--seconds", o.seconds, "Time limit of the search; what is found depends on speed")
@@ -66,10 +69,12 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("edit", "Change a candidate's parameters; no search");
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
-  c->add_option("--set", o.assignments,
-                "NAME.weight=NUMBER or NAME.locked=true|false; NAME is a joint or a freedom, "
-                "such as right_shoulder.flexion. Of the preset layers: also "
-                "legs.contraction=NUMBER (0..15), and right_arm.NAME for the arm's own; repeatable")
+  c->add_option(
+       "--set", o.assignments,
+       "NAME.weight=NUMBER or NAME.locked=true|false, NAME a joint or a freedom such as "
+       "right_shoulder.flexion; or of the posture squat_deg=NUMBER and so on; of the preset "
+       "layers also legs.contraction=NUMBER (0..15), and right_arm.NAME for the arm's own; "
+       "repeatable")
       ->allow_extra_args(false);
   c->add_option("--out", o.out, "Folder for the new result (default: edit-N beside the old one)");
   c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();

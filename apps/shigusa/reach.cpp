@@ -123,6 +123,7 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
   if (options.seed) file.seed = *options.seed;
   if (options.candidates) file.candidates = *options.candidates;
   if (options.evaluations) file.evaluations = *options.evaluations;
+  for (const std::string& assignment : options.fixed) file.fixed.push_back(assignment);
   if (!options.goals.empty()) file.goals.clear();
   for (const std::string& text : options.goals) {
     Result<Goal> goal = parse_goal(text);

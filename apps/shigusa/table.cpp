@@ -23,7 +23,8 @@ std::string candidate_table(const Generation& generation) {
   }
   const bool layered = generation.candidates.front().layered.has_value();
   if (layered) text += fmt::format("  {:>14}", "arm in body mm");
-  text += fmt::format("  {:>9}  {:>9}  {}\n", "error mm", "slide mm", "most over its limit");
+  text += fmt::format("  {:>9}  {:>9}  {:<20}  {}\n", "error mm", "slide mm", "ends as",
+                      "most over its limit");
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     const Candidate& candidate = generation.candidates[i];
     text += fmt::format("{:>4}  {:>7.4f}", i + 1, candidate.score.total);
@@ -35,7 +36,8 @@ std::string candidate_table(const Generation& generation) {
     double slide = 0.0;
     for (const GoalResult& goal : candidate.goals) error = std::max(error, goal.error);
     for (const ContactResult& foot : candidate.contacts) slide = std::max(slide, foot.max_slide);
-    text += fmt::format("  {:>9.3f}  {:>9.3f}  ", 1e3 * error, 1e3 * slide);
+    text += fmt::format("  {:>9.3f}  {:>9.3f}  {:<20}  ", 1e3 * error, 1e3 * slide,
+                        posture_words(candidate.final_posture));
     if (candidate.over_limit.empty()) {
       text += "-";
     } else {
@@ -80,6 +82,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
                                generation.replay_difference));
   }
   const bool reached = generation.status == ReachStatus::reached;
+  if (reached && !generation.fewer.empty()) note("candidates", generation.fewer);
   if (!reached) {
     fmt::print(stderr, "shigusa: out of reach: the closest motion ends {:.1f} mm from the goal{}\n",
                1e3 * generation.remaining_distance, task.goals.size() > 1 ? "s" : "");

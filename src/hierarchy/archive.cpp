@@ -13,12 +13,11 @@ bool ends_with(const std::string& name, const char* end) {
 
 }  // namespace
 
-Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()) {
+Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()), meter_(body), angles_(dofs_) {
   for (std::size_t d = 0; d < dofs_; ++d) {
     const std::string& name = body.dofs()[d].name;
-    if (ends_with(name, "knee.flexion")) descriptors_[0].push_back(d);
-    if (name == "right_hip.rotation") descriptors_[1].push_back(d);
-    if (ends_with(name, "shoulder.rotation")) descriptors_[2].push_back(d);
+    if (name == "right_hip.rotation") descriptors_[0].push_back(d);
+    if (ends_with(name, "shoulder.rotation")) descriptors_[1].push_back(d);
   }
 }
 
@@ -29,8 +28,10 @@ double Archive::mean_of(std::size_t descriptor, std::span<const float> posture) 
   return dofs.empty() ? 0.0 : sum / static_cast<double>(dofs.size());
 }
 
-Archive::Cell Archive::cell_of(std::span<const float> posture) const {
+Archive::Cell Archive::cell_of(std::span<const float> posture, std::optional<double> index) const {
   Cell cell{};
+  // who hardly bends has a cell apart
+  cell[2] = index ? static_cast<int>(clamp(*index / kIndexCell + 100.0, 0.0, 200.0)) : -1;
   for (std::size_t k = 0; k < descriptors_.size(); ++k) {
     // far outside anybody's range all is one
     cell[k] = static_cast<int>(clamp(mean_of(k, posture) / kCell + 100.0, 0.0, 200.0));
@@ -44,14 +45,15 @@ void Archive::add(std::span<const double> points, std::span<const double> scores
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!(scores[i] < worst)) continue;
     const std::span<const float> posture = postures.subspan(i * dofs_, dofs_);
-    std::vector<Archived>& cell = cells_[cell_of(posture)];
+    angles_.assign(posture.begin(), posture.end());
+    const std::optional<double> index = meter_.index(angles_);
+    std::vector<Archived>& cell = cells_[cell_of(posture, index)];
     if (cell.size() >= kPerCell && !(scores[i] < cell.back().score)) continue;
     const auto after =
         std::upper_bound(cell.begin(), cell.end(), scores[i],
                          [](double score, const Archived& kept) { return score < kept.score; });
     const std::span<const double> point = points.subspan(i * genes, genes);
-    const double knee = mean_of(0, posture);
-    const int style = knee < kStoopKnee ? 0 : knee < kSquatKnee ? 1 : 2;
+    const int style = !index || *index > kStoopIndex ? 0 : *index < kSquatIndex ? 2 : 1;
     cell.insert(after,
                 {{point.begin(), point.end()}, scores[i], {posture.begin(), posture.end()}, style});
     if (cell.size() > kPerCell) cell.pop_back();

@@ -26,9 +26,11 @@ std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
   return result;
 }
 
-PathKind path_kind(const ReachProblem& problem, const EffectorPath& path) {
+PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
+                   const Parameters& parameters) {
   if (!problem.follow_path) return PathKind::free;
-  return path.detour == Vec3d{} ? PathKind::straight : PathKind::detour;
+  if (path.detour != Vec3d{}) return PathKind::detour;
+  return parameters.posture.bow == 0.0 ? PathKind::straight : PathKind::bowed;
 }
 
 double frame_distance(const Clip& a, const Clip& b, int frame) {
@@ -55,7 +57,7 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
     const Vec3d reached = rolled.motion.effectors[g].back();
     const Vec3d goal = task.goals[g].position;
     candidate.goals.push_back({effector.name, effector.node, goal, reached, norm(goal - reached),
-                               path_kind(problem, problem.goals[g].path)});
+                               path_kind(problem, problem.goals[g].path, parameters)});
   }
   candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
@@ -64,6 +66,9 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
     candidate.contacts.push_back({foot.name, foot.node, slide});
   }
   candidate.over_limit = limit_excess(body, rolled.motion.clip);
+  const Clip& clip = rolled.motion.clip;
+  candidate.final_posture =
+      PostureMeter(body).measure(clip.frame(clip.frames - 1), problem.goals.front().effector);
   candidate.motion = std::move(rolled.motion);
   return candidate;
 }

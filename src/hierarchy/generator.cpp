@@ -50,8 +50,49 @@ constexpr double kStyleShare = 0.2;
 // spent on all parameters together, up to that many.
 constexpr int kLeastStyleBudget = kPaperPopulation;
 constexpr int kLeastFreeBudget = 3 * kPaperPopulation;
+constexpr double kStiffKnee = 1.0;  // logarithm of the least weight of a knee that goes by the dial
 constexpr std::pair<double, double> kStyleRanges[] = {{0.0, radians(30.0)},
-                                                      {radians(85.0), radians(130.0)}};  // rad
+                                                      {radians(115.0), radians(138.0)}};  // rad
+
+// The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
+// leave more or less of it, so the search is told how much.
+class SquatDial {
+ public:
+  static std::optional<SquatDial> of(const Task& task) {
+    if (!task.fixed) return std::nullopt;
+    PostureParameters posture = task.fixed->values.posture;
+    const std::vector<PostureMember> members = posture_members(task.body, posture);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      if (members[m].name != "squat" || !task.fixed->posture[m]) continue;
+      SquatDial dial;
+      for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
+        const std::optional<int> dof = task.body.find_dof(knee);
+        if (!dof) continue;
+        dial.knees_.push_back(static_cast<std::size_t>(*dof));
+        dial.wanted_ += *members[m].value + task.body.start()[dial.knees_.back()];
+      }
+      if (!dial.knees_.empty()) return dial;
+    }
+    return std::nullopt;
+  }
+
+  // How far (rad) the mean of the knees' angles is off.
+  [[nodiscard]] double off(std::span<const float> angles) const {
+    double sum = -wanted_;
+    for (const std::size_t knee : knees_) sum += static_cast<double>(angles[knee]);
+    return abs(sum) / static_cast<double>(knees_.size());
+  }
+
+ private:
+  std::vector<std::size_t> knees_;
+  double wanted_ = 0.0;  // rad, of all knees together
+};
+
+// How near (rad) the dial's motions come to it, what the search aims at, and what a radian off
+// costs there; no criterion is 1 for more than that.
+constexpr double kDialSlack = radians(8.0);
+constexpr double kDialAim = radians(4.0);
+constexpr double kDialPull = 1.0;
 
 // What is searched on one way to the goal, and what the search came upon.
 class Searched {
@@ -60,22 +101,25 @@ class Searched {
       : problem_(problem),
         task_(task),
         criteria_(task_criteria(task)),
-        space_(problem, gene_code(task)),
+        space_(problem, gene_code(task), task.fixed),
         batch_(problem, criteria_, task.batch),
-        archive_(*problem.body) {}
+        archive_(*problem.body),
+        dial_(SquatDial::of(task)) {}
 
   SearchResult run(const Progress& progress) {
     const int budget = task_.evaluations.value_or(kFlatEvaluations);
     if (task_.preset == Preset::paper) return run_in({}, budget, progress);
+    const int squat = space_.find("squat");
+    if (squat < 0) return run_in(stiff_knees(), budget, progress);
     const int free =
         std::max(static_cast<int>(kFreeShare * budget), std::min(budget, kLeastFreeBudget));
     SearchResult all = run_in({}, free, progress);
-    const int squat = space_.find("squat");
     const int style = static_cast<int>(kStyleShare * budget);
-    if (squat < 0 || style < kLeastStyleBudget) return all;
+    if (style < kLeastStyleBudget) return all;
     for (const auto& [low, high] : kStyleRanges) {
       if (all.end == SearchEnd::cancelled) break;
-      const Niche niche{squat, space_.coordinate(squat, low), space_.coordinate(squat, high)};
+      Niche niche = stiff_knees();
+      niche.push_back({squat, space_.coordinate(squat, low), space_.coordinate(squat, high)});
       add(run_in(niche, style, progress), all);
     }
     return all;
@@ -85,34 +129,49 @@ class Searched {
   [[nodiscard]] const Archive& archive() const { return archive_; }
 
  private:
-  // a part of the space: one coordinate within bounds
-  struct Niche {
-    int gene = -1;  // -1: the whole space
+  // one coordinate within bounds
+  struct Bound {
+    int gene = 0;
     double low = 0.0;
     double high = 1.0;
+  };
+  // a part of the space
+  using Niche = std::vector<Bound>;
 
-    void take_in(std::span<double> points, std::size_t genes) const {
-      if (gene < 0) return;
-      for (auto k = static_cast<std::size_t>(gene); k < points.size(); k += genes) {
-        points[k] = low + points[k] * (high - low);
+  // Where the knees' flexion is given they go by it: light ones would bend as the hand has it.
+  [[nodiscard]] Niche stiff_knees() const {
+    Niche niche;
+    for (const char* name : {"knee.flexion", "left_knee.flexion", "right_knee.flexion"}) {
+      const int gene = space_.find(name);
+      if (gene >= 0) niche.push_back({gene, space_.coordinate(gene, kStiffKnee), 1.0});
+    }
+    return niche;
+  }
+
+  static void take_in(const Niche& niche, std::span<double> points, std::size_t genes) {
+    for (const Bound& bound : niche) {
+      for (auto k = static_cast<std::size_t>(bound.gene); k < points.size(); k += genes) {
+        points[k] = bound.low + points[k] * (bound.high - bound.low);
       }
     }
-  };
+  }
 
   SearchResult run_in(const Niche& niche, int budget, const Progress& progress) {
     SearchProblem searched;
     searched.genes = space_.genes();
     searched.start = space_.start();
-    if (niche.gene >= 0) searched.start[static_cast<std::size_t>(niche.gene)] = 0.5;
+    for (const Bound& bound : niche) searched.start[static_cast<std::size_t>(bound.gene)] = 0.5;
     const auto genes = static_cast<std::size_t>(searched.genes);
     searched.evaluate = [&](std::span<const double> points, std::span<double> scores) {
       moved_.assign(points.begin(), points.end());
-      niche.take_in(moved_, genes);
+      take_in(niche, moved_, genes);
       evaluate(moved_, scores);
     };
     SearchResult found = search_with(searched, budget, progress);
-    niche.take_in(found.best_seen.point, genes);
-    for (Individual& individual : found.final_population) niche.take_in(individual.point, genes);
+    take_in(niche, found.best_seen.point, genes);
+    for (Individual& individual : found.final_population) {
+      take_in(niche, individual.point, genes);
+    }
     return found;
   }
 
@@ -137,9 +196,18 @@ class Searched {
   void evaluate(std::span<const double> points, std::span<double> scores) {
     const bool kept = task_.preset != Preset::paper;
     if (!task_.criteria.user.empty()) return evaluate_one_by_one(points, scores);
-    angles_.resize(kept ? scores.size() * problem_.body->dofs().size() : 0);
+    const std::size_t dofs = problem_.body->dofs().size();
+    angles_.resize(kept ? scores.size() * dofs : 0);
     batch_.score(space_.rows(points), scores, angles_);
-    if (kept) archive_.add(points, scores, angles_, worst_score(criteria_));
+    if (!kept) return;
+    if (!dial_) return archive_.add(points, scores, angles_, worst_score(criteria_));
+    kept_scores_.assign(scores.begin(), scores.end());
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      const double off = dial_->off({angles_.data() + i * dofs, dofs});
+      if (off > kDialSlack) kept_scores_[i] = worst_score(criteria_);
+      scores[i] += kDialPull * max(0.0, off - kDialAim);
+    }
+    archive_.add(points, kept_scores_, angles_, worst_score(criteria_));
   }
 
   // criteria of the user's own want whole motions: one after the other
@@ -166,30 +234,69 @@ class Searched {
   ParameterSpace space_;
   BatchRollout batch_;
   Archive archive_;
+  std::optional<SquatDial> dial_;
   std::vector<float> angles_;
   std::vector<double> moved_;
+  std::vector<double> kept_scores_;
+};
+
+// What is worth a replay, best first, and what was not.
+struct Choice {
+  std::vector<Individual> picked;
+  int similar = 0;  // end as a better one does
+  int worse = 0;    // score more than kCandidateSpread worse than the best
 };
 
 // Of all that the search came upon, the best and others that end differently and are not much
 // worse: first the best of each style, then what is left, best first.
-std::vector<Individual> distinct_postures(const Archive& archive, int most) {
+Choice distinct_postures(const Archive& archive, int most) {
   const std::vector<Archived> ranked = archive.ranked();
   std::vector<const Archived*> picked;
-  const auto try_pick = [&](const Archived& archived, bool new_style_only) {
-    if (static_cast<int>(picked.size()) >= most) return;
-    if (archived.score > ranked.front().score + kCandidateSpread) return;
-    for (const Archived* better : picked) {
-      const double distance = posture_distance(better->posture, archived.posture);
-      if (distance < kDistinctEnd + kEndSlack) return;
-      if (new_style_only && better->style == archived.style) return;
-    }
-    picked.push_back(&archived);
+  Choice choice;
+  const auto near = [](const Archived& a, const Archived& b) {
+    return posture_distance(a.posture, b.posture) < kDistinctEnd + kEndSlack;
   };
-  for (const Archived& archived : ranked) try_pick(archived, true);
-  for (const Archived& archived : ranked) try_pick(archived, false);
-  std::vector<Individual> result;
-  for (const Archived* archived : picked) result.push_back({archived->point, archived->score});
-  return result;
+  for (const bool new_style_only : {true, false}) {
+    choice.similar = choice.worse = 0;
+    for (const Archived& archived : ranked) {
+      if (static_cast<int>(picked.size()) >= most) break;
+      const double spread = new_style_only ? kStyleSpread : kCandidateSpread;
+      if (archived.score > ranked.front().score + spread) {
+        ++choice.worse;
+      } else if (std::any_of(picked.begin(), picked.end(),
+                             [&](const Archived* better) { return near(*better, archived); })) {
+        ++choice.similar;
+      } else if (!new_style_only ||
+                 std::none_of(picked.begin(), picked.end(), [&](const Archived* better) {
+                   return better->style == archived.style;
+                 })) {
+        picked.push_back(&archived);
+      }
+    }
+  }
+  choice.similar -= static_cast<int>(picked.size());  // each is near itself
+  for (const Archived* archived : picked) {
+    choice.picked.push_back({archived->point, archived->score});
+  }
+  return choice;
+}
+
+// Why there are fewer candidates than asked for.
+std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {
+  if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
+  const bool paper = task.preset == Preset::paper;
+  std::vector<std::string> reasons;
+  const auto add = [&](int count, std::string_view what) {
+    if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
+  };
+  add(choice.similar + generation.near_copies,
+      paper ? "move as a better one does" : "end within 10° of a better one");
+  add(choice.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
+  add(generation.missed, "miss the goal, leave the path or move a foot when replayed");
+  return fmt::format(
+      "{} of {} candidates: of the others that were kept, {}", generation.candidates.size(),
+      task.candidates,
+      reasons.empty() ? "there are none" : fmt::format("{}", fmt::join(reasons, "; ")));
 }
 
 // Replays what was found and keeps what arrives and differs, best first.
@@ -197,9 +304,9 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
                         const Searched& searched, const SearchResult& found,
                         Generation& generation) {
   const bool paper = task.preset == Preset::paper;
-  const std::vector<Individual> ranked =
-      paper ? ranked_population(found) : distinct_postures(searched.archive(), 4 * task.candidates);
-  for (const Individual& individual : ranked) {
+  const Choice choice = paper ? Choice{.picked = ranked_population(found)}
+                              : distinct_postures(searched.archive(), 4 * task.candidates);
+  for (const Individual& individual : choice.picked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
     const Parameters parameters = searched.space().decode(individual.point);
     std::optional<Arrival> arrival = first_arrival(ways, parameters);
@@ -228,6 +335,7 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
   std::stable_sort(
       generation.candidates.begin(), generation.candidates.end(),
       [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
+  generation.fewer = why_fewer(task, generation, choice);
 }
 
 // The parameters' motion on the first way that brings them to the goal; where none does, the one
@@ -296,12 +404,28 @@ Result<void> check_parameters(const BodyModel& body, const Parameters& parameter
   return {};
 }
 
+Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
+  if (!task.fixed) return {};
+  Parameters values = task.fixed->values;
+  if (const auto checked = check_parameters(task.body, values); !checked) return checked;
+  const std::size_t members = posture_members(task.body, values.posture).size();
+  if (task.fixed->joints.size() != values.joints.size() || task.fixed->posture.size() != members) {
+    return fail(ErrorCode::invalid_argument, "fixed parameters are of another body");
+  }
+  if (ParameterSpace(problem, gene_code(task), task.fixed).genes() > 0) return {};
+  return fail(ErrorCode::invalid_argument,
+              "every parameter is fixed: there is nothing to search, an edit plays them");
+}
+
 }  // namespace
 
 Result<Generation> generate(const Task& task, const Progress& progress) {
   if (task.preset == Preset::layers) return generate_layered(task, progress);
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
+  if (const auto checked = check_fixed(task, *problem); !checked) {
+    return tl::unexpected(checked.error());
+  }
   const ClosestReach reach = closest_reach(*problem);
   const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
   Generation generation;

@@ -30,8 +30,13 @@ std::string shared_name(const std::string& name) {
 
 }  // namespace
 
-ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code)
-    : body_(problem.body), code_(code) {
+ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
+                               const std::optional<FixedParameters>& fixed)
+    : body_(problem.body),
+      code_(code),
+      fixed_(fixed ? *fixed : no_fixed_parameters(*body_)),
+      posed_(code == GeneCode::natural) {
+  for (const bool set : fixed_.posture) posed_ = posed_ || set;
   add_weights(problem);
   if (code_ == GeneCode::natural) add_posture(problem);
 }
@@ -40,6 +45,8 @@ void ParameterSpace::add_weights(const ReachProblem& problem) {
   const std::vector<bool> useful = useful_dofs(problem);
   for (std::size_t d = 0; d < body_->dofs().size(); ++d) {
     const std::string& name = body_->dofs()[d].name;
+    // a genome of the paper's has a gene for each freedom
+    if (fixed_.joints[d] && code_ != GeneCode::paper) continue;
     if (code_ != GeneCode::natural) {
       genes_.push_back(
           {.name = name, .dofs = {d}, .lower = -kLogWeightRange, .upper = kLogWeightRange});
@@ -66,17 +73,20 @@ void ParameterSpace::add_posture(const ReachProblem& problem) {
     for (std::size_t d = 0; d < useful.size(); ++d) {
       moves = moves || (useful[d] && modes_[m].direction[d] != 0.0);
     }
-    if (!moves) continue;
+    if (!moves || fixed_.posture[m]) continue;
     genes_.push_back({.kind = Kind::posture,
                       .name = modes_[m].name,
                       .mode = m,
                       .lower = modes_[m].lower,
                       .upper = modes_[m].upper});
   }
-  genes_.push_back({.kind = Kind::delay, .name = "delay", .upper = kDelayMax});
-  genes_.push_back(
-      {.kind = Kind::bow, .name = "bow", .lower = -kBowSearched / 2.0, .upper = kBowSearched});
-  genes_.push_back({.kind = Kind::skew, .name = "skew", .lower = -1.0, .upper = 1.0});
+  const Gene path[] = {
+      {.kind = Kind::delay, .name = "delay", .upper = kDelayMax},
+      {.kind = Kind::bow, .name = "bow", .lower = -kBowSearched / 2.0, .upper = kBowSearched},
+      {.kind = Kind::skew, .name = "skew", .lower = -1.0, .upper = 1.0}};
+  for (std::size_t k = 0; k < std::size(path); ++k) {
+    if (!fixed_.posture[modes_.size() + k]) genes_.push_back(path[k]);
+  }
 }
 
 std::vector<std::string> ParameterSpace::names() const {
@@ -102,12 +112,22 @@ double ParameterSpace::coordinate(int gene, double value) const {
   return clamp(genes_[static_cast<std::size_t>(gene)].of(value), 0.0, 1.0);
 }
 
+// what is fixed of the weights; of the posture, what has no gene is as it was
+void ParameterSpace::keep_fixed(Parameters& parameters) const {
+  for (std::size_t d = 0; d < fixed_.joints.size(); ++d) {
+    if (fixed_.joints[d]) parameters.joints[d] = fixed_.values.joints[d];
+  }
+  if (posed_) parameters.posture = fixed_.values.posture;
+}
+
 Parameters ParameterSpace::decode(std::span<const double> point) const {
   if (code_ == GeneCode::paper) {
-    return decode_paper_genes(genome_of_point(point, kPaperBitsPerGene));
+    Parameters parameters = decode_paper_genes(genome_of_point(point, kPaperBitsPerGene));
+    keep_fixed(parameters);
+    return parameters;
   }
   Parameters parameters = uniform_parameters(*body_);
-  if (code_ == GeneCode::natural) parameters.posture.modes.resize(modes_.size());
+  keep_fixed(parameters);
   for (std::size_t g = 0; g < genes_.size(); ++g) {
     const Gene& gene = genes_[g];
     const double value = gene.at(point[g]);
@@ -135,36 +155,58 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
 }
 
 MotionInputs ParameterSpace::rows(std::span<const double> points) {
-  if (code_ == GeneCode::paper) {
-    weights_ = inverse_weights_of_genes(genome_of_point(points, kPaperBitsPerGene));
-    return weights_;
-  }
   const std::size_t motions = points.size() / genes_.size();
   const std::size_t dofs = body_->dofs().size();
-  weights_.assign(motions * dofs, 1.0F);
-  const bool natural = code_ == GeneCode::natural;
-  postures_.assign(natural ? motions * dofs : 0, 0.0F);
-  timing_.assign(natural ? motions * 3 : 0, 0.0F);
-  for (std::size_t i = 0; i < motions; ++i) {
-    const std::span<const double> point = points.subspan(i * genes_.size(), genes_.size());
-    for (std::size_t g = 0; g < genes_.size(); ++g) {
-      const Gene& gene = genes_[g];
-      const double value = gene.at(point[g]);
-      if (gene.kind == Kind::weight) {
-        const auto inverse = static_cast<float>(exponential(-value));
-        for (const std::size_t d : gene.dofs) weights_[i * dofs + d] = inverse;
-      } else if (gene.kind == Kind::posture) {
-        const std::vector<double>& direction = modes_[gene.mode].direction;
-        for (std::size_t d = 0; d < dofs; ++d) {
-          postures_[i * dofs + d] += static_cast<float>(value * direction[d]);
-        }
-      } else {
-        const std::size_t k = gene.kind == Kind::delay ? 0 : gene.kind == Kind::bow ? 1 : 2;
-        timing_[i * 3 + k] = static_cast<float>(value);
-      }
+  Parameters base = uniform_parameters(*body_);
+  keep_fixed(base);
+  const std::vector<double> inverse = inverse_weights(base);
+  weights_.resize(motions * dofs);
+  if (code_ == GeneCode::paper) {
+    weights_ = inverse_weights_of_genes(genome_of_point(points, kPaperBitsPerGene));
+  }
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    const std::size_t d = k % dofs;
+    if (code_ != GeneCode::paper || fixed_.joints[d]) weights_[k] = static_cast<float>(inverse[d]);
+  }
+  if (posed_) start_postures(base, motions);
+  if (code_ != GeneCode::paper) {
+    for (std::size_t i = 0; i < motions; ++i) {
+      fill_row(i, points.subspan(i * genes_.size(), genes_.size()));
     }
   }
-  return {weights_, postures_, timing_};
+  return posed_ ? MotionInputs{weights_, postures_, timing_} : MotionInputs{weights_};
+}
+
+// all as the fixed parameters have it
+void ParameterSpace::start_postures(const Parameters& base, std::size_t motions) {
+  const std::vector<double> change = posture_change(*body_, base.posture);
+  const double timing[] = {base.posture.delay, base.posture.bow, base.posture.skew};
+  postures_.clear();
+  timing_.clear();
+  for (std::size_t i = 0; i < motions; ++i) {
+    for (const double angle : change) postures_.push_back(static_cast<float>(angle));
+    for (const double value : timing) timing_.push_back(static_cast<float>(value));
+  }
+}
+
+void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
+  const std::size_t dofs = body_->dofs().size();
+  for (std::size_t g = 0; g < genes_.size(); ++g) {
+    const Gene& gene = genes_[g];
+    const double value = gene.at(point[g]);
+    if (gene.kind == Kind::weight) {
+      const auto inverse = static_cast<float>(exponential(-value));
+      for (const std::size_t d : gene.dofs) weights_[row * dofs + d] = inverse;
+    } else if (gene.kind == Kind::posture) {
+      const std::vector<double>& direction = modes_[gene.mode].direction;
+      for (std::size_t d = 0; d < dofs; ++d) {
+        postures_[row * dofs + d] += static_cast<float>(value * direction[d]);
+      }
+    } else {
+      const std::size_t k = gene.kind == Kind::delay ? 0 : gene.kind == Kind::bow ? 1 : 2;
+      timing_[row * 3 + k] = static_cast<float>(value);
+    }
+  }
 }
 
 }  // namespace shigusa

@@ -18,10 +18,22 @@ constexpr int kEdgeCorrections = 3;
 // jerk over a range of 4 rad has a fifth of it.
 constexpr double kJolt = radians(2.0);
 
-// The motion does what its way asks for; beyond reach, without a jolt.
+// How far (m) a hand at the edge of reach may still come in the last frame.
+constexpr double kRestStep = 1e-3;
+
+bool ends_at_rest(const Motion& motion) {
+  for (const std::vector<Vec3d>& path : motion.effectors) {
+    if (path.size() > 1 && norm(path.back() - path[path.size() - 2]) > kRestStep) return false;
+  }
+  return true;
+}
+
+// The motion does what its way asks for; beyond reach, without a jolt and at rest at the
+// end.
 bool arrives(const ReachProblem& way, const RolledOut& rolled) {
   if (!rolled.outcome.met(way.tolerance)) return false;
-  return way.tolerance.goal <= kReachTolerance || !jolts(rolled.motion.clip);
+  if (way.tolerance.goal <= kReachTolerance) return true;
+  return !jolts(rolled.motion.clip) && ends_at_rest(rolled.motion);
 }
 
 }  // namespace

@@ -30,10 +30,12 @@ Result<double> parse_weight(std::string_view text) {
 
 // An angle is NAME_deg or NAME_rad.
 Result<void> assign_posture(const BodyModel& body, std::string_view name, std::string_view text,
-                            PostureParameters& posture) {
-  PostureParameters changed = posture;
+                            FixedParameters& fixed) {
+  PostureParameters changed = fixed.values.posture;
   std::vector<std::string> names;
-  for (const PostureMember& member : posture_members(body, changed)) {
+  const std::vector<PostureMember> members = posture_members(body, changed);
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const PostureMember& member = members[m];
     for (const char* suffix : {"_deg", "_rad", ""}) {
       if (member.angle == std::string_view(suffix).empty()) continue;
       names.push_back(member.name + suffix);
@@ -46,7 +48,8 @@ Result<void> assign_posture(const BodyModel& body, std::string_view name, std::s
                                 member.low / unit, member.high / unit));
       }
       *member.value = value;
-      posture = changed;
+      fixed.values.posture = changed;
+      fixed.posture[m] = true;
       return {};
     }
   }
@@ -92,8 +95,8 @@ Result<void> assign_contraction(const Assignment& assignment, const LayeredMembe
 
 }  // namespace
 
-Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
-                              Parameters& parameters) {
+Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
+                           FixedParameters& fixed) {
   const std::size_t equals = assignment.find('=');
   const std::size_t dot = assignment.substr(0, equals).rfind('.');
   if (equals == assignment.npos) {
@@ -103,8 +106,7 @@ Result<void> assign_parameter(const BodyModel& body, std::string_view assignment
                             assignment.substr(0, 80)));
   }
   if (dot == assignment.npos) {
-    return assign_posture(body, assignment.substr(0, equals), assignment.substr(equals + 1),
-                          parameters.posture);
+    return assign_posture(body, assignment.substr(0, equals), assignment.substr(equals + 1), fixed);
   }
   const std::string_view name = assignment.substr(0, dot);
   const std::string_view member = assignment.substr(dot + 1, equals - dot - 1);
@@ -123,10 +125,20 @@ Result<void> assign_parameter(const BodyModel& body, std::string_view assignment
     }
     if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
     found = true;
-    if (const auto ok = assign_joint({name, member, value}, parameters.joints[d]); !ok) return ok;
+    fixed.joints[d] = true;
+    if (const auto ok = assign_joint({name, member, value}, fixed.values.joints[d]); !ok) return ok;
   }
   if (!found) return fail(ErrorCode::not_found, unknown_name("joint", name, names));
   return {};
+}
+
+Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
+                              Parameters& parameters) {
+  FixedParameters fixed = no_fixed_parameters(body);
+  fixed.values = parameters;
+  const Result<void> done = fix_parameter(body, assignment, fixed);
+  if (done) parameters = fixed.values;
+  return done;
 }
 
 Result<void> assign_parameter(std::span<const Layer> layers, std::string_view assignment,

@@ -46,6 +46,8 @@ const char* path_name(PathKind path) {
   switch (path) {
     case PathKind::straight:
       return "straight";
+    case PathKind::bowed:
+      return "bowed";
     case PathKind::detour:
       return "detour";
     case PathKind::free:
@@ -84,6 +86,15 @@ Json contacts_to_json(const Candidate& candidate) {
   return list;
 }
 
+Json posture_to_json(const FinalPosture& posture) {
+  Json json{{"words", posture_words(posture)},
+            {"knee_flexion_deg", degrees(posture.knee_flexion)},
+            {"trunk_turn_deg", degrees(posture.trunk_turn)},
+            {"elbow_swivel_deg", degrees(posture.elbow_swivel)}};
+  if (posture.stoop_squat_index) json["stoop_squat_index"] = *posture.stoop_squat_index;
+  return json;
+}
+
 Json candidate_to_json(const Task& task, const Generation& generation, std::size_t index,
                        const CandidateFiles* files) {
   const Candidate& candidate = generation.candidates[index];
@@ -100,6 +111,7 @@ Json candidate_to_json(const Task& task, const Generation& generation, std::size
   for (const LimitExcess& excess : candidate.over_limit) {
     json["over_limit"].push_back({{"dof", excess.dof}, {"excess_deg", degrees(excess.excess)}});
   }
+  json["final_posture"] = posture_to_json(candidate.final_posture);
   json["duration_s"] = generation.duration;
   json["frames"] = candidate.motion.clip.frames;
   if (candidate.layered) {
@@ -210,6 +222,7 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
     json["candidates"].push_back(
         candidate_to_json(task, generation, i, i < files.size() ? &files[i] : nullptr));
   }
+  if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
   json["search_detail"] = search_to_json(task, generation);
   json["doubts"] = std::vector<std::string>(task.body.doubts().begin(), task.body.doubts().end());
   json["task"] = task_to_json(file);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/io/file.hpp>
+#include <shigusa/project/result_file.hpp>
 #include <shigusa/project/task_file.hpp>
 
 #include "task_json.hpp"
@@ -56,13 +57,13 @@ Json character_to_json(const CharacterSpec& c) {
   return json;
 }
 
-void read_doubts(JsonReader& reader, std::vector<std::string>& doubts) {
-  if (!reader.has("doubts")) return;
-  const Json& list = reader.value("doubts");
-  if (!list.is_array()) return reader.wrong("doubts", "must be a list of texts");
-  for (const Json& doubt : list) {
-    if (!doubt.is_string()) return reader.wrong("doubts", "must be a list of texts");
-    doubts.push_back(doubt.get<std::string>());
+void read_texts(JsonReader& reader, const char* key, std::vector<std::string>& texts) {
+  if (!reader.has(key)) return;
+  const Json& list = reader.value(key);
+  if (!list.is_array()) return reader.wrong(key, "must be a list of texts");
+  for (const Json& text : list) {
+    if (!text.is_string()) return reader.wrong(key, "must be a list of texts");
+    texts.push_back(text.get<std::string>());
   }
 }
 
@@ -118,7 +119,7 @@ void read_character(JsonReader& task, CharacterSpec& c) {
   reader.choice<BodyExtent>("extent", c.extent,
                             {{"half", BodyExtent::half}, {"full", BodyExtent::full}});
   reader.integer("frame", c.frame, 0, kFrameMax);
-  read_doubts(reader, c.doubts);
+  read_texts(reader, "doubts", c.doubts);
   read_landmarks(reader, c);
   check_character(reader, c);
   task.absorb(reader.finish());
@@ -197,6 +198,7 @@ Json task_to_json(const TaskFile& task) {
     json["criteria"][criterion.name] = {{"weight", criterion.weight(task.criteria)},
                                         {criterion.scale_name, criterion.scale(task.criteria)}};
   });
+  if (!task.fixed.empty()) json["fixed"] = task.fixed;
   json["seed"] = task.seed;
   json["candidates"] = task.candidates;
   if (task.evaluations) json["evaluations"] = *task.evaluations;
@@ -230,6 +232,7 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
     reader.choice<SearchMethod>("search", *task.search, methods);
   }
   read_criteria(reader, task.criteria);
+  read_texts(reader, "fixed", task.fixed);
   reader.integer("seed", task.seed, 0, UINT64_MAX);
   reader.integer("candidates", task.candidates, 1, kCandidatesMax);
   if (reader.has("evaluations")) {
@@ -275,6 +278,13 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .evaluations = file.evaluations};
   task.genetic.seed = file.seed;
   task.layers.reading = file.layer_reading;
+  for (const std::string& assignment : file.fixed) {
+    if (!task.fixed) task.fixed = no_fixed_parameters(task.body);
+    if (const auto done = fix_parameter(task.body, assignment, *task.fixed); !done) {
+      return fail(done.error().code, done.error().message,
+                  "fixed parameter " + assignment.substr(0, 80));
+    }
+  }
   return task;
 }
 

@@ -9,6 +9,12 @@ Parameters uniform_parameters(const BodyModel& body) {
   return {std::vector<JointWeight>(body.dofs().size()), {}};
 }
 
+FixedParameters no_fixed_parameters(const BodyModel& body) {
+  FixedParameters fixed{uniform_parameters(body), std::vector<bool>(body.dofs().size()), {}};
+  fixed.posture.resize(posture_members(body, fixed.values.posture).size());
+  return fixed;
+}
+
 Parameters decode_paper_genes(std::span<const std::uint16_t> genes) {
   Parameters parameters;
   for (const std::uint16_t gene : genes) {

@@ -126,13 +126,20 @@ std::vector<int> roulette(std::span<const double> fitness, int draws, Random& ra
 }
 
 bool ConvergenceTest::converged(std::span<const ScoredGenome> population) {
-  std::vector<Genome> distinct;
-  for (const ScoredGenome& individual : population) distinct.push_back(individual.genes);
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  std::vector<const Genome*> distinct;
+  for (const ScoredGenome& individual : population) distinct.push_back(&individual.genes);
+  std::sort(distinct.begin(), distinct.end(),
+            [](const Genome* a, const Genome* b) { return *a < *b; });
+  const auto same = [](const Genome* a, const Genome* b) { return *a == *b; };
+  distinct.erase(std::unique(distinct.begin(), distinct.end(), same), distinct.end());
   const bool first = unchanged_ < 0;
-  unchanged_ = !first && distinct == last_ ? unchanged_ + 1 : 0;
-  last_ = std::move(distinct);
+  const bool unchanged =
+      !first && std::equal(distinct.begin(), distinct.end(), last_.begin(), last_.end(),
+                           [](const Genome* a, const Genome& b) { return *a == b; });
+  unchanged_ = unchanged ? unchanged_ + 1 : 0;
+  // into the memory of the last ones
+  last_.resize(distinct.size());
+  for (std::size_t i = 0; i < distinct.size(); ++i) last_[i] = *distinct[i];
   return unchanged_ >= needed_;
 }
 

@@ -118,7 +118,7 @@ TEST_F(Reach, BothHandsHaveTheirGoals) {
 
 TEST_F(Reach, CriteriaOfTheCallReplaceThoseOfTheTaskFile) {
   const std::string task = work_.put("task.json",
-                                     R"({"criteria": {"work": {"weight": 0.5}},
+                                     R"({"preset": "paper", "criteria": {"work": {"weight": 0.5}},
           "goals": [{"effector": "right_hand", "position_m": [-0.2, 1.1, 0.4]}]})");
   const auto terms_by = [&](const Words& more) {
     Words call{task};

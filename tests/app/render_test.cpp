@@ -77,11 +77,11 @@ TEST_F(Render, NeverReplacesTheClip) {
 
 TEST_F(Render, DrawsTheHalfBodysOwnMotionInMetres) {
   // half a body is no whole person, so its size is guessed
-  ASSERT_EQ(
-      run_shigusa({"reach", "--goal", "right_hand=-0.2,1.1,0.4", "--formats", "bvh", "--out", "."},
-                  {.folder = work_.path()})
-          .exit_code,
-      0);
+  ASSERT_EQ(run_shigusa({"reach", "--character", "half_body", "--goal", "right_hand=-0.2,1.1,0.4",
+                         "--formats", "bvh", "--out", "."},
+                        {.folder = work_.path()})
+                .exit_code,
+            0);
   const ProgramRun run = render({"candidate-1.bvh"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.err, HasSubstr("1 unit = 0.01 m"));

@@ -65,7 +65,7 @@ TEST_F(Streams, JsonIsTheSummaryOfTheFolder) {
 TEST_F(Streams, ResultsGoToStdoutAndNothingElseDoes) {
   const ProgramRun run = reach("one");
   EXPECT_EQ(run.err, "");
-  EXPECT_THAT(run.out, testing::StartsWith("reached: half_body, right_hand at (-0.2, 1.1, 0.4) m"));
+  EXPECT_THAT(run.out, testing::StartsWith("reached: full_body, right_hand at (-0.2, 1.1, 0.4) m"));
   EXPECT_THAT(run.out, HasSubstr("one/candidate-1.png\n"));
   EXPECT_THAT(run.out, testing::EndsWith("one/summary.json\n"));
 }

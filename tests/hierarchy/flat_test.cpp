@@ -98,14 +98,17 @@ TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
   const BodyModel body = half_body();
   Archive archive(body);
   const std::size_t dofs = body.dofs().size();
-  const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  // the mode's own direction: knees bend under an upright trunk, hips sink with the shoulders
+  const std::vector<double> squat = posture_modes(body)[0].direction;
   std::vector<float> postures(10 * dofs, 0.0F);
   std::vector<double> points;
   std::vector<double> scores;
   for (std::size_t i = 0; i < 10; ++i) {
     points.push_back(0.1 * static_cast<double>(i));
     scores.push_back(i == 3 ? 1.0 : 0.9 - 0.05 * static_cast<double>(i));
-    postures[i * dofs + knee] = i == 9 ? 1.6F : 0.1F;
+    for (std::size_t d = 0; d < dofs; ++d) {
+      postures[i * dofs + d] = static_cast<float>((i == 9 ? 1.6 : 0.1) * squat[d]);
+    }
   }
   archive.add(points, scores, postures, 1.0);
   const std::vector<Archived> ranked = archive.ranked();
@@ -151,20 +154,28 @@ INSTANTIATE_TEST_SUITE_P(Goals, Flat,
 
 TEST(FlatSearch, AtTheFeetItFindsAStoopAndASquat) {
   const Generation generation = generate(flat_task(full_body(), kAtTheFeet)).value();
-  double least = 180.0;
+  double least = 100.0;
   double most = 0.0;
   for (const Candidate& candidate : generation.candidates) {
-    const Clip& clip = candidate.motion.clip;
-    const BodyModel body = full_body();
-    const auto knee = [&](const char* name) {
-      return degrees(clip.frame(clip.frames - 1)[static_cast<std::size_t>(*body.find_dof(name))]);
-    };
-    const double mean = 0.5 * (knee("right_knee.flexion") + knee("left_knee.flexion"));
-    least = std::fmin(least, mean);
-    most = std::fmax(most, mean);
+    const double index = candidate.final_posture.stoop_squat_index.value();
+    least = std::fmin(least, index);
+    most = std::fmax(most, index);
+    EXPECT_TRUE(candidate.over_limit.empty());
   }
-  EXPECT_LT(least, 35.0);
-  EXPECT_GT(most, 75.0);
+  EXPECT_LT(least, kSquatIndex);
+  EXPECT_GT(most, kStoopIndex);
+}
+
+TEST(FlatSearch, SaysWhyThereAreFewerCandidates) {
+  Task task = flat_task(full_body(), kAtTheFeet);
+  const Generation all = generate(task).value();
+  EXPECT_EQ(static_cast<int>(all.candidates.size()), task.candidates);
+  EXPECT_EQ(all.fewer, "");
+  task.candidates = 500;
+  const Generation fewer = generate(task).value();
+  EXPECT_LT(fewer.candidates.size(), 500U);
+  EXPECT_THAT(fewer.fewer, testing::HasSubstr(std::to_string(fewer.candidates.size()) + " of 500"));
+  EXPECT_THAT(fewer.fewer, testing::HasSubstr("end within 10° of a better one"));
 }
 
 TEST(FlatSearch, BeatsThePapersAlgorithmByThePapersOwnCriteria) {

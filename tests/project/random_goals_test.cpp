@@ -99,6 +99,8 @@ TEST_P(RandomGoals, AreMetOrMissedAsTheStatusTells) {
   int reached = 0;
   for (int k = 0; k < kGoals; ++k) {
     TaskFile file;
+    file.preset = Preset::paper;
+    file.criteria = paper_criteria();
     file.character.source = GetParam().body;
     file.goals = {{"right_hand", random_goal(random)}};
     if (GetParam().both_hands) file.goals.push_back({"left_hand", random_goal(random)});

@@ -35,7 +35,8 @@ RC_GTEST_PROP(TaskFile, CutAnywhereIsAnErrorThatNamesTheFile, ()) {
 TEST(TaskFile, EmptyObjectIsTheDefaultTask) {
   const TaskFile task = parse_task("{}", "task.json").value();
   EXPECT_EQ(bits(task), bits(TaskFile{}));
-  EXPECT_EQ(task.character.source, "half_body");
+  EXPECT_EQ(task.character.source, "full_body");
+  EXPECT_EQ(task.preset, Preset::flat);
 }
 
 TEST(TaskFile, CharacterMayBeItsNameAlone) {
@@ -52,10 +53,14 @@ TEST(TaskFile, CriteriaMayBeAMixturesName) {
   }
 }
 
-TEST(TaskFile, CriteriaOfFilesFromBeforeTheMixturesAreThePapers) {
-  const char* text = R"({"criteria": {"joint_range": {"weight": 0.4, "margin": 0.1},
+TEST(TaskFile, CriteriaThatAFileDoesNotNameAreThePresets) {
+  const char* text =
+      R"({"preset": "paper", "criteria": {"joint_range": {"weight": 0.4, "margin": 0.1},
     "balance": {"weight": 0.3, "lean": 0.3}, "torque": {"weight": 0.1, "share": 0.5}}})";
   TaskFile expected;
+  expected.preset = Preset::paper;
+  expected.criteria = paper_criteria();
+  expected.candidates = preset_candidates(Preset::paper);
   expected.criteria.joint_range_weight = 0.4;
   expected.criteria.joint_range.margin = 0.1;
   expected.criteria.balance.lean = 0.3;
@@ -91,7 +96,7 @@ TEST(MakeTask, TakesSeedAndBudgetOver) {
   EXPECT_EQ(task.genetic.seed, 9u);
   EXPECT_EQ(task.evaluations, 80);
   EXPECT_EQ(task.candidates, 3);
-  EXPECT_EQ(task.body.name(), "half_body");
+  EXPECT_EQ(task.body.name(), "full_body");
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ inline TaskFile any_task() {
   task.seed =
       *rc::gen::element<std::uint64_t>(0, 1, UINT64_MAX, *rc::gen::arbitrary<std::uint64_t>());
   task.candidates = *rc::gen::inRange(1, 1001);
+  if (*rc::gen::arbitrary<bool>()) task.fixed = {"squat_deg=60", "目", ""};
   if (*rc::gen::arbitrary<bool>()) task.evaluations = *rc::gen::inRange(8, 1'000'000'001);
   return task;
 }
@@ -101,6 +102,7 @@ inline std::vector<std::string> words(const TaskFile& task) {
                                std::string(layer_reading_name(task.layer_reading))};
   all.insert(all.end(), task.character.doubts.begin(), task.character.doubts.end());
   for (const Goal& goal : task.goals) all.push_back(goal.effector);
+  all.insert(all.end(), task.fixed.begin(), task.fixed.end());
   return all;
 }
 

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <map>
+#include <optional>
+#include <shigusa/hierarchy/final_posture.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <shigusa/search/problem.hpp>
 #include <span>
@@ -15,23 +17,21 @@ struct Archived {
   std::vector<double> point;
   double score = 0.0;
   std::vector<float> posture;  // (dofs) rad
-  int style = 0;               // how far the knees are bent: 0 stoop, 1 between, 2 squat
+  int style = 0;               // 0 stoop or upright, 1 between, 2 squat (FinalPosture)
 };
 
-// Mean knee flexion (rad) at which a posture is no stoop any more, and from which it is a squat.
-inline constexpr double kStoopKnee = radians(35.0);
-inline constexpr double kSquatKnee = radians(75.0);
-
 // What a search came upon, sorted by how the motion ends, so that different answers are kept beside
-// better ones: of each cell of a grid over measured descriptors (knee flexion: squat or stoop; hip
+// better ones: of each cell of a grid over measured descriptors (the stoop-squat index; hip
 // rotation: twist of the trunk; shoulder rotation: swivel of the arm) the best few. Its memory is
 // bounded by the grid. After MAP-Elites (J.-B. Mouret and J. Clune, arXiv 1504.04909), but the
 // archive only watches: the search does not draw from it.
 class Archive {
  public:
-  static constexpr double kCell = radians(20.0);  // rad, of each descriptor
+  static constexpr double kCell = radians(20.0);  // rad, of each joint's descriptor
+  static constexpr double kIndexCell = 15.0;      // of the stoop-squat index
   static constexpr std::size_t kPerCell = 4;
 
+  // The body outlives the archive.
   explicit Archive(const BodyModel& body);
 
   // points (motions × genes), scores (motions), postures (motions × dofs). Motions whose score is
@@ -46,10 +46,12 @@ class Archive {
   using Cell = std::array<int, 3>;
 
   [[nodiscard]] double mean_of(std::size_t descriptor, std::span<const float> posture) const;
-  [[nodiscard]] Cell cell_of(std::span<const float> posture) const;
+  [[nodiscard]] Cell cell_of(std::span<const float> posture, std::optional<double> index) const;
 
   std::size_t dofs_;
-  std::array<std::vector<std::size_t>, 3> descriptors_;  // dofs whose mean each is
+  PostureMeter meter_;
+  std::vector<double> angles_;
+  std::array<std::vector<std::size_t>, 2> descriptors_;  // dofs whose mean each is
   std::map<Cell, std::vector<Archived>> cells_;          // each best first
 };
 

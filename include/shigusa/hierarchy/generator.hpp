@@ -4,6 +4,7 @@
 #include <optional>
 #include <shigusa/core/progress.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/hierarchy/final_posture.hpp>
 #include <shigusa/hierarchy/layered_parameters.hpp>
 #include <shigusa/hierarchy/task.hpp>
 #include <shigusa/rollout/rollout.hpp>
@@ -20,6 +21,7 @@ enum class ReachStatus {
 // How an effector goes to its goal.
 enum class PathKind {
   straight,  // along the minimum-jerk line
+  bowed,     // beside that line, by the bow among the parameters
   detour,    // by way of a via point around the body
   free,      // as the posture takes it: no path leads there with these parameters
 };
@@ -56,6 +58,7 @@ struct Candidate {
   double path_error = 0.0;  // m, largest distance from the path at any frame that follows it
   std::vector<ContactResult> contacts;
   std::vector<LimitExcess> over_limit;  // the worst first
+  FinalPosture final_posture;
   // Of the preset layers, what the motion is generated from; `parameters` are empty then.
   std::optional<LayeredParameters> layered{};
   double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
@@ -68,6 +71,7 @@ struct Generation {
   ReachStatus status = ReachStatus::reached;
   double remaining_distance = 0.0;    // m, of the best candidate to its goals; 0 when reached
   std::vector<Candidate> candidates;  // lowest score first; at least one
+  std::string fewer;                  // why there are fewer than asked for; else empty
   double duration = 0.0;              // s
   int evaluations = 0;                // motions scored by the search
   int generations = 0;
@@ -90,8 +94,10 @@ inline constexpr double kDistinctPosture = radians(5.0);
 inline constexpr double kDistinctEnd = radians(10.0);
 // What a replay in double may bring two ends nearer by (rad).
 inline constexpr double kEndSlack = radians(0.1);
-// Candidates score at most this much worse than the best.
+// Candidates score at most this much worse than the best …
 inline constexpr double kCandidateSpread = 0.15;
+// … or this, where none of their style is better: people squat although it costs more.
+inline constexpr double kStyleSpread = 0.25;
 // Searches score in single precision; every candidate is played again in double and scored anew.
 // What scores may differ by without being counted.
 inline constexpr double kReplayTolerance = 1e-3;

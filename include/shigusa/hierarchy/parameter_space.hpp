@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
@@ -24,10 +25,12 @@ inline constexpr double kBowSearched = 0.2;
 
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
-// mode that moves one of these; delay, bow and skew.
+// mode that moves one of these; delay, bow and skew. What is fixed is no coordinate, or of the
+// paper's code one that changes nothing.
 class ParameterSpace {
  public:
-  ParameterSpace(const ReachProblem& problem, GeneCode code);
+  ParameterSpace(const ReachProblem& problem, GeneCode code,
+                 const std::optional<FixedParameters>& fixed = {});
 
   [[nodiscard]] int genes() const { return static_cast<int>(genes_.size()); }
   // What each coordinate is: "right_knee.flexion", "squat", "delay".
@@ -61,9 +64,15 @@ class ParameterSpace {
 
   void add_weights(const ReachProblem& problem);
   void add_posture(const ReachProblem& problem);
+  void start_postures(const Parameters& base, std::size_t motions);
+  void fill_row(std::size_t row, std::span<const double> point);
+
+  void keep_fixed(Parameters& parameters) const;
 
   const BodyModel* body_;
   GeneCode code_;
+  FixedParameters fixed_;
+  bool posed_;  // motions have a posture
   std::vector<Gene> genes_;
   std::vector<PostureMode> modes_;
   std::vector<float> weights_;

@@ -7,6 +7,7 @@
 #include <shigusa/criteria/criteria.hpp>
 #include <shigusa/hierarchy/layered_settings.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
+#include <shigusa/rollout/parameters.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/searches.hpp>
 #include <string>
@@ -55,7 +56,9 @@ struct Task {
   CriteriaSettings criteria{};
   std::optional<SearchMethod> search{};  // the preset's own when not given
   GeneticSettings genetic{};             // of the searches paper_ga and log_ga; the seed of all
-  int candidates = kPaperPopulation;     // at most so many are delivered, ≥ 1
+  // What the search leaves as it is; nothing when not given.
+  std::optional<FixedParameters> fixed{};
+  int candidates = kPaperPopulation;  // at most so many are delivered, ≥ 1
   // Motions that the search may score, at least a population's. When given, every search uses all
   // of them: it starts again, with other random numbers, until they are used up. When not, the
   // paper's genetic algorithm runs once, and the others score kFlatEvaluations.

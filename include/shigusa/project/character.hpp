@@ -15,7 +15,7 @@ namespace shigusa {
 struct CharacterSpec {
   // "half_body", "full_body" or the path of a BVH file; for a person who was measured before
   // (landmarks below), only a name
-  std::string source = "half_body";
+  std::string source = "full_body";
   std::optional<double> stature{};  // m, 0.5..2.5
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
   Sex sex = Sex::male;

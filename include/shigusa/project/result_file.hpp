@@ -56,6 +56,9 @@ struct StoredResult {
 // Fails on an unknown name (the nearest is suggested), or a value that is not allowed.
 [[nodiscard]] Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
                                             Parameters& parameters);
+// The same, and notes what was set; `fixed` begins as no_fixed_parameters.
+[[nodiscard]] Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
+                                         FixedParameters& fixed);
 
 // The same of layered parameters, whose `layers` are those to the goals:
 //   right_hip.flexion.weight=12, right_hip.weight=12, right_hip.locked=true   of the upper layer

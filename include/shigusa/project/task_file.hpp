@@ -15,18 +15,21 @@ namespace shigusa {
 inline constexpr int kTaskVersion = 1;
 inline constexpr std::size_t kTaskMaxBytes = std::size_t{1} << 20;
 
-// A task as its JSON file holds it; docs/task.schema.json is its schema.
+// A task as its JSON file holds it; docs/task.schema.json is its schema. Criteria and candidates
+// are the preset's own where a file does not say.
 struct TaskFile {
   CharacterSpec character;
   std::vector<Goal> goals;
   std::optional<double> duration;  // s
-  Preset preset = Preset::paper;
+  Preset preset = Preset::flat;
   LayerReading layer_reading = LayerReading::shared_contractions;  // of the preset layers
   std::optional<SearchMethod> search;  // the preset's own when not given
-  CriteriaSettings criteria;           // the built-in ones: functions do not go into files
+  // the built-in ones: functions do not go into files
+  CriteriaSettings criteria = preset_criteria(Preset::flat);
+  std::vector<std::string> fixed;  // parameters that are not searched, as assignments
   std::uint64_t seed = 0;
-  int candidates = kPaperPopulation;  // 1..1000; preset_candidates where a file does not say
-  std::optional<int> evaluations;     // motions the search may score, 8..1e9; see Task
+  int candidates = preset_candidates(Preset::flat);  // 1..1000
+  std::optional<int> evaluations;  // motions the search may score, 8..1e9; see Task
 };
 
 // Parses a task. Errors name the place ("task.json: goals[0].position_m"), the value seen and what

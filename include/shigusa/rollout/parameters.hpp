@@ -59,6 +59,16 @@ struct Parameters {
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
+// Parameters of which a search leaves some as a person has set them.
+struct FixedParameters {
+  Parameters values;          // with posture modes
+  std::vector<bool> joints;   // (dofs) whose weight or lock is set
+  std::vector<bool> posture;  // (posture_members) which numbers are set
+};
+
+// None of a body's.
+[[nodiscard]] FixedParameters no_fixed_parameters(const BodyModel& body);
+
 // All freedoms alike: the plain pseudo-inverse.
 [[nodiscard]] Parameters uniform_parameters(const BodyModel& body);
 

@@ -127,9 +127,10 @@ class Rollout {
     const std::span<const S> weights = within_limits(inverse_weights, angles_[1]);
     const std::span<const S> reference =
         drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
+    // a guide is within the limits, and so is the way there
+    const bool yields = limits_ && drawn_ && problem_->guide.empty();
     weighted_ik_step<S>(*problem_->body, now(), targets, weights,
-                        limits_ && drawn_ ? limits_->allowed(reference) : reference, problem_->ik,
-                        ik_, step_);
+                        yields ? limits_->allowed(reference) : reference, problem_->ik, ik_, step_);
     for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[1][d] + step_[d];
     if (limits_) {
       limits_->learn(inverse_weights, ik_.pull, reference);
