@@ -75,11 +75,12 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("edit", "Change a candidate's parameters; no search");
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
-  c->add_option("--set", o.assignments,
-                "NAME.weight=NUMBER or NAME.locked=true|false, NAME a joint or a freedom such as "
-                "right_shoulder.flexion; of the posture squat_deg=NUMBER and so on. Of the preset "
-                "layers: legs.contraction=NUMBER (0..15), right_arm.NAME for the arm's own; "
-                "repeatable")
+  c->add_option(
+       "--set", o.assignments,
+       "NAME.weight=NUMBER or NAME.locked=true|false, NAME a joint or a freedom such as "
+       "right_shoulder.flexion; or of the posture squat_deg=NUMBER and so on; of the preset "
+       "layers also legs.contraction=NUMBER (0..15), and right_arm.NAME for the arm's own; "
+       "repeatable")
       ->allow_extra_args(false);
   c->add_option("--out", o.out, "Folder for the new result (default: edit-N beside the old one)");
   c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "layered_generator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <shigusa/hierarchy/layered_problem.hpp>
@@ -61,7 +63,7 @@ class UpperSearch {
         lengths_(lengths),
         genes_(searched_genes(problem)),
         scorer_(problem, problem.layers[0].criteria, task.batch.threads,
-                [&](std::span<const HandPath> paths) { return libraries.choose(paths); }) {
+                [&libraries](std::span<const HandPath> paths) { return libraries.choose(paths); }) {
     if (lengths == nullptr) return;
     std::erase_if(genes_, [&problem](std::size_t gene) {
       return problem.layers[0].genes[gene].kind == LayerGeneKind::contraction;
@@ -132,6 +134,16 @@ void collect(const Task& task, LayeredWays& ways, LayeredWay searched, UpperSear
   }
 }
 
+// Why there are fewer candidates than asked for.
+std::string why_fewer(const Task& task, const Generation& generation) {
+  if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
+  return fmt::format(
+      "{} of {} candidates: of the others that were kept, {} move as a better one does; {} miss "
+      "the "
+      "goal, leave the path or move a foot",
+      generation.candidates.size(), task.candidates, generation.near_copies, generation.missed);
+}
+
 // Searches one way, and keeps what it comes to.
 void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& ways, LayeredWay way,
                 ArmLibraries& libraries, const Progress& progress, Generation& generation) {
@@ -148,6 +160,7 @@ void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& wa
   generation.best_seen_score = found.best_seen.score;
   generation.missed = 0;
   collect(task, ways, way, search, found, generation);
+  generation.fewer = why_fewer(task, generation);
 }
 
 void finish(const LayeredProblem& problem, Generation& generation) {

@@ -9,6 +9,11 @@
 namespace shigusa {
 
 Result<LayeredProblem> make_layered_problem(const Task& task) {
+  if (task.fixed) {
+    return fail(
+        ErrorCode::invalid_argument,
+        "parameters can be fixed with the other presets; edit a result of the preset layers");
+  }
   Result<ReachProblem> reach = make_problem(task);
   if (!reach) return tl::unexpected(reach.error());
   Result<std::vector<Layer>> layers =

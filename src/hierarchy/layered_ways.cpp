@@ -23,12 +23,17 @@ constexpr std::array<const char*, 4> kHeavyJoints{nullptr, "shoulder.abduction",
 constexpr double kHeavy = 15.0;
 
 // the same paths, to be left at a share of their length
+void shorten(const LayeredProblem& problem, double share, LayeredProblem& shorter) {
+  for (std::size_t g = 0; g < problem.reach.goals.size(); ++g) {
+    const EffectorPath& path = problem.reach.goals[g].path;
+    shorter.reach.goals[g].path.goal = path.start + (path.goal - path.start) * share;
+    shorter.reach.goals[g].path.detour = path.detour * share;
+  }
+}
+
 LayeredProblem shortened(const LayeredProblem& problem, double share) {
   LayeredProblem shorter = problem;
-  for (ReachGoal& goal : shorter.reach.goals) {
-    goal.path.goal = goal.path.start + (goal.path.goal - goal.path.start) * share;
-    goal.path.detour = goal.path.detour * share;
-  }
+  shorten(problem, share, shorter);
   return shorter;
 }
 
@@ -51,30 +56,49 @@ bool arrives_smoothly(const LayeredProblem& problem, const RolledOut& rolled) {
   return rolled.outcome.met(problem.reach.tolerance) && !jolts(rolled.motion.clip);
 }
 
-bool leads_to(const LayeredProblem& problem, double share, const LayeredParameters& parameters) {
-  const LayeredProblem shorter = shortened(problem, share);
-  return arrives_smoothly(shorter, play(shorter, parameters));
-}
+// Plays parts of a problem's way; one player for all of them.
+class PartPlayer {
+ public:
+  explicit PartPlayer(const LayeredProblem& problem)
+      : whole_(&problem), part_(problem), player_(part_) {}
+  PartPlayer(const PartPlayer&) = delete;
+  PartPlayer& operator=(const PartPlayer&) = delete;
 
-// The share of the way that the parameters lead along; nothing where that is not above `least`.
-std::optional<double> farthest_share(const LayeredProblem& problem,
-                                     const LayeredParameters& parameters, double least) {
-  constexpr double kStep = 1.0 / kShares;
-  for (int k = kShares; k >= 0; --k) {
-    double low = k * kStep;
-    // what is left of this step is no farther than what is known
-    if (low + kStep <= least || least >= 1.0) return std::nullopt;
-    if (!leads_to(problem, low, parameters)) continue;
-    if (k == kShares) return 1.0;
-    double high = low + kStep;
-    for (int halving = 0; halving < kHalvings; ++halving) {
-      const double middle = 0.5 * (low + high);
-      (leads_to(problem, middle, parameters) ? low : high) = middle;
-    }
-    return low > least ? std::optional(low) : std::nullopt;
+  // Whether the parameters arrive, smoothly, after that share of the way.
+  bool leads_to(double share, const LayeredParameters& parameters) {
+    shorten(*whole_, share, part_);
+    player_.run_upper(parameters.upper, clip_);
+    // what the trunk misses no limb makes up for
+    const bool missed = clip_.path_error > 2.0 * part_.reach.tolerance.path;
+    if (missed || !player_.check_pelvis(clip_).in_reach) return false;
+    return arrives_smoothly(part_, player_.expand(clip_, parameters.arms));
   }
-  return std::nullopt;
-}
+
+  // The share of the way that the parameters lead along; nothing where that is not above `least`.
+  std::optional<double> farthest(const LayeredParameters& parameters, double least) {
+    constexpr double kStep = 1.0 / kShares;
+    for (int k = kShares; k >= 0; --k) {
+      double low = k * kStep;
+      // what is left of this step is no farther than what is known
+      if (low + kStep <= least || least >= 1.0) return std::nullopt;
+      if (!leads_to(low, parameters)) continue;
+      if (k == kShares) return 1.0;
+      double high = low + kStep;
+      for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (leads_to(middle, parameters) ? low : high) = middle;
+      }
+      return low > least ? std::optional(low) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const LayeredProblem* whole_;
+  LayeredProblem part_;
+  LayeredPlayer player_;
+  ReducedClip clip_;
+};
 
 // all that is tried to get as far as possible
 std::vector<LayeredParameters> probes(std::span<const Layer> layers) {
@@ -101,8 +125,9 @@ LayeredEdge find_edge(const LayeredProblem& problem) {
   // standing still is nearer than nothing
   LayeredParameters best = tried.front();
   double share = -1.0;
+  PartPlayer player(problem);
   for (const LayeredParameters& probe : tried) {
-    if (const auto farther = farthest_share(problem, probe, share)) {
+    if (const auto farther = player.farthest(probe, share)) {
       share = *farther;
       best = probe;
     }
@@ -111,7 +136,7 @@ LayeredEdge find_edge(const LayeredProblem& problem) {
   share = max(share, 0.0);
   // a little before the edge others arrive too
   const double before = share - kEdgeTolerance / longest_path(problem);
-  if (before > 0.0 && leads_to(problem, before, best)) share = before;
+  if (before > 0.0 && player.leads_to(before, best)) share = before;
   return {shortened(problem, share), false, std::move(best)};
 }
 
@@ -138,7 +163,7 @@ std::optional<LayeredArrival> LayeredWays::arrival(const LayeredParameters& para
     }
   }
   if (last == LayeredWay::edge) return std::nullopt;
-  if (const auto share = farthest_share(*problem_, parameters, -1.0)) {
+  if (const auto share = PartPlayer(*problem_).farthest(parameters, -1.0)) {
     const LayeredProblem shorter = shortened(*problem_, *share);
     return LayeredArrival{shorter.reach, play(shorter, parameters)};
   }

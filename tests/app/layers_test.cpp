@@ -32,6 +32,9 @@ class Layers : public testing::Test {
   ProgramRun reach(const Words& more, const std::string& out = "out") {
     Words call{"reach", "--preset", "layers", "--formats", "bvh,csv", "--out", out};
     call.insert(call.end(), more.begin(), more.end());
+    if (std::find(call.begin(), call.end(), "--character") == call.end()) {
+      call.insert(call.end(), {"--character", "half_body"});
+    }
     return run(call);
   }
 
@@ -63,6 +66,8 @@ TEST_F(Layers, HandArrivesAndFeetStay) {
                                         HasSubstr("cells of the limb library searched")));
     const StoredRun stored(work_, body);
     expect_promises_kept(stored);
+    // eight are asked for, and the paper's algorithm converges to fewer
+    EXPECT_THAT(stored.summary().at("fewer"), HasSubstr("of 8 candidates"));
     EXPECT_EQ(stored.summary().at("preset"), "layers");
     EXPECT_EQ(stored.summary().at("search"), "paper_ga");
     EXPECT_GT(stored.summary().at("cells_searched"), 0);
@@ -262,8 +267,10 @@ TEST_F(Layers, WrongValuesAreRefusedInWords) {
        {"'shared_contraction'", "did you mean 'shared_contractions'?"}},
       {{"reach", "--goal", kGoal, "--preset", "flat", "--layer-reading", "contraction_a_limb"},
        {"--layer-reading", "of the preset layers", "the preset is flat"}},
-      {{"reach", "--preset", "layers", "--goal", "left_hand=0,1,0.3"},
+      {{"reach", "--preset", "layers", "--character", "half_body", "--goal", "left_hand=0,1,0.3"},
        {"'left_hand'", "Known: right_hand"}},
+      {{"reach", "--preset", "layers", "--goal", kGoal, "--fix", "right_hip.weight=3"},
+       {"fixed with the other presets"}},
       {{"edit", "out", "--set", "legs.contraction=16"},
        {"legs.contraction=16", "contraction is '16'", "0 to 15"}},
       {{"edit", "out", "--set", "legs.contraction=-1"}, {"'-1'", "0 to 15"}},
