@@ -169,7 +169,6 @@ std::string against_layers(const Plan& plan, std::span<const Subject> subjects) 
     }
   }
   return fmt::format(
-             "## Layers against all parameters at once\n\n"
              "`generate_layered()` (trunk and limb lengths above, arms from the limb library "
              "below) "
              "against `generate()` by the same search, criteria and seeds ({} at 300 motions, 1 at "

@@ -124,8 +124,7 @@ std::string against_nlp(const Plan& plan, std::span<const Subject> subjects) {
     add(fmt::format("best of {} by weighted IK", kTuned), &OfPlace::tuned);
     add(fmt::format("best of {} of its own", kSearched), &OfPlace::own);
   }
-  return "## NLP-IK against weighted IK\n\n"
-         "The same parameters, played by `roll_out()` (weighted IK, limits kept) and by "
+  return "The same parameters, played by `roll_out()` (weighted IK, limits kept) and by "
          "`roll_out_nlp()` (a nonlinear program for each frame), in double on one thread, scored "
          "by the default criteria; a motion that does not meet its goal, path or feet has the "
          "worst score. Smoothness is the largest second difference of a joint angle from frame to "

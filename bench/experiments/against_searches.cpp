@@ -102,7 +102,6 @@ std::string table_of(const Subject& subject, const std::vector<Searcher>& all,
 std::string against_searches(const Plan& plan, std::span<const Subject> subjects) {
   const std::vector<Searcher> all = searchers();
   std::string page = fmt::format(
-      "## The searches beside one another, and beside pagmo2\n\n"
       "Every search minimises the same SearchProblem from one start: the parameters of the preset "
       "flat, the default criteria, limits kept, one hand path; `paper_ga` alone has another space, "
       "the paper's weights, on the same motions and scores. Best score after so many "

@@ -140,7 +140,6 @@ std::string limits_and_goals(const Plan& plan) {
                "≥ 99.5 %", std::to_string(met_besides), std::to_string(wrong)});
   }
   return fmt::format(
-             "## Limits, and goals that are met\n\n"
              "`generate()` with the preset flat and {} motions a query (a fifth of the default: "
              "there are thousands), for goals drawn evenly from the box, in reach or not, until "
              "{} motions were delivered for each body. Limits, hands and feet are measured anew "

@@ -2,6 +2,7 @@
 // shigusa_experiments measures what docs/experiments.md says and writes that page.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +22,10 @@ using namespace shigusa::bench;
 
 constexpr const char* kUsage =
     "usage: shigusa_experiments DOCS_FOLDER [--quick] [--goal-seed N] [--only SECTION]\n"
-    "sections: paper searches layers styles nlp parameters limits query\n";
+    "sections: paper searches layers styles nlp parameters limits query, and remarks, which\n"
+    "measures nothing and puts docs/experiments_remarks.md in anew\n";
+constexpr std::string_view kSections[] = {"paper",      "searches", "layers", "styles", "nlp",
+                                          "parameters", "limits",   "query",  "remarks"};
 
 struct Arguments {
   std::filesystem::path docs;
@@ -44,6 +48,10 @@ std::optional<Arguments> read(const std::vector<std::string>& words) {
       if (read.ec != std::errc{} || read.ptr != word.data() + word.size()) return std::nullopt;
     } else if (words[i] == "--only" && valued) {
       arguments.only = words[++i];
+      if (std::find(std::begin(kSections), std::end(kSections), arguments.only) ==
+          std::end(kSections)) {
+        return std::nullopt;
+      }
     } else if (arguments.docs.empty() && words[i].rfind("--", 0) != 0) {
       arguments.docs = words[i];
     } else {
@@ -70,42 +78,63 @@ std::string introduction(const Plan& plan) {
       thread_count(0), thread_count(0) == 1 ? "" : "s", simd_name(widest_simd_set()));
 }
 
+struct Section {
+  const char* name;
+  const char* title;
+  std::function<std::string()> measure;
+};
+
+std::string file_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The text below a title, up to the next one; nothing where the page has no such title.
+std::string part_of(const std::string& page, const std::string& title) {
+  const std::string head = "\n## " + title + "\n\n";
+  const std::size_t at = page.find(head);
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + head.size();
+  const std::size_t end = page.find("\n## ", begin);
+  return page.substr(begin, end == std::string::npos ? end : end - begin);
+}
+
+// Measures, or, where one section alone is asked for, takes the others from the page there is.
 int write_page(const Arguments& arguments, const std::string& program) {
   const Plan& plan = arguments.plan;
   const std::vector<Subject> subjects = make_subjects(plan);
-  const std::pair<const char*, std::function<std::string()>> sections[] = {
-      {"paper", [&] { return against_paper(plan, subjects); }},
-      {"searches", [&] { return against_searches(plan, subjects); }},
-      {"layers", [&] { return against_layers(plan, subjects); }},
-      {"styles", [&] { return stoop_and_squat(plan, subjects); }},
-      {"nlp", [&] { return against_nlp(plan, subjects); }},
-      {"parameters", [&] { return what_earns_its_place(plan, subjects); }},
-      {"limits", [&] { return limits_and_goals(plan); }},
-      {"query", [&] { return one_query(plan, program); }},
+  const Section sections[] = {
+      {"paper", "The preset flat against the paper's search",
+       [&] { return against_paper(plan, subjects); }},
+      {"searches", "The searches beside one another, and beside pagmo2",
+       [&] { return against_searches(plan, subjects); }},
+      {"layers", "Layers against all parameters at once",
+       [&] { return against_layers(plan, subjects); }},
+      {"styles", "Stoop and squat", [&] { return stoop_and_squat(plan, subjects); }},
+      {"nlp", "NLP-IK against weighted IK", [&] { return against_nlp(plan, subjects); }},
+      {"parameters", "What earns its place", [&] { return what_earns_its_place(plan, subjects); }},
+      {"limits", "Limits, and goals that are met", [&] { return limits_and_goals(plan); }},
+      {"query", "A default query", [&] { return one_query(plan, program); }},
   };
+  const std::filesystem::path file = arguments.docs / "experiments.md";
+  const std::string before = file_text(file);
   std::string page = introduction(plan);
-  bool any = false;
-  for (const auto& [name, section] : sections) {
-    if (!arguments.only.empty() && arguments.only != name) continue;
+  for (const Section& section : sections) {
+    const bool asked = arguments.only.empty() || arguments.only == section.name;
+    if (!asked && plan.quick) continue;
+    page += fmt::format("\n## {}\n\n", section.title);
     const Stopwatch watch;
-    page += "\n" + section();
-    std::cerr << fmt::format("{}: {:.0f} s\n", name, 1e-3 * watch.milliseconds());
-    any = true;
+    page += asked ? section.measure() : part_of(before, section.title);
+    if (asked)
+      std::cerr << fmt::format("{}: {:.0f} s\n", section.name, 1e-3 * watch.milliseconds());
   }
-  if (!any) {
-    std::cerr << "no section '" << arguments.only << "'\n" << kUsage;
-    return 2;
-  }
-  std::ifstream remarks(arguments.docs / "experiments_remarks.md");
-  page += "\n";
-  page.append(std::istreambuf_iterator<char>(remarks), {});
-  // a part of it is for looking at; a page is whole
-  if (!arguments.only.empty() || plan.quick) {
+  page += "\n" + file_text(arguments.docs / "experiments_remarks.md");
+  if (plan.quick) {
     std::cout << page;
     return 0;
   }
-  std::ofstream(arguments.docs / "experiments.md", std::ios::binary) << page;
-  std::cout << (arguments.docs / "experiments.md").string() << "\n";
+  std::ofstream(file, std::ios::binary) << page;
+  std::cout << file.string() << "\n";
   return 0;
 }
 

@@ -108,7 +108,6 @@ std::string one_query(const Plan& plan, const std::string& program) {
   }
   const LibraryCost library = library_cost();
   return fmt::format(
-             "## A default query\n\n"
              "`generate()` on full_body with the preset flat and nothing else said ({} motions, {} "
              "candidates), for the goal low front-left, on one thread: median of {} in a process "
              "of its own; the peak memory is that of a process that does one (getrusage, all that "

@@ -122,7 +122,6 @@ std::string stoop_and_squat(const Plan& plan, std::span<const Subject> subjects)
     }
   }
   return fmt::format(
-             "## Stoop and squat\n\n"
              "`generate()` with the preset flat and its {} motions for the goal at the feet, {} "
              "seeds. The stoop–squat index is 100 · (1 - drop of the hips / drop of the "
              "shoulders) from the first frame to the last, each the middle of what joint centres "

@@ -16,7 +16,7 @@ struct Plan {
   std::uint64_t goal_seed = 1;  // of the goals that are drawn
   int goals = 30;               // drawn for each body
   int seeds = 32;               // of searches, where nothing else is said
-  int few_seeds = 16;           // where there are many of them
+  int few_seeds = 8;            // where there are many of them
   int slow_seeds = 2;           // where a motion takes long
   int motions = 5000;           // delivered for each body, of the experiment on limits
 };

@@ -174,7 +174,6 @@ std::string steps_table(const Plan& plan, std::span<const Subject> subjects) {
 
 std::string what_earns_its_place(const Plan& plan, std::span<const Subject> subjects) {
   std::string page = fmt::format(
-      "## What earns its place\n\n"
       "CMA-ES over the parameters of the preset flat, {} motions, {} seeds, default criteria. "
       "Leaving a parameter out is fixing it where the start has it: weights alike, no change of "
       "posture, no delay, a straight path. Beside all of them: the ratio of best scores on each "
