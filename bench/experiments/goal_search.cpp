@@ -38,6 +38,9 @@ GoalSearch::GoalSearch(const BodyModel& body, const Vec3d& goal, const CriteriaS
   if (any_arrives()) return;
   reach_.guide = closest.angles;
   batch_.emplace(reach_, criteria_, task_.batch);
+  if (any_arrives()) return;
+  reach_.follow_path = false;
+  batch_.emplace(reach_, criteria_, task_.batch);
 }
 
 bool GoalSearch::any_arrives() {

@@ -9,8 +9,9 @@
 namespace shigusa::bench {
 
 // What generate() searches for one goal of the right hand with the preset flat, laid open: the
-// problem, the space and its scores, without candidates. The path is the straight one with its
-// detour; where none of some motions arrives on it, the null space is drawn to a posture besides.
+// problem, the space and its scores, without candidates. Its way to the goal is the first on which
+// one of some random motions arrives: the straight one with its detour; the same with the null
+// space drawn to a posture that is there; that posture alone.
 class GoalSearch {
  public:
   GoalSearch(const BodyModel& body, const Vec3d& goal, const CriteriaSettings& criteria,

@@ -114,7 +114,7 @@ std::vector<Judged> judge_many(const Plan& plan, const BodyModel& body) {
 
 std::string limits_and_goals(const Plan& plan) {
   Table table({"body", "goals", "motions delivered", "over a limit", "most, °", "foot moved",
-               "reachable", "met of these", "wanted", "met though not found reachable",
+               "reachable", "met of these", "wanted", "met, and found by none of the starts",
                "said to be met, and not"});
   std::string missed;
   for (const BodyModel& body : {half_body(), full_body()}) {
@@ -126,8 +126,8 @@ std::string limits_and_goals(const Plan& plan) {
       sum.over_limit += one.over_limit;
       sum.excess = max(sum.excess, one.excess);
       sum.feet_moved += one.feet_moved;
-      reachable += one.reachable ? 1 : 0;
-      met += one.reachable && one.met ? 1 : 0;
+      reachable += one.reachable || one.met ? 1 : 0;
+      met += one.met ? 1 : 0;
       met_besides += !one.reachable && one.met ? 1 : 0;
       wrong += one.said && !one.met ? 1 : 0;
       if (!one.reachable || one.met) continue;
@@ -136,14 +136,16 @@ std::string limits_and_goals(const Plan& plan) {
     }
     table.add({body.name(), std::to_string(all.size()), std::to_string(sum.motions),
                std::to_string(sum.over_limit), fmt::format("{:.4f}", degrees(sum.excess)),
-               std::to_string(sum.feet_moved), std::to_string(reachable), percent(met, reachable),
-               "≥ 99.5 %", std::to_string(met_besides), std::to_string(wrong)});
+               std::to_string(sum.feet_moved), std::to_string(reachable),
+               percent(met, reachable, 2), "≥ 99.5 %", std::to_string(met_besides),
+               std::to_string(wrong)});
   }
   return fmt::format(
              "`generate()` with the preset flat and {} motions a query (a fifth of the default: "
              "there are thousands), for goals drawn evenly from the box, in reach or not, until "
              "{} motions were delivered for each body. Limits, hands and feet are measured anew "
-             "from the delivered joint angles. Reachable is what the independent method finds a "
+             "from the delivered joint angles. Reachable is what a delivered motion, so measured, "
+             "meets, or the independent method finds a "
              "posture for: from {} random postures, and from {} where the query did not get "
              "there.\n\n",
              kEvaluations, plan.motions, kStarts, kManyStarts) +

@@ -21,9 +21,9 @@ std::string spread(const std::vector<double>& values) {
                      quantile(values, 0.75));
 }
 
-std::string percent(double count, double all) {
+std::string percent(double count, double all, int digits) {
   if (count == 0.0 || count == all) return count == 0.0 ? "0 %" : "100 %";
-  return fmt::format("{:.1f} %", 100.0 * count / all);
+  return fmt::format("{:.{}f} %", 100.0 * count / all, digits);
 }
 
 Table::Table(const std::vector<std::string>& head) {
