@@ -100,7 +100,7 @@ std::string part_of(const std::string& page, const std::string& title) {
 }
 
 // Measures, or, where one section alone is asked for, takes the others from the page there is.
-int write_page(const Arguments& arguments, const std::string& program) {
+int write_page(const Arguments& arguments, const std::string& query_program) {
   const Plan& plan = arguments.plan;
   const std::vector<Subject> subjects = make_subjects(plan);
   const Section sections[] = {
@@ -114,7 +114,7 @@ int write_page(const Arguments& arguments, const std::string& program) {
       {"nlp", "NLP-IK against weighted IK", [&] { return against_nlp(plan, subjects); }},
       {"parameters", "What earns its place", [&] { return what_earns_its_place(plan, subjects); }},
       {"limits", "Limits, and goals that are met", [&] { return limits_and_goals(plan); }},
-      {"query", "A default query", [&] { return one_query(plan, program); }},
+      {"query", "A default query", [&] { return one_query(plan, query_program); }},
   };
   const std::filesystem::path file = arguments.docs / "experiments.md";
   const std::string before = file_text(file);
@@ -142,11 +142,12 @@ int write_page(const Arguments& arguments, const std::string& program) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() == 3 && words[0] == "--query") return run_query(words[1], std::stoi(words[2]));
   const auto arguments = read(words);
   if (!arguments) {
     std::cerr << kUsage;
     return 2;
   }
-  return write_page(*arguments, argv[0]);
+  // the program beside this one
+  const auto query = std::filesystem::path(argv[0]).parent_path() / "shigusa_query";
+  return write_page(*arguments, query.string());
 }

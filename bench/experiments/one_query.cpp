@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <shigusa/body/human_body.hpp>
+#include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/hierarchy/limb_library.hpp>
 #include <shigusa/project/limb_cache.hpp>
 
-#include "goal_search.hpp"
 #include "report.hpp"
 #include "sections.hpp"
 
@@ -28,26 +25,15 @@ struct QueryCost {
   double kibibytes = 0.0;
 };
 
-// Has this program run itself: the memory of a process is that of all it ever did.
+// The memory of a process is that of all it ever did, so a query is one of its own.
 QueryCost ask(const std::string& program, std::string_view simd, int rounds) {
-  const std::string command = fmt::format("'{}' --query {} {}", program, simd, rounds);
+  const std::string command = fmt::format("'{}' {} {}", program, simd, rounds);
   FILE* pipe = popen(command.c_str(), "r");
   SHG_CHECK(pipe != nullptr, "cannot run " + command);
   QueryCost cost;
   const int read = std::fscanf(pipe, "%lf %lf", &cost.milliseconds, &cost.kibibytes);
   SHG_CHECK(pclose(pipe) == 0 && read == 2, "failed: " + command);
   return cost;
-}
-
-// The most memory (KiB) that this process had resident. Not getrusage's: that begins with what the
-// program had that started this one.
-long peak_kibibytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    long value = 0;
-    if (word == "VmHWM:" && status >> value) return value;
-  }
-  return 0;
 }
 
 // Milliseconds: building the right arm's whole library, and taking it from a file.
@@ -87,22 +73,6 @@ LibraryCost library_cost() {
 
 }  // namespace
 
-int run_query(const std::string& simd, int rounds) {
-  const auto set = find_simd(simd);
-  if (!set || rounds < 1) return 2;
-  Task task = goal_task(full_body(), named_places()[0].position, Preset::flat, default_criteria());
-  task.batch.simd = *set;
-  std::vector<double> times;
-  for (int round = 0; round < rounds; ++round) {
-    const Stopwatch watch;
-    const Generation generation = generate(task).value();
-    times.push_back(watch.milliseconds());
-    if (generation.evaluations < kFlatEvaluations - kFlatEvaluations / 100) return 1;
-  }
-  std::cout << median(times) << " " << peak_kibibytes() << "\n";
-  return 0;
-}
-
 std::string one_query(const Plan& plan, const std::string& program) {
   const int rounds = plan.quick ? 3 : kRounds;
   Table table({"SIMD set", "ms a query", "wanted", "peak memory, MB", "wanted"});
@@ -117,7 +87,8 @@ std::string one_query(const Plan& plan, const std::string& program) {
   const LibraryCost library = library_cost();
   return fmt::format(
              "`generate()` on full_body with the preset flat and nothing else said ({} motions, {} "
-             "candidates), for the goal low front-left, on one thread: median of {} in a process "
+             "candidates), for the goal low front-left, on one thread: processor time, median of "
+             "{} in a process "
              "of its own; the peak memory is that of a process that does one (all that it has "
              "resident at once).\n\n",
              kFlatEvaluations, preset_candidates(Preset::flat), rounds) +

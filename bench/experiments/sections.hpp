@@ -23,11 +23,7 @@ namespace shigusa::bench {
 [[nodiscard]] std::string what_earns_its_place(const Plan& plan, std::span<const Subject> subjects);
 // Limits, and goals that are met, over many random goals.
 [[nodiscard]] std::string limits_and_goals(const Plan& plan);
-// Time and memory of a default query; `program` runs itself for that.
+// Time and memory of a default query; `program` is shigusa_query.
 [[nodiscard]] std::string one_query(const Plan& plan, const std::string& program);
-
-// One default query by the SIMD set of that name in this process, told on standard output: median
-// milliseconds over `rounds`, and the most memory (KiB) that the process had.
-[[nodiscard]] int run_query(const std::string& simd, int rounds);
 
 }  // namespace shigusa::bench
