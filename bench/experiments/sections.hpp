@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "subjects.hpp"
+
+// The sections of docs/experiments.md, each measured and written by a file of its own.
+namespace shigusa::bench {
+
+// The preset flat against the paper's genetic algorithm.
+[[nodiscard]] std::string against_paper(const Plan& plan, std::span<const Subject> subjects);
+// The searches, and those of pagmo2 where it is there, on one problem.
+[[nodiscard]] std::string against_searches(const Plan& plan, std::span<const Subject> subjects);
+// Two layers against all parameters at once.
+[[nodiscard]] std::string against_layers(const Plan& plan, std::span<const Subject> subjects);
+// Candidates of both kinds for the goal at the feet.
+[[nodiscard]] std::string stoop_and_squat(const Plan& plan, std::span<const Subject> subjects);
+// Nonlinear programming in place of weighted inverse kinematics.
+[[nodiscard]] std::string against_nlp(const Plan& plan, std::span<const Subject> subjects);
+// Steps of a motion, and each parameter beside the weights left out.
+[[nodiscard]] std::string what_earns_its_place(const Plan& plan, std::span<const Subject> subjects);
+// Limits, and goals that are met, over many random goals.
+[[nodiscard]] std::string limits_and_goals(const Plan& plan);
+// Time and memory of a default query; `program` is shigusa_query.
+[[nodiscard]] std::string one_query(const Plan& plan, const std::string& program);
+
+}  // namespace shigusa::bench

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/core/random.hpp>
+#include <string>
+#include <vector>
+
+// Who reaches where in the experiments, and how much of it is measured.
+namespace shigusa::bench {
+
+// How much is measured.
+struct Plan {
+  bool quick = false;           // to see that all runs, not for numbers
+  std::uint64_t goal_seed = 1;  // of the goals that are drawn
+  int goals = 30;               // drawn for each body
+  int seeds = 32;               // of searches, where nothing else is said
+  int few_seeds = 8;            // where there are many of them
+  int slow_seeds = 2;           // where a motion takes long
+  int motions = 5000;           // delivered for each body, of the experiment on limits
+};
+[[nodiscard]] Plan quick_plan();
+
+// A place for the right hand.
+struct Place {
+  std::string name;
+  Vec3d position{};  // m, world
+};
+
+// The goals that the project's findings are told of.
+[[nodiscard]] std::vector<Place> named_places();
+
+// Uniform in a box around a standing person, whether it can be reached or not: 2.6 m wide and deep,
+// 2.3 m high.
+[[nodiscard]] Vec3d random_place(Random& random);
+
+// `count` of these that the independent method finds a posture for: same seed, same goals.
+[[nodiscard]] std::vector<Vec3d> reachable_goals(const BodyModel& body, int count,
+                                                 std::uint64_t seed);
+
+// A body with its goals.
+struct Subject {
+  BodyModel body;
+  std::vector<Place> places;  // those drawn, and then the named ones
+  std::size_t drawn = 0;      // how many were drawn
+};
+// The half and the full body.
+[[nodiscard]] std::vector<Subject> make_subjects(const Plan& plan);
+
+// Values of all places of a subject, of which those of the drawn ones are summed up.
+[[nodiscard]] std::vector<double> of_drawn(const Subject& subject,
+                                           const std::vector<double>& of_places);
+
+}  // namespace shigusa::bench

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <shigusa/core/random.hpp>
+#include <shigusa/search/random_search.hpp>
+
+#include "experiments/goal_search.hpp"
+#include "experiments/pagmo_runs.hpp"
+#include "experiments/report.hpp"
+#include "experiments/stoop_squat_index.hpp"
+#include "support/bodies.hpp"
+
+namespace shigusa::bench {
+namespace {
+
+using namespace testing_support;
+
+SearchProblem sphere() {
+  return {.genes = 5,
+          .evaluate =
+              [](std::span<const double> points, std::span<double> scores) {
+                for (std::size_t i = 0; i < scores.size(); ++i) {
+                  scores[i] = 0.0;
+                  for (const double x : points.subspan(i * 5, 5)) {
+                    scores[i] += (x - 0.3) * (x - 0.3);
+                  }
+                }
+              },
+          .start = std::vector<double>(5, 0.9)};
+}
+
+TEST(BestAt, IsTheBestOfTheFirstPoints) {
+  BestAt best({1, 3, 4, 9});
+  for (const double score : {0.5, 0.9, 0.4, 0.2, 0.8}) best.note(score);
+  EXPECT_EQ(best.best(), (std::vector<double>{0.5, 0.4, 0.2, 0.2}));
+}
+
+TEST(BestAt, SeesWhatASearchOfThatBudgetFinds) {
+  BestAt best({20, 100});
+  (void)random_search(best.watch(sphere()), {.batch = 16, .evaluations = 100, .seed = 3});
+  const SearchResult shorter = random_search(sphere(), {.batch = 16, .evaluations = 20, .seed = 3});
+  EXPECT_EQ(best.best()[0], shorter.best_seen.score);
+}
+
+TEST(Quantile, IsTheNearestOfTheSortedValues) {
+  const std::vector<double> values{4.0, 1.0, 3.0, 2.0, 5.0};
+  EXPECT_EQ(median(values), 3.0);
+  EXPECT_EQ(quantile(values, 0.25), 2.0);
+  EXPECT_EQ(quantile(values, 1.0), 5.0);
+}
+
+// a clip of two frames: the start posture, and the same with some angles set
+Clip clip_to(const BodyModel& body, std::initializer_list<std::pair<const char*, double>> angles) {
+  Clip clip;
+  clip.dofs = body.dof_count();
+  clip.frames = 2;
+  std::vector<double> end(body.start().begin(), body.start().end());
+  clip.angles = end;
+  for (const auto& [name, angle] : angles) {
+    end[static_cast<std::size_t>(body.find_dof(name).value())] += angle;
+  }
+  clip.angles.insert(clip.angles.end(), end.begin(), end.end());
+  return clip;
+}
+
+TEST(StoopSquatIndex, IsHundredWhenOnlyTheHipsBend) {
+  const BodyModel body = half_body();
+  EXPECT_NEAR(stoop_squat_index(body, clip_to(body, {{"right_hip.flexion", 1.0}})), 100.0, 1e-9);
+}
+
+TEST(StoopSquatIndex, IsNoughtWhenTheTrunkSinksUpright) {
+  const BodyModel body = half_body();
+  const Clip clip = clip_to(
+      body,
+      {{"right_knee.flexion", 1.0}, {"right_hip.flexion", 0.6}, {"right_ankle.flexion", 0.4}});
+  EXPECT_NEAR(stoop_squat_index(body, clip), 0.0, 1e-9);
+}
+
+TEST(GoalSearch, ScoresInLanesAsInDouble) {
+  const BodyModel body = full_body();
+  GoalSearch searched(body, {0.25, 0.55, 0.50}, default_criteria());
+  const SearchProblem problem = searched.problem();
+  double score = 0.0;
+  problem.evaluate(problem.start, {&score, 1});
+  // kReplayTolerance of the library
+  EXPECT_NEAR(score, searched.replayed(problem.start), 1e-3);
+  EXPECT_LT(score, worst_score(searched.criteria()));
+}
+
+TEST(RunPagmo, FindsTheSameSideBySideAsAlone) {
+  if (pagmo_searches().empty()) GTEST_SKIP() << "built without pagmo";
+  std::vector<double> random;
+  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+    random.push_back(random_search(sphere(), {.evaluations = 400, .seed = seed}).best_seen.score);
+  }
+  for (const std::string& name : pagmo_searches()) {
+    SCOPED_TRACE(name);
+    const auto alone = run_pagmo(name, sphere(), 1, {50, 400});
+    const auto three = run_pagmo(name, sphere(), 3, {50, 400});
+    EXPECT_EQ(alone[0], three[0]);
+    EXPECT_NE(three[0], three[1]);
+    for (const std::vector<double>& run : three) EXPECT_LT(run[1], median(random));
+  }
+}
+
+}  // namespace
+}  // namespace shigusa::bench
