@@ -55,7 +55,8 @@ struct EditOptions {
   std::string result;
   int candidate = 1;
   std::vector<std::string> assignments;
-  std::string out;  // empty: a new folder beside the result
+  bool mirror = false;  // left for right
+  std::string out;      // empty: a new folder beside the result
   std::string formats = "bvh,csv,svg,png";
   bool json = false;
 };

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <shigusa/project/mirror.hpp>
+#include <utility>
 
 #include "commands.hpp"
 #include "table.hpp"
@@ -9,8 +11,8 @@
 namespace shigusa::app {
 namespace {
 
-// The folder that the edit goes to; one that the user gives, or else "edit-1", "edit-2", … beside
-// the result. An edit never writes over what it started from.
+// The folder that the edit goes to; one that the user gives, or else "edit-1", "edit-2", … or
+// "mirror-1", … beside the result. An edit never writes over what it started from.
 Result<std::filesystem::path> edit_folder(const EditOptions& options) {
   const std::filesystem::path result = options.result;
   std::error_code ignored;
@@ -25,7 +27,7 @@ Result<std::filesystem::path> edit_folder(const EditOptions& options) {
                 "--out " + options.out);
   }
   for (int k = 1;; ++k) {
-    const auto folder = base / fmt::format("edit-{}", k);
+    const auto folder = base / fmt::format("{}-{}", options.mirror ? "mirror" : "edit", k);
     if (!std::filesystem::exists(folder, ignored)) return folder;
   }
 }
@@ -37,6 +39,22 @@ Result<void> assign_all(const EditOptions& options, const Names& of, Edited& par
     if (const auto ok = assign_parameter(of, assignment, parameters); !ok) {
       return fail(ok.error().code, ok.error().message, "--set " + assignment);
     }
+  }
+  return {};
+}
+
+// The result's mirror image: task and parameters on the other side.
+Result<void> mirror(StoredResult& stored) {
+  Result<TaskFile> image = mirrored(std::move(stored.task));
+  if (!image) return tl::unexpected(image.error());
+  stored.task = std::move(*image);
+  const Result<Task> task = make_task(stored.task, {});
+  if (!task) return tl::unexpected(task.error());
+  for (Parameters& parameters : stored.candidates) parameters = mirrored(task->body, parameters);
+  for (LayeredParameters& parameters : stored.layered) {
+    Result<LayeredParameters> other = mirrored(*task, parameters);
+    if (!other) return tl::unexpected(other.error());
+    parameters = std::move(*other);
   }
   return {};
 }
@@ -76,12 +94,15 @@ int edit(const EditOptions& options) {
                                options.candidate, count),
                    options.result});
   }
+  if (options.mirror) {
+    if (const auto done = mirror(*stored); !done) return report(done.error());
+  }
   const Result<Task> task = make_task(stored->task, {});
   if (!task) return report(task.error());
   const auto begin = std::chrono::steady_clock::now();
   const Result<Generation> generation = edited(options, *stored, *task);
   if (!generation) return report(generation.error());
-  RunInfo info{.search = "edit"};
+  RunInfo info{.search = options.mirror ? "mirror" : "edit"};
   info.elapsed_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   if (const auto ready = prepare_folder(*folder); !ready) return report(ready.error());

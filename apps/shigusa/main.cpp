@@ -71,10 +71,21 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->callback([&] { exit_code = reach(o); });
 }
 
-void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
-  CLI::App* c = app.add_subcommand("edit", "Change a candidate's parameters; no search");
+// What edit and mirror have in common.
+void add_result_options(CLI::App* c, EditOptions& o, int& exit_code) {
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
+  c->add_option(
+      "--out", o.out,
+      "Folder for the new result (default: a new one beside the old, named as the command)");
+  c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
+  c->add_flag("--json", o.json, "Print summary.json instead of the table");
+  c->callback([&] { exit_code = edit(o); });
+}
+
+void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand("edit", "Change a candidate's parameters; no search");
+  add_result_options(c, o, exit_code);
   c->add_option(
        "--set", o.assignments,
        "NAME.weight=NUMBER or NAME.locked=true|false, NAME a joint or a freedom such as "
@@ -82,10 +93,12 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
        "layers also legs.contraction=NUMBER (0..15), and right_arm.NAME for the arm's own; "
        "repeatable")
       ->allow_extra_args(false);
-  c->add_option("--out", o.out, "Folder for the new result (default: edit-N beside the old one)");
-  c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
-  c->add_flag("--json", o.json, "Print summary.json instead of the table");
-  c->callback([&] { exit_code = edit(o); });
+}
+
+void add_mirror(CLI::App& app, EditOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand("mirror", "A candidate for the other hand: left for right");
+  o.mirror = true;
+  add_result_options(c, o, exit_code);
 }
 
 void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
@@ -117,10 +130,12 @@ int main(int argc, char** argv) {
   int exit_code = kDone;
   ReachOptions reach_options;
   EditOptions edit_options;
+  EditOptions mirror_options;
   RenderOptions render_options;
   BodyOptions body_options;
   add_reach(app, reach_options, exit_code);
   add_edit(app, edit_options, exit_code);
+  add_mirror(app, mirror_options, exit_code);
   add_render(app, render_options, exit_code);
   add_body(app, body_options, exit_code);
   try {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/hierarchy/layered_generator.hpp>
+#include <shigusa/hierarchy/generator.hpp>
 
 #include "goal_search.hpp"
 #include "report.hpp"
@@ -62,8 +62,9 @@ Task pairing_task(const Subject& subject, const Place& place, const Pairing& pai
 Run run_layers(Task task, int evaluations, const LimbStore& store, int* cells) {
   task.evaluations = evaluations;
   const Stopwatch watch;
-  const LayeredGeneration found =
-      generate_layered(task, {.store = store, .feedback_rounds = 0}).value();
+  task.layers.store = store;
+  task.layers.feedback_rounds = 0;
+  const Generation found = generate(task).value();
   if (cells != nullptr) *cells = found.cells_searched;
   // a miss scores the worst of all and more, by what it misses
   return {std::min(found.best_seen_score, worst_score(task.criteria)), watch.milliseconds()};
@@ -103,7 +104,7 @@ Compared compare(const Plan& plan, const Subject& subject, const Place& place,
                  const Pairing& pairing, int evaluations) {
   std::map<std::string, std::vector<double>> all;
   for (int seed = 1; seed <= seeds_of(plan, evaluations); ++seed) {
-    Task layered = pairing_task(subject, place, pairing, Preset::paper);
+    Task layered = pairing_task(subject, place, pairing, Preset::layers);
     Task flat = pairing_task(subject, place, pairing, pairing.flat);
     layered.genetic.seed = flat.genetic.seed = static_cast<std::uint64_t>(seed);
     MemoryStore memory;

@@ -9,7 +9,6 @@
 #include "goal_search.hpp"
 #include "report.hpp"
 #include "sections.hpp"
-#include "stoop_squat_index.hpp"
 
 namespace shigusa::bench {
 namespace {
@@ -39,7 +38,7 @@ Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettin
       ++delivered.over_limit;
       continue;
     }
-    const double index = stoop_squat_index(body, candidate.motion.clip);
+    const double index = candidate.final_posture.stoop_squat_index.value_or(100.0);
     delivered.index.push_back(index);
     // lowest score first
     double& best = index < kSquatBelow ? delivered.squat : delivered.stoop;
@@ -55,6 +54,7 @@ double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goa
   GoalSearch searched(body, goal, criteria);
   const double worst = worst_score(searched.criteria());
   double best = worst;
+  PostureMeter meter(body);
   SearchProblem problem = searched.problem();
   const auto genes = static_cast<std::size_t>(problem.genes);
   problem.evaluate = [&](std::span<const double> points, std::span<double> scores) {
@@ -64,7 +64,8 @@ double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goa
       scores[i] = 2.0 * worst;
       if (!rolled.outcome.met(searched.reach().tolerance)) continue;
       scores[i] = score_motion(body, rolled.motion, searched.criteria()).total;
-      const double index = stoop_squat_index(body, rolled.motion.clip);
+      const Clip& clip = rolled.motion.clip;
+      const double index = meter.index(clip.frame(clip.frames - 1)).value_or(100.0);
       if (index < kSquatBelow) {
         best = min(best, scores[i]);
       } else {

@@ -152,7 +152,6 @@ Result<void> check_choices(const Task& task) {
   };
   if (task.pareto && task.preset != Preset::flat) return wrong("knows no Pareto front; flat does");
   if (task.preset != Preset::layers) return {};
-  if (task.fixed) return wrong("fixes no parameters of the whole body; flat and paper do");
   if (task.generator != MotionGenerator::weighted_ik) return wrong("knows weighted IK only");
   return {};
 }

@@ -139,11 +139,13 @@ TEST(CriteriaPresets, DefaultIsTheMixtureOfTheFindings) {
 }
 
 TEST(CriteriaPresets, HaveNames) {
-  ASSERT_EQ(criteria_presets().size(), 2u);
+  ASSERT_EQ(criteria_presets().size(), 3u);
   EXPECT_EQ(criteria_presets()[0].name, "paper");
   EXPECT_EQ(criteria_presets()[0].settings().torque_weight, kPaperTorqueWeight);
   EXPECT_EQ(criteria_presets()[1].name, "default");
   EXPECT_EQ(criteria_presets()[1].settings().torque_weight, 0.0);
+  EXPECT_EQ(criteria_presets()[2].name, "pareto");
+  EXPECT_DOUBLE_EQ(worst_score(criteria_presets()[2].settings()), 1.0);
 }
 
 TEST(Score, LeavesOutWhatHasNoWeight) {

@@ -7,7 +7,6 @@
 #include "experiments/goal_search.hpp"
 #include "experiments/pagmo_runs.hpp"
 #include "experiments/report.hpp"
-#include "experiments/stoop_squat_index.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa::bench {
@@ -47,33 +46,6 @@ TEST(Quantile, IsTheNearestOfTheSortedValues) {
   EXPECT_EQ(median(values), 3.0);
   EXPECT_EQ(quantile(values, 0.25), 2.0);
   EXPECT_EQ(quantile(values, 1.0), 5.0);
-}
-
-// a clip of two frames: the start posture, and the same with some angles set
-Clip clip_to(const BodyModel& body, std::initializer_list<std::pair<const char*, double>> angles) {
-  Clip clip;
-  clip.dofs = body.dof_count();
-  clip.frames = 2;
-  std::vector<double> end(body.start().begin(), body.start().end());
-  clip.angles = end;
-  for (const auto& [name, angle] : angles) {
-    end[static_cast<std::size_t>(body.find_dof(name).value())] += angle;
-  }
-  clip.angles.insert(clip.angles.end(), end.begin(), end.end());
-  return clip;
-}
-
-TEST(StoopSquatIndex, IsHundredWhenOnlyTheHipsBend) {
-  const BodyModel body = half_body();
-  EXPECT_NEAR(stoop_squat_index(body, clip_to(body, {{"right_hip.flexion", 1.0}})), 100.0, 1e-9);
-}
-
-TEST(StoopSquatIndex, IsNoughtWhenTheTrunkSinksUpright) {
-  const BodyModel body = half_body();
-  const Clip clip = clip_to(
-      body,
-      {{"right_knee.flexion", 1.0}, {"right_hip.flexion", 0.6}, {"right_ankle.flexion", 0.4}});
-  EXPECT_NEAR(stoop_squat_index(body, clip), 0.0, 1e-9);
 }
 
 TEST(GoalSearch, ScoresInLanesAsInDouble) {

@@ -90,7 +90,8 @@ constexpr int kGoals = 1000;
 // paper's algorithm: enough to meet what the library does with any goal.
 class ManyGoals {
  public:
-  explicit ManyGoals(BodyModel body) : task_{.body = std::move(body)} {
+  explicit ManyGoals(BodyModel body)
+      : task_(with_preset({.body = std::move(body)}, Preset::paper)) {
     task_.genetic.max_generations = 2;
   }
 

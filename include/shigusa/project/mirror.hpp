@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/project/result_file.hpp>
+#include <string>
+#include <string_view>
+
+namespace shigusa {
+
+// "left_hand" of "right_hand" and the other way round; what has no side is as it was.
+[[nodiscard]] std::string mirrored_name(std::string_view name);
+
+// The task on the other side of the body's middle, x = 0: goals, a measured person and what is
+// fixed change sides. Fails on a body of one side.
+[[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
+
+// Parameters of a motion for those of its mirror image: weights change sides, and turns their sign.
+[[nodiscard]] Parameters mirrored(const BodyModel& body, const Parameters& parameters);
+// The same of the preset layers; `task` is the mirrored one. Fails where its layers cannot be made.
+[[nodiscard]] Result<LayeredParameters> mirrored(const Task& task,
+                                                 const LayeredParameters& parameters);
+
+}  // namespace shigusa

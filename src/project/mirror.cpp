@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <shigusa/project/mirror.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+constexpr std::string_view kTurn = "twist";  // the posture mode that is not of one side
+
+Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
+
+void mirror(Landmarks& person) {
+  std::swap(person.left_leg, person.right_leg);
+  std::swap(person.left_arm, person.right_arm);
+  for (Landmarks::Leg* leg : {&person.left_leg, &person.right_leg}) {
+    for (Vec3d* p : {&leg->hip, &leg->knee, &leg->ankle, &leg->toe}) *p = across(*p);
+  }
+  for (Landmarks::Arm* arm : {&person.left_arm, &person.right_arm}) {
+    for (Vec3d* p : {&arm->shoulder, &arm->elbow, &arm->wrist, &arm->fingertip}) *p = across(*p);
+  }
+  person.neck = across(person.neck);
+  person.head_top = across(person.head_top);
+}
+
+// "right_elbow.weight=3" of "left_elbow.weight=3", "twist_deg=-20" of "twist_deg=20".
+std::string mirrored_assignment(const std::string& assignment) {
+  std::string text = mirrored_name(assignment);
+  const std::size_t equals = text.find('=');
+  if (text.rfind(kTurn, 0) != 0 || equals == text.npos) return text;
+  const bool negative = equals + 1 < text.size() && text[equals + 1] == '-';
+  return negative ? text.erase(equals + 1, 1) : text.insert(equals + 1, "-");
+}
+
+}  // namespace
+
+std::string mirrored_name(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSides{
+      {{"left_", "right_"}, {"right_", "left_"}}};
+  for (const auto& [side, other] : kSides) {
+    if (name.substr(0, side.size()) == side) {
+      return std::string(other) + std::string(name.substr(side.size()));
+    }
+  }
+  return std::string(name);
+}
+
+Result<TaskFile> mirrored(TaskFile task) {
+  const Result<BodyModel> body = build_character(task.character);
+  if (!body) return tl::unexpected(body.error());
+  for (const Dof& dof : body->dofs()) {
+    if (body->find_dof(mirrored_name(dof.name))) continue;
+    return fail(ErrorCode::unsupported,
+                fmt::format("{} has one side only: it has {} and no {}", body->name(), dof.name,
+                            mirrored_name(dof.name)));
+  }
+  if (task.character.landmarks) mirror(*task.character.landmarks);
+  for (Goal& goal : task.goals) {
+    goal.effector = mirrored_name(goal.effector);
+    goal.position = across(goal.position);
+  }
+  for (std::string& assignment : task.fixed) assignment = mirrored_assignment(assignment);
+  return task;
+}
+
+Parameters mirrored(const BodyModel& body, const Parameters& parameters) {
+  Parameters image = parameters;
+  for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
+    const auto other = body.find_dof(mirrored_name(body.dofs()[d].name));
+    if (other) image.joints[static_cast<std::size_t>(*other)] = parameters.joints[d];
+  }
+  if (parameters.posture.modes.empty()) return image;
+  PostureParameters from = parameters.posture;
+  const std::vector<PostureMember> of_image = posture_members(body, image.posture);
+  for (const PostureMember& member : posture_members(body, from)) {
+    for (const PostureMember& other : of_image) {
+      if (other.name != mirrored_name(member.name)) continue;
+      *other.value = member.name == kTurn ? -*member.value : *member.value;
+    }
+  }
+  return image;
+}
+
+Result<LayeredParameters> mirrored(const Task& task, const LayeredParameters& parameters) {
+  std::vector<Goal> goals = task.goals;
+  for (Goal& goal : goals) goal.effector = mirrored_name(goal.effector);
+  const auto before = layers_to_goals(task.body, goals, task.layers);
+  const auto after = layers_to_goals(task.body, task.goals, task.layers);
+  if (!before) return tl::unexpected(before.error());
+  if (!after) return tl::unexpected(after.error());
+  LayeredParameters from = parameters;
+  LayeredParameters image;
+  const std::vector<LayeredMember> of_image = layered_members(*after, image);
+  for (const LayeredMember& member : layered_members(*before, from)) {
+    for (const LayeredMember& other : of_image) {
+      if (other.layer != mirrored_name(member.layer)) continue;
+      if (other.name != mirrored_name(member.name)) continue;
+      if (member.joint != nullptr && other.joint != nullptr) *other.joint = *member.joint;
+      for (std::size_t k = 0; k < std::min(member.contraction.size(), other.contraction.size());
+           ++k) {
+        *other.contraction[k] = *member.contraction[k];
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/project/mirror.hpp>
+
+namespace shigusa {
+namespace {
+
+TaskFile asked(Preset preset) {
+  TaskFile file;
+  file.preset = preset;
+  file.criteria = preset_criteria(preset);
+  file.goals = {{"right_hand", {-0.25, 0.5, 0.45}}};
+  file.evaluations = 200;
+  return file;
+}
+
+// Angles of the freedoms with a left and a right change sides; there are no others.
+void expect_image(const BodyModel& body, const Clip& clip, const Clip& image) {
+  ASSERT_EQ(clip.frames, image.frames);
+  double largest = 0.0;
+  for (int f = 0; f < clip.frames; ++f) {
+    for (int d = 0; d < clip.dofs; ++d) {
+      const int other = body.find_dof(mirrored_name(body.dof(d).name)).value();
+      largest = std::fmax(largest, std::fabs(clip.frame(f)[static_cast<std::size_t>(d)] -
+                                             image.frame(f)[static_cast<std::size_t>(other)]));
+    }
+  }
+  EXPECT_LT(degrees(largest), 0.5);
+}
+
+TEST(Mirror, NamesChangeSides) {
+  EXPECT_EQ(mirrored_name("right_hand"), "left_hand");
+  EXPECT_EQ(mirrored_name("left_hip.flexion"), "right_hip.flexion");
+  EXPECT_EQ(mirrored_name("squat"), "squat");
+  EXPECT_EQ(mirrored_name(""), "");
+}
+
+class MirroredMotion : public testing::TestWithParam<Preset> {};
+
+TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
+  TaskFile file = asked(GetParam());
+  const Task task = make_task(file, {}).value();
+  const Generation generation = generate(task).value();
+  TaskFile other = mirrored(file).value();
+  EXPECT_EQ(other.goals[0].effector, "left_hand");
+  EXPECT_EQ(other.goals[0].position, (Vec3d{0.25, 0.5, 0.45}));
+  const Task image = make_task(other, {}).value();
+  const Candidate& best = generation.candidates.front();
+  const Generation again = best.layered
+                               ? regenerate(image, mirrored(image, *best.layered).value()).value()
+                               : regenerate(image, mirrored(image.body, best.parameters)).value();
+  EXPECT_EQ(again.status, ReachStatus::reached);
+  EXPECT_LE(again.candidates[0].goals[0].error, kReachTolerance);
+  expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
+  EXPECT_NEAR(again.candidates[0].final_posture.trunk_turn, -best.final_posture.trunk_turn, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion,
+                         testing::Values(Preset::paper, Preset::flat, Preset::layers),
+                         [](const auto& of) { return std::string(preset_name(of.param)); });
+
+TEST(Mirror, TwiceIsTheTaskAgain) {
+  TaskFile file = asked(Preset::flat);
+  file.fixed = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1", "squat_deg=40",
+                "nothing"};
+  const TaskFile once = mirrored(file).value();
+  EXPECT_THAT(once.fixed, testing::ElementsAre("left_elbow.weight=3", "twist_deg=-20",
+                                               "twist_rad=0.1", "squat_deg=40", "nothing"));
+  EXPECT_EQ(format_task(mirrored(once).value()), format_task(file));
+}
+
+TEST(Mirror, HalfABodyHasNone) {
+  TaskFile file = asked(Preset::flat);
+  file.character.source = "half_body";
+  EXPECT_THAT(mirrored(file).error().message, testing::HasSubstr("has one side only"));
+}
+
+}  // namespace
+}  // namespace shigusa
