@@ -61,9 +61,9 @@ TEST_P(FinalPostures, HipsThatSinkWithTheShouldersAreASquat) {
   const FinalPosture posture = of(mode(body_, "squat", radians(100.0)));
   EXPECT_LT(posture.stoop_squat_index.value(), 15.0);
   // an upright trunk sinks as far as its hips do
-  const double sunk = of(posed(body_, {{"right_knee.flexion", 60.0},
-                                       {"right_hip.flexion", 35.0},
-                                       {"right_ankle.flexion", 25.0}}))
+  const double sunk = of(posed(body_, {{"right_knee.flexion", 90.0},
+                                       {"right_hip.flexion", 50.0},
+                                       {"right_ankle.flexion", 40.0}}))
                           .stoop_squat_index.value();
   if (std::string(GetParam()) == "half_body") {
     EXPECT_NEAR(sunk, 0.0, 6.0);
