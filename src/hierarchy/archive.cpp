@@ -53,7 +53,10 @@ void Archive::add(std::span<const double> points, std::span<const double> scores
         std::upper_bound(cell.begin(), cell.end(), scores[i],
                          [](double score, const Archived& kept) { return score < kept.score; });
     const std::span<const double> point = points.subspan(i * genes, genes);
-    const int style = !index || *index > kStoopIndex ? 0 : *index < kSquatIndex ? 2 : 1;
+    const Style style = !index                 ? Style::upright
+                        : *index > kStoopIndex ? Style::stoop
+                        : *index < kSquatIndex ? Style::squat
+                                               : Style::between;
     cell.insert(after,
                 {{point.begin(), point.end()}, scores[i], {posture.begin(), posture.end()}, style});
     if (cell.size() > kPerCell) cell.pop_back();

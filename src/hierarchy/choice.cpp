@@ -15,11 +15,13 @@ Choice distinct_postures(const Archive& archive, int most) {
   const auto near = [](const Archived& a, const Archived& b) {
     return posture_distance(a.posture, b.posture) < kDistinctEnd + kEndSlack;
   };
+  // for what is met upright nobody squats
+  const bool bends = !ranked.empty() && ranked.front().style != Style::upright;
   for (const bool new_style_only : {true, false}) {
     choice.similar = choice.worse = 0;
     for (const Archived& archived : ranked) {
       if (static_cast<int>(picked.size()) >= most) break;
-      const double spread = new_style_only ? kStyleSpread : kCandidateSpread;
+      const double spread = new_style_only && bends ? kStyleSpread : kCandidateSpread;
       if (archived.score > ranked.front().score + spread) {
         ++choice.worse;
       } else if (std::any_of(picked.begin(), picked.end(),

@@ -111,10 +111,10 @@ TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
   const std::vector<Archived> ranked = archive.ranked();
   ASSERT_EQ(ranked.size(), Archive::kPerCell + 1);
   EXPECT_EQ(ranked[0].point[0], points[9]);
-  EXPECT_EQ(ranked[0].style, 2);
+  EXPECT_EQ(ranked[0].style, Style::squat);
   for (std::size_t k = 1; k < ranked.size(); ++k) {
     EXPECT_EQ(ranked[k].point[0], points[9 - k]);
-    EXPECT_EQ(ranked[k].style, 0);
+    EXPECT_EQ(ranked[k].style, Style::upright);
   }
 }
 

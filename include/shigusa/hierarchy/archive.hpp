@@ -12,12 +12,15 @@
 
 namespace shigusa {
 
+// How people bend, by the stoop-squat index (FinalPosture).
+enum class Style { upright, stoop, between, squat };
+
 // A point that was scored, with the posture in which its motion ends.
 struct Archived {
   std::vector<double> point;
   double score = 0.0;
   std::vector<float> posture;  // (dofs) rad
-  int style = 0;               // 0 stoop or upright, 1 between, 2 squat (FinalPosture)
+  Style style = Style::upright;
 };
 
 // What a search came upon, sorted by how the motion ends, so that different answers are kept beside

@@ -96,7 +96,8 @@ inline constexpr double kDistinctEnd = radians(10.0);
 inline constexpr double kEndSlack = radians(0.1);
 // Candidates score at most this much worse than the best …
 inline constexpr double kCandidateSpread = 0.15;
-// … or this, where none of their style is better: people squat although it costs more.
+// … or this, where the best bends down and none of their style is better: people squat although it
+// costs more.
 inline constexpr double kStyleSpread = 0.25;
 // Searches score in single precision; every candidate is played again in double and scored anew.
 // What scores may differ by without being counted.
