@@ -105,7 +105,8 @@ std::string against_paper(const Plan& plan, std::span<const Subject> subjects) {
                fmt::format("flat after {} / paper", kLongSearch), "paper over a limit",
                "flat over a limit"});
   Table named({"criteria", "body", "motions", "low front-left", "at the feet", "high right"});
-  for (const CriteriaPreset& criteria : criteria_presets()) {
+  // the paper's and the default; what is left is for fronts
+  for (const CriteriaPreset& criteria : criteria_presets().first(2)) {
     for (const Subject& subject : subjects) add_lines(plan, subject, criteria, table, named);
   }
   return fmt::format(

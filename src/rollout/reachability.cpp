@@ -21,9 +21,6 @@ constexpr double kStall = 1e-9;
 constexpr int kStallSteps = 12;
 // Where the goal is out of reach, distances that differ by less count as equal (m).
 constexpr double kNearEqual = 5e-3;
-// Where a joint gives way to the others before its limit: nearer to it than in a motion, which must
-// come to rest there evenly (rad).
-constexpr double kNearLimit = radians(1.0);
 // The walk to a random posture: steps, and the share of the way that each takes.
 constexpr int kWanderSteps = 60;
 constexpr double kWanderRate = 0.1;
@@ -42,7 +39,7 @@ class Descent {
         kinematics_(body_),
         trial_kinematics_(body_),
         workspace_(body_) {
-    if (problem.hold_limits) limits_.emplace(body_, kNearLimit);
+    if (problem.hold_limits) limits_.emplace(body_);
   }
 
   // Walks from the start posture towards a random one with the feet planted: the way there is a

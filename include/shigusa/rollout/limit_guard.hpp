@@ -21,13 +21,8 @@ inline constexpr double kLimitMargin = radians(8.0);
 template <class S>
 class LimitGuard {
  public:
-  // `margin` (rad) is where a freedom begins to give way.
-  explicit LimitGuard(const BodyModel& body, double margin = kLimitMargin)
-      : per_margin_(static_cast<T>(1.0 / margin)),
-        wanted_(body.dofs().size()),
-        share_(wanted_),
-        softened_(wanted_),
-        allowed_(wanted_) {
+  explicit LimitGuard(const BodyModel& body)
+      : wanted_(body.dofs().size()), share_(wanted_), softened_(wanted_), allowed_(wanted_) {
     for (std::size_t d = 0; d < wanted_.size(); ++d) {
       const Dof& dof = body.dofs()[d];
       // a start posture outside its range may stay where it is
@@ -54,7 +49,7 @@ class LimitGuard {
     for (std::size_t d = 0; d < limits_.size(); ++d) {
       const S room =
           select(wanted_[d] > S(0), upper_[d] - angles[d], angles[d] - S(limits_[d].lower));
-      share_[d] = clamp(room * S(per_margin_), S(0), S(1));
+      share_[d] = clamp(room * S(1.0 / kLimitMargin), S(0), S(1));
       softened_[d] = inverse_weights[d] * share_[d];
     }
     return softened_;
@@ -110,7 +105,6 @@ class LimitGuard {
     }
   }
 
-  T per_margin_;
   std::vector<Limit> limits_;
   std::vector<Coupling> couplings_;
   std::vector<S> upper_;     // (dofs) rad, with what the couplings add now
