@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -37,20 +38,34 @@ void check(const GeneticSettings& s) {
             fmt::format("fitness_offset is {}, allowed: 1e-12..1e12", s.fitness_offset));
 }
 
+// A genome in the order of its hash (FNV-1a), which mostly decides without a look at the genes.
+struct HashedGenome {
+  std::uint64_t hash = 14695981039346656037U;
+  Genome genes;
+
+  explicit HashedGenome(Genome genome) : genes(std::move(genome)) {
+    for (const std::uint16_t gene : genes) hash = (hash ^ gene) * 1099511628211U;
+  }
+  friend bool operator<(const HashedGenome& a, const HashedGenome& b) {
+    return a.hash != b.hash ? a.hash < b.hash : a.genes < b.genes;
+  }
+};
+
 // Scores genomes, each distinct one once.
 class GenomeScorer {
  public:
   GenomeScorer(Scorer& scorer, int bits_per_gene) : scorer_(scorer), bits_(bits_per_gene) {}
 
   // A genome and its score, once it has one; it stays where it is.
-  using Entry = std::pair<const Genome, std::optional<double>>;
+  using Entry = std::pair<const HashedGenome, std::optional<double>>;
 
   // Queues what is new among these genomes; the entries of all of them.
-  std::vector<const Entry*> plan(const std::vector<Genome>& genomes) {
+  std::vector<const Entry*> plan(std::vector<Genome> genomes) {
     std::vector<const Entry*> entries;
     entries.reserve(genomes.size());
-    for (const Genome& genome : genomes) {
-      const auto [entry, is_new] = scores_.try_emplace(genome, std::nullopt);
+    for (Genome& genome : genomes) {
+      const auto [entry, is_new] =
+          scores_.try_emplace(HashedGenome(std::move(genome)), std::nullopt);
       if (is_new) queue_.push_back(&*entry);
       entries.push_back(&*entry);
     }
@@ -66,7 +81,7 @@ class GenomeScorer {
         queue_.size() < size ? queue_.size() : queue_.size() - queue_.size() % size;
     std::vector<double> points;
     for (std::size_t i = 0; i < count; ++i) {
-      const std::vector<double> point = point_of_genome(queue_[i]->first, bits_);
+      const std::vector<double> point = point_of_genome(queue_[i]->first.genes, bits_);
       points.insert(points.end(), point.begin(), point.end());
     }
     std::vector<double> scores(count);
@@ -78,7 +93,7 @@ class GenomeScorer {
  private:
   Scorer& scorer_;
   int bits_;
-  std::map<Genome, std::optional<double>> scores_;
+  std::map<HashedGenome, std::optional<double>> scores_;
   std::vector<Entry*> queue_;
 };
 
@@ -107,7 +122,7 @@ class Run {
     for (int i = 0; i < settings.population; ++i) {
       initial.push_back(random_genome(genes, bits_, random_));
     }
-    wanted_ = genomes.plan(initial);
+    wanted_ = genomes.plan(std::move(initial));
   }
 
   [[nodiscard]] bool ended() const { return ended_; }
@@ -124,7 +139,8 @@ class Run {
   // The initial population, or the next one from the one before and its offspring.
   void step(GenomeScorer& genomes) {
     const bool initial = population_.empty();
-    for (const auto* entry : wanted_) population_.push_back({entry->first, entry->second.value()});
+    for (const auto* entry : wanted_)
+      population_.push_back({entry->first.genes, entry->second.value()});
     if (!initial) {
       population_ = next_population(std::move(population_), settings_, random_);
       ++generations_;

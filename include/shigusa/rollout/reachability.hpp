@@ -7,7 +7,7 @@
 namespace shigusa {
 
 struct ReachabilitySettings {
-  int starts = 24;       // postures to search from: the start posture and random ones
+  int starts = 48;       // postures to search from: the start posture and random ones
   int iterations = 400;  // steps from each, at most
 };
 
