@@ -185,8 +185,8 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   generation.duration = problem->duration;
   for (std::size_t w = 0; w < ways.size(); ++w) {
     const auto tried = std::span(ways).first(w + 1);
-    task.pareto ? search_front(task, tried, progress, generation)
-                : search_best(task, tried, progress, generation);
+    const auto search = task.pareto ? search_front : search_best;
+    search(task, tried, progress, generation);
     if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {

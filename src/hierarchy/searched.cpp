@@ -131,7 +131,11 @@ void Searched::evaluate(std::span<const double> points, std::span<double> scores
   angles_.resize(kept ? scores.size() * dofs : 0);
   // criteria of the user's own want whole motions, and NLP-IK has no lanes
   const bool whole = !criteria_.user.empty() || task_.generator != MotionGenerator::weighted_ik;
-  whole ? score_one_by_one(points, scores) : batch_.score(space_.rows(points), scores, angles_);
+  if (whole) {
+    score_one_by_one(points, scores);
+  } else {
+    batch_.score(space_.rows(points), scores, angles_);
+  }
   if (!kept) return;
   kept_scores_.assign(scores.begin(), scores.end());
   for (std::size_t i = 0; dial_ && i < scores.size(); ++i) {
