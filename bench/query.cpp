@@ -29,9 +29,6 @@ long peak_kibibytes() {
 Task default_task() {
   Task task{.body = full_body()};
   task.goals = {{"right_hand", {0.25, 0.55, 0.50}}};
-  task.preset = Preset::flat;
-  task.criteria = preset_criteria(task.preset);
-  task.candidates = preset_candidates(task.preset);
   task.batch.threads = 1;
   return task;
 }

@@ -16,11 +16,8 @@ constexpr int kProbed = 256;
 
 Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
                const CriteriaSettings& criteria) {
-  Task task{.body = body};
-  task.goals = {{"right_hand", goal}};
-  task.preset = preset;
+  Task task = with_preset({.body = body, .goals = {{"right_hand", goal}}}, preset);
   task.criteria = criteria;
-  task.candidates = preset_candidates(preset);
   task.batch.threads = 1;
   return task;
 }

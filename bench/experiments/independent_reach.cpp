@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "independent_reach.hpp"
 
+#include <algorithm>
 #include <shigusa/core/check.hpp>
 #include <string>
 
@@ -107,6 +108,21 @@ std::optional<std::vector<double>> IndependentReach::posture(const Vec3d& goal, 
     if (descend(z)) return angles_;
   }
   return std::nullopt;
+}
+
+double excess_of(const BodyModel& body, std::span<const double> angles) {
+  double most = 0.0;
+  for (int d = 0; d < body.dof_count(); ++d) {
+    double upper = body.dof(d).upper;
+    for (const LimitCoupling& c : body.couplings()) {
+      if (c.dof != d) continue;
+      const double share = angles[static_cast<std::size_t>(c.driver)] / c.driver_full;
+      upper += c.gain * clamp(share, 0.0, 1.0);
+    }
+    const double angle = angles[static_cast<std::size_t>(d)];
+    most = std::max({most, angle - upper, body.dof(d).lower - angle});
+  }
+  return most;
 }
 
 }  // namespace shigusa::bench

@@ -53,4 +53,8 @@ class IndependentReach : private SmoothFunction {
   VariableMetric metric_;
 };
 
+// (rad) The most that any of the angles (dofs, rad) is outside its range, by the body's own numbers
+// and not by the library's measures of them; 0: none is.
+[[nodiscard]] double excess_of(const BodyModel& body, std::span<const double> angles);
+
 }  // namespace shigusa::bench

@@ -33,21 +33,6 @@ struct Judged {
   bool reachable = false;  // by the independent method
 };
 
-double excess_of(const BodyModel& body, std::span<const double> angles) {
-  double most = 0.0;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    double upper = body.dof(d).upper;
-    for (const LimitCoupling& c : body.couplings()) {
-      if (c.dof != d) continue;
-      const double share = angles[static_cast<std::size_t>(c.driver)] / c.driver_full;
-      upper += c.gain * clamp(share, 0.0, 1.0);
-    }
-    const double angle = angles[static_cast<std::size_t>(d)];
-    most = std::max({most, angle - upper, body.dof(d).lower - angle});
-  }
-  return most;
-}
-
 // m, the farthest that a foot's middle is from where it stands at any frame
 double slide_of(const BodyModel& body, const Clip& clip) {
   Kinematics<double> placed(body);

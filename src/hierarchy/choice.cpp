@@ -44,13 +44,13 @@ Choice distinct_postures(const Archive& archive, int most) {
 
 std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {
   if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
-  const bool paper = task.preset == Preset::paper;
+  const bool by_end = task.preset == Preset::flat;
   std::vector<std::string> reasons;
   const auto add = [&](int count, std::string_view what) {
     if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
   };
   add(choice.similar + generation.near_copies,
-      paper ? "move as a better one does" : "end within 10° of a better one");
+      by_end ? "end within 10° of a better one" : "move as a better one does");
   add(choice.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
   add(generation.missed, "miss the goal, leave the path or move a foot when replayed");
   return fmt::format(

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "layered_generator.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <shigusa/hierarchy/layered_problem.hpp>
@@ -10,6 +8,7 @@
 
 #include "arm_libraries.hpp"
 #include "candidate.hpp"
+#include "choice.hpp"
 #include "layered_search.hpp"
 #include "layered_ways.hpp"
 
@@ -134,16 +133,6 @@ void collect(const Task& task, LayeredWays& ways, LayeredWay searched, UpperSear
   }
 }
 
-// Why there are fewer candidates than asked for.
-std::string why_fewer(const Task& task, const Generation& generation) {
-  if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
-  return fmt::format(
-      "{} of {} candidates: of the others that were kept, {} move as a better one does; {} miss "
-      "the "
-      "goal, leave the path or move a foot",
-      generation.candidates.size(), task.candidates, generation.near_copies, generation.missed);
-}
-
 // Searches one way, and keeps what it comes to.
 void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& ways, LayeredWay way,
                 ArmLibraries& libraries, const Progress& progress, Generation& generation) {
@@ -160,7 +149,7 @@ void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& wa
   generation.best_seen_score = found.best_seen.score;
   generation.missed = 0;
   collect(task, ways, way, search, found, generation);
-  generation.fewer = why_fewer(task, generation);
+  generation.fewer = why_fewer(task, generation, {});
 }
 
 void finish(const LayeredProblem& problem, Generation& generation) {

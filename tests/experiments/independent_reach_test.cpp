@@ -21,24 +21,7 @@ constexpr int kStarts = 20;
 double library_distance(const BodyModel& body, const Vec3d& goal) {
   Task task{.body = body};
   task.goals = {{"right_hand", goal}};
-  task.preset = Preset::flat;
   return closest_reach(make_problem(task).value()).distance;
-}
-
-// (rad) the most that any angle is outside its range
-double excess_of(const BodyModel& body, std::span<const double> angles) {
-  double most = 0.0;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    double upper = body.dof(d).upper;
-    for (const LimitCoupling& c : body.couplings()) {
-      if (c.dof != d) continue;
-      const double driver = angles[static_cast<std::size_t>(c.driver)];
-      upper += c.gain * clamp(driver / c.driver_full, 0.0, 1.0);
-    }
-    const double angle = angles[static_cast<std::size_t>(d)];
-    most = max(most, max(angle - upper, body.dof(d).lower - angle));
-  }
-  return most;
 }
 
 class IndependentReachOf : public testing::TestWithParam<const char*> {
