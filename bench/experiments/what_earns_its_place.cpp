@@ -46,33 +46,40 @@ struct Variant {
 };
 
 std::vector<Variant> variants(const Subject& subject) {
-  GoalSearch searched(subject.body, subject.places[0].position, default_criteria());
+  GoalSearch searched(subject.body, subject.places[0].position, default_criteria(),
+                      GeneCode::every);
   const std::vector<std::string> names = searched.space().names();
-  std::vector<Variant> all{{"all of them", {}}};
+  std::vector<Variant> all{{"the preset's", {"delay", "skew"}},
+                           {"with delay", {"skew"}},
+                           {"with skew", {"delay"}},
+                           {"with delay and skew", {}}};
   std::vector<std::string> postures;
   std::vector<std::string> weights;
   for (const std::string& name : names) {
     const bool weight = name.find('.') != std::string::npos;
-    const bool path = name == "bow" || name == "skew";
+    const bool path = name == "bow" || name == "sway";
+    const bool timing = name == "delay" || name == "skew";
     if (weight) weights.push_back(name);
-    if (!weight && !path && name != "delay") postures.push_back(name);
+    if (!weight && !path && !timing) postures.push_back(name);
   }
-  for (const std::string& name : postures) all.push_back({"without " + name, {name}});
-  for (const char* name : {"delay", "bow", "skew"})
-    all.push_back({"without " + std::string(name), {name}});
-  all.push_back({"without bow and skew", {"bow", "skew"}});
+  const auto without = [&all](const std::string& what, std::vector<std::string> left_out) {
+    left_out.insert(left_out.end(), {"delay", "skew"});
+    all.push_back({"without " + what, std::move(left_out)});
+  };
+  for (const std::string& name : postures) without(name, {name});
+  for (const char* name : {"bow", "sway"}) without(name, {name});
+  without("bow and sway", {"bow", "sway"});
+  without("postures", postures);
   std::vector<std::string> besides = postures;
-  besides.insert(besides.end(), {"delay", "bow", "skew"});
-  postures.emplace_back("delay");
-  all.push_back({"without postures and delay", postures});
-  all.push_back({"weights alone", besides});
-  all.push_back({"without any weight", weights});
+  besides.insert(besides.end(), {"bow", "sway"});
+  without("anything but weights", besides);
+  without("any weight", weights);
   return all;
 }
 
 double score_of(const Plan& plan, const Subject& subject, const Place& place,
                 const Variant& variant) {
-  GoalSearch searched(subject.body, place.position, default_criteria());
+  GoalSearch searched(subject.body, place.position, default_criteria(), GeneCode::every);
   std::vector<int> fixed;
   for (const std::string& name : variant.left_out) fixed.push_back(searched.space().find(name));
   const SearchProblem problem = without(searched.problem(), fixed);
@@ -94,7 +101,7 @@ std::string parameters_table(const Plan& plan, const Subject& subject) {
     const std::size_t p = static_cast<std::size_t>(i) % places;
     scores[v][p] = score_of(plan, subject, subject.places[p], all[v]);
   });
-  Table table({"parameters", "best score", "beside all of them", "goals worse by over 2 %",
+  Table table({"parameters", "best score", "beside the preset's", "goals worse by over 2 %",
                "better by over 2 %", "low front-left", "at the feet", "high right"});
   for (std::size_t v = 0; v < all.size(); ++v) {
     std::vector<double> ratios;
@@ -176,9 +183,10 @@ std::string what_earns_its_place(const Plan& plan, std::span<const Subject> subj
   std::string page = fmt::format(
       "CMA-ES over the parameters of the preset flat, {} motions, {} seeds, default criteria. "
       "Leaving a parameter out is fixing it where the start has it: weights alike, no change of "
-      "posture, no delay, a straight path. Beside all of them: the ratio of best scores on each "
-      "goal; above 1, leaving it out is worse. With less to search, a budget reaches further, so "
-      "a ratio below 1 says that the parameter costs more than it brings at this budget.\n",
+      "posture, no delay, a straight path. The preset searches neither delay nor skew. Beside the "
+      "preset's: the ratio of best scores on each goal; above 1 is worse. With less to search, a "
+      "budget reaches further, so a ratio below 1 without a parameter says that it costs more "
+      "than it brings at this budget.\n",
       kBudget, plan.few_seeds);
   for (const Subject& subject : subjects) page += parameters_table(plan, subject);
   return page +

@@ -30,7 +30,8 @@ PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
                    const Parameters& parameters) {
   if (!problem.follow_path) return PathKind::free;
   if (path.detour != Vec3d{}) return PathKind::detour;
-  return parameters.posture.bow == 0.0 ? PathKind::straight : PathKind::bowed;
+  return parameters.posture.bow == 0.0 && parameters.posture.sway == 0.0 ? PathKind::straight
+                                                                         : PathKind::bowed;
 }
 
 double frame_distance(const Clip& a, const Clip& b, int frame) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <shigusa/hierarchy/parameter_space.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/genetic_operators.hpp>
@@ -28,6 +29,11 @@ std::string shared_name(const std::string& name) {
   return name;
 }
 
+// in the order of MotionInputs::timing
+std::array<double*, kTimings> timings(PostureParameters& posture) {
+  return {&posture.delay, &posture.bow, &posture.skew, &posture.sway};
+}
+
 }  // namespace
 
 ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
@@ -35,10 +41,11 @@ ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
     : body_(problem.body),
       code_(code),
       fixed_(fixed ? *fixed : no_fixed_parameters(*body_)),
-      posed_(code == GeneCode::natural) {
+      named_(code == GeneCode::natural || code == GeneCode::every),
+      posed_(named_) {
   for (const bool set : fixed_.posture) posed_ = posed_ || set;
   add_weights(problem);
-  if (code_ == GeneCode::natural) add_posture(problem);
+  if (named_) add_posture(problem);
 }
 
 void ParameterSpace::add_weights(const ReachProblem& problem) {
@@ -47,7 +54,7 @@ void ParameterSpace::add_weights(const ReachProblem& problem) {
     const std::string& name = body_->dofs()[d].name;
     // a genome of the paper's has a gene for each freedom
     if (fixed_.joints[d] && code_ != GeneCode::paper) continue;
-    if (code_ != GeneCode::natural) {
+    if (!named_) {
       genes_.push_back(
           {.name = name, .dofs = {d}, .lower = -kLogWeightRange, .upper = kLogWeightRange});
       continue;
@@ -76,16 +83,22 @@ void ParameterSpace::add_posture(const ReachProblem& problem) {
     if (!moves || fixed_.posture[m]) continue;
     genes_.push_back({.kind = Kind::posture,
                       .name = modes_[m].name,
-                      .mode = m,
+                      .index = m,
                       .lower = modes_[m].lower,
                       .upper = modes_[m].upper});
   }
-  const Gene path[] = {
-      {.kind = Kind::delay, .name = "delay", .upper = kDelayMax},
-      {.kind = Kind::bow, .name = "bow", .lower = -kBowSearched / 2.0, .upper = kBowSearched},
-      {.kind = Kind::skew, .name = "skew", .lower = -1.0, .upper = 1.0}};
-  for (std::size_t k = 0; k < std::size(path); ++k) {
-    if (!fixed_.posture[modes_.size() + k]) genes_.push_back(path[k]);
+  constexpr double most = kBowSearched;
+  // in the order of MotionInputs::timing and of the posture's members
+  const Gene timings[kTimings] = {{.name = "delay", .upper = kDelayMax},
+                                  {.name = "bow", .lower = -most / 2.0, .upper = most},
+                                  {.name = "skew", .lower = -1.0, .upper = 1.0},
+                                  {.name = "sway", .lower = -most, .upper = most}};
+  for (std::size_t k = 0; k < kTimings; ++k) {
+    const bool searched = k % 2 == 1 || code_ == GeneCode::every;
+    if (!searched || fixed_.posture[modes_.size() + k]) continue;
+    genes_.push_back(timings[k]);
+    genes_.back().kind = Kind::timing;
+    genes_.back().index = k;
   }
 }
 
@@ -138,16 +151,10 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
         }
         break;
       case Kind::posture:
-        parameters.posture.modes[gene.mode] = value;
+        parameters.posture.modes[gene.index] = value;
         break;
-      case Kind::delay:
-        parameters.posture.delay = value;
-        break;
-      case Kind::bow:
-        parameters.posture.bow = value;
-        break;
-      case Kind::skew:
-        parameters.posture.skew = value;
+      case Kind::timing:
+        *timings(parameters.posture)[gene.index] = value;
         break;
     }
   }
@@ -180,12 +187,12 @@ MotionInputs ParameterSpace::rows(std::span<const double> points) {
 // all as the fixed parameters have it
 void ParameterSpace::start_postures(const Parameters& base, std::size_t motions) {
   const std::vector<double> change = posture_change(*body_, base.posture);
-  const double timing[] = {base.posture.delay, base.posture.bow, base.posture.skew};
+  PostureParameters posture = base.posture;
   postures_.clear();
   timing_.clear();
   for (std::size_t i = 0; i < motions; ++i) {
     for (const double angle : change) postures_.push_back(static_cast<float>(angle));
-    for (const double value : timing) timing_.push_back(static_cast<float>(value));
+    for (const double* value : timings(posture)) timing_.push_back(static_cast<float>(*value));
   }
 }
 
@@ -198,13 +205,12 @@ void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
       const auto inverse = static_cast<float>(exponential(-value));
       for (const std::size_t d : gene.dofs) weights_[row * dofs + d] = inverse;
     } else if (gene.kind == Kind::posture) {
-      const std::vector<double>& direction = modes_[gene.mode].direction;
+      const std::vector<double>& direction = modes_[gene.index].direction;
       for (std::size_t d = 0; d < dofs; ++d) {
         postures_[row * dofs + d] += static_cast<float>(value * direction[d]);
       }
     } else {
-      const std::size_t k = gene.kind == Kind::delay ? 0 : gene.kind == Kind::bow ? 1 : 2;
-      timing_[row * 3 + k] = static_cast<float>(value);
+      timing_[row * kTimings + gene.index] = static_cast<float>(value);
     }
   }
 }

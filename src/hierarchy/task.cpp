@@ -82,6 +82,14 @@ Vec3d bow_of(const Vec3d& way) {
   return {};
 }
 
+// Which way a path over `way` sways, and how far (m): square to way and bow, outwards on the
+// effector's side; a way that leads sideways sways upwards.
+Vec3d sway_of(const Vec3d& way, const Vec3d& bow, const std::string& effector) {
+  const Vec3d out{effector.rfind("left_", 0) == 0 ? 1.0 : -1.0, 0.1, 0.0};
+  const Vec3d sway = cross(normalized(way), bow);
+  return dot(sway, out) < 0.0 ? -sway : sway;
+}
+
 // Length of a limb: the distances along its chain, stretched out.
 double limb_length(const BodyModel& body, const Effector& effector) {
   double length = norm(effector.point);
@@ -168,7 +176,9 @@ Result<ReachProblem> make_problem(const Task& task) {
     const Vec3d from = kinematics.point(effector.link, effector.point);
     const Vec3d shoulder = kinematics.origin[static_cast<std::size_t>(effector.limb_root)];
     const bool beyond_arm = norm(goal.position - shoulder) > limb_length(body, effector);
-    problem.goals.push_back({*index, {from, goal.position}, bow_of(goal.position - from)});
+    const Vec3d way = goal.position - from;
+    const Vec3d bow = bow_of(way);
+    problem.goals.push_back({*index, {from, goal.position}, bow, sway_of(way, bow, goal.effector)});
     problem.duration =
         max(problem.duration, reach_duration(norm(goal.position - from), beyond_arm));
   }

@@ -50,8 +50,8 @@ void BatchRollout::score(const MotionInputs& inputs, std::span<double> scores,
   const std::size_t dofs = problem_->body->dofs().size();
   SHG_CHECK(inputs.inverse_weights.size() == scores.size() * dofs, "one weight per motion and dof");
   SHG_CHECK(inputs.posture.empty() || (inputs.posture.size() == scores.size() * dofs &&
-                                       inputs.timing.size() == scores.size() * 3),
-            "one change of posture per motion and dof, and three numbers of its timing");
+                                       inputs.timing.size() == scores.size() * kTimings),
+            "one change of posture per motion and dof, and the numbers of its timing");
   SHG_CHECK(final_angles.empty() || final_angles.size() == scores.size() * dofs,
             "room for one angle per motion and dof");
   const auto lanes = static_cast<std::size_t>(simd_lanes(settings_.simd));

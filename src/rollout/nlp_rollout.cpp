@@ -67,10 +67,11 @@ void NlpRollout::advance() {
 void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   const double tau = static_cast<double>(frame) / problem_->steps;
   const double off = path_bow(minimum_jerk(tau), input.skew) * input.bow;
+  const double aside = path_bow(minimum_jerk(tau), 0.0) * input.sway;
   for (std::size_t g = 0; g < contacts_from_; ++g) {
     const ReachGoal& goal = problem_->goals[g];
     targets_[g].position = goal.path.at(tau);
-    if (!input.posture.empty()) targets_[g].position += goal.bow * off;
+    if (!input.posture.empty()) targets_[g].position += goal.bow * off + goal.sway * aside;
   }
 }
 

@@ -34,7 +34,7 @@ class PackScorer final : public LaneScorer {
     if (!inputs.posture.empty()) {
       spread(inputs.posture, motions, posture_);
       spread(inputs.timing, motions, timing_);
-      input = {inverse_weights_, posture_, timing_[0], timing_[1], timing_[2]};
+      input = {inverse_weights_, posture_, timing_[0], timing_[1], timing_[2], timing_[3]};
     }
     criteria_.reset();
     const auto outcome = rollout_.run(
@@ -66,7 +66,7 @@ class PackScorer final : public LaneScorer {
   BuiltInCriteria<S> criteria_;
   std::vector<S> inverse_weights_;  // (dofs)
   std::vector<S> posture_;          // (dofs)
-  S timing_[3];                     // delay, bow, skew
+  S timing_[kTimings];              // delay, bow, skew, sway
   ReachTolerance tolerance_;
   double worst_;
 };

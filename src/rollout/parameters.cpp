@@ -52,6 +52,7 @@ std::vector<PostureMember> posture_members(const BodyModel& body, PostureParamet
   members.push_back({"delay", &posture.delay, 0.0, kDelayMax});
   members.push_back({"bow", &posture.bow, -kBowMax, kBowMax});
   members.push_back({"skew", &posture.skew, -1.0, 1.0});
+  members.push_back({"sway", &posture.sway, -kBowMax, kBowMax});
   return members;
 }
 
@@ -74,7 +75,7 @@ HeldInput::HeldInput(const BodyModel& body, const Parameters& parameters)
 
 MotionInput<double> HeldInput::input() const {
   if (change_.empty()) return weights_;
-  return {weights_, change_, posture_.delay, posture_.bow, posture_.skew};
+  return {weights_, change_, posture_.delay, posture_.bow, posture_.skew, posture_.sway};
 }
 
 }  // namespace shigusa

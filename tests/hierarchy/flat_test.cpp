@@ -43,7 +43,7 @@ TEST(ParameterSpace, SearchesOnlyWhatMovesAGoalOrAFoot) {
   const ReachProblem problem = make_problem(task).value();
   const std::vector<std::string> names = ParameterSpace(problem, GeneCode::natural).names();
   for (const char* name : {"hip.flexion", "knee.flexion", "right_elbow.flexion", "squat", "lean",
-                           "twist", "right_swivel", "delay", "bow", "skew"}) {
+                           "twist", "right_swivel", "bow", "sway"}) {
     EXPECT_THAT(names, Contains(name));
   }
   for (const char* name : {"left_elbow.flexion", "left_swivel", "left_knee.flexion"}) {
@@ -66,10 +66,22 @@ TEST(ParameterSpace, PaperCodesAreThePapersWeights) {
   EXPECT_EQ(space.decode(point), decode_paper_genes(codes));
 }
 
+TEST(ParameterSpace, DelayAndSkewAreSearchedOnRequestOnly) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  const ParameterSpace natural(problem, GeneCode::natural);
+  const ParameterSpace every(problem, GeneCode::every);
+  EXPECT_EQ(every.genes(), natural.genes() + 2);
+  for (const char* name : {"delay", "skew"}) {
+    EXPECT_LT(natural.find(name), 0) << name;
+    EXPECT_GE(every.find(name), 0) << name;
+  }
+}
+
 TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  ParameterSpace space(problem, GeneCode::natural);
+  ParameterSpace space(problem, GeneCode::every);
   Random random(2);
   std::vector<double> points;
   for (int k = 0; k < 3 * space.genes(); ++k) points.push_back(random.uniform());
@@ -85,9 +97,10 @@ TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
                   1e-6);
       EXPECT_NEAR(static_cast<double>(rows.posture[i * dofs + d]), change[d], 1e-6);
     }
-    EXPECT_NEAR(static_cast<double>(rows.timing[3 * i]), p.posture.delay, 1e-7);
-    EXPECT_NEAR(static_cast<double>(rows.timing[3 * i + 1]), p.posture.bow, 1e-7);
-    EXPECT_NEAR(static_cast<double>(rows.timing[3 * i + 2]), p.posture.skew, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i]), p.posture.delay, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 1]), p.posture.bow, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 2]), p.posture.skew, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 3]), p.posture.sway, 1e-7);
   }
 }
 

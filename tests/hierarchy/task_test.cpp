@@ -177,5 +177,22 @@ TEST(MakeProblem, RefusesToDeliverOrEvaluateNothing) {
 
 TEST(Preset, HasAName) { EXPECT_EQ(preset_name(Preset::paper), "paper"); }
 
+TEST(MakeProblem, PathsSwayOutwardsSquareToWayAndBow) {
+  Task task = with_preset({.body = full_body()}, Preset::flat);
+  for (const Vec3d& way : {Vec3d{0, 0, 0.4}, Vec3d{0.1, -0.5, 0.1}, Vec3d{0, 0.9, 0.3}}) {
+    for (const double side : {1.0, -1.0}) {
+      const char* hand = side > 0.0 ? "left_hand" : "right_hand";
+      task.goals = {{hand, {}}};
+      const Vec3d from = make_problem(task)->goals[0].path.start;
+      task.goals = {{hand, from + Vec3d{side * way.x, way.y, way.z}}};
+      const ReachGoal goal = make_problem(task)->goals[0];
+      EXPECT_NEAR(norm(goal.sway), norm(way), 1e-12);
+      EXPECT_NEAR(dot(goal.sway, goal.bow), 0.0, 1e-12);
+      EXPECT_NEAR(dot(goal.sway, goal.path.goal - goal.path.start), 0.0, 1e-12);
+      EXPECT_GT(side * goal.sway.x, 0.9 * norm(way));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace shigusa

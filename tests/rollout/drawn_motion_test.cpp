@@ -85,6 +85,24 @@ TEST(DrawnMotion, BowTakesTheHandOffItsLineByThatMuch) {
   EXPECT_NEAR(farthest, 0.1 * problem.goals[0].bow.z, 1e-3);
 }
 
+TEST(DrawnMotion, SwayTakesTheHandAsideByThatMuch) {
+  const BodyModel body = full_body();
+  ReachProblem problem = reach_with(body, "right_hand", {-0.25, 1.3, 0.3});
+  problem.goals[0].sway = {-0.5, 0.0, 0.0};
+  Parameters parameters = drawn(body, "", 0.0);
+  parameters.posture.sway = 0.1;
+  const RolledOut rolled = roll_out(problem, parameters);
+  ASSERT_TRUE(rolled.outcome.met());
+  const EffectorPath& path = problem.goals[0].path;
+  double farthest = 0.0;
+  for (int f = 0; f <= problem.steps; ++f) {
+    const Vec3d off = rolled.motion.effectors[0][static_cast<std::size_t>(f)] -
+                      path.at(static_cast<double>(f) / problem.steps);
+    farthest = max(farthest, -off.x);
+  }
+  EXPECT_NEAR(farthest, 0.05, 1e-3);
+}
+
 TEST(DrawnMotion, SkewBringsTheBowForward) {
   EXPECT_EQ(path_bow(0.0, 0.5), 0.0);
   EXPECT_EQ(path_bow(1.0, 0.5), 0.0);
@@ -98,6 +116,7 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
   ReachProblem problem = reach_with(body, "right_hand", kLow);
   problem.hold_limits = true;
   problem.goals[0].bow = {0.0, 0.3, 0.0};
+  problem.goals[0].sway = {-0.3, 0.0, 0.0};
   const CriteriaSettings criteria = default_criteria();
   Random random(3);
   const std::size_t dofs = body.dofs().size();
@@ -115,12 +134,13 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
     parameters.posture.delay = random.uniform(0.0, 0.4);
     parameters.posture.bow = random.uniform(-0.1, 0.2);
     parameters.posture.skew = random.uniform(-1.0, 1.0);
+    parameters.posture.sway = random.uniform(-0.2, 0.2);
     for (const double w : inverse_weights(parameters)) weights.push_back(static_cast<float>(w));
     for (const double c : posture_change(body, parameters.posture)) {
       changes.push_back(static_cast<float>(c));
     }
-    for (const double t :
-         {parameters.posture.delay, parameters.posture.bow, parameters.posture.skew}) {
+    const PostureParameters& p = parameters.posture;
+    for (const double t : {p.delay, p.bow, p.skew, p.sway}) {
       timing.push_back(static_cast<float>(t));
     }
     const RolledOut rolled = roll_out(problem, parameters);

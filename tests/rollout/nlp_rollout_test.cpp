@@ -264,25 +264,27 @@ TEST(NlpRollout, EndsInItsGuideWhereThatArrives) {
 TEST(NlpRollout, APostureChangesAfterItsDelayAndThePathBows) {
   ReachProblem problem = reach_with(half(), "right_hand", kLow);
   problem.goals[0].bow = {0.1, 0, 0};
+  problem.goals[0].sway = {0, 0, 0.1};
   const std::vector<double> weights(9, 1.0);
   std::vector<double> change(9, 0.0);
   const auto knee = static_cast<std::size_t>(half().find_dof("right_knee.flexion").value());
   change[knee] = 0.5;
   NlpRollout rollout(problem);
   const std::vector<double> plain = angles_of(rollout, weights);
-  const MotionInput<double> input(weights, change, 0.4, 1.0, 0.3);
+  const MotionInput<double> input(weights, change, 0.4, 1.0, 0.3, 0.5);
   const std::vector<double> drawn = angles_of(rollout, input);
   EXPECT_GT(drawn[60 * 9 + knee], plain[60 * 9 + knee] + 0.1);
   const EffectorPath& path = problem.goals[0].path;
   for (int f = 0; f <= 60; ++f) {
     const double tau = f / 60.0;
-    const Vec3d bowed = path.at(tau) + Vec3d{0.1, 0, 0} * path_bow(minimum_jerk(tau), 0.3);
+    const Vec3d bowed = path.at(tau) + Vec3d{0.1, 0, 0} * path_bow(minimum_jerk(tau), 0.3) +
+                        Vec3d{0, 0, 0.05} * path_bow(minimum_jerk(tau), 0.0);
     const auto posture = std::span(drawn).subspan(static_cast<std::size_t>(f) * 9, 9);
     EXPECT_LT(norm(effector_position(half(), posture, "right_hand") - bowed), kReachTolerance);
   }
   // before the delay is over the posture is not drawn: as with no change at all
   const std::vector<double> no_change(9, 0.0);
-  const MotionInput<double> calm(weights, no_change, 0.4, 1.0, 0.3);
+  const MotionInput<double> calm(weights, no_change, 0.4, 1.0, 0.3, 0.5);
   const std::vector<double> undrawn = angles_of(rollout, calm);
   for (std::size_t i = 0; i < 24 * 9; ++i) EXPECT_EQ(drawn[i], undrawn[i]);
 }
@@ -323,7 +325,7 @@ TEST(NlpRollout, RefusesBrokenProblemsAndInputs) {
   const std::vector<double> weights(9, 1.0);
   const std::vector<double> short_change(3, 0.0);
   EXPECT_THROW(angles_of(rollout, std::vector<double>(8, 1.0)), PreconditionError);
-  EXPECT_THROW(angles_of(rollout, {weights, short_change, 0.0, 0.0, 0.0}), PreconditionError);
+  EXPECT_THROW(angles_of(rollout, {weights, short_change, 0.0, 0.0, 0.0, 0.0}), PreconditionError);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ enum class ReachStatus {
 // How an effector goes to its goal.
 enum class PathKind {
   straight,  // along the minimum-jerk line
-  bowed,     // beside that line, by the bow among the parameters
+  bowed,     // beside that line, by bow and sway among the parameters
   detour,    // by way of a via point around the body
   free,      // as the posture takes it: no path leads there with these parameters
 };

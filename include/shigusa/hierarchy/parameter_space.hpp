@@ -15,7 +15,8 @@ namespace shigusa {
 enum class GeneCode {
   paper,        // a 4-bit weight 0..15 for each freedom, 0 locks it
   logarithmic,  // a weight for each freedom, even in its logarithm
-  natural,      // logarithmic weights and postures, delay and bow: see ParameterSpace
+  natural,      // logarithmic weights, postures, bow and sway: see ParameterSpace
+  every,        // these, and delay and skew, which bring no search anything (docs/experiments.md)
 };
 
 // Weights of the logarithmic codes are e^-5.5 .. e^5.5: a range of 15 is too narrow to reach
@@ -25,7 +26,7 @@ inline constexpr double kBowSearched = 0.2;
 
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
-// mode that moves one of these; delay, bow and skew. What is fixed is no coordinate, or of the
+// mode that moves one of these; bow and sway. What is fixed is no coordinate, or of the
 // paper's code one that changes nothing.
 class ParameterSpace {
  public:
@@ -49,12 +50,12 @@ class ParameterSpace {
   [[nodiscard]] MotionInputs rows(std::span<const double> points);
 
  private:
-  enum class Kind { weight, posture, delay, bow, skew };
+  enum class Kind { weight, posture, timing };
   struct Gene {
     Kind kind = Kind::weight;
     std::string name;
     std::vector<std::size_t> dofs{};  // whose weight it is
-    std::size_t mode = 0;             // whose value it is
+    std::size_t index = 0;            // of the posture mode, or the timing, whose value it is
     double lower = 0.0;               // of what x = 0 stands for; the logarithm of a weight
     double upper = 1.0;
 
@@ -71,6 +72,7 @@ class ParameterSpace {
 
   const BodyModel* body_;
   GeneCode code_;
+  bool named_;  // weights and postures by what they mean
   FixedParameters fixed_;
   bool posed_;  // motions have a posture
   std::vector<Gene> genes_;

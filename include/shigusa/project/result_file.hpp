@@ -52,7 +52,7 @@ struct StoredResult {
 //   right_shoulder.weight=12            of all freedoms of a joint
 //   right_knee.flexion.locked=true      lock (or false: free) a freedom or a joint
 //   squat_deg=60, lean_rad=0.5          the value of a posture mode, in degrees or radians
-//   delay=0.1, bow=0.15, skew=0.3       see PostureParameters
+//   delay=0.1, bow=0.15, skew=0.3, sway=0.1      see PostureParameters
 // Fails on an unknown name (the nearest is suggested), or a value that is not allowed.
 [[nodiscard]] Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
                                             Parameters& parameters);

@@ -18,22 +18,30 @@ struct MotionInput {
   S delay{};  // share of the duration after which the posture begins to change, 0..kDelayMax
   S bow{};    // of the effectors' paths, see ReachGoal::bow
   S skew{};   // of the bow towards the start (> 0) or the end, see path_bow
+  S sway{};   // of the paths sideways, see ReachGoal::sway
 
   // weights alone
   MotionInput(std::span<const S> weights) : inverse_weights(weights) {}     // NOLINT
   MotionInput(const std::vector<S>& weights) : inverse_weights(weights) {}  // NOLINT
   MotionInput(std::span<const S> weights, std::span<const S> change, const S& begin,
-              const S& path_bow, const S& path_skew)
-      : inverse_weights(weights), posture(change), delay(begin), bow(path_bow), skew(path_skew) {}
+              const S& path_bow, const S& path_skew, const S& path_sway)
+      : inverse_weights(weights),
+        posture(change),
+        delay(begin),
+        bow(path_bow),
+        skew(path_skew),
+        sway(path_sway) {}
 };
 
-inline constexpr double kDelayMax = 0.5;  // share of the duration
+inline constexpr double kDelayMax = 0.5;    // share of the duration
+inline constexpr std::size_t kTimings = 4;  // numbers of a motion's timing
 
 // The same of many motions, one after the other, in single precision.
 struct MotionInputs {
   std::span<const float> inverse_weights;  // (motions × dofs)
   std::span<const float> posture{};        // (motions × dofs) or empty
-  std::span<const float> timing{};         // (motions × 3): delay, bow, skew; empty as posture is
+  // (motions × kTimings): delay, bow, skew, sway; empty as posture is
+  std::span<const float> timing{};
 
   MotionInputs(std::span<const float> weights) : inverse_weights(weights) {}     // NOLINT
   MotionInputs(const std::vector<float>& weights) : inverse_weights(weights) {}  // NOLINT
@@ -46,7 +54,7 @@ struct MotionInputs {
     const auto rows = [&](std::span<const float> all, std::size_t columns) {
       return all.empty() ? all : all.subspan(first * columns, count * columns);
     };
-    return {rows(inverse_weights, dofs), rows(posture, dofs), rows(timing, 3)};
+    return {rows(inverse_weights, dofs), rows(posture, dofs), rows(timing, kTimings)};
   }
 };
 

@@ -14,8 +14,8 @@ namespace shigusa {
 // relative, would blunt the goals.
 inline constexpr double kWeightMin = 1e-3;
 inline constexpr double kWeightMax = 1e3;
-// Of the way's length, what a path may be bowed by, forwards or (< 0) backwards. People's reaches
-// leave the straight line by a tenth to a fifth of it.
+// Of the way's length, what a path may leave its line by: by its bow forwards or (< 0) backwards,
+// by its sway outwards or inwards. People's reaches leave it by a tenth to a fifth.
 inline constexpr double kBowMax = 0.3;
 inline constexpr double kPostureMax = 3.2;  // rad, of a posture mode's value
 
@@ -33,13 +33,14 @@ struct PostureParameters {
   double delay = 0.0;         // share of the duration before the posture changes, 0..kDelayMax
   double bow = 0.0;           // share of the way's length, -kBowMax..kBowMax
   double skew = 0.0;          // of the bow, -1 (late) .. 1 (early)
+  double sway = 0.0;          // share of the way's length, outwards, -kBowMax..kBowMax
 
   friend bool operator==(const PostureParameters&, const PostureParameters&) = default;
 };
 
 // One number of the posture: its name, where it is, and what is allowed.
 struct PostureMember {
-  std::string name;  // a mode's name, "delay", "bow", "skew"
+  std::string name;  // a mode's name, "delay", "bow", "skew", "sway"
   double* value = nullptr;
   double low = 0.0;
   double high = 0.0;

@@ -24,6 +24,7 @@ struct ReachGoal {
   EffectorPath path;
   // m, world: how far the path leaves its line at mid-way for a bow of 1 (see path_bow)
   Vec3d bow{};
+  Vec3d sway{};  // m, world: the same for a sway of 1
 };
 
 // Everything that is the same for all motions of one search.

@@ -171,11 +171,13 @@ class Rollout {
   void place_goals(int frame, const MotionInput<S>& input) {
     const double way = minimum_jerk(static_cast<double>(frame) / problem_->steps);
     const S off = path_bow(S(way), input.skew) * input.bow;
+    const S aside = path_bow(S(way), S(0)) * input.sway;
     for (std::size_t g = 0; g < contacts_from_; ++g) {
       const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
       targets_[g].position = to_scalar<S>(paths_[k]);
       if (input.posture.empty()) continue;
       targets_[g].position += to_scalar<S>(problem_->goals[g].bow) * off;
+      targets_[g].position += to_scalar<S>(problem_->goals[g].sway) * aside;
     }
   }
 
