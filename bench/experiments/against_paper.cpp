@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/hierarchy/generator.hpp>
 
 #include "goal_search.hpp"
+#include "plot.hpp"
 #include "report.hpp"
 #include "sections.hpp"
 
 namespace shigusa::bench {
 namespace {
 
-constexpr int kBudgets[] = {300, 3000};
+// Motions, and the ratio that the project set out for there.
+struct Budget {
+  int motions = 0;
+  double wanted = 0.0;  // 0: none
+};
+constexpr Budget kBudgets[] = {{100}, {300, 0.5}, {1000}, {3000, 0.3}, {10000}};
 constexpr int kLongSearch = 30000;
-constexpr double kWanted[] = {0.5, 0.3};  // ratios that the project set out for
 
 struct Found {
   double score = 0.0;
+  double milliseconds = 0.0;
   bool arrived = false;     // its best candidate meets the goal
   bool over_limit = false;  // … and passes a joint limit
 };
@@ -26,44 +34,47 @@ Found find(const Subject& subject, const Place& place, Preset preset,
   Task task = goal_task(subject.body, place.position, preset, criteria);
   task.genetic.seed = seed;
   task.evaluations = evaluations;
+  const Stopwatch watch;
   const Generation generation = generate(task).value();
+  const double milliseconds = watch.milliseconds();
   const bool arrived = generation.status == ReachStatus::reached;
-  return {generation.best_seen_score, arrived,
+  return {generation.best_seen_score, milliseconds, arrived,
           arrived && !generation.candidates.front().over_limit.empty()};
 }
 
 // All seeds of all places: medians of the scores, and counts.
 struct Series {
-  std::vector<double> scores;  // (places)
+  std::vector<double> scores;        // (places)
+  std::vector<double> milliseconds;  // (places) a query
   int runs = 0;
   int arrived = 0;
   int over_limit = 0;
 };
 
-int seeds_of(const Plan& plan, int evaluations) {
-  if (evaluations == kLongSearch) return 1;
-  return evaluations == kBudgets[0] ? plan.seeds : plan.few_seeds;
-}
-
-Series run(const Plan& plan, const Subject& subject, Preset preset,
-           const CriteriaSettings& criteria, int evaluations) {
-  const int seeds = seeds_of(plan, evaluations);
+// `motions` of a place
+Series run(int seeds, const Subject& subject, Preset preset, const CriteriaSettings& criteria,
+           const std::function<int(std::size_t place)>& motions) {
   Series series;
   series.runs = static_cast<int>(subject.places.size()) * seeds;
   std::vector<Found> found(static_cast<std::size_t>(series.runs));
   parallel_for(series.runs, 0, [&](int i, int) {
+    const auto place = static_cast<std::size_t>(i / seeds);
     found[static_cast<std::size_t>(i)] =
-        find(subject, subject.places[static_cast<std::size_t>(i / seeds)], preset, criteria,
-             evaluations, static_cast<std::uint64_t>(i % seeds) + 1);
+        find(subject, subject.places[place], preset, criteria, motions(place),
+             static_cast<std::uint64_t>(i % seeds) + 1);
   });
   std::vector<double> of_place;
+  std::vector<double> times;
   for (const Found& one : found) {
     series.arrived += one.arrived ? 1 : 0;
     series.over_limit += one.over_limit ? 1 : 0;
     of_place.push_back(one.score);
+    times.push_back(one.milliseconds);
     if (static_cast<int>(of_place.size()) < seeds) continue;
     series.scores.push_back(median(of_place));
+    series.milliseconds.push_back(median(times));
     of_place.clear();
+    times.clear();
   }
   return series;
 }
@@ -74,20 +85,35 @@ std::vector<double> ratios_of(const std::vector<double>& a, const std::vector<do
   return ratios;
 }
 
+std::string ratio_of(const Subject& subject, const Series& series, const Series& paper) {
+  return spread(of_drawn(subject, ratios_of(series.scores, paper.scores)));
+}
+
 void add_lines(const Plan& plan, const Subject& subject, const CriteriaPreset& criteria,
-               Table& table, Table& named) {
-  const Series longest = run(plan, subject, Preset::flat, criteria.settings(), kLongSearch);
-  for (std::size_t b = 0; b < std::size(kBudgets); ++b) {
-    const Series paper = run(plan, subject, Preset::paper, criteria.settings(), kBudgets[b]);
-    const Series flat = run(plan, subject, Preset::flat, criteria.settings(), kBudgets[b]);
+               Table& table, Table& named, std::vector<PlotSeries>& dots) {
+  const CriteriaSettings settings = criteria.settings();
+  const Series longest =
+      run(1, subject, Preset::flat, settings, [](std::size_t) { return kLongSearch; });
+  for (const Budget& budget : kBudgets) {
+    const auto motions = [&](std::size_t) { return budget.motions; };
+    const Series paper = run(plan.seeds, subject, Preset::paper, settings, motions);
+    const Series flat = run(plan.seeds, subject, Preset::flat, settings, motions);
+    // at the speed of the measured queries
+    const Series in_time = run(plan.few_seeds, subject, Preset::flat, settings, [&](std::size_t p) {
+      const double share = paper.milliseconds[p] / flat.milliseconds[p];
+      return std::max(kPaperPopulation, static_cast<int>(budget.motions * share));
+    });
     const std::vector<double> ratios = ratios_of(flat.scores, paper.scores);
     std::vector<std::string> cells{std::string(criteria.name), subject.body.name(),
-                                   std::to_string(kBudgets[b])};
+                                   std::to_string(budget.motions)};
     std::vector<std::string> line = cells;
     line.insert(line.end(),
                 {spread(of_drawn(subject, paper.scores)), spread(of_drawn(subject, flat.scores)),
-                 spread(of_drawn(subject, ratios)), fmt::format("≤ {:g}", kWanted[b]),
-                 spread(of_drawn(subject, ratios_of(longest.scores, paper.scores))),
+                 spread(of_drawn(subject, ratios)),
+                 budget.wanted > 0.0 ? fmt::format("≤ {:g}", budget.wanted) : "",
+                 ratio_of(subject, in_time, paper), ratio_of(subject, longest, paper),
+                 fmt::format("{:.1f}", median(paper.milliseconds)),
+                 fmt::format("{:.1f}", median(flat.milliseconds)),
                  percent(paper.over_limit, paper.arrived), percent(flat.over_limit, flat.arrived)});
     table.add(line);
     for (std::size_t p = subject.drawn; p < ratios.size(); ++p) {
@@ -95,31 +121,50 @@ void add_lines(const Plan& plan, const Subject& subject, const CriteriaPreset& c
           fmt::format("{:.3f} / {:.3f} = {:.2f}", flat.scores[p], paper.scores[p], ratios[p]));
     }
     named.add(cells);
+    if (budget.wanted == 0.0) continue;
+    dots.push_back({fmt::format("{}, {} motions", subject.body.name(), budget.motions),
+                    of_drawn(subject, paper.scores), of_drawn(subject, flat.scores)});
   }
 }
 
 }  // namespace
 
-std::string against_paper(const Plan& plan, std::span<const Subject> subjects) {
+std::string against_paper(const Plan& plan, std::span<const Subject> subjects,
+                          std::vector<Picture>& pictures) {
   Table table({"criteria", "body", "motions", "paper", "flat", "flat / paper", "wanted",
-               fmt::format("flat after {} / paper", kLongSearch), "paper over a limit",
-               "flat over a limit"});
+               "flat / paper in equal time", fmt::format("flat after {} / paper", kLongSearch),
+               "paper, ms", "flat, ms", "paper over a limit", "flat over a limit"});
   Table named({"criteria", "body", "motions", "low front-left", "at the feet", "high right"});
+  std::string images;
   // the paper's and the default; what is left is for fronts
   for (const CriteriaPreset& criteria : criteria_presets().first(2)) {
-    for (const Subject& subject : subjects) add_lines(plan, subject, criteria, table, named);
+    std::vector<PlotSeries> dots;
+    for (const Subject& subject : subjects) add_lines(plan, subject, criteria, table, named, dots);
+    const std::string name = "paper_" + std::string(criteria.name) + "_criteria";
+    const std::vector<double> ticks{0.05, 0.1, 0.2, 0.3, 0.5, 1};
+    pictures.push_back({name, dot_plot({"the preset paper's best score, " +
+                                            std::string(criteria.name) + " criteria, a dot a goal",
+                                        ticks},
+                                       {"the preset flat's best score", ticks}, dots,
+                                       {{"as good", 1.0}, {"half", 0.5}, {"0.3", 0.3}})});
+    images += fmt::format(
+        "\n![Best scores of flat and paper by the {} criteria]"
+        "(images/experiments/{}.svg)\n",
+        criteria.name, name);
   }
   return fmt::format(
              "`generate()` with the preset `flat` (CMA-ES over logarithmic weights, postures and "
              "path, joint limits kept) and with `paper` (the paper's genetic algorithm over "
              "weights 0..15, restarted until the budget is used up), both scored by the same "
              "criteria. The ratio is that of the best scores that the two saw; motions that miss "
-             "the goal count as the worst score. {} seeds at 300 motions, {} at 3000. A search of "
-             "{} motions (1 seed) "
+             "the goal count as the worst score. {} seeds. A search of {} motions (1 seed) "
              "tells what any could come to. The last columns tell how many of the best candidates "
-             "that meet the goal pass a joint limit somewhere on the way.\n\n",
-             plan.seeds, plan.few_seeds, kLongSearch) +
-         table.text() + "\nThe goals that have names, flat / paper:\n\n" + named.text();
+             "that meet the goal pass a joint limit somewhere on the way. In equal time, flat "
+             "scores as many motions as paper's whole "
+             "query takes time for, at flat's speed ({} seeds); times are those of whole queries "
+             "on one thread.\n\n",
+             plan.seeds, kLongSearch, plan.few_seeds) +
+         table.text() + images + "\nThe goals that have names, flat / paper:\n\n" + named.text();
 }
 
 }  // namespace shigusa::bench

@@ -103,11 +103,12 @@ std::string part_of(const std::string& page, const std::string& title) {
 int write_page(const Arguments& arguments, const std::string& query_program) {
   const Plan& plan = arguments.plan;
   const std::vector<Subject> subjects = make_subjects(plan);
+  std::vector<Picture> pictures;
   const Section sections[] = {
       {"paper", "The preset flat against the paper's search",
-       [&] { return against_paper(plan, subjects); }},
+       [&] { return against_paper(plan, subjects, pictures); }},
       {"searches", "The searches beside one another, and beside pagmo2",
-       [&] { return against_searches(plan, subjects); }},
+       [&] { return against_searches(plan, subjects, pictures); }},
       {"layers", "Layers against all parameters at once",
        [&] { return against_layers(plan, subjects); }},
       {"styles", "Stoop and squat", [&] { return stoop_and_squat(plan, subjects); }},
@@ -134,6 +135,11 @@ int write_page(const Arguments& arguments, const std::string& query_program) {
     return 0;
   }
   std::ofstream(file, std::ios::binary) << page;
+  const std::filesystem::path images = arguments.docs / "images" / "experiments";
+  std::filesystem::create_directories(images);
+  for (const Picture& picture : pictures) {
+    std::ofstream(images / (picture.name + ".svg"), std::ios::binary) << picture.svg;
+  }
   std::cout << file.string() << "\n";
   return 0;
 }

@@ -3,16 +3,25 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "subjects.hpp"
 
 // The sections of docs/experiments.md, each measured and written by a file of its own.
 namespace shigusa::bench {
 
+// A picture of the page, which is written beside it.
+struct Picture {
+  std::string name;  // of its file, without .svg
+  std::string svg;
+};
+
 // The preset flat against the paper's genetic algorithm.
-[[nodiscard]] std::string against_paper(const Plan& plan, std::span<const Subject> subjects);
+[[nodiscard]] std::string against_paper(const Plan& plan, std::span<const Subject> subjects,
+                                        std::vector<Picture>& pictures);
 // The searches, and those of pagmo2 where it is there, on one problem.
-[[nodiscard]] std::string against_searches(const Plan& plan, std::span<const Subject> subjects);
+[[nodiscard]] std::string against_searches(const Plan& plan, std::span<const Subject> subjects,
+                                           std::vector<Picture>& pictures);
 // Two layers against all parameters at once.
 [[nodiscard]] std::string against_layers(const Plan& plan, std::span<const Subject> subjects);
 // Candidates of both kinds for the goal at the feet.

@@ -153,6 +153,7 @@ Result<void> check_choices(const Task& task) {
   if (task.pareto && task.preset != Preset::flat) return wrong("knows no Pareto front; flat does");
   if (task.preset != Preset::layers) return {};
   if (task.generator != MotionGenerator::weighted_ik) return wrong("knows weighted IK only");
+  if (task.own_search) return wrong("takes no search of one's own");
   return {};
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "searched.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
 #include <utility>
 
@@ -29,6 +32,15 @@ void add(SearchResult part, SearchResult& all) {
   if (part.best_seen.score < all.best_seen.score) all.best_seen = std::move(part.best_seen);
 }
 
+// What somebody else's search has found.
+void check_point(const Individual& found, int genes) {
+  SHG_CHECK(static_cast<int>(found.point.size()) == genes,
+            fmt::format("a search returned {} coordinates of {}", found.point.size(), genes));
+  for (const double x : found.point) {
+    SHG_CHECK(x >= 0.0 && x <= 1.0, fmt::format("a search returned a coordinate of {}", x));
+  }
+}
+
 }  // namespace
 
 SearchMethod search_of(const Task& task) {
@@ -38,6 +50,7 @@ SearchMethod search_of(const Task& task) {
 // The paper's own searches go over its codes; the others over a wider range.
 GeneCode gene_code(const Task& task) {
   if (task.preset != Preset::paper) return GeneCode::natural;
+  if (task.own_search) return GeneCode::logarithmic;
   switch (search_of(task)) {
     case SearchMethod::paper_ga:
     case SearchMethod::annealing:
@@ -116,6 +129,14 @@ SearchResult Searched::run_in(const Niche& niche, int budget, const Progress& pr
 
 SearchResult Searched::search_with(const SearchProblem& searched, int budget,
                                    const Progress& progress) {
+  if (task_.own_search) {
+    SearchResult found = task_.own_search(searched, budget, task_.genetic.seed, progress);
+    check_point(found.best_seen, searched.genes);
+    for (const Individual& individual : found.final_population) {
+      check_point(individual, searched.genes);
+    }
+    return found;
+  }
   const SearchMethod method = search_of(task_);
   if (method != SearchMethod::paper_ga && method != SearchMethod::log_ga) {
     return search(method, searched, budget, task_.genetic.seed, progress);

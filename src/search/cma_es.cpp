@@ -17,7 +17,7 @@ namespace shigusa {
 namespace {
 
 constexpr double kLeastSpread = 1e-8;  // where a run's points lie so close, it is over
-constexpr double kLeastFall = 0.01;    // of the best score, that keeps a run going
+constexpr double kLeastFall = 1e-3;    // of the best score, that keeps a run going
 
 void check(const SearchProblem& problem, const CmaEsSettings& s) {
   SHG_CHECK(problem.genes <= kCmaMaxGenes,

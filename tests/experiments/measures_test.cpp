@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <shigusa/core/random.hpp>
@@ -6,6 +7,7 @@
 
 #include "experiments/goal_search.hpp"
 #include "experiments/pagmo_runs.hpp"
+#include "experiments/plot.hpp"
 #include "experiments/report.hpp"
 #include "support/bodies.hpp"
 
@@ -73,6 +75,23 @@ TEST(RunPagmo, FindsTheSameSideBySideAsAlone) {
     EXPECT_NE(three[0], three[1]);
     for (const std::vector<double>& run : three) EXPECT_LT(run[1], median(random));
   }
+}
+
+TEST(Plot, LinesRunFromAxisToAxisAndStayWithin) {
+  const PlotAxis x{"motions", {10, 100, 1000}};
+  const PlotAxis y{"score", {1, 10}};
+  const std::string svg =
+      line_plot(x, y, {{"a", {10, 1000}, {1, 10}}, {"b", {10, 1000}, {50, 50}}});
+  // the corners of the drawing, and the upper edge for what lies above it
+  EXPECT_THAT(svg, testing::HasSubstr("x1=\"62.0\" y1=\"344.0\" x2=\"532.0\" y2=\"14.0\""));
+  EXPECT_THAT(svg, testing::HasSubstr("x1=\"62.0\" y1=\"14.0\" x2=\"532.0\" y2=\"14.0\""));
+}
+
+TEST(Plot, DotsLieOnTheGuideThatTheyFulfil) {
+  const PlotAxis axis{"score", {1, 10, 100}};
+  const std::string svg = dot_plot(axis, axis, {{"a", {100}, {10}}}, {{"a tenth", 0.1}});
+  EXPECT_THAT(svg, testing::HasSubstr("<circle cx=\"532.0\" cy=\"179.0\""));
+  EXPECT_THAT(svg, testing::HasSubstr("y1=\"344.0\" x2=\"532.0\" y2=\"179.0\""));
 }
 
 }  // namespace

@@ -107,7 +107,8 @@ inline constexpr double kEdgeTolerance = 5e-3;
 
 // Finds natural motions for a task: the distinct genomes that the search ends with, ranked
 // (paper, sections 3.2 and 4). Fails on a task that is wrong (see make_problem); an unreachable
-// goal is a status. When cancelled, returns the best so far. Same task, same result.
+// goal is a status. When cancelled, returns the best so far. Same task, same result. What a
+// user's own criterion or search throws passes through.
 //
 // The preset layers searches as the paper's section 3.4 has it: the genes of the upper layer alone,
 // in the paper's code (paper_ga, annealing, random) or in decode_layer_point's, while arms come

@@ -69,6 +69,7 @@ struct Task {
   Preset preset = Preset::flat;
   CriteriaSettings criteria = default_criteria();
   std::optional<SearchMethod> search{};  // the preset's own when not given
+  SearchFunction own_search{};           // in the place of all these, when given; not of layers
   GeneticSettings genetic{};             // of the searches paper_ga and log_ga; the seed of all
   // What the search leaves as it is; nothing when not given.
   std::optional<FixedParameters> fixed{};

@@ -28,7 +28,7 @@ struct CmaEsSettings {
 //     `population` points := mean + step · L z, with z normal and L Lᵀ = C
 //     bring them into the cube, score them in one call, rank them
 //     mean := weighted mean of the better half; C and step adapt along the two paths
-//   until the best of the run has not fallen by `precision`, nor by a hundredth of itself, for
+//   until the best of the run has not fallen by `precision`, nor by a thousandth of itself, for
 //     10 + 12 genes / population generations, or the points lie within 1e-8 of each other, or C has
 //     lost its rank
 //

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <shigusa/search/problem.hpp>
 #include <string_view>
@@ -37,5 +38,10 @@ inline constexpr std::array kSearchMethods{SearchMethod::paper_ga,
 [[nodiscard]] SearchResult search(SearchMethod method, const SearchProblem& problem,
                                   int evaluations, std::uint64_t seed,
                                   const Progress& progress = {});
+
+// A search of one's own, called as these are. It scores at most `evaluations` points of the
+// problem, and returns the best it saw, and a final population that may be empty.
+using SearchFunction = std::function<SearchResult(const SearchProblem& problem, int evaluations,
+                                                  std::uint64_t seed, const Progress& progress)>;
 
 }  // namespace shigusa
