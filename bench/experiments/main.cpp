@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -124,10 +125,12 @@ int write_page(const Arguments& arguments, const std::string& query_program) {
     const bool asked = arguments.only.empty() || arguments.only == section.name;
     if (!asked && plan.quick) continue;
     page += fmt::format("\n## {}\n\n", section.title);
-    const Stopwatch watch;
+    const auto begin = std::chrono::steady_clock::now();
     page += asked ? section.measure() : part_of(before, section.title);
     if (asked)
-      std::cerr << fmt::format("{}: {:.0f} s\n", section.name, 1e-3 * watch.milliseconds());
+      std::cerr << fmt::format(
+          "{}: {:.0f} s\n", section.name,
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
   page += "\n" + file_text(arguments.docs / "experiments_remarks.md");
   if (plan.quick) {

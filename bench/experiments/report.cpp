@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <shigusa/core/check.hpp>
 
 namespace shigusa::bench {
@@ -24,6 +25,12 @@ std::string spread(const std::vector<double>& values) {
 std::string percent(double count, double all, int digits) {
   if (count == 0.0 || count == all) return count == 0.0 ? "0 %" : "100 %";
   return fmt::format("{:.{}f} %", 100.0 * count / all, digits);
+}
+
+double Stopwatch::now() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
 Table::Table(const std::vector<std::string>& head) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -29,16 +28,16 @@ class Table {
   std::string text_;
 };
 
-// Milliseconds since it was made.
+// Milliseconds of the processor that its thread has had since it was made: what else the machine
+// does counts little.
 class Stopwatch {
  public:
-  [[nodiscard]] double milliseconds() const {
-    const auto since = std::chrono::steady_clock::now() - begin_;
-    return std::chrono::duration<double, std::milli>(since).count();
-  }
+  [[nodiscard]] double milliseconds() const { return now() - begin_; }
 
  private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  static double now();
+
+  double begin_ = now();
 };
 
 }  // namespace shigusa::bench
