@@ -40,6 +40,7 @@ struct ReachOptions {
   std::vector<std::string> fixed;  // NAME=VALUE
   bool pareto = false;
   std::optional<std::string> generator;
+  std::optional<int> phases;
   std::optional<int> evaluations;
   std::optional<double> seconds;
   std::optional<int> candidates;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <shigusa/core/parallel.hpp>
+#include <shigusa/hierarchy/task.hpp>
 
 #include "commands.hpp"
 #include "usage.hpp"
@@ -53,6 +54,10 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
               "that none is better than by all of them");
   c->add_option("--generator", o.generator,
                 "weighted_ik, or nlp_ik: constrained minimisation in each frame, ten times slower");
+  c->add_option("--phases", o.phases,
+                "Of the preset flat: 2, weights and postures that change once during the motion "
+                "(default 1)")
+      ->check(whole_number(1, shigusa::kPhasesMax));
   c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
       ->check(whole_number(8, 1'000'000'000));
   c->add_option("--seconds", o.seconds, "Time limit of the search; what is found depends on speed")
@@ -89,7 +94,8 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
   c->add_option(
        "--set", o.assignments,
        "NAME.weight=NUMBER or NAME.locked=true|false, NAME a joint or a freedom such as "
-       "right_shoulder.flexion; or of the posture squat_deg=NUMBER and so on; of the preset "
+       "right_shoulder.flexion; or of the posture squat_deg=NUMBER and so on; later.NAME for "
+       "the second phase of a motion, which begins about switch=NUMBER (0.2..0.8); of the preset "
        "layers also legs.contraction=NUMBER (0..15), and right_arm.NAME for the arm's own; "
        "repeatable")
       ->allow_extra_args(false);

@@ -130,6 +130,7 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
   if (options.duration) file.duration = *options.duration;
   if (options.seed) file.seed = *options.seed;
   if (options.candidates) file.candidates = *options.candidates;
+  if (options.phases) file.phases = *options.phases;
   if (options.evaluations) file.evaluations = *options.evaluations;
   for (const std::string& assignment : options.fixed) file.fixed.push_back(assignment);
   if (!options.goals.empty()) file.goals.clear();

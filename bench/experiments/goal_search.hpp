@@ -15,7 +15,7 @@ namespace shigusa::bench {
 class GoalSearch {
  public:
   GoalSearch(const BodyModel& body, const Vec3d& goal, const CriteriaSettings& criteria,
-             GeneCode code = GeneCode::natural, int steps = kMotionSteps);
+             GeneCode code = GeneCode::natural, int steps = kMotionSteps, int phases = 1);
   GoalSearch(const GoalSearch&) = delete;
   GoalSearch& operator=(const GoalSearch&) = delete;
 

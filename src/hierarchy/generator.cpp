@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/body/posture_modes.hpp>
 #include <shigusa/hierarchy/generator.hpp>
 #include <utility>
 
@@ -107,15 +108,22 @@ void finish(const ClosestReach& reach, Generation& generation) {
   generation.remaining_distance = met ? 0.0 : miss;
 }
 
-Result<void> check_posture(const BodyModel& body, PostureParameters posture) {
-  if (posture.modes.empty()) return {};
-  const std::size_t given = posture.modes.size();
-  const std::vector<PostureMember> members = posture_members(body, posture);
-  if (given != posture.modes.size()) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} posture values for a body of {} posture modes", given,
-                            posture.modes.size()));
+// No modes, or all of the body's.
+Result<void> check_modes(const BodyModel& body, std::size_t given) {
+  const std::size_t modes = posture_modes(body).size();
+  if (given == 0 || given == modes) return {};
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} posture values for a body of {} posture modes", given, modes));
+}
+
+Result<void> check_posture(const BodyModel& body, Parameters parameters) {
+  const std::optional<LaterPhase>& later = parameters.later;
+  for (const std::size_t given :
+       {parameters.posture.modes.size(), later ? later->modes.size() : std::size_t{0}}) {
+    if (const auto checked = check_modes(body, given); !checked) return checked;
   }
+  if (parameters.posture.modes.empty() && !later) return {};
+  const std::vector<PostureMember> members = posture_members(body, parameters);
   for (const PostureMember& member : members) {
     if (*member.value >= member.low && *member.value <= member.high) continue;
     return fail(ErrorCode::invalid_argument,
@@ -126,22 +134,31 @@ Result<void> check_posture(const BodyModel& body, PostureParameters posture) {
   return {};
 }
 
-Result<void> check_parameters(const BodyModel& body, const Parameters& parameters) {
-  if (parameters.joints.size() != body.dofs().size()) {
+Result<void> check_weights(const BodyModel& body, std::span<const JointWeight> joints,
+                           std::string_view prefix) {
+  if (joints.size() != body.dofs().size()) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("{} joint weights for a body of {} dof", parameters.joints.size(),
-                            body.dof_count()));
+                fmt::format("{} {}joint weights for a body of {} dof", joints.size(),
+                            prefix.empty() ? "" : "later ", body.dof_count()));
   }
-  if (const auto checked = check_posture(body, parameters.posture); !checked) return checked;
-  for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
-    const double weight = parameters.joints[d].weight;
+  for (std::size_t d = 0; d < joints.size(); ++d) {
+    const double weight = joints[d].weight;
     if (weight >= kWeightMin && weight <= kWeightMax) continue;
     return fail(
         ErrorCode::invalid_argument,
         fmt::format("weight is {}; allowed are {:g} to {:g}", weight, kWeightMin, kWeightMax),
-        body.dofs()[d].name);
+        std::string(prefix) + body.dofs()[d].name);
   }
   return {};
+}
+
+Result<void> check_parameters(const BodyModel& body, const Parameters& parameters) {
+  if (const auto checked = check_weights(body, parameters.joints, ""); !checked) return checked;
+  if (parameters.later) {
+    const auto checked = check_weights(body, parameters.later->joints, kLaterPrefix);
+    if (!checked) return checked;
+  }
+  return check_posture(body, parameters);
 }
 
 // What belongs to one preset is not passed over in silence by another.
@@ -161,11 +178,14 @@ Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
   if (!task.fixed) return {};
   Parameters values = task.fixed->values;
   if (const auto checked = check_parameters(task.body, values); !checked) return checked;
-  const std::size_t members = posture_members(task.body, values.posture).size();
-  if (task.fixed->joints.size() != values.joints.size() || task.fixed->posture.size() != members) {
+  const std::size_t members = posture_members(task.body, values).size();
+  const std::size_t later_joints = values.later ? values.joints.size() : 0;
+  if (task.fixed->joints.size() != values.joints.size() || task.fixed->posture.size() != members ||
+      task.fixed->later_joints.size() != later_joints) {
     return fail(ErrorCode::invalid_argument, "fixed parameters are of another body");
   }
-  if (ParameterSpace(problem, gene_code(task), task.fixed).genes() > 0) return {};
+  const ParameterSpace space(problem, gene_code(task), task.fixed, task.phases);
+  if (space.genes() > 0) return {};
   return fail(ErrorCode::invalid_argument,
               "every parameter is fixed: there is nothing to search, an edit plays them");
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/parameter_space.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/genetic_operators.hpp>
+#include <utility>
 
 namespace shigusa {
 namespace {
@@ -34,18 +36,59 @@ std::array<double*, kTimings> timings(PostureParameters& posture) {
   return {&posture.delay, &posture.bow, &posture.skew, &posture.sway};
 }
 
+// What is fixed for the motion is fixed in both of its phases, but for what the later one has of
+// its own.
+FixedParameters in_both_phases(const BodyModel& body, FixedParameters fixed) {
+  const std::size_t modes = posture_modes(body).size();
+  const std::size_t first = posture_members(body, fixed.values.posture).size();
+  add_later_phase(fixed.values);
+  fixed.later_joints.resize(fixed.joints.size());
+  fixed.posture.resize(posture_members(body, fixed.values).size());
+  LaterPhase& later = *fixed.values.later;
+  for (std::size_t d = 0; d < fixed.joints.size(); ++d) {
+    if (!fixed.joints[d] || fixed.later_joints[d]) continue;
+    later.joints[d] = fixed.values.joints[d];
+    fixed.later_joints[d] = true;
+  }
+  for (std::size_t m = 0; m < modes; ++m) {
+    if (fixed.posture[first + m]) continue;
+    later.modes[m] = fixed.values.posture.modes[m];
+    fixed.posture[first + m] = fixed.posture[m];
+  }
+  return fixed;
+}
+
+// those that are set, of all
+void keep_joints(const std::vector<bool>& set, std::span<const JointWeight> from,
+                 std::vector<JointWeight>& joints) {
+  for (std::size_t d = 0; d < set.size(); ++d) {
+    if (set[d]) joints[d] = from[d];
+  }
+}
+
+// as single precision has them, once for each motion
+void repeat(std::span<const double> values, std::size_t motions, std::vector<float>& rows) {
+  rows.clear();
+  for (std::size_t i = 0; i < motions; ++i) {
+    for (const double value : values) rows.push_back(static_cast<float>(value));
+  }
+}
+
 }  // namespace
 
 ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
-                               const std::optional<FixedParameters>& fixed)
+                               const std::optional<FixedParameters>& fixed, int phases)
     : body_(problem.body),
       code_(code),
-      fixed_(fixed ? *fixed : no_fixed_parameters(*body_)),
       named_(code == GeneCode::natural || code == GeneCode::every),
+      fixed_(fixed ? *fixed : no_fixed_parameters(*body_)),
       posed_(named_) {
+  SHG_CHECK(phases == 1 || (phases == 2 && named_), "one phase, or two of the natural code");
+  if (phases == 2) fixed_ = in_both_phases(*body_, std::move(fixed_));
   for (const bool set : fixed_.posture) posed_ = posed_ || set;
   add_weights(problem);
   if (named_) add_posture(problem);
+  if (phases == 2) add_later();
 }
 
 void ParameterSpace::add_weights(const ReachProblem& problem) {
@@ -102,6 +145,29 @@ void ParameterSpace::add_posture(const ReachProblem& problem) {
   }
 }
 
+// the weights and modes once more, where they are free, and when they take over
+void ParameterSpace::add_later() {
+  const std::size_t first = posture_members(*body_, fixed_.values.posture).size();
+  const std::size_t genes = genes_.size();
+  for (std::size_t g = 0; g < genes; ++g) {
+    Gene gene = genes_[g];
+    if (gene.kind != Kind::weight && gene.kind != Kind::posture) continue;
+    std::erase_if(gene.dofs, [this](std::size_t d) { return fixed_.later_joints[d]; });
+    const bool weight = gene.kind == Kind::weight;
+    if (weight ? gene.dofs.empty() : fixed_.posture[first + gene.index]) continue;
+    gene.name.insert(0, kLaterPrefix);
+    gene.later = true;
+    genes_.push_back(std::move(gene));
+  }
+  if (fixed_.posture.back()) return;
+  genes_.push_back({.kind = Kind::switch_at,
+                    .name = std::string(kSwitchName),
+                    .lower = kSwitchMin,
+                    .upper = kSwitchMax,
+                    .later = true,
+                    .start = fixed_.values.later->switch_at});
+}
+
 std::vector<std::string> ParameterSpace::names() const {
   std::vector<std::string> names;
   for (const Gene& gene : genes_) names.push_back(gene.name);
@@ -110,7 +176,7 @@ std::vector<std::string> ParameterSpace::names() const {
 
 std::vector<double> ParameterSpace::start() const {
   std::vector<double> point;
-  for (const Gene& gene : genes_) point.push_back(gene.of(0.0));
+  for (const Gene& gene : genes_) point.push_back(gene.of(gene.start));
   return point;
 }
 
@@ -127,9 +193,13 @@ double ParameterSpace::coordinate(int gene, double value) const {
 
 // what is fixed of the weights; of the posture, what has no gene is as it was
 void ParameterSpace::keep_fixed(Parameters& parameters) const {
-  for (std::size_t d = 0; d < fixed_.joints.size(); ++d) {
-    if (fixed_.joints[d]) parameters.joints[d] = fixed_.values.joints[d];
+  if (fixed_.values.later) {
+    parameters.later = {.switch_at = fixed_.values.later->switch_at,
+                        .joints = parameters.joints,
+                        .modes = fixed_.values.later->modes};
+    keep_joints(fixed_.later_joints, fixed_.values.later->joints, parameters.later->joints);
   }
+  keep_joints(fixed_.joints, fixed_.values.joints, parameters.joints);
   if (posed_) parameters.posture = fixed_.values.posture;
 }
 
@@ -147,14 +217,18 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
     switch (gene.kind) {
       case Kind::weight:
         for (const std::size_t d : gene.dofs) {
-          parameters.joints[d].weight = exponential(value);
+          (gene.later ? parameters.later->joints : parameters.joints)[d].weight =
+              exponential(value);
         }
         break;
       case Kind::posture:
-        parameters.posture.modes[gene.index] = value;
+        (gene.later ? parameters.later->modes : parameters.posture.modes)[gene.index] = value;
         break;
       case Kind::timing:
         *timings(parameters.posture)[gene.index] = value;
+        break;
+      case Kind::switch_at:
+        parameters.later->switch_at = value;
         break;
     }
   }
@@ -175,25 +249,30 @@ MotionInputs ParameterSpace::rows(std::span<const double> points) {
     const std::size_t d = k % dofs;
     if (code_ != GeneCode::paper || fixed_.joints[d]) weights_[k] = static_cast<float>(inverse[d]);
   }
-  if (posed_) start_postures(base, motions);
+  start_rows(base, motions);
   if (code_ != GeneCode::paper) {
     for (std::size_t i = 0; i < motions; ++i) {
       fill_row(i, points.subspan(i * genes_.size(), genes_.size()));
     }
   }
-  return posed_ ? MotionInputs{weights_, postures_, timing_} : MotionInputs{weights_};
+  if (!posed_) return weights_;
+  MotionInputs inputs{weights_, postures_, timing_};
+  if (base.later) inputs.later = {later_weights_, later_postures_, switches_};
+  return inputs;
 }
 
-// all as the fixed parameters have it
-void ParameterSpace::start_postures(const Parameters& base, std::size_t motions) {
-  const std::vector<double> change = posture_change(*body_, base.posture);
+// postures and the later phase, all as the fixed parameters have it
+void ParameterSpace::start_rows(const Parameters& base, std::size_t motions) {
+  if (!posed_) return;
+  repeat(posture_change(*body_, base.posture), motions, postures_);
   PostureParameters posture = base.posture;
-  postures_.clear();
-  timing_.clear();
-  for (std::size_t i = 0; i < motions; ++i) {
-    for (const double angle : change) postures_.push_back(static_cast<float>(angle));
-    for (const double* value : timings(posture)) timing_.push_back(static_cast<float>(*value));
-  }
+  std::vector<double> timing;
+  for (const double* value : timings(posture)) timing.push_back(*value);
+  repeat(timing, motions, timing_);
+  if (!base.later) return;
+  repeat(inverse_weights({.joints = base.later->joints}), motions, later_weights_);
+  repeat(posture_change(*body_, {.modes = base.later->modes}), motions, later_postures_);
+  switches_.assign(motions, static_cast<float>(base.later->switch_at));
 }
 
 void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
@@ -203,12 +282,16 @@ void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
     const double value = gene.at(point[g]);
     if (gene.kind == Kind::weight) {
       const auto inverse = static_cast<float>(exponential(-value));
-      for (const std::size_t d : gene.dofs) weights_[row * dofs + d] = inverse;
+      std::vector<float>& weights = gene.later ? later_weights_ : weights_;
+      for (const std::size_t d : gene.dofs) weights[row * dofs + d] = inverse;
     } else if (gene.kind == Kind::posture) {
       const std::vector<double>& direction = modes_[gene.index].direction;
+      std::vector<float>& postures = gene.later ? later_postures_ : postures_;
       for (std::size_t d = 0; d < dofs; ++d) {
-        postures_[row * dofs + d] += static_cast<float>(value * direction[d]);
+        postures[row * dofs + d] += static_cast<float>(value * direction[d]);
       }
+    } else if (gene.kind == Kind::switch_at) {
+      switches_[row] = static_cast<float>(value);
     } else {
       timing_[row * kTimings + gene.index] = static_cast<float>(value);
     }

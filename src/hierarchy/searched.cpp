@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
+#include <string>
 #include <utility>
 
 #include "ways.hpp"
@@ -65,7 +66,7 @@ Searched::Searched(const ReachProblem& problem, const Task& task)
     : problem_(problem),
       task_(task),
       criteria_(task_criteria(task)),
-      space_(problem, gene_code(task), task.fixed),
+      space_(problem, gene_code(task), task.fixed, task.phases),
       batch_(problem, criteria_, task.batch),
       archive_(*problem.body),
       dial_(SquatDial::of(task)) {}
@@ -84,7 +85,10 @@ SearchResult Searched::run(const Progress& progress) {
   for (const auto& [low, high] : kStyleRanges) {
     if (all.end == SearchEnd::cancelled) break;
     Niche niche = stiff_knees();
-    niche.push_back({squat, space_.coordinate(squat, low), space_.coordinate(squat, high)});
+    for (const int gene : {squat, space_.find("later.squat")}) {
+      if (gene < 0) continue;
+      niche.push_back({gene, space_.coordinate(gene, low), space_.coordinate(gene, high)});
+    }
     add(run_in(niche, style, progress), all);
   }
   return all;
@@ -94,8 +98,9 @@ SearchResult Searched::run(const Progress& progress) {
 Searched::Niche Searched::stiff_knees() const {
   Niche niche;
   for (const char* name : {"knee.flexion", "left_knee.flexion", "right_knee.flexion"}) {
-    const int gene = space_.find(name);
-    if (gene >= 0) niche.push_back({gene, space_.coordinate(gene, kStiffKnee), 1.0});
+    for (const int gene : {space_.find(name), space_.find(std::string(kLaterPrefix) + name)}) {
+      if (gene >= 0) niche.push_back({gene, space_.coordinate(gene, kStiffKnee), 1.0});
+    }
   }
   return niche;
 }

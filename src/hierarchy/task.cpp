@@ -29,6 +29,23 @@ Result<void> check_position(const Goal& goal) {
   return {};
 }
 
+Result<void> check_phases(const Task& task) {
+  if (task.phases < 1 || task.phases > kPhasesMax) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("phases is {}; allowed are 1 and {}", task.phases, kPhasesMax));
+  }
+  if (task.phases > 1 && task.preset != Preset::flat) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("the preset {} has one phase; flat knows two", preset_name(task.preset)));
+  }
+  if (task.phases == 1 && task.fixed && task.fixed->values.later) {
+    return fail(ErrorCode::invalid_argument,
+                "a later phase is fixed, and the task has one phase; phases 2 gives it two");
+  }
+  return {};
+}
+
 Result<void> check_settings(const Task& task) {
   if (task.duration &&
       !(*task.duration >= kTaskDurationMin && *task.duration <= kTaskDurationMax)) {
@@ -45,6 +62,7 @@ Result<void> check_settings(const Task& task) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
   }
+  if (const auto checked = check_phases(task); !checked) return checked;
   const CriteriaSettings& c = task.criteria;
   double sum = 0.0;
   const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };

@@ -77,6 +77,13 @@ void NlpIk::add_limits() {
 
 void NlpIk::begin(std::span<const IkTarget<double>> targets,
                   std::span<const double> inverse_weights) {
+  std::fill(z_.begin(), z_.end(), 0.0);
+  stiffness_ = settings_.contact_stiffness;
+  weigh(targets, inverse_weights);
+}
+
+void NlpIk::weigh(std::span<const IkTarget<double>> targets,
+                  std::span<const double> inverse_weights) {
   SHG_CHECK(inverse_weights.size() == size_.size(), "one inverse weight per dof");
   double largest = 0.0;
   for (const double inverse : inverse_weights) {
@@ -84,7 +91,12 @@ void NlpIk::begin(std::span<const IkTarget<double>> targets,
     largest = max(largest, inverse);
   }
   const double scale = largest > 0.0 ? 1.0 / largest : 0.0;
-  for (std::size_t d = 0; d < size_.size(); ++d) size_[d] = sqrt(inverse_weights[d] * scale);
+  for (std::size_t d = 0; d < size_.size(); ++d) {
+    // the guess stays the same change of angle
+    const double change = z_[d] * size_[d];
+    size_[d] = sqrt(inverse_weights[d] * scale);
+    z_[d] = size_[d] > 0.0 ? change / size_[d] : 0.0;
+  }
 
   forward_kinematics<double>(*body_, body_->start(), kinematics_);
   double sum = 0.0;
@@ -101,9 +113,7 @@ void NlpIk::begin(std::span<const IkTarget<double>> targets,
   // with goals that nothing moves, any scale will do
   mean_diagonal_ = sum > 0.0 ? sum / (3.0 * goals) : 1.0;
   epsilon_ = settings_.damping * mean_diagonal_;
-  stiffness_ = settings_.contact_stiffness;
   metric_.reset();
-  std::fill(z_.begin(), z_.end(), 0.0);
 
   limits_.clear();
   limit_of_.clear();

@@ -28,18 +28,30 @@ Result<double> parse_weight(std::string_view text) {
                           kWeightMax));
 }
 
+// The values, of one phase or two, with room to note what is set of them.
+void set_values(const BodyModel& body, Parameters values, FixedParameters& fixed) {
+  fixed.values = std::move(values);
+  Parameters counted = fixed.values;
+  fixed.posture.resize(posture_members(body, counted).size());
+  fixed.later_joints.resize(counted.later ? counted.joints.size() : 0);
+}
+
 // An angle is NAME_deg or NAME_rad.
 Result<void> assign_posture(const BodyModel& body, std::string_view name, std::string_view text,
                             FixedParameters& fixed) {
-  PostureParameters changed = fixed.values.posture;
-  std::vector<std::string> names;
+  Parameters changed = fixed.values;
+  const std::size_t of_first = posture_members(body, changed.posture).size();
+  add_later_phase(changed);
+  const bool later = name.starts_with(kLaterPrefix);
+  std::vector<std::string> names;  // that are suggested
   const std::vector<PostureMember> members = posture_members(body, changed);
   for (std::size_t m = 0; m < members.size(); ++m) {
     const PostureMember& member = members[m];
     for (const char* suffix : {"_deg", "_rad", ""}) {
       if (member.angle == std::string_view(suffix).empty()) continue;
-      names.push_back(member.name + suffix);
-      if (names.back() != name) continue;
+      const std::string known = member.name + suffix;
+      if (known.starts_with(kLaterPrefix) == later) names.push_back(known);
+      if (known != name) continue;
       const double unit = std::string_view(suffix) == "_deg" ? radians(1.0) : 1.0;
       const double value = number_in(text) * unit;
       if (!(value >= member.low && value <= member.high)) {
@@ -48,7 +60,8 @@ Result<void> assign_posture(const BodyModel& body, std::string_view name, std::s
                                 member.low / unit, member.high / unit));
       }
       *member.value = value;
-      fixed.values.posture = changed;
+      if (!fixed.values.later && m < of_first) changed.later.reset();
+      set_values(body, std::move(changed), fixed);
       fixed.posture[m] = true;
       return {};
     }
@@ -66,6 +79,11 @@ struct Assignment {
   std::string_view value;
 };
 
+// "squat_deg", "later.squat_deg", "switch"; not "right_hip.weight".
+bool of_posture(std::string_view name) {
+  return name_within_phase(name).find('.') == std::string_view::npos;
+}
+
 // Weight or lock of one freedom.
 Result<void> assign_joint(const Assignment& assignment, JointWeight& joint) {
   if (assignment.member == "weight") {
@@ -79,6 +97,33 @@ Result<void> assign_joint(const Assignment& assignment, JointWeight& joint) {
                 fmt::format("locked is '{}'; allowed are true and false", assignment.value));
   }
   joint.locked = assignment.value == "true";
+  return {};
+}
+
+// Those of one phase that go by the name.
+Result<void> assign_joints(const BodyModel& body, const Assignment& asked, FixedParameters& fixed) {
+  const bool later = asked.name.starts_with(kLaterPrefix);
+  const std::string prefix(later ? kLaterPrefix : "");
+  FixedParameters changed = fixed;
+  if (later) {
+    add_later_phase(changed.values);
+    set_values(body, changed.values, changed);
+  }
+  std::vector<JointWeight>& joints = later ? changed.values.later->joints : changed.values.joints;
+  std::vector<std::string> names;
+  bool found = false;
+  for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+    const std::string name = prefix + body.dofs()[d].name;
+    const std::string joint = prefix + body.dofs()[d].joint;
+    names.push_back(name);
+    if (std::find(names.begin(), names.end(), joint) == names.end()) names.push_back(joint);
+    if (name != asked.name && joint != asked.name) continue;
+    found = true;
+    (later ? changed.later_joints : changed.joints)[d] = true;
+    if (const auto ok = assign_joint(asked, joints[d]); !ok) return ok;
+  }
+  if (!found) return fail(ErrorCode::not_found, unknown_name("joint", asked.name, names));
+  fixed = std::move(changed);
   return {};
 }
 
@@ -98,38 +143,22 @@ Result<void> assign_contraction(const Assignment& assignment, const LayeredMembe
 Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
                            FixedParameters& fixed) {
   const std::size_t equals = assignment.find('=');
-  const std::size_t dot = assignment.substr(0, equals).rfind('.');
   if (equals == assignment.npos) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("'{}' is not NAME.weight=NUMBER, NAME.locked=true|false or, of the "
                             "posture, NAME=NUMBER",
                             assignment.substr(0, 80)));
   }
-  if (dot == assignment.npos) {
-    return assign_posture(body, assignment.substr(0, equals), assignment.substr(equals + 1), fixed);
-  }
-  const std::string_view name = assignment.substr(0, dot);
-  const std::string_view member = assignment.substr(dot + 1, equals - dot - 1);
+  const std::string_view whole = assignment.substr(0, equals);
   const std::string_view value = assignment.substr(equals + 1);
+  if (of_posture(whole)) return assign_posture(body, whole, value, fixed);
+  const std::size_t dot = whole.rfind('.');
+  const Assignment asked{whole.substr(0, dot), whole.substr(dot + 1), value};
   const std::vector<std::string> members{"weight", "locked"};
-  if (member != "weight" && member != "locked") {
-    return fail(ErrorCode::invalid_argument, unknown_name("parameter", member, members));
+  if (asked.member != "weight" && asked.member != "locked") {
+    return fail(ErrorCode::invalid_argument, unknown_name("parameter", asked.member, members));
   }
-  std::vector<std::string> names;
-  bool found = false;
-  for (std::size_t d = 0; d < body.dofs().size(); ++d) {
-    names.push_back(body.dofs()[d].name);
-    const std::string& joint_name = body.dofs()[d].joint;
-    if (std::find(names.begin(), names.end(), joint_name) == names.end()) {
-      names.push_back(joint_name);
-    }
-    if (body.dofs()[d].name != name && body.dofs()[d].joint != name) continue;
-    found = true;
-    fixed.joints[d] = true;
-    if (const auto ok = assign_joint({name, member, value}, fixed.values.joints[d]); !ok) return ok;
-  }
-  if (!found) return fail(ErrorCode::not_found, unknown_name("joint", name, names));
-  return {};
+  return assign_joints(body, asked, fixed);
 }
 
 Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,

@@ -9,7 +9,8 @@
 namespace shigusa {
 namespace {
 
-constexpr std::string_view kTurn = "twist";  // the posture mode that is not of one side
+// The posture mode that is not of one side.
+bool turns(std::string_view name) { return name_within_phase(name).starts_with("twist"); }
 
 Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
 
@@ -30,14 +31,27 @@ void mirror(Landmarks& person) {
 std::string mirrored_assignment(const std::string& assignment) {
   std::string text = mirrored_name(assignment);
   const std::size_t equals = text.find('=');
-  if (text.rfind(kTurn, 0) != 0 || equals == text.npos) return text;
+  if (!turns(text) || equals == text.npos) return text;
   const bool negative = equals + 1 < text.size() && text[equals + 1] == '-';
   return negative ? text.erase(equals + 1, 1) : text.insert(equals + 1, "-");
+}
+
+std::vector<JointWeight> mirrored_joints(const BodyModel& body,
+                                         const std::vector<JointWeight>& joints) {
+  std::vector<JointWeight> image = joints;
+  for (std::size_t d = 0; d < joints.size(); ++d) {
+    const auto other = body.find_dof(mirrored_name(body.dofs()[d].name));
+    if (other) image[static_cast<std::size_t>(*other)] = joints[d];
+  }
+  return image;
 }
 
 }  // namespace
 
 std::string mirrored_name(std::string_view name) {
+  if (name.starts_with(kLaterPrefix)) {
+    return std::string(kLaterPrefix) + mirrored_name(name_within_phase(name));
+  }
   constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSides{
       {{"left_", "right_"}, {"right_", "left_"}}};
   for (const auto& [side, other] : kSides) {
@@ -68,17 +82,16 @@ Result<TaskFile> mirrored(TaskFile task) {
 
 Parameters mirrored(const BodyModel& body, const Parameters& parameters) {
   Parameters image = parameters;
-  for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
-    const auto other = body.find_dof(mirrored_name(body.dofs()[d].name));
-    if (other) image.joints[static_cast<std::size_t>(*other)] = parameters.joints[d];
-  }
-  if (parameters.posture.modes.empty()) return image;
-  PostureParameters from = parameters.posture;
-  const std::vector<PostureMember> of_image = posture_members(body, image.posture);
+  image.joints = mirrored_joints(body, parameters.joints);
+  if (image.later) image.later->joints = mirrored_joints(body, parameters.later->joints);
+  const bool later_modes = image.later && !image.later->modes.empty();
+  if (parameters.posture.modes.empty() && !later_modes) return image;
+  Parameters from = parameters;
+  const std::vector<PostureMember> of_image = posture_members(body, image);
   for (const PostureMember& member : posture_members(body, from)) {
     for (const PostureMember& other : of_image) {
       if (other.name != mirrored_name(member.name)) continue;
-      *other.value = member.name == kTurn ? -*member.value : *member.value;
+      *other.value = turns(member.name) ? -*member.value : *member.value;
     }
   }
   return image;

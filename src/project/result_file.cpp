@@ -17,21 +17,40 @@ std::string key_of(const PostureMember& member) {
   return member.name + (member.angle ? "_rad" : "");
 }
 
-Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
+// Weights and locks of one phase.
+Json joints_to_json(const BodyModel& body, std::span<const JointWeight> joints) {
   Json json;
   json["weights"] = Json::object();
   json["locked"] = Json::array();
-  for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
-    json["weights"][body.dofs()[d].name] = parameters.joints[d].weight;
-    if (parameters.joints[d].locked) json["locked"].push_back(body.dofs()[d].name);
+  for (std::size_t d = 0; d < joints.size(); ++d) {
+    json["weights"][body.dofs()[d].name] = joints[d].weight;
+    if (joints[d].locked) json["locked"].push_back(body.dofs()[d].name);
   }
-  json["contractions"] = Json::object();
+  return json;
+}
+
+Json later_to_json(const BodyModel& body, LaterPhase later) {
+  Json json = joints_to_json(body, later.joints);
+  json[std::string(kSwitchName)] = later.switch_at;
   json["posture"] = Json::object();
-  if (parameters.posture.modes.empty()) return json;
-  PostureParameters posture = parameters.posture;
-  for (const PostureMember& member : posture_members(body, posture)) {
+  if (later.modes.empty()) return json;
+  for (const PostureMember& member : mode_members(body, later.modes)) {
     json["posture"][key_of(member)] = *member.value;
   }
+  return json;
+}
+
+Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
+  Json json = joints_to_json(body, parameters.joints);
+  json["contractions"] = Json::object();
+  json["posture"] = Json::object();
+  if (!parameters.posture.modes.empty()) {
+    PostureParameters posture = parameters.posture;
+    for (const PostureMember& member : posture_members(body, posture)) {
+      json["posture"][key_of(member)] = *member.value;
+    }
+  }
+  if (parameters.later) json["later"] = later_to_json(body, *parameters.later);
   return json;
 }
 
@@ -157,14 +176,39 @@ Json search_to_json(const Task& task, const Generation& generation) {
   return json;
 }
 
-// An empty object is weights alone; otherwise what is not given is 0.
-void read_posture(const BodyModel& body, JsonReader& parameters, PostureParameters& posture) {
+// An empty object is weights alone; otherwise what is not given is 0. `members` is asked for only
+// then, as it adds values.
+template <class Members>
+void read_posture(JsonReader& parameters, Members&& members) {
+  if (!parameters.has("posture")) return;
   if (parameters.value("posture").is_object() && parameters.value("posture").empty()) return;
   JsonReader reader = parameters.object("posture");
-  for (const PostureMember& member : posture_members(body, posture)) {
+  for (const PostureMember& member : members()) {
     reader.number(key_of(member).c_str(), *member.value, member.low, member.high);
   }
   parameters.absorb(reader.finish());
+}
+
+NamedJoints named_joints(const BodyModel& body, std::vector<JointWeight>& joints) {
+  NamedJoints named;
+  for (std::size_t d = 0; d < joints.size(); ++d) {
+    named.emplace_back(body.dofs()[d].name, &joints[d]);
+  }
+  return named;
+}
+
+void read_later(const BodyModel& body, JsonReader& parameters, std::optional<LaterPhase>& into) {
+  if (!parameters.has("later")) return;
+  JsonReader reader = parameters.object("later");
+  LaterPhase later;
+  const std::string at(kSwitchName);
+  reader.require(at.c_str());
+  reader.number(at.c_str(), later.switch_at, kSwitchMin, kSwitchMax);
+  later.joints = uniform_parameters(body).joints;
+  read_joints(reader, named_joints(body, later.joints));
+  read_posture(reader, [&] { return mode_members(body, later.modes); });
+  parameters.absorb(reader.finish());
+  into = std::move(later);
 }
 
 // The parameters of one stored candidate; every freedom must have its weight.
@@ -174,13 +218,10 @@ Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
   if (!object) return tl::unexpected(object.error());
   JsonReader reader(**object, place + ".parameters");
   Parameters parameters = uniform_parameters(body);
-  NamedJoints joints;
-  for (std::size_t d = 0; d < parameters.joints.size(); ++d) {
-    joints.emplace_back(body.dofs()[d].name, &parameters.joints[d]);
-  }
-  read_joints(reader, joints);
+  read_joints(reader, named_joints(body, parameters.joints));
   (void)reader.has("contractions");
-  if (reader.has("posture")) read_posture(body, reader, parameters.posture);
+  read_posture(reader, [&] { return posture_members(body, parameters.posture); });
+  read_later(body, reader, parameters.later);
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return parameters;
 }

@@ -207,6 +207,7 @@ Json task_to_json(const TaskFile& task) {
   if (!task.fixed.empty()) json["fixed"] = task.fixed;
   if (task.pareto) json["pareto"] = true;
   if (task.generator != MotionGenerator{}) json["generator"] = generator_name(task.generator);
+  if (task.phases != 1) json["phases"] = task.phases;
   json["seed"] = task.seed;
   json["candidates"] = task.candidates;
   if (task.evaluations) json["evaluations"] = *task.evaluations;
@@ -247,6 +248,7 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
     generators.emplace_back(generator_name(generator), generator);
   }
   reader.choice<MotionGenerator>("generator", task.generator, generators);
+  reader.integer("phases", task.phases, 1, kPhasesMax);
   read_texts(reader, "fixed", task.fixed);
   reader.integer("seed", task.seed, 0, UINT64_MAX);
   reader.integer("candidates", task.candidates, 1, kCandidatesMax);
@@ -293,6 +295,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .evaluations = file.evaluations};
   task.pareto = file.pareto;
   task.generator = file.generator;
+  task.phases = file.phases;
   task.genetic.seed = file.seed;
   for (const std::string& assignment : file.fixed) {
     if (!task.fixed) task.fixed = no_fixed_parameters(task.body);

@@ -52,6 +52,12 @@ void BatchRollout::score(const MotionInputs& inputs, std::span<double> scores,
   SHG_CHECK(inputs.posture.empty() || (inputs.posture.size() == scores.size() * dofs &&
                                        inputs.timing.size() == scores.size() * kTimings),
             "one change of posture per motion and dof, and the numbers of its timing");
+  const LaterInputs& later = inputs.later;
+  SHG_CHECK(later.inverse_weights.empty() ||
+                (later.inverse_weights.size() == inputs.inverse_weights.size() &&
+                 later.posture.size() == inputs.posture.size() &&
+                 later.switch_at.size() == scores.size()),
+            "the later phase of every motion, or of none");
   SHG_CHECK(final_angles.empty() || final_angles.size() == scores.size() * dofs,
             "room for one angle per motion and dof");
   const auto lanes = static_cast<std::size_t>(simd_lanes(settings_.simd));

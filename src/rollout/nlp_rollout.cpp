@@ -19,7 +19,8 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
       speeds_(problem.body->dofs().size()),
       accelerations_(speeds_),
       torques_(speeds_),
-      reference_(speeds_) {
+      reference_(speeds_),
+      blend_(speeds_.size()) {
   SHG_CHECK(problem.steps >= 1 && problem.duration > 0.0, "steps and duration of a motion");
   SHG_CHECK(problem.guide.empty() || problem.guide.size() == speeds_.size(),
             "one angle of the guide per dof");
@@ -28,6 +29,9 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
 void NlpRollout::begin(const MotionInput<double>& input) {
   SHG_CHECK(input.posture.empty() || input.posture.size() == speeds_.size(),
             "one change of posture per dof");
+  SHG_CHECK(!input.has_later() || (input.later.inverse_weights.size() == speeds_.size() &&
+                                   input.later.posture.size() == input.posture.size()),
+            "one inverse weight and change of posture of the later phase per dof");
   const std::span<const double> start = problem_->body->start();
   for (std::vector<double>& angles : angles_) angles.assign(start.begin(), start.end());
   for (IkTarget<double>& target : targets_) {
@@ -37,6 +41,8 @@ void NlpRollout::begin(const MotionInput<double>& input) {
   drawn_ = !problem_->guide.empty() || !input.posture.empty();
   unconverged_ = evaluations_ = 0;
   ik_.begin(targets_, input.inverse_weights);
+  later_share_ = 0.0;
+  if (input.has_later()) blend_.begin(input);
   forward_kinematics<double>(*problem_->body, start, now_);
 }
 
@@ -44,6 +50,7 @@ void NlpRollout::begin(const MotionInput<double>& input) {
 void NlpRollout::follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome) {
   const bool last = frame == problem_->steps;
   place_goals(frame, input);
+  change_phase(frame, input);
   draw_null_space(frame, input);
   const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
   const auto targets = std::span<IkTarget<double>>(targets_).subspan(skipped);
@@ -75,6 +82,15 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   }
 }
 
+// the weights of the step to this frame
+void NlpRollout::change_phase(int frame, const MotionInput<double>& input) {
+  if (!input.has_later()) return;
+  const double share = blend_.step(input, (frame - 0.5) / problem_->steps);
+  if (share == later_share_) return;
+  ik_.weigh(targets_, blend_.inverse_weights());
+  later_share_ = share;
+}
+
 // how far the null space is drawn in this frame, as in Rollout
 void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   if (!drawn_) return;
@@ -85,9 +101,10 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   };
   const double before = share(frame - 1);
   const double now = share(frame);
+  const std::span<const double> posture = input.has_later() ? blend_.posture() : input.posture;
   for (std::size_t d = 0; d < reference_.size(); ++d) {
     reference_[d] = problem_->guide.empty()
-                        ? input.posture[d] * (now - before)
+                        ? posture[d] * (now - before)
                         : (problem_->guide[d] - angles_[1][d]) * ((now - before) / (1.0 - before));
   }
 }

@@ -22,6 +22,8 @@ class PackScorer final : public LaneScorer {
         criteria_(*problem.body, criteria),
         inverse_weights_(problem.body->dofs().size()),
         posture_(inverse_weights_),
+        later_weights_(inverse_weights_),
+        later_posture_(inverse_weights_),
         tolerance_(problem.tolerance),
         worst_(worst_score(criteria)) {}
 
@@ -36,6 +38,7 @@ class PackScorer final : public LaneScorer {
       spread(inputs.timing, motions, timing_);
       input = {inverse_weights_, posture_, timing_[0], timing_[1], timing_[2], timing_[3]};
     }
+    if (!inputs.later.inverse_weights.empty()) input.later = spread_later(inputs.later, motions);
     criteria_.reset();
     const auto outcome = rollout_.run(
         input, [this](const MotionFrame<S>& frame, const Kinematics<S>&) { criteria_.add(frame); });
@@ -62,11 +65,24 @@ class PackScorer final : public LaneScorer {
     }
   }
 
+  LaterInput<S> spread_later(const LaterInputs& later, int motions) {
+    LaterInput<S> input;
+    spread(later.inverse_weights, motions, later_weights_);
+    input.inverse_weights = later_weights_;
+    spread(later.switch_at, motions, {&input.switch_at, 1});
+    if (later.posture.empty()) return input;
+    spread(later.posture, motions, later_posture_);
+    input.posture = later_posture_;
+    return input;
+  }
+
   Rollout<S> rollout_;
   BuiltInCriteria<S> criteria_;
   std::vector<S> inverse_weights_;  // (dofs)
   std::vector<S> posture_;          // (dofs)
   S timing_[kTimings];              // delay, bow, skew, sway
+  std::vector<S> later_weights_;    // (dofs) of the later phase
+  std::vector<S> later_posture_;    // (dofs)
   ReachTolerance tolerance_;
   double worst_;
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/core/check.hpp>
 #include <shigusa/rollout/parameters.hpp>
+#include <utility>
 
 namespace shigusa {
 
@@ -42,18 +44,40 @@ std::vector<double> inverse_weights(const Parameters& parameters) {
   return inverse;
 }
 
-std::vector<PostureMember> posture_members(const BodyModel& body, PostureParameters& posture) {
+std::vector<PostureMember> mode_members(const BodyModel& body, std::vector<double>& values) {
   const std::vector<PostureMode> modes = posture_modes(body);
-  posture.modes.resize(modes.size());
+  values.resize(modes.size());
   std::vector<PostureMember> members;
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    members.push_back({modes[m].name, &posture.modes[m], -kPostureMax, kPostureMax, true});
+    members.push_back({modes[m].name, &values[m], -kPostureMax, kPostureMax, true});
   }
+  return members;
+}
+
+std::vector<PostureMember> posture_members(const BodyModel& body, PostureParameters& posture) {
+  std::vector<PostureMember> members = mode_members(body, posture.modes);
   members.push_back({"delay", &posture.delay, 0.0, kDelayMax});
   members.push_back({"bow", &posture.bow, -kBowMax, kBowMax});
   members.push_back({"skew", &posture.skew, -1.0, 1.0});
   members.push_back({"sway", &posture.sway, -kBowMax, kBowMax});
   return members;
+}
+
+std::vector<PostureMember> posture_members(const BodyModel& body, Parameters& parameters) {
+  std::vector<PostureMember> members = posture_members(body, parameters.posture);
+  if (!parameters.later) return members;
+  for (PostureMember& member : mode_members(body, parameters.later->modes)) {
+    member.name.insert(0, kLaterPrefix);
+    members.push_back(std::move(member));
+  }
+  members.push_back(
+      {std::string(kSwitchName), &parameters.later->switch_at, kSwitchMin, kSwitchMax});
+  return members;
+}
+
+void add_later_phase(Parameters& parameters) {
+  if (parameters.later) return;
+  parameters.later = {.joints = parameters.joints, .modes = parameters.posture.modes};
 }
 
 std::vector<double> posture_change(const BodyModel& body, const PostureParameters& posture) {
@@ -71,11 +95,24 @@ std::vector<double> posture_change(const BodyModel& body, const PostureParameter
 HeldInput::HeldInput(const BodyModel& body, const Parameters& parameters)
     : weights_(inverse_weights(parameters)), posture_(parameters.posture) {
   if (!posture_.modes.empty()) change_ = posture_change(body, posture_);
+  if (!parameters.later) return;
+  later_weights_ = inverse_weights({.joints = parameters.later->joints});
+  switch_at_ = parameters.later->switch_at;
+  const std::vector<double>& later_modes = parameters.later->modes;
+  if (!later_modes.empty()) later_change_ = posture_change(body, {.modes = later_modes});
+  // a phase of weights alone beside one with a posture is drawn nowhere
+  const std::size_t dofs = std::max(change_.size(), later_change_.size());
+  change_.resize(dofs);
+  later_change_.resize(dofs);
 }
 
 MotionInput<double> HeldInput::input() const {
-  if (change_.empty()) return weights_;
-  return {weights_, change_, posture_.delay, posture_.bow, posture_.skew, posture_.sway};
+  MotionInput<double> input(weights_);
+  if (!change_.empty()) {
+    input = {weights_, change_, posture_.delay, posture_.bow, posture_.skew, posture_.sway};
+  }
+  input.later = {later_weights_, later_change_, switch_at_};
+  return input;
 }
 
 }  // namespace shigusa

@@ -18,6 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (Parameters& parameters : result->candidates) {
     if (parameters.joints.size() != task->body.dofs().size()) std::abort();
     if (!assign_parameter(task->body, "right_elbow.weight=2", parameters)) std::abort();
+    if (!assign_parameter(task->body, "later.right_elbow.weight=2", parameters)) std::abort();
   }
   if (result->layered.empty()) return 0;
   const auto layers = layers_to_goals(task->body, task->goals, task->layers);

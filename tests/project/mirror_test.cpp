@@ -36,6 +36,7 @@ TEST(Mirror, NamesChangeSides) {
   EXPECT_EQ(mirrored_name("right_hand"), "left_hand");
   EXPECT_EQ(mirrored_name("left_hip.flexion"), "right_hip.flexion");
   EXPECT_EQ(mirrored_name("squat"), "squat");
+  EXPECT_EQ(mirrored_name("later.left_hip.flexion"), "later.right_hip.flexion");
   EXPECT_EQ(mirrored_name(""), "");
 }
 
@@ -63,13 +64,34 @@ INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion,
                          testing::Values(Preset::paper, Preset::flat, Preset::layers),
                          [](const auto& of) { return std::string(preset_name(of.param)); });
 
+TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {
+  TaskFile file = asked(Preset::flat);
+  file.phases = 2;
+  const Task task = make_task(file, {}).value();
+  const Candidate best = generate(task).value().candidates.front();
+  TaskFile other = mirrored(file).value();
+  EXPECT_EQ(other.phases, 2);
+  const Task image = make_task(other, {}).value();
+  const Parameters across = mirrored(image.body, best.parameters);
+  const auto right = static_cast<std::size_t>(*task.body.find_dof("right_elbow.flexion"));
+  const auto left = static_cast<std::size_t>(*task.body.find_dof("left_elbow.flexion"));
+  EXPECT_EQ(across.later->joints[left], best.parameters.later->joints[right]);
+  EXPECT_EQ(across.later->switch_at, best.parameters.later->switch_at);
+  EXPECT_EQ(mirrored(task.body, across), best.parameters);
+  const Generation again = regenerate(image, across).value();
+  expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
+}
+
 TEST(Mirror, TwiceIsTheTaskAgain) {
   TaskFile file = asked(Preset::flat);
-  file.fixed = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1", "squat_deg=40",
-                "nothing"};
+  file.fixed = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1",
+                "squat_deg=40",         "nothing",      "later.right_elbow.locked=true",
+                "later.twist_deg=5",    "switch=0.3"};
   const TaskFile once = mirrored(file).value();
-  EXPECT_THAT(once.fixed, testing::ElementsAre("left_elbow.weight=3", "twist_deg=-20",
-                                               "twist_rad=0.1", "squat_deg=40", "nothing"));
+  EXPECT_THAT(once.fixed,
+              testing::ElementsAre("left_elbow.weight=3", "twist_deg=-20", "twist_rad=0.1",
+                                   "squat_deg=40", "nothing", "later.left_elbow.locked=true",
+                                   "later.twist_deg=-5", "switch=0.3"));
   EXPECT_EQ(format_task(mirrored(once).value()), format_task(file));
 }
 

@@ -62,6 +62,9 @@ TEST(ResultSchema, TakesResultsOfSearchesAndEdits) {
   EXPECT_EQ(result_schema().judge(result_of(file_with(near))), "");
   EXPECT_EQ(result_schema().judge(result_of(file_with(near, "full_body"), true)), "");
   EXPECT_EQ(result_schema().judge(result_of(file_with({0, 5, 0}))), "") << "out of reach";
+  TaskFile two_phases = file_with(near);
+  two_phases.phases = 2;
+  EXPECT_EQ(result_schema().judge(result_of(two_phases)), "");
   TaskFile person = file_with(near);
   person.character.source = "walk.bvh";
   person.character.stature = 1.6;
@@ -113,6 +116,7 @@ TEST(TaskSchema, RefusesWhatTheReaderRefuses) {
   file.goals.push_back({"left_hand", {0.2, 1.0, 0.3}});
   file.duration = 1.0;
   file.evaluations = 100;
+  file.phases = 2;
   file.character.stature = 1.7;
   file.character.mass = 70.0;
   int refused = 0;

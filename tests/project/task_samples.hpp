@@ -68,6 +68,7 @@ inline TaskFile any_task() {
   if (*rc::gen::arbitrary<bool>()) task.fixed = {"squat_deg=60", "目", ""};
   task.pareto = *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>()) task.generator = MotionGenerator::nlp_ik;
+  task.phases = *rc::gen::inRange(1, kPhasesMax + 1);
   if (*rc::gen::arbitrary<bool>()) task.evaluations = *rc::gen::inRange(8, 1'000'000'001);
   return task;
 }
@@ -82,11 +83,12 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
     all.push_back(optional.has_value());
     add(optional.value_or(0.0));
   }
-  all.insert(all.end(), {static_cast<std::uint64_t>(c.sex), static_cast<std::uint64_t>(c.extent),
-                         static_cast<std::uint64_t>(c.frame), c.landmarks.has_value(), task.seed,
-                         task.pareto, static_cast<std::uint64_t>(task.generator),
-                         static_cast<std::uint64_t>(task.candidates),
-                         static_cast<std::uint64_t>(task.evaluations.value_or(-1))});
+  all.insert(all.end(),
+             {static_cast<std::uint64_t>(c.sex), static_cast<std::uint64_t>(c.extent),
+              static_cast<std::uint64_t>(c.frame), c.landmarks.has_value(), task.seed, task.pareto,
+              static_cast<std::uint64_t>(task.generator), static_cast<std::uint64_t>(task.phases),
+              static_cast<std::uint64_t>(task.candidates),
+              static_cast<std::uint64_t>(task.evaluations.value_or(-1))});
   if (c.landmarks) {
     Landmarks person = *c.landmarks;
     for (const Vec3d* point : all_points(person)) add_point(*point);

@@ -81,6 +81,20 @@ TEST(Allocations, ARolloutMakesNone) {
   }
 }
 
+TEST(Allocations, ARolloutOfTwoPhasesMakesNone) {
+  const BodyModel body = full_body();
+  const ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
+  Parameters parameters = uniform_parameters(body);
+  add_later_phase(parameters);
+  const HeldInput held(body, parameters);
+  Rollout<double> rollout(problem);
+  EXPECT_EQ(allocations_of([&] {
+              rollout.run(held.input(),
+                          [](const MotionFrame<double>&, const Kinematics<double>&) {});
+            }),
+            0);
+}
+
 TEST(Allocations, AGuidedRolloutBeyondReachMakesNone) {
   const BodyModel body = full_body();
   ReachProblem problem = reach_with(body, "right_hand", {-3.0, 4.0, 5.0});

@@ -26,17 +26,19 @@ inline constexpr double kBowSearched = 0.2;
 
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
-// mode that moves one of these; bow and sway. What is fixed is no coordinate, or of the
-// paper's code one that changes nothing.
+// mode that moves one of these; bow and sway. Of two phases it has the weights and modes of the
+// later one too, and the switch. What is fixed is no coordinate, or of the paper's code one that
+// changes nothing.
 class ParameterSpace {
  public:
+  // Two phases have the natural code alone.
   ParameterSpace(const ReachProblem& problem, GeneCode code,
-                 const std::optional<FixedParameters>& fixed = {});
+                 const std::optional<FixedParameters>& fixed = {}, int phases = 1);
 
   [[nodiscard]] int genes() const { return static_cast<int>(genes_.size()); }
-  // What each coordinate is: "right_knee.flexion", "squat", "delay".
+  // What each coordinate is: "right_knee.flexion", "squat", "delay", "later.squat", "switch".
   [[nodiscard]] std::vector<std::string> names() const;
-  // (genes) the plain pseudo-inverse on a straight path.
+  // (genes) the plain pseudo-inverse on a straight path, in both phases.
   [[nodiscard]] std::vector<double> start() const;
   [[nodiscard]] Parameters decode(std::span<const double> point) const;
 
@@ -50,7 +52,7 @@ class ParameterSpace {
   [[nodiscard]] MotionInputs rows(std::span<const double> points);
 
  private:
-  enum class Kind { weight, posture, timing };
+  enum class Kind { weight, posture, timing, switch_at };
   struct Gene {
     Kind kind = Kind::weight;
     std::string name;
@@ -58,6 +60,8 @@ class ParameterSpace {
     std::size_t index = 0;            // of the posture mode, or the timing, whose value it is
     double lower = 0.0;               // of what x = 0 stands for; the logarithm of a weight
     double upper = 1.0;
+    bool later = false;  // of the later phase
+    double start = 0.0;  // what the search starts from
 
     [[nodiscard]] double at(double x) const { return lower + x * (upper - lower); }
     [[nodiscard]] double of(double value) const { return (value - lower) / (upper - lower); }
@@ -65,7 +69,8 @@ class ParameterSpace {
 
   void add_weights(const ReachProblem& problem);
   void add_posture(const ReachProblem& problem);
-  void start_postures(const Parameters& base, std::size_t motions);
+  void add_later();
+  void start_rows(const Parameters& base, std::size_t motions);
   void fill_row(std::size_t row, std::span<const double> point);
 
   void keep_fixed(Parameters& parameters) const;
@@ -80,6 +85,9 @@ class ParameterSpace {
   std::vector<float> weights_;
   std::vector<float> postures_;
   std::vector<float> timing_;
+  std::vector<float> later_weights_;
+  std::vector<float> later_postures_;
+  std::vector<float> switches_;
 };
 
 }  // namespace shigusa

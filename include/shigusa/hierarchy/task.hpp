@@ -52,6 +52,8 @@ inline constexpr double kTaskDurationMax = 60.0;  // s
 // Candidates of the preset flat: what a person can look over.
 inline constexpr int kFlatCandidates = 5;
 
+inline constexpr int kPhasesMax = 2;  // weights and posture change once at most
+
 // What generates a motion from parameters.
 enum class MotionGenerator {
   weighted_ik,  // the weighted pseudo-inverse (WeightedIk)
@@ -78,6 +80,8 @@ struct Task {
   // torque at once, each the best of a search by other weights of the three (see pareto.hpp).
   bool pareto = false;
   MotionGenerator generator = MotionGenerator::weighted_ik;  // not of the preset layers
+  // Of the preset flat: 2 looks for a LaterPhase too, twice as many parameters.
+  int phases = 1;
   // Motions that the search may score, at least a population's. When given, every search uses all
   // of them: it starts again, with other random numbers, until they are used up. When not, the
   // paper's genetic algorithm runs once, and the others score kFlatEvaluations.
@@ -96,7 +100,8 @@ struct Task {
 // The problem that a task poses to the search: paths from the start posture to the goals, and the
 // time for them. Fails with a message that names the goal and what is allowed: unknown effector
 // (with the nearest name), two goals for one effector, coordinates that are not finite or beyond
-// kGoalRange, no goal at all, a duration outside 0.05 to 60 s, criteria weights below 0 or all 0.
+// kGoalRange, no goal at all, a duration outside 0.05 to 60 s, criteria weights below 0 or all 0,
+// phases that the preset does not know or that a fixed parameter is not of.
 // The problem points into the task.
 [[nodiscard]] Result<ReachProblem> make_problem(const Task& task);
 

@@ -80,6 +80,9 @@ class NlpIk : private SmoothFunction {
   // posture be.
   void begin(std::span<const IkTarget<double>> targets, std::span<const double> inverse_weights);
 
+  // Other weights from the next posture on, as begin() takes them; the motion goes on.
+  void weigh(std::span<const IkTarget<double>> targets, std::span<const double> inverse_weights);
+
   // The next posture after `from` (dofs, rad; within the limits), written to `to`. The targets'
   // leads, 0 before a motion's first posture, are the multipliers, which are corrected here.
   // reference: (dofs, rad) or empty. Afterwards kinematics() is the placement in `to`.

@@ -53,6 +53,8 @@ struct StoredResult {
 //   right_knee.flexion.locked=true      lock (or false: free) a freedom or a joint
 //   squat_deg=60, lean_rad=0.5          the value of a posture mode, in degrees or radians
 //   delay=0.1, bow=0.15, skew=0.3, sway=0.1      see PostureParameters
+//   later.right_knee.weight=3, later.squat_deg=30, switch=0.6   the same of the second phase, and
+//                                       when it begins; where there is none, it begins as the first
 // Fails on an unknown name (the nearest is suggested), or a value that is not allowed.
 [[nodiscard]] Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
                                             Parameters& parameters);

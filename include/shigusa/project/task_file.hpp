@@ -29,6 +29,7 @@ struct TaskFile {
   std::vector<std::string> fixed;  // parameters that are not searched, as assignments
   bool pareto = false;             // see Task
   MotionGenerator generator = MotionGenerator::weighted_ik;
+  int phases = 1;  // 1..kPhasesMax
   std::uint64_t seed = 0;
   int candidates = preset_candidates(Preset::flat);  // 1..1000
   std::optional<int> evaluations;  // motions the search may score, 8..1e9; see Task

@@ -7,6 +7,14 @@
 
 namespace shigusa {
 
+// What a motion's weights and posture change into, see PhaseBlend.
+template <class S>
+struct LaterInput {
+  std::span<const S> inverse_weights{};  // (dofs), or empty: the motion has one phase
+  std::span<const S> posture{};          // (dofs, rad), or empty as the first phase's is
+  S switch_at{};                         // share of the duration about which they change
+};
+
 // Parameters of one motion as the kernel computes with them; S is double, or a pack whose lanes are
 // motions of their own.
 template <class S>
@@ -19,6 +27,7 @@ struct MotionInput {
   S bow{};    // of the effectors' paths, see ReachGoal::bow
   S skew{};   // of the bow towards the start (> 0) or the end, see path_bow
   S sway{};   // of the paths sideways, see ReachGoal::sway
+  LaterInput<S> later{};
 
   // weights alone
   MotionInput(std::span<const S> weights) : inverse_weights(weights) {}     // NOLINT
@@ -31,10 +40,19 @@ struct MotionInput {
         bow(path_bow),
         skew(path_skew),
         sway(path_sway) {}
+
+  [[nodiscard]] bool has_later() const { return !later.inverse_weights.empty(); }
 };
 
 inline constexpr double kDelayMax = 0.5;    // share of the duration
 inline constexpr std::size_t kTimings = 4;  // numbers of a motion's timing
+
+// Later phases of many motions: of all, or of none.
+struct LaterInputs {
+  std::span<const float> inverse_weights{};  // (motions × dofs) or empty
+  std::span<const float> posture{};          // (motions × dofs), or empty as the first phases' are
+  std::span<const float> switch_at{};        // (motions)
+};
 
 // The same of many motions, one after the other, in single precision.
 struct MotionInputs {
@@ -42,6 +60,7 @@ struct MotionInputs {
   std::span<const float> posture{};        // (motions × dofs) or empty
   // (motions × kTimings): delay, bow, skew, sway; empty as posture is
   std::span<const float> timing{};
+  LaterInputs later{};
 
   MotionInputs(std::span<const float> weights) : inverse_weights(weights) {}     // NOLINT
   MotionInputs(const std::vector<float>& weights) : inverse_weights(weights) {}  // NOLINT
@@ -54,7 +73,10 @@ struct MotionInputs {
     const auto rows = [&](std::span<const float> all, std::size_t columns) {
       return all.empty() ? all : all.subspan(first * columns, count * columns);
     };
-    return {rows(inverse_weights, dofs), rows(posture, dofs), rows(timing, kTimings)};
+    MotionInputs some{rows(inverse_weights, dofs), rows(posture, dofs), rows(timing, kTimings)};
+    some.later = {rows(later.inverse_weights, dofs), rows(later.posture, dofs),
+                  rows(later.switch_at, 1)};
+    return some;
   }
 };
 

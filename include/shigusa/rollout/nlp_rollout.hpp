@@ -14,6 +14,7 @@ namespace shigusa {
 //
 //   for each frame:
 //     targets := where the paths are then
+//     weights := the phase's, see PhaseBlend
 //     reference := the null space's change of posture in this frame, or its way into the guide
 //     posture := NlpIk's, after the posture of the frame before
 //
@@ -55,6 +56,7 @@ class NlpRollout {
   void advance();
   MotionFrame<double> moving_frame();
   void place_goals(int frame, const MotionInput<double>& input);
+  void change_phase(int frame, const MotionInput<double>& input);
   void draw_null_space(int frame, const MotionInput<double>& input);
   void measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome);
 
@@ -72,6 +74,8 @@ class NlpRollout {
   std::vector<double> torques_;
   bool drawn_ = false;             // the null space is drawn somewhere, by …
   std::vector<double> reference_;  // … (dofs, rad) in this frame
+  PhaseBlend<double> blend_;       // of a motion in two phases …
+  double later_share_ = 0.0;       // … and how much of the later there is in this frame
   int unconverged_ = 0;
   int evaluations_ = 0;
 };

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/rollout/motion_input.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shigusa {
@@ -18,6 +20,9 @@ inline constexpr double kWeightMax = 1e3;
 // by its sway outwards or inwards. People's reaches leave it by a tenth to a fifth.
 inline constexpr double kBowMax = 0.3;
 inline constexpr double kPostureMax = 3.2;  // rad, of a posture mode's value
+// Share of the duration about which a motion's second phase may begin.
+inline constexpr double kSwitchMin = 0.2;
+inline constexpr double kSwitchMax = 0.8;
 
 // How readily one joint freedom moves.
 struct JointWeight {
@@ -38,15 +43,36 @@ struct PostureParameters {
   friend bool operator==(const PostureParameters&, const PostureParameters&) = default;
 };
 
+// Weights and posture of a motion's second phase; all else is as in the first. Each phase draws by
+// its posture for as long as it lasts, so that of both together a part of each is drawn.
+struct LaterPhase {
+  double switch_at = 0.5;           // share of the duration about which they change (PhaseBlend)
+  std::vector<JointWeight> joints;  // (dofs)
+  std::vector<double> modes;        // (posture_modes of the body) rad, as PostureParameters'
+
+  friend bool operator==(const LaterPhase&, const LaterPhase&) = default;
+};
+
 // One number of the posture: its name, where it is, and what is allowed.
 struct PostureMember {
-  std::string name;  // a mode's name, "delay", "bow", "skew", "sway"
+  std::string name;  // a mode's name, "delay", "bow", "skew", "sway", "later.squat", "switch"
   double* value = nullptr;
   double low = 0.0;
   double high = 0.0;
   bool angle = false;  // in radians
 };
 
+// What the names of the later phase begin with: "later.right_knee.flexion", "later.squat".
+inline constexpr std::string_view kLaterPrefix = "later.";
+inline constexpr std::string_view kSwitchName = "switch";
+// "squat" of "later.squat"; a name of the first phase as it is.
+[[nodiscard]] constexpr std::string_view name_within_phase(std::string_view name) {
+  return name.starts_with(kLaterPrefix) ? name.substr(kLaterPrefix.size()) : name;
+}
+
+// The values of a body's posture modes; missing ones are added as 0.
+[[nodiscard]] std::vector<PostureMember> mode_members(const BodyModel& body,
+                                                      std::vector<double>& modes);
 // All numbers of `posture`; where it has no modes, or another count than the body, their missing
 // values are added as 0. What reads, writes or checks them goes by this list.
 [[nodiscard]] std::vector<PostureMember> posture_members(const BodyModel& body,
@@ -56,15 +82,26 @@ struct PostureMember {
 struct Parameters {
   std::vector<JointWeight> joints;  // (dofs) in the body's order
   PostureParameters posture{};      // no modes: weights alone, as in the paper
+  std::optional<LaterPhase> later{};
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
-// Parameters of which a search leaves some as a person has set them.
+// The same of all phases: those of the posture, then of the later phase, if there is one, the modes
+// and the switch.
+[[nodiscard]] std::vector<PostureMember> posture_members(const BodyModel& body,
+                                                         Parameters& parameters);
+
+// Gives a motion of one phase a later one that is like the first.
+void add_later_phase(Parameters& parameters);
+
+// Parameters of which a search leaves some as a person has set them. In a search of two phases what
+// is set of the first holds in both, unless the later phase has it set too.
 struct FixedParameters {
-  Parameters values;          // with posture modes
-  std::vector<bool> joints;   // (dofs) whose weight or lock is set
-  std::vector<bool> posture;  // (posture_members) which numbers are set
+  Parameters values;                 // with posture modes; with a later phase if that is set too
+  std::vector<bool> joints;          // (dofs) whose weight or lock is set
+  std::vector<bool> posture;         // (posture_members of the values) which numbers are set
+  std::vector<bool> later_joints{};  // (dofs) the same of the later phase; empty without one
 };
 
 // None of a body's.
@@ -99,6 +136,9 @@ class HeldInput {
   std::vector<double> weights_;
   std::vector<double> change_;  // empty without modes
   PostureParameters posture_;
+  std::vector<double> later_weights_;  // empty without a later phase …
+  std::vector<double> later_change_;   // … and without modes
+  double switch_at_ = 0.0;
 };
 
 }  // namespace shigusa

@@ -9,6 +9,7 @@
 #include <shigusa/rollout/limit_guard.hpp>
 #include <shigusa/rollout/motion_input.hpp>
 #include <shigusa/rollout/parameters.hpp>
+#include <shigusa/rollout/phase_blend.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <vector>
 
@@ -33,7 +34,8 @@ class Rollout {
         torques_(speeds_),
         step_(speeds_),
         unlocked_(speeds_),
-        reference_(speeds_) {
+        reference_(speeds_),
+        blend_(speeds_.size()) {
     if (problem.hold_limits) limits_.emplace(*problem.body);
     for (const IkTarget<double>& target : ik_targets(problem)) {
       targets_.push_back({.link = target.link,
@@ -63,6 +65,7 @@ class Rollout {
     now_ = 0;
     drawn_ = !problem_->guide.empty() || !input.posture.empty();
     if (limits_) limits_->reset();
+    if (input.has_later()) blend_.begin(input);
     for (std::size_t d = 0; d < speeds_.size(); ++d) {
       angles_[0][d] = angles_[1][d] = S(body.start()[d]);
       unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
@@ -91,7 +94,7 @@ class Rollout {
   // moves the angles of the next frame to where the paths are then
   void follow(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
     const bool last = frame == problem_->steps;
-    const std::span<const S> inverse_weights = input.inverse_weights;
+    const std::span<const S> inverse_weights = change_phase(frame, input);
     place_goals(frame, input);
     const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
     const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
@@ -120,6 +123,16 @@ class Rollout {
     outcome.contact_slide = worse(outcome.contact_slide, missed.contact_slide);
     outcome.contact_tilt = worse(outcome.contact_tilt, missed.contact_tilt);
     if (last) outcome.goal_error = missed.path_error;
+  }
+
+  // the inverse weights of the step to this frame
+  std::span<const S> change_phase(int frame, const MotionInput<S>& input) {
+    if (!input.has_later()) return input.inverse_weights;
+    blend_.step(input, (frame - 0.5) / problem_->steps);
+    for (std::size_t d = 0; d < unlocked_.size(); ++d) {
+      unlocked_[d] = select(blend_.inverse_weights()[d] > S(0), S(1), S(0));
+    }
+    return blend_.inverse_weights();
   }
 
   // one step of IK from this frame to the next
@@ -188,7 +201,8 @@ class Rollout {
       draw_to_guide(frame);
     } else if (drawn_) {
       const S share = posture_share(frame, input) - posture_share(frame - 1, input);
-      for (std::size_t d = 0; d < reference_.size(); ++d) reference_[d] = input.posture[d] * share;
+      const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
+      for (std::size_t d = 0; d < reference_.size(); ++d) reference_[d] = posture[d] * share;
     }
   }
 
@@ -278,9 +292,10 @@ class Rollout {
   std::vector<S> accelerations_;
   std::vector<S> torques_;
   std::vector<S> step_;
-  std::vector<S> unlocked_;   // (dofs) 1, or 0 where locked
+  std::vector<S> unlocked_;   // (dofs) 1, or 0 where locked now
   bool drawn_ = false;        // the null space is drawn somewhere, by …
   std::vector<S> reference_;  // … (dofs, rad) in this frame
+  PhaseBlend<S> blend_;       // of a motion in two phases
   std::optional<LimitGuard<S>> limits_;
 };
 
