@@ -62,14 +62,14 @@ Result<void> mirror(StoredResult& stored) {
 // The candidate's motion anew, from what the assignments make of its parameters.
 Result<Generation> edited(const EditOptions& options, StoredResult& stored, const Task& task) {
   const auto index = static_cast<std::size_t>(options.candidate - 1);
-  if (task.preset != Preset::layers) {
+  if (!preset_layers(task.preset)) {
     Parameters& parameters = stored.candidates[index];
     if (const auto ok = assign_all(options, task.body, parameters); !ok) {
       return tl::unexpected(ok.error());
     }
     return regenerate(task, parameters);
   }
-  const auto layers = layers_to_goals(task.body, task.goals, task.layers);
+  const auto layers = layers_to_goals(task);
   if (!layers) return tl::unexpected(layers.error());
   LayeredParameters& parameters = stored.layered[index];
   if (const auto ok = assign_all(options, *layers, parameters); !ok) {

@@ -35,12 +35,14 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
   c->add_option(
       "--preset", o.preset,
-      "paper, as published; flat: all parameters at once, within joint limits; or layers: "
-      "the paper's hierarchy, first trunk and limb lengths, then arms; with its own criteria "
-      "and number of candidates");
-  c->add_option("--layer-reading", o.layer_reading,
-                "Of the preset layers: shared_contractions (12 weights and 2 contractions) or "
-                "contraction_a_limb (10 and 4)");
+      "paper, as published; flat: all parameters at once, within joint limits; layers: "
+      "the paper's hierarchy, first trunk and limb lengths, then arms; or human: trunk and limb "
+      "lengths, then the elbows' swivel, then free arms; with its own criteria and number of "
+      "candidates");
+  c->add_option(
+      "--layer-reading", o.layer_reading,
+      "Of the presets layers and human: shared_contractions (12 weights and 2 contractions) or "
+      "contraction_a_limb (10 and 4)");
   c->add_option(
       "--criteria", o.criteria,
       "paper, default or pareto: what motions are scored by, whatever the task file says");
@@ -97,7 +99,7 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
        "right_shoulder.flexion; or of the posture squat_deg=NUMBER and so on; later.NAME for "
        "the second phase of a motion, which begins about switch=NUMBER (0.2..0.8); of the preset "
        "layers also legs.contraction=NUMBER (0..15), and right_arm.NAME for the arm's own; "
-       "repeatable")
+       "of human right_arm.swivel_deg=NUMBER and left_elbow.final_deg=NUMBER; repeatable")
       ->allow_extra_args(false);
 }
 

@@ -96,11 +96,11 @@ Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
     file.criteria = preset_criteria(preset);
     if (!options.candidates) file.candidates = preset_candidates(preset);
   }
-  if (options.layer_reading && file.preset != Preset::layers) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("is of the preset layers, and the preset is {}", preset_name(file.preset)),
-        "--layer-reading");
+  if (options.layer_reading && !preset_layers(file.preset)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("is of the presets layers and human, and the preset is {}",
+                            preset_name(file.preset)),
+                "--layer-reading");
   }
   for (const LayerReading reading : layer_readings()) {
     if (options.layer_reading == layer_reading_name(reading)) file.layer_reading = reading;

@@ -35,37 +35,18 @@ class FreeArm {
     const double miss = rollout_.run(feedback_->path, arm_weights(genes), clip.angles);
     const double worst = worst_score(*criteria_) + weight;
     if (!(miss <= kReachTolerance)) return worst;
-    const double depth = deepest(clip);
+    const double depth = depth_along(*feedback_, clip, placed_);
     const Motion motion = dynamics_.completed(std::move(clip));
     return score_motion(*feedback_->arm, motion, *criteria_).total +
            weight * clamp(depth / kCollisionFull, 0.0, 1.0);
   }
 
  private:
-  double deepest(const Clip& clip) {
-    double deepest = 0.0;
-    for (int f = 0; f < clip.frames; ++f) {
-      forward_kinematics<double>(*feedback_->arm, clip.frame(f), placed_);
-      double now = 0.0;
-      for (Capsule part : feedback_->limb) {
-        part.from = placed_.point(kArmDofs - 1, part.from);
-        part.to = placed_.point(kArmDofs - 1, part.to);
-        for (const Capsule& obstacle : feedback_->obstacles[index(f)]) {
-          now = max(now, capsule_depth(part, obstacle));
-        }
-      }
-      if (f == 0) at_start_ = now;
-      deepest = max(deepest, now - at_start_);
-    }
-    return deepest;
-  }
-
   const ArmFeedback* feedback_;
   const CriteriaSettings* criteria_;
   ArmRollout rollout_;
   ClipDynamics dynamics_;
   Kinematics<double> placed_;
-  double at_start_ = 0.0;  // m
 };
 
 }  // namespace
@@ -110,6 +91,26 @@ ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const 
     feedback.obstacles.push_back(std::move(obstacles));
   }
   return feedback;
+}
+
+double depth_along(const ArmFeedback& feedback, const Clip& clip, Kinematics<double>& placed) {
+  if (feedback.obstacles.empty()) return 0.0;
+  double at_start = 0.0;
+  double deepest = 0.0;
+  for (int f = 0; f < clip.frames; ++f) {
+    forward_kinematics<double>(*feedback.arm, clip.frame(f), placed);
+    double now = 0.0;
+    for (Capsule part : feedback.limb) {
+      part.from = placed.point(kArmDofs - 1, part.from);
+      part.to = placed.point(kArmDofs - 1, part.to);
+      for (const Capsule& obstacle : feedback.obstacles[index(f)]) {
+        now = max(now, capsule_depth(part, obstacle));
+      }
+    }
+    if (f == 0) at_start = now;
+    deepest = max(deepest, now - at_start);
+  }
+  return deepest;
 }
 
 double unavoidable_depth(const ArmFeedback& feedback) {

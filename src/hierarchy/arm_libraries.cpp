@@ -7,6 +7,7 @@ ArmLibraries::ArmLibraries(const Task& task, const LayeredProblem& problem)
     : store_(task.layers.store) {
   for (std::size_t g = 0; g < problem.arms.size(); ++g) {
     const Layer& layer = problem.layers[1 + g];
+    if (!searches(layer, LayerGeneKind::weight)) continue;
     libraries_.emplace_back(problem.arm_bodies[g], LimbLibrarySettings{
                                                        .search = task.layers.limb_search,
                                                        .criteria = layer.criteria,
@@ -20,7 +21,7 @@ ArmLibraries::ArmLibraries(const Task& task, const LayeredProblem& problem)
 
 std::vector<ArmWeights> ArmLibraries::choose(std::span<const HandPath> paths) {
   std::vector<ArmWeights> arms;
-  for (std::size_t g = 0; g < paths.size(); ++g) {
+  for (std::size_t g = 0; g < libraries_.size(); ++g) {
     const int cell = libraries_[g].cell_of(paths[g].back());
     arms.push_back(arm_weights(libraries_[g].genes(cell)));
   }

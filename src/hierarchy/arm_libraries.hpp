@@ -10,7 +10,7 @@
 
 namespace shigusa {
 
-// The libraries of the arms that have a goal.
+// The libraries of the arms that have a goal and go by weights.
 class ArmLibraries {
  public:
   ArmLibraries(const Task& task, const LayeredProblem& problem);

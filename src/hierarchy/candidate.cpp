@@ -6,7 +6,6 @@
 #include <utility>
 
 namespace shigusa {
-namespace {
 
 std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
   std::vector<LimitExcess> result;
@@ -25,6 +24,8 @@ std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
                    [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
   return result;
 }
+
+namespace {
 
 PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
                    const Parameters& parameters) {

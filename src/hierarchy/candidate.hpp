@@ -9,6 +9,9 @@ namespace shigusa {
 [[nodiscard]] Candidate make_candidate(const Task& task, const ReachProblem& problem,
                                        const Parameters& parameters, RolledOut rolled);
 
+// The joints that pass their limits by more than anyone sees, the worst first.
+[[nodiscard]] std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip);
+
 // Distance that is left to the goals (m), the root of the summed squares.
 [[nodiscard]] double miss_of(const Candidate& candidate);
 

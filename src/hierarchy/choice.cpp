@@ -44,7 +44,7 @@ Choice distinct_postures(const Archive& archive, int most) {
 
 std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {
   if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
-  const bool by_end = task.preset == Preset::flat;
+  const bool by_end = preset_tells_ends(task.preset);
   std::vector<std::string> reasons;
   const auto add = [&](int count, std::string_view what) {
     if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
@@ -52,6 +52,7 @@ std::string why_fewer(const Task& task, const Generation& generation, const Choi
   add(choice.similar + generation.near_copies,
       by_end ? "end within 10° of a better one" : "move as a better one does");
   add(choice.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
+  add(generation.over_limit, "pass a joint's limit");
   add(generation.missed, "miss the goal, leave the path or move a foot when replayed");
   return fmt::format(
       "{} of {} candidates: of the others that were kept, {}", generation.candidates.size(),

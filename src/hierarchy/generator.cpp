@@ -168,7 +168,7 @@ Result<void> check_choices(const Task& task) {
                 fmt::format("the preset {} {}", preset_name(task.preset), what));
   };
   if (task.pareto && task.preset != Preset::flat) return wrong("knows no Pareto front; flat does");
-  if (task.preset != Preset::layers) return {};
+  if (!preset_layers(task.preset)) return {};
   if (task.generator != MotionGenerator::weighted_ik) return wrong("knows weighted IK only");
   if (task.own_search) return wrong("takes no search of one's own");
   return {};
@@ -194,7 +194,7 @@ Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
 
 Result<Generation> generate(const Task& task, const Progress& progress) {
   if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
-  if (task.preset == Preset::layers) return generate_layered(task, progress);
+  if (preset_layers(task.preset)) return generate_layered(task, progress);
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
   if (const auto checked = check_fixed(task, *problem); !checked) {
@@ -218,9 +218,11 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
 }
 
 Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
-  if (task.preset == Preset::layers) {
+  if (preset_layers(task.preset)) {
     return fail(ErrorCode::invalid_argument,
-                "the preset layers goes by layered parameters, not by weights of the whole body");
+                fmt::format("the preset {} goes by layered parameters, not by weights of the whole "
+                            "body",
+                            preset_name(task.preset)));
   }
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());

@@ -18,7 +18,7 @@ namespace {
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 SearchMethod search_of(const Task& task) {
-  return task.search.value_or(preset_search(Preset::layers));
+  return task.search.value_or(preset_search(task.preset));
 }
 
 bool searches_paper_code(const Task& task) {
@@ -29,7 +29,7 @@ bool searches_paper_code(const Task& task) {
 
 SearchResult run_search(const Task& task, const SearchProblem& problem, const Progress& progress) {
   const SearchMethod method = search_of(task);
-  const int evaluations = task.evaluations.value_or(kFlatEvaluations);
+  const int evaluations = task.evaluations.value_or(preset_evaluations(task.preset));
   if (method == SearchMethod::paper_ga || method == SearchMethod::log_ga) {
     if (!task.evaluations) return genetic_search(problem, task.genetic, progress);
     return restarted_genetic_search(problem, task.genetic, evaluations, progress);
@@ -61,6 +61,7 @@ class UpperSearch {
         problem_(problem),
         lengths_(lengths),
         genes_(searched_genes(problem)),
+        archive_(task.body),
         scorer_(problem, problem.layers[0].criteria, task.batch.threads,
                 [&libraries](std::span<const HandPath> paths) { return libraries.choose(paths); }) {
     if (lengths == nullptr) return;
@@ -77,24 +78,34 @@ class UpperSearch {
       for (std::size_t i = 0; i < scores.size(); ++i) {
         parameters.push_back(decoded(points.subspan(i * genes_.size(), genes_.size())));
       }
-      scorer_.score(parameters, scores);
+      const std::size_t dofs = keeps_ends() ? task_.body.dofs().size() : 0;
+      postures_.resize(scores.size() * dofs);
+      scorer_.score(parameters, scores, postures_);
+      if (!keeps_ends()) return;
+      archive_.add(points, scores, postures_, worst_score(problem_.layers[0].criteria));
     };
     return run_search(task_, searched, progress);
   }
 
-  // What a point's motion is generated from, its arms as their libraries have them or as the
-  // feedback changed them.
-  struct Found {
-    LayeredParameters parameters;
-    int feedback_rounds = 0;
-  };
-  Found found(std::span<const double> point, int feedback_rounds) {
-    LayerParameters upper = decoded(point);
-    LayeredScorer::Played played = scorer_.play(upper, {feedback_rounds, task_.layers.limb_search});
-    return {{std::move(upper), std::move(played.arms)}, played.feedback_rounds};
+  // What is worth expanding of all that was found, best first.
+  [[nodiscard]] Choice choice(const SearchResult& found) const {
+    return keeps_ends() ? distinct_postures(archive_, 2 * task_.candidates)
+                        : Choice{.picked = ranked_population(found)};
+  }
+
+  // What a point's motion is generated from, with all that the layers below find for it; or as the
+  // search had it.
+  LayeredScorer::Played expanded(std::span<const double> point) {
+    return scorer_.play(decoded(point), {.rounds = task_.layers.feedback_rounds,
+                                         .search = task_.layers.limb_search,
+                                         .seed = task_.genetic.seed});
+  }
+  LayeredParameters as_searched(std::span<const double> point) {
+    return scorer_.play(decoded(point), {.rounds = 0, .glance = true}).parameters;
   }
 
  private:
+  [[nodiscard]] bool keeps_ends() const { return preset_tells_ends(task_.preset); }
   [[nodiscard]] LayerParameters decoded(std::span<const double> point) const {
     LayerParameters parameters =
         decode_searched(problem_, genes_, point, searches_paper_code(task_));
@@ -106,23 +117,27 @@ class UpperSearch {
   const LayeredProblem& problem_;
   const LayerParameters* lengths_;
   std::vector<std::size_t> genes_;
+  Archive archive_;
+  std::vector<float> postures_;
   LayeredScorer scorer_;
 };
 
 // Keeps what arrives on the way that was searched, or before, and differs; lowest score first.
 void collect(const Task& task, LayeredWays& ways, LayeredWay searched, UpperSearch& search,
-             const SearchResult& found, Generation& generation) {
-  for (const Individual& individual : ranked_population(found)) {
+             const Choice& choice, Generation& generation) {
+  for (const Individual& individual : choice.picked) {
     if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
-    const UpperSearch::Found picked = search.found(individual.point, task.layers.feedback_rounds);
+    const LayeredScorer::Played picked = search.expanded(individual.point);
     std::optional<LayeredArrival> arrival = ways.arrival(picked.parameters, searched);
     if (!arrival) {
       ++generation.missed;
       continue;
     }
     const Clip& clip = arrival->rolled.motion.clip;
-    const auto is_copy = [&clip](const Candidate& better) {
-      return largest_distance(better.motion.clip, clip) < kDistinctPosture;
+    const auto is_copy = [&](const Candidate& better) {
+      return preset_tells_ends(task.preset)
+                 ? final_distance(better.motion.clip, clip) < kDistinctEnd
+                 : largest_distance(better.motion.clip, clip) < kDistinctPosture;
     };
     if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
       ++generation.near_copies;
@@ -131,6 +146,14 @@ void collect(const Task& task, LayeredWays& ways, LayeredWay searched, UpperSear
     generation.candidates.push_back(make_layered(task, picked.parameters, std::move(*arrival)));
     generation.candidates.back().feedback_rounds = picked.feedback_rounds;
   }
+}
+
+// Where some candidate keeps to its joints' limits, those that do not are not delivered.
+void keep_within_limits(Generation& generation) {
+  const auto passes = [](const Candidate& candidate) { return !candidate.over_limit.empty(); };
+  std::vector<Candidate>& all = generation.candidates;
+  if (std::all_of(all.begin(), all.end(), passes)) return;
+  generation.over_limit += static_cast<int>(std::erase_if(all, passes));
 }
 
 // Searches one way, and keeps what it comes to.
@@ -145,11 +168,13 @@ void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& wa
   generation.generations = found.generations;
   generation.rejected_nan += found.rejected_nan;
   generation.end = found.end;
-  generation.best_seen_layered = search.found(found.best_seen.point, 0).parameters;
+  generation.best_seen_layered = search.as_searched(found.best_seen.point);
   generation.best_seen_score = found.best_seen.score;
-  generation.missed = 0;
-  collect(task, ways, way, search, found, generation);
-  generation.fewer = why_fewer(task, generation, {});
+  generation.missed = generation.over_limit = 0;
+  const Choice choice = search.choice(found);
+  collect(task, ways, way, search, choice, generation);
+  if (problem.reach.hold_limits) keep_within_limits(generation);
+  generation.fewer = why_fewer(task, generation, choice);
 }
 
 void finish(const LayeredProblem& problem, Generation& generation) {

@@ -31,8 +31,24 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
       placed_(*body_),
       whole_(*body_) {
   forward_kinematics<double>(*body_, body_->start(), start_);
-  for (const BodyModel& arm : problem.arm_bodies)
-    arms_.push_back(std::make_unique<ArmRollout>(arm));
+  std::size_t by_weights = 0;
+  std::size_t by_swivel = 0;
+  for (std::size_t g = 0; g < problem.arms.size(); ++g) {
+    const BodyModel& arm = problem.arm_bodies[g];
+    if (searches(problem.layers[1 + g], LayerGeneKind::swivel)) {
+      const BodyLimb& limb = problem.limbs.arms[index(problem.arms[g])];
+      arms_.push_back({.by_swivel = std::make_unique<SwivelArm>(arm, limb), .slot = by_swivel++});
+    } else {
+      arms_.push_back({.by_weights = std::make_unique<ArmRollout>(arm), .slot = by_weights++});
+    }
+  }
+  for (const Layer& layer : problem.layers) {
+    for (const LayerGene& gene : layer.genes) {
+      if (gene.kind != LayerGeneKind::final_angle) continue;
+      const ReducedDof& dof = layer.body.dofs[index(gene.applies_to[0])];
+      finals_.push_back({index(body_->find_dof(dof.name).value()), dof.start});
+    }
+  }
   for (const BodyLimb& leg : problem.limbs.legs) {
     const Dof& ankle = body_->dof(leg.ankle);
     const Dof& knee = body_->dof(leg.hinge);
@@ -94,7 +110,8 @@ void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line, const Mat
   leg.put_turns(*body_, ball_turns(transpose(trunk) * thigh, before), angles);
 }
 
-Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles) const {
+Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles,
+                                  std::span<const double> finals) const {
   const ReachProblem& reach = problem_->reach;
   Clip whole{.dofs = body_->dof_count(),
              .frames = reach.steps + 1,
@@ -112,6 +129,10 @@ Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, const ArmAngles& arm_
       for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
         angles[index(dof)] = *at++;
       }
+    }
+    const double schedule = minimum_jerk(static_cast<double>(f) / reach.steps);
+    for (std::size_t k = 0; k < finals_.size(); ++k) {
+      angles[finals_[k].dof] = finals_[k].start + (finals[k] - finals_[k].start) * schedule;
     }
     whole.angles.insert(whole.angles.end(), angles.begin(), angles.end());
   }
@@ -146,32 +167,46 @@ ReachOutcome LayeredPlayer::measured(Motion& motion) {
   return outcome;
 }
 
-RolledOut LayeredPlayer::expanded(const ReducedClip& clip, const ArmAngles& arm_angles) {
+RolledOut LayeredPlayer::expanded(const ReducedClip& clip, const ArmAngles& arm_angles,
+                                  std::span<const double> finals) {
   RolledOut played;
-  played.motion = whole_.completed(expanded_clip(clip, arm_angles));
+  played.motion = whole_.completed(expanded_clip(clip, arm_angles, finals));
   played.outcome = measured(played.motion);
   return played;
 }
 
-RolledOut LayeredPlayer::expand(const ReducedClip& clip, std::span<const ArmWeights> arms) {
-  SHG_CHECK(arms.size() == problem_->arms.size(), "arm weights for each goal");
-  const std::vector<HandPath> paths = hand_paths(clip);
-  ArmAngles angles(arms.size());
-  for (std::size_t g = 0; g < arms.size(); ++g) arms_[g]->run(paths[g], arms[g], angles[g]);
-  return expanded(clip, angles);
+void LayeredPlayer::check_counts(const LayeredParameters& parameters) const {
+  SHG_CHECK(parameters.arms.size() + parameters.swivels.size() == arms_.size() &&
+                parameters.finals.size() == finals_.size(),
+            "parameters of the layers that are played");
 }
 
-RolledOut LayeredPlayer::expand_freeing(const ReducedClip& clip, std::span<ArmWeights> arms) {
-  SHG_CHECK(arms.size() == problem_->arms.size(), "arm weights for each goal");
+double LayeredPlayer::move_arm(std::size_t goal, const HandPath& path,
+                               const LayeredParameters& parameters, std::vector<double>& angles) {
+  const GoalArm& arm = arms_[goal];
+  if (arm.by_swivel) return arm.by_swivel->run(path, parameters.swivels[arm.slot], angles);
+  return arm.by_weights->run(path, parameters.arms[arm.slot], angles);
+}
+
+RolledOut LayeredPlayer::expand(const ReducedClip& clip, const LayeredParameters& parameters) {
   const std::vector<HandPath> paths = hand_paths(clip);
-  ArmAngles angles(arms.size());
-  for (std::size_t g = 0; g < arms.size(); ++g) {
-    const double miss = arms_[g]->run(paths[g], arms[g], angles[g]);
-    if (miss <= problem_->reach.tolerance.path) continue;
-    arms[g] = {};
-    arms_[g]->run(paths[g], arms[g], angles[g]);
+  check_counts(parameters);
+  ArmAngles angles(paths.size());
+  for (std::size_t g = 0; g < paths.size(); ++g) move_arm(g, paths[g], parameters, angles[g]);
+  return expanded(clip, angles, parameters.finals);
+}
+
+RolledOut LayeredPlayer::expand_freeing(const ReducedClip& clip, LayeredParameters& parameters) {
+  const std::vector<HandPath> paths = hand_paths(clip);
+  check_counts(parameters);
+  ArmAngles angles(paths.size());
+  for (std::size_t g = 0; g < paths.size(); ++g) {
+    const double miss = move_arm(g, paths[g], parameters, angles[g]);
+    if (miss <= problem_->reach.tolerance.path || !arms_[g].by_weights) continue;
+    parameters.arms[arms_[g].slot] = {};
+    move_arm(g, paths[g], parameters, angles[g]);
   }
-  return expanded(clip, angles);
+  return expanded(clip, angles, parameters.finals);
 }
 
 }  // namespace shigusa

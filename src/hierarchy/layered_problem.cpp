@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <shigusa/hierarchy/layered_parameters.hpp>
 #include <shigusa/hierarchy/layered_problem.hpp>
 #include <shigusa/rollout/reachability.hpp>
@@ -12,12 +14,13 @@ Result<LayeredProblem> make_layered_problem(const Task& task) {
   if (task.fixed) {
     return fail(
         ErrorCode::invalid_argument,
-        "parameters can be fixed with the other presets; edit a result of the preset layers");
+        fmt::format(
+            "parameters can be fixed with the other presets; edit a result of the preset {}",
+            preset_name(task.preset)));
   }
   Result<ReachProblem> reach = make_problem(task);
   if (!reach) return tl::unexpected(reach.error());
-  Result<std::vector<Layer>> layers =
-      layers_to_goals(task.body, task.goals, task.layers, task_criteria(task));
+  Result<std::vector<Layer>> layers = layers_to_goals(task);
   if (!layers) return tl::unexpected(layers.error());
   LayeredProblem problem{.reach = std::move(*reach),
                          .in_reach = true,

@@ -7,6 +7,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "candidate.hpp"
+#include "rest_search.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -26,6 +29,31 @@ bool has_use(const LayeredProblem& problem, int dof) {
     if (name == flexion.name || name == abduction.name) return has_goal(problem, arm);
   }
   return true;
+}
+
+// What the freedoms that have a final angle cost by the torque that they take, by their layers'
+// criteria: as Torque, of them alone.
+double own_torque(const LayeredProblem& problem, const Motion& motion) {
+  const BodyModel& body = *problem.reach.body;
+  double cost = 0.0;
+  for (const Layer& layer : problem.layers) {
+    double squares = 0.0;
+    int count = 0;
+    for (const LayerGene& gene : layer.genes) {
+      if (gene.kind != LayerGeneKind::final_angle) continue;
+      const int dof = body.find_dof(gene.name).value();
+      for (int f = 0; f < motion.clip.frames; ++f, ++count) {
+        const double tau = motion.torques[index(f * motion.clip.dofs + dof)];
+        const Dof& joint = body.dof(dof);
+        const double load = tau / (tau > 0.0 ? joint.torque_positive : joint.torque_negative);
+        squares += load * load;
+      }
+    }
+    const CriteriaSettings& criteria = layer.criteria;
+    if (count == 0) continue;
+    cost += criteria.torque_weight * min(1.0, sqrt(squares / count) / criteria.torque.share);
+  }
+  return cost;
 }
 
 }  // namespace
@@ -75,74 +103,163 @@ LayeredScorer::LayeredScorer(const LayeredProblem& problem, const CriteriaSettin
       criteria_(&criteria),
       threads_(threads),
       choose_(std::move(choose)),
-      players_(index(thread_count(threads))) {}
+      workers_(index(thread_count(threads))) {
+  (void)layered_members(problem.layers, start_);
+}
 
-void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span<double> scores) {
+LayeredScorer::Worker& LayeredScorer::worker(int at) {
+  std::unique_ptr<Worker>& own = workers_[index(at)];
+  if (own) return *own;
+  own = std::make_unique<Worker>(Worker{.player = LayeredPlayer(*problem_), .swivels = {}});
+  for (std::size_t g = 0; g < swivel_goals(); ++g) {
+    own->swivels.emplace_back(problem_->arm_bodies[g],
+                              problem_->limbs.arms[index(problem_->arms[g])],
+                              problem_->layers[1 + g]);
+  }
+  return *own;
+}
+
+ArmFeedback LayeredScorer::bare(std::size_t goal, HandPath path) const {
+  return {.arm = &problem_->arm_bodies[goal],
+          .path = std::move(path),
+          .duration = problem_->reach.duration,
+          .obstacles = {},
+          .limb = {}};
+}
+
+double LayeredScorer::judged(const RolledOut& played) const {
+  const double worst = worst_score(*criteria_);
+  if (!played.outcome.met(problem_->reach.tolerance)) {
+    return worst + min(played.outcome.path_error, 1.0);
+  }
+  const BodyModel& body = *problem_->reach.body;
+  const double score = score_motion(body, played.motion, *criteria_).total;
+  if (!problem_->reach.hold_limits) return score;
+  double excess = 0.0;
+  for (const LimitExcess& over : limit_excess(body, played.motion.clip)) excess += over.excess;
+  return score + min(kOverLimitCost * excess, kOverLimitMost);
+}
+
+void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span<double> scores,
+                          std::span<float> postures) {
   const int count = static_cast<int>(scores.size());
-  const auto player = [this](int worker) -> LayeredPlayer& {
-    std::unique_ptr<LayeredPlayer>& own = players_[index(worker)];
-    if (!own) own = std::make_unique<LayeredPlayer>(*problem_);
-    return *own;
-  };
   // first where the layers' trunk goes …
   std::vector<ReducedClip> clips(scores.size());
   std::vector<std::vector<HandPath>> paths(scores.size());
   const double worst = worst_score(*criteria_);
   const ReachTolerance& tolerance = problem_->reach.tolerance;
-  parallel_for(count, threads_, [&](int i, int worker) {
+  parallel_for(count, threads_, [&](int i, int thread) {
     const auto k = index(i);
-    player(worker).run_upper(parameters[k], clips[k]);
+    LayeredPlayer& player = worker(thread).player;
+    player.run_upper(parameters[k], clips[k]);
     const bool kept =
         clips[k].path_error <= tolerance.path && clips[k].foot_error <= kReachTolerance;
-    const bool leads = kept && player(worker).check_pelvis(clips[k]).in_reach;
+    const bool leads = kept && player.check_pelvis(clips[k]).in_reach;
     scores[k] = worst + min(clips[k].path_error + clips[k].foot_error, 1.0);
-    if (leads) paths[k] = player(worker).hand_paths(clips[k]);
+    if (leads) paths[k] = player.hand_paths(clips[k]);
   });
   // … then what arms it needs, one after the other as a library may have to be built …
-  std::vector<std::vector<ArmWeights>> arms(scores.size());
+  std::vector<LayeredParameters> below(scores.size(), start_);
   for (std::size_t k = 0; k < scores.size(); ++k) {
-    if (!paths[k].empty()) arms[k] = choose_(paths[k]);
+    if (!paths[k].empty() && choose_) below[k].arms = choose_(paths[k]);
   }
   // … then the whole body; a user's criteria are called by one thread
   const int threads = criteria_->user.empty() ? threads_ : 1;
-  parallel_for(count, threads, [&](int i, int worker) {
+  parallel_for(count, threads, [&](int i, int thread) {
     const auto k = index(i);
     if (paths[k].empty()) return;
-    const RolledOut played = player(worker).expand_freeing(clips[k], arms[k]);
-    scores[k] = played.outcome.met(tolerance)
-                    ? score_motion(*problem_->reach.body, played.motion, *criteria_).total
-                    : worst + min(played.outcome.path_error, 1.0);
+    Worker& own = worker(thread);
+    for (std::size_t g = 0; g < swivel_goals(); ++g) {
+      below[k].swivels[g] = own.swivels[g].glance(bare(g, std::move(paths[k][g])));
+    }
+    const RolledOut played = own.player.expand_freeing(clips[k], below[k]);
+    scores[k] = judged(played);
+    if (postures.empty()) return;
+    const Clip& clip = played.motion.clip;
+    const std::span<const double> last = clip.frame(clip.frames - 1);
+    std::transform(last.begin(), last.end(),
+                   postures.begin() + static_cast<std::ptrdiff_t>(k * last.size()),
+                   [](double angle) { return static_cast<float>(angle); });
   });
 }
 
-LayeredScorer::Played LayeredScorer::play(const LayerParameters& parameters,
-                                          const Feedback& feedback) {
-  if (!players_[0]) players_[0] = std::make_unique<LayeredPlayer>(*problem_);
-  LayeredPlayer& player = *players_[0];
+LayeredScorer::Played LayeredScorer::play(const LayerParameters& upper, const Feedback& feedback) {
+  LayeredPlayer& player = worker(0).player;
   ReducedClip clip;
-  player.run_upper(parameters, clip);
+  player.run_upper(upper, clip);
   const std::vector<HandPath> paths = player.hand_paths(clip);
-  Played played{.motion = {}, .arms = choose_(paths)};
-  played.motion = player.expand_freeing(clip, played.arms);
-  if (!played.motion.outcome.met(problem_->reach.tolerance)) return played;
+  Played played{.parameters = start_};
+  played.parameters.upper = upper;
+  if (choose_) played.parameters.arms = choose_(paths);
+  for (std::size_t g = 0; g < swivel_goals(); ++g) {
+    played.parameters.swivels[g] = worker(0).swivels[g].glance(bare(g, paths[g]));
+  }
+  if (!player.expand_freeing(clip, played.parameters).outcome.met(problem_->reach.tolerance)) {
+    return played;
+  }
+  retake_weights(clip, feedback, played);
+  if (feedback.glance) return played;
+  refine_swivels(clip, played.parameters);
+  settle_rest(clip, feedback, played.parameters);
+  return played;
+}
+
+void LayeredScorer::retake_weights(const ReducedClip& clip, const Feedback& feedback,
+                                   Played& played) {
+  LayeredPlayer& player = worker(0).player;
+  const std::vector<HandPath> paths = player.hand_paths(clip);
   const BodyModel& body = *problem_->reach.body;
-  for (std::size_t g = 0; g < paths.size(); ++g) {
+  RolledOut motion = player.expand(clip, played.parameters);
+  for (std::size_t g = 0; g < played.parameters.arms.size(); ++g) {
     const Effector& hand = body.effectors()[index(problem_->reach.goals[g].effector)];
     double weight = kCollisionWeight;
     for (int round = 0; round < feedback.rounds; ++round) {
-      if (collision_depth(body, played.motion.motion.clip, hand) <= kCollisionDepth) break;
-      const ArmFeedback report = arm_feedback(*problem_, g, paths[g], played.motion.motion.clip);
+      if (collision_depth(body, motion.motion.clip, hand) <= kCollisionDepth) break;
+      const ArmFeedback report = arm_feedback(*problem_, g, paths[g], motion.motion.clip);
       if (unavoidable_depth(report) > kCollisionDepth) break;
       ++played.feedback_rounds;
       const std::optional<FoundArm> found = search_free_arm(
           report, problem_->layers[1 + g].criteria, weight, feedback.search, threads_);
       if (!found) break;
-      played.arms[g] = arm_weights(found->genes);
-      played.motion = player.expand_freeing(clip, played.arms);
+      played.parameters.arms[g] = arm_weights(found->genes);
+      motion = player.expand_freeing(clip, played.parameters);
       weight *= kCollisionGrowth;
     }
   }
-  return played;
+}
+
+void LayeredScorer::refine_swivels(const ReducedClip& clip, LayeredParameters& parameters) {
+  Worker& own = worker(0);
+  const std::vector<HandPath> paths = own.player.hand_paths(clip);
+  for (std::size_t g = 0; g < swivel_goals(); ++g) {
+    const RolledOut played = own.player.expand(clip, parameters);
+    parameters.swivels[g] =
+        own.swivels[g].find(arm_feedback(*problem_, g, paths[g], played.motion.clip));
+  }
+}
+
+void LayeredScorer::settle_rest(const ReducedClip& clip, const Feedback& feedback,
+                                LayeredParameters& parameters) {
+  const std::size_t angles = parameters.finals.size();
+  const BodyModel& body = *problem_->reach.body;
+  const int threads = criteria_->user.empty() ? threads_ : 1;
+  const RestEvaluation score = [&](std::span<const double> finals, std::span<double> scores) {
+    parallel_for(static_cast<int>(scores.size()), threads, [&](int i, int thread) {
+      LayeredParameters tried = parameters;
+      const auto first = finals.subspan(index(i) * angles, angles);
+      tried.finals.assign(first.begin(), first.end());
+      const RolledOut played = worker(thread).player.expand(clip, tried);
+      double depth = 0.0;
+      for (const BodyLimb& arm : problem_->limbs.arms) {
+        if (has_goal(*problem_, arm)) continue;
+        const Effector& hand = body.effectors()[index(arm.effector)];
+        depth = max(depth, collision_depth(body, played.motion.clip, hand));
+      }
+      scores[index(i)] = judged(played) + own_torque(*problem_, played.motion) +
+                         kSwivelCollisionWeight * clamp(depth / kCollisionFull, 0.0, 1.0);
+    });
+  };
+  search_finals(problem_->layers, feedback.seed, score, parameters.finals);
 }
 
 }  // namespace shigusa

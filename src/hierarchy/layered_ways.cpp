@@ -49,7 +49,7 @@ RolledOut play(const LayeredProblem& problem, const LayeredParameters& parameter
   LayeredPlayer player(problem);
   ReducedClip clip;
   player.run_upper(parameters.upper, clip);
-  return player.expand(clip, parameters.arms);
+  return player.expand(clip, parameters);
 }
 
 bool arrives_smoothly(const LayeredProblem& problem, const RolledOut& rolled) {
@@ -71,7 +71,7 @@ class PartPlayer {
     // what the trunk misses no limb makes up for
     const bool missed = clip_.path_error > 2.0 * part_.reach.tolerance.path;
     if (missed || !player_.check_pelvis(clip_).in_reach) return false;
-    return arrives_smoothly(part_, player_.expand(clip_, parameters.arms));
+    return arrives_smoothly(part_, player_.expand(clip_, parameters));
   }
 
   // The share of the way that the parameters lead along; nothing where that is not above `least`.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <shigusa/core/check.hpp>
-#include <shigusa/hierarchy/parameter_space.hpp>
 #include <shigusa/hierarchy/reduced_motion.hpp>
 #include <shigusa/math/ldlt.hpp>
 
@@ -19,26 +18,6 @@ std::vector<int> chain_to(const ReducedBody& body, int link) {
   for (int d = link; d >= 0; d = body.dofs[index(d)].parent) chain.push_back(d);
   std::reverse(chain.begin(), chain.end());
   return chain;
-}
-
-// `value`(gene, kind): a contraction, or a weight, which is 0 for locked.
-template <class Value>
-LayerParameters decode(const Layer& layer, Value&& value) {
-  LayerParameters parameters;
-  parameters.joints.assign(layer.body.dofs.size(), {.weight = 1.0, .locked = true});
-  parameters.contractions.assign(layer.body.limbs.size(), 0.0);
-  for (std::size_t g = 0; g < layer.genes.size(); ++g) {
-    const LayerGene& gene = layer.genes[g];
-    const double decoded = value(g, gene.kind);
-    for (const int to : gene.applies_to) {
-      if (gene.kind == LayerGeneKind::contraction) {
-        parameters.contractions[index(to)] = decoded;
-      } else if (decoded > 0.0) {
-        parameters.joints[index(to)] = {decoded, false};
-      }
-    }
-  }
-  return parameters;
 }
 
 }  // namespace
@@ -60,20 +39,6 @@ void place_reduced(const ReducedBody& body, std::span<const double> q, ReducedPl
       placed.rotation[d] = rotated(carrier, dof.axis, sin_cos(dof.sign * q[d]));
     }
   }
-}
-
-LayerParameters decode_layer_genes(const Layer& layer, std::span<const std::uint16_t> genes) {
-  SHG_CHECK(genes.size() == layer.genes.size(), "one number per gene of layer " + layer.name);
-  return decode(layer,
-                [&](std::size_t gene, LayerGeneKind) { return static_cast<double>(genes[gene]); });
-}
-
-LayerParameters decode_layer_point(const Layer& layer, std::span<const double> point) {
-  SHG_CHECK(point.size() == layer.genes.size(), "one number per gene of layer " + layer.name);
-  return decode(layer, [&](std::size_t gene, LayerGeneKind kind) {
-    if (kind == LayerGeneKind::contraction) return kLayerGeneMax * point[gene];
-    return exponential(kLogWeightRange * (2.0 * point[gene] - 1.0));
-  });
 }
 
 ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& problem)
@@ -115,6 +80,7 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
   final_lengths_.resize(q_.size());
   stretched_.resize(q_.size());
   given_.resize(q_.size());
+  shorter_.resize(q_.size());
   change_.resize(q_.size());
   jacobian_.resize(rows_ * q_.size());
   residual_.resize(rows_);
@@ -140,6 +106,39 @@ void ReducedRollout::set_up(const LayerParameters& parameters) {
   }
   for (Target& target : targets_) target.lag = 0.0;
   place_reduced(*body_, q_, placed_);
+  set_up_ways();
+}
+
+void ReducedRollout::set_up_ways() {
+  for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
+    const auto slide = index(targets_[g].link);
+    const ReducedLimb& limb =
+        *std::find_if(body_->limbs.begin(), body_->limbs.end(),
+                      [&](const ReducedLimb& l) { return l.slide == targets_[g].link; });
+    if (limb.law != LengthLaw::way) continue;
+    const EffectorPath& path = problem_->goals[g].path;
+    const Vec3d& shoulder = placed_.origin[index(body_->dofs[slide].parent)];
+    const auto distance = [&](double tau) { return norm(path.at(tau) - shoulder); };
+    const double first = distance(0.0);
+    const double last = distance(1.0);
+    std::vector<double>& shorter = shorter_[slide];
+    shorter.clear();
+    // a shoulder that must be brought nearer does not stay
+    if (last > limb.longest) continue;
+    const double least = min(limb.shortest, q_[slide]);
+    shorter.assign(1, 0.0);
+    double share = 1.0;
+    for (int frame = 1; frame <= problem_->steps; ++frame) {
+      const double tau = static_cast<double>(frame) / problem_->steps;
+      const double schedule = minimum_jerk(tau);
+      const double less = first + (last - first) * schedule - distance(tau);
+      const double length = q_[slide] + (final_lengths_[slide] - q_[slide]) * schedule;
+      const double room = less > 0.0 ? length - least : stretched_[slide] - length;
+      if (abs(less) > room) share = min(share, max(room, 0.0) / abs(less));
+      shorter.push_back(less);
+    }
+    for (double& less : shorter) less *= share;
+  }
 }
 
 void ReducedRollout::run(const LayerParameters& parameters, ReducedClip& clip) {
@@ -155,13 +154,12 @@ void ReducedRollout::run(const LayerParameters& parameters, ReducedClip& clip) {
     for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
       targets_[g].position = problem_->goals[g].path.at(tau);
     }
-    const double schedule = minimum_jerk(tau);
-    step(schedule, true);
-    step(schedule, false);
+    step(frame, true);
+    step(frame, false);
     if (frame == problem_->steps) {
       ReducedClip last;
       for (int k = 0; k < kLastSteps && measure(last) > kLastTolerance; ++k) {
-        step(schedule, false);
+        step(frame, false);
         last = {};
       }
     }
@@ -200,11 +198,13 @@ double ReducedRollout::measure(ReducedClip& clip) {
   return worst;
 }
 
-void ReducedRollout::step(double schedule, bool first) {
+void ReducedRollout::step(int frame, bool first) {
+  const double schedule = minimum_jerk(static_cast<double>(frame) / problem_->steps);
   for (std::size_t d = 0; d < q_.size(); ++d) {
     const ReducedDof& dof = body_->dofs[d];
     if (dof.kind != ReducedDof::Kind::slide) continue;
-    const double length = dof.start + (final_lengths_[d] - dof.start) * schedule;
+    double length = dof.start + (final_lengths_[d] - dof.start) * schedule;
+    if (!shorter_[d].empty()) length -= shorter_[d][index(frame)];
     if (first) inverse_[d] = given_[d] ? 0.0 : 1.0 / kLegStiffness;
     // a leg that gave way in the first step is left there by the second, but stretched out it
     // cannot give way: then the other one must

@@ -127,25 +127,39 @@ std::string_view preset_name(Preset preset) {
       return "flat";
     case Preset::layers:
       return "layers";
+    case Preset::human:
+      return "human";
   }
   return "";
 }
 
 std::span<const Preset> presets() {
-  static constexpr std::array kPresets{Preset::paper, Preset::flat, Preset::layers};
+  static constexpr std::array kPresets{Preset::paper, Preset::flat, Preset::layers, Preset::human};
   return kPresets;
 }
 
 SearchMethod preset_search(Preset preset) {
-  return preset == Preset::flat ? SearchMethod::cma_es : SearchMethod::paper_ga;
+  return preset_tells_ends(preset) ? SearchMethod::cma_es : SearchMethod::paper_ga;
 }
 
 CriteriaSettings preset_criteria(Preset preset) {
-  return preset == Preset::flat ? default_criteria() : paper_criteria();
+  return preset_tells_ends(preset) ? default_criteria() : paper_criteria();
 }
 
 int preset_candidates(Preset preset) {
-  return preset == Preset::flat ? kFlatCandidates : kPaperPopulation;
+  return preset_tells_ends(preset) ? kFlatCandidates : kPaperPopulation;
+}
+
+std::optional<LayerStack> preset_layers(Preset preset) {
+  if (preset == Preset::layers) return LayerStack::paper;
+  if (preset == Preset::human) return LayerStack::human;
+  return std::nullopt;
+}
+
+bool preset_tells_ends(Preset preset) { return preset == Preset::flat || preset == Preset::human; }
+
+int preset_evaluations(Preset preset) {
+  return preset == Preset::human ? kHumanEvaluations : kFlatEvaluations;
 }
 
 std::string_view generator_name(MotionGenerator generator) {
@@ -201,8 +215,8 @@ Result<ReachProblem> make_problem(const Task& task) {
         max(problem.duration, reach_duration(norm(goal.position - from), beyond_arm));
   }
   if (task.duration) problem.duration = *task.duration;
+  problem.hold_limits = preset_tells_ends(task.preset);
   if (task.preset == Preset::flat) {
-    problem.hold_limits = true;
     problem.corrections = kLimitCorrections;
     problem.path_slack = kPathSlack;
   }

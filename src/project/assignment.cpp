@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <limits>
 #include <shigusa/core/names.hpp>
@@ -138,6 +139,57 @@ Result<void> assign_contraction(const Assignment& assignment, const LayeredMembe
   return {};
 }
 
+Result<void> assign_angle(const Assignment& assignment, const LayeredMember& member) {
+  const double unit = assignment.member.ends_with("_deg") ? radians(1.0) : 1.0;
+  const double value = number_in(assignment.value) * unit;
+  if (!(value >= member.low && value <= member.high)) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("{} is '{}'; allowed are numbers from {:.4g} to {:.4g}", assignment.member,
+                    assignment.value, member.low / unit, member.high / unit));
+  }
+  *member.angle = value;
+  return {};
+}
+
+// What an assignment may be to: "weight" of "right_hip.weight=3", with what has such members.
+struct LayeredKind {
+  std::string_view member;
+  LayerGeneKind kind;
+  const char* of;
+};
+constexpr std::array<LayeredKind, 7> kLayeredKinds{{
+    {"weight", LayerGeneKind::weight, "joint"},
+    {"locked", LayerGeneKind::weight, "joint"},
+    {"contraction", LayerGeneKind::contraction, "limb"},
+    {"swivel_deg", LayerGeneKind::swivel, "arm"},
+    {"swivel_rad", LayerGeneKind::swivel, "arm"},
+    {"final_deg", LayerGeneKind::final_angle, "joint"},
+    {"final_rad", LayerGeneKind::final_angle, "joint"},
+}};
+
+// The names that a member may be called by: its own and, of a freedom, its joint's.
+std::vector<std::string> names_of(const LayeredMember& member) {
+  switch (member.kind) {
+    case LayerGeneKind::contraction:
+      return {member.name};
+    case LayerGeneKind::swivel:
+      return {member.layer};
+    case LayerGeneKind::final_angle:
+      return {member.name, member.name.substr(0, member.name.rfind('.'))};
+    case LayerGeneKind::weight:
+      break;
+  }
+  const std::string whole = member.layer.empty() ? member.name : member.layer + "." + member.name;
+  return {whole, whole.substr(0, whole.rfind('.'))};
+}
+
+Result<void> assign_member(const Assignment& assignment, const LayeredMember& member) {
+  if (member.joint != nullptr) return assign_joint(assignment, *member.joint);
+  if (member.angle != nullptr) return assign_angle(assignment, member);
+  return assign_contraction(assignment, member);
+}
+
 }  // namespace
 
 Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
@@ -174,39 +226,45 @@ Result<void> assign_parameter(std::span<const Layer> layers, std::string_view as
                               LayeredParameters& parameters) {
   const std::size_t equals = assignment.find('=');
   const std::size_t dot = assignment.substr(0, equals).rfind('.');
+  LayeredParameters changed = parameters;
+  const std::vector<LayeredMember> all = layered_members(layers, changed);
+  const auto there = [&all](const LayeredKind& known) {
+    return std::any_of(all.begin(), all.end(),
+                       [&known](const LayeredMember& member) { return member.kind == known.kind; });
+  };
   if (equals == assignment.npos || dot == assignment.npos) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("'{}' is not NAME.weight=NUMBER, NAME.locked=true|false or "
-                            "NAME.contraction=NUMBER",
-                            assignment.substr(0, 80)));
+                            "NAME.contraction=NUMBER{}",
+                            assignment.substr(0, 80),
+                            there(kLayeredKinds[3]) ? ", NAME.swivel_deg or NAME.final_deg" : ""));
   }
   const Assignment asked{assignment.substr(0, dot), assignment.substr(dot + 1, equals - dot - 1),
                          assignment.substr(equals + 1)};
-  const std::vector<std::string> kinds{"weight", "locked", "contraction"};
-  if (std::find(kinds.begin(), kinds.end(), asked.member) == kinds.end()) {
-    return fail(ErrorCode::invalid_argument, unknown_name("parameter", asked.member, kinds));
+  const LayeredKind* kind = nullptr;
+  std::vector<std::string> members;
+  for (const LayeredKind& known : kLayeredKinds) {
+    if (!there(known)) continue;
+    members.emplace_back(known.member);
+    if (known.member == asked.member) kind = &known;
   }
-  const bool contracts = asked.member == "contraction";
+  if (kind == nullptr) {
+    return fail(ErrorCode::invalid_argument, unknown_name("parameter", asked.member, members));
+  }
   std::vector<std::string> names;
   bool found = false;
-  LayeredParameters changed = parameters;
-  for (const LayeredMember& member : layered_members(layers, changed)) {
-    if (contracts != (member.joint == nullptr)) continue;
-    const std::string whole = member.layer.empty() ? member.name : member.layer + "." + member.name;
-    const std::string joint = whole.substr(0, contracts ? whole.npos : whole.rfind('.'));
-    for (const std::string& name : {whole, joint}) {
+  for (const LayeredMember& member : all) {
+    if (member.kind != kind->kind) continue;
+    bool meant = false;
+    for (const std::string& name : names_of(member)) {
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      meant = meant || asked.name == name;
     }
-    if (asked.name != whole && asked.name != joint) continue;
+    if (!meant) continue;
     found = true;
-    const Result<void> ok =
-        contracts ? assign_contraction(asked, member) : assign_joint(asked, *member.joint);
-    if (!ok) return ok;
+    if (const Result<void> ok = assign_member(asked, member); !ok) return ok;
   }
-  if (!found) {
-    return fail(ErrorCode::not_found,
-                unknown_name(contracts ? "limb" : "joint", asked.name, names));
-  }
+  if (!found) return fail(ErrorCode::not_found, unknown_name(kind->of, asked.name, names));
   parameters = std::move(changed);
   return {};
 }

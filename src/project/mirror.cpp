@@ -98,10 +98,10 @@ Parameters mirrored(const BodyModel& body, const Parameters& parameters) {
 }
 
 Result<LayeredParameters> mirrored(const Task& task, const LayeredParameters& parameters) {
-  std::vector<Goal> goals = task.goals;
-  for (Goal& goal : goals) goal.effector = mirrored_name(goal.effector);
-  const auto before = layers_to_goals(task.body, goals, task.layers);
-  const auto after = layers_to_goals(task.body, task.goals, task.layers);
+  Task source = task;
+  for (Goal& goal : source.goals) goal.effector = mirrored_name(goal.effector);
+  const auto before = layers_to_goals(source);
+  const auto after = layers_to_goals(task);
   if (!before) return tl::unexpected(before.error());
   if (!after) return tl::unexpected(after.error());
   LayeredParameters from = parameters;
@@ -112,6 +112,8 @@ Result<LayeredParameters> mirrored(const Task& task, const LayeredParameters& pa
       if (other.layer != mirrored_name(member.layer)) continue;
       if (other.name != mirrored_name(member.name)) continue;
       if (member.joint != nullptr && other.joint != nullptr) *other.joint = *member.joint;
+      // outwards and to the front is the same on both sides
+      if (member.angle != nullptr && other.angle != nullptr) *other.angle = *member.angle;
       for (std::size_t k = 0; k < std::min(member.contraction.size(), other.contraction.size());
            ++k) {
         *other.contraction[k] = *member.contraction[k];

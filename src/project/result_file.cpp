@@ -58,7 +58,7 @@ Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
 Json any_parameters_to_json(const Task& task, const Parameters& parameters,
                             const std::optional<LayeredParameters>& layered) {
   if (!layered) return parameters_to_json(task.body, parameters);
-  return layered_to_json(layers_to_goals(task.body, task.goals, task.layers).value(), *layered);
+  return layered_to_json(layers_to_goals(task).value(), *layered);
 }
 
 const char* path_name(PathKind path) {
@@ -248,7 +248,8 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   json["seed"] = file.seed;
   json["evaluations"] = generation.evaluations;
   json["elapsed_ms"] = info.elapsed_ms;
-  if (task.preset == Preset::layers) json["cells_searched"] = generation.cells_searched;
+  if (preset_layers(task.preset) == LayerStack::paper)
+    json["cells_searched"] = generation.cells_searched;
   json["threads"] = info.threads;
   json["simd"] = info.simd;
   json["character"] = file.character.source;
@@ -292,11 +293,10 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   if (!body) return tl::unexpected(body.error());
   const Json& candidates = (*json)["candidates"];
   if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
-  LayeredSettings settings;
-  settings.reading = result.task.layer_reading;
   std::vector<Layer> layers;
-  if (result.task.preset == Preset::layers) {
-    Result<std::vector<Layer>> known = layers_to_goals(*body, result.task.goals, settings);
+  if (const std::optional<LayerStack> stack = preset_layers(result.task.preset)) {
+    Result<std::vector<Layer>> known =
+        layers_to_goals(*body, result.task.goals, {*stack, result.task.layer_reading});
     if (!known) return fail(ErrorCode::parse, known.error().to_string(), place + ": task");
     layers = std::move(*known);
   }

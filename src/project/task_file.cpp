@@ -196,7 +196,7 @@ Json task_to_json(const TaskFile& task) {
   }
   if (task.duration) json["duration_s"] = *task.duration;
   json["preset"] = preset_name(task.preset);
-  if (task.preset == Preset::layers || task.layer_reading != LayerReading{}) {
+  if (preset_layers(task.preset) || task.layer_reading != LayerReading{}) {
     json["layer_reading"] = layer_reading_name(task.layer_reading);
   }
   if (task.search) json["search"] = search_name(*task.search);

@@ -266,7 +266,7 @@ TEST_F(Layers, WrongValuesAreRefusedInWords) {
       {{"reach", "--goal", kGoal, "--preset", "layers", "--layer-reading", "shared_contraction"},
        {"'shared_contraction'", "did you mean 'shared_contractions'?"}},
       {{"reach", "--goal", kGoal, "--preset", "flat", "--layer-reading", "contraction_a_limb"},
-       {"--layer-reading", "of the preset layers", "the preset is flat"}},
+       {"--layer-reading", "of the presets layers and human", "the preset is flat"}},
       {{"reach", "--preset", "layers", "--character", "half_body", "--goal", "left_hand=0,1,0.3"},
        {"'left_hand'", "Known: right_hand"}},
       {{"reach", "--preset", "layers", "--goal", kGoal, "--fix", "right_hip.weight=3"},

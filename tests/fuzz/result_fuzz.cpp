@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!assign_parameter(task->body, "later.right_elbow.weight=2", parameters)) std::abort();
   }
   if (result->layered.empty()) return 0;
-  const auto layers = layers_to_goals(task->body, task->goals, task->layers);
+  const auto layers = layers_to_goals(*task);
   if (!layers) std::abort();
   for (LayeredParameters& parameters : result->layered) {
     if (!check_layered(*layers, parameters)) std::abort();

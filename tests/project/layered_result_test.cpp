@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results of the preset layers in files, and assignments to their parameters.
+// Results of layered presets in files, and assignments to their parameters.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -108,6 +108,49 @@ TEST(LayeredResult, WrongParametersAreNamedByTheirPlace) {
   EXPECT_THAT(with(Json::json_pointer("/task/layer_reading"), "none"), HasSubstr("'none'"));
 }
 
+TaskFile human_task() {
+  TaskFile file = layers_task();
+  file.preset = Preset::human;
+  file.criteria = preset_criteria(file.preset);
+  file.goals = {{"right_hand", {-0.05, 0.1, 0.3}}};
+  return file;
+}
+
+TEST(HumanResult, IsReadBackBitForBitAndPlayedTheSame) {
+  for (const char* body : {"full_body", "half_body"}) {
+    TaskFile file = human_task();
+    file.character.source = body;
+    const Sample made(file);
+    EXPECT_EQ(SchemaCheck::in_docs("result.schema.json").judge(nlohmann::json::parse(made.text())),
+              "");
+    StoredResult stored = parse_result(made.text(), "summary.json").value();
+    ASSERT_EQ(stored.layered.size(), made.generation.candidates.size());
+    const Task task = make_task(stored.task, {}).value();
+    for (std::size_t i = 0; i < stored.layered.size(); ++i) {
+      EXPECT_EQ(stored.layered[i], made.generation.candidates[i].layered);
+      EXPECT_EQ(regenerate(task, stored.layered[i]).value().candidates[0].motion.clip.angles,
+                made.generation.candidates[i].motion.clip.angles);
+    }
+  }
+}
+
+TEST(HumanResult, WrongParametersAreNamedByTheirPlace) {
+  const Json good = Json::parse(Sample(human_task()).text());
+  ASSERT_EQ(message(good), "");
+  const auto with = [&good](const char* place, const Json& value) {
+    Json json = good;
+    json[Json::json_pointer(std::string("/candidates/0/parameters") + place)] = value;
+    return message(json);
+  };
+  EXPECT_THAT(with("/arms/right_arm/swivel_rad", 2), HasSubstr("swivel_rad: is 2; allowed are"));
+  EXPECT_THAT(with("/arms/right_arm", Json::object()), HasSubstr("swivel_rad: is missing"));
+  EXPECT_THAT(with("/arms/right_arm/weights", Json::object()), HasSubstr("'weights'"));
+  EXPECT_THAT(with("/rest", Json::object()), HasSubstr("left_shoulder.flexion_rad: is missing"));
+  EXPECT_THAT(with("/rest/left_elbow.flexion_rad", 9), HasSubstr("is 9; allowed are"));
+  EXPECT_THAT(with("/rest/right_elbow.flexion_rad", 0), HasSubstr("'right_elbow.flexion_rad'"));
+  EXPECT_THAT(with("/rest", 1), HasSubstr("parameters.rest"));
+}
+
 TEST(LayeredResult, OtherPresetsHaveNoArms) {
   Json json = Json::parse(sample().text());
   json["task"]["preset"] = "paper";
@@ -175,6 +218,43 @@ TEST_F(AssignLayered, WrongOnesChangeNothing) {
        {"", "=", "legs=8", "legs.contraction", "legs.contraction=15.1", "legs.contraction=1e999",
         "right_hip.weight=0", "right_knee.weight=2", "right_elbow.weight=2",
         "right_arm.right_hip.weight=2", "right_hip.locked=1", "right_leg.contraction=3"}) {
+    EXPECT_FALSE(assign_parameter(layers_, wrong, after_)) << wrong;
+    EXPECT_EQ(after_, before_) << wrong;
+  }
+}
+
+class AssignHuman : public testing::Test {
+ protected:
+  BodyModel body_ = full_body();
+  std::vector<Goal> goals_{{"right_hand", {}}};
+  std::vector<Layer> layers_ = layers_to_goals(body_, goals_, {LayerStack::human}).value();
+  LayeredParameters before_ = [this] {
+    LayeredParameters parameters;
+    (void)layered_members(layers_, parameters);
+    return parameters;
+  }();
+  LayeredParameters after_ = before_;
+  LayeredParameters expected_ = before_;
+};
+
+TEST_F(AssignHuman, SwivelAndFinalAnglesInDegreesOrRadians) {
+  ASSERT_TRUE(assign_parameter(layers_, "right_arm.swivel_deg=20", after_));
+  ASSERT_TRUE(assign_parameter(layers_, "left_elbow.final_deg=40", after_));
+  ASSERT_TRUE(assign_parameter(layers_, "left_shoulder.abduction.final_rad=0.5", after_));
+  expected_.swivels[0] = 20.0 * radians(1.0);
+  expected_.finals[1] = 0.5;
+  expected_.finals[2] = 40.0 * radians(1.0);
+  EXPECT_EQ(after_, expected_);
+  ASSERT_TRUE(assign_parameter(layers_, "arms.contraction=2", after_));
+  ASSERT_TRUE(assign_parameter(layers_, "right_hip.flexion.weight=2", after_));
+}
+
+TEST_F(AssignHuman, WrongOnesChangeNothing) {
+  for (const char* wrong :
+       {"right_arm.swivel_deg=91", "right_arm.swivel_deg=", "right_arm.swivel_deg=nan",
+        "left_arm.swivel_deg=3", "right_arm.swivel=3", "right_elbow.final_deg=40",
+        "left_elbow.final_deg=200", "left_elbow.final=40", "left_shoulder.rotation.final_deg=1",
+        "right_arm.right_elbow.flexion.weight=2"}) {
     EXPECT_FALSE(assign_parameter(layers_, wrong, after_)) << wrong;
     EXPECT_EQ(after_, before_) << wrong;
   }

@@ -61,7 +61,7 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion,
-                         testing::Values(Preset::paper, Preset::flat, Preset::layers),
+                         testing::ValuesIn(presets().begin(), presets().end()),
                          [](const auto& of) { return std::string(preset_name(of.param)); });
 
 TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {

@@ -35,6 +35,11 @@ struct ArmFeedback {
 [[nodiscard]] ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal,
                                        const HandPath& path, const Clip& clip);
 
+// How deep the arm's last link gets (m, at least 0, less what it is at the start) in what is told
+// of in a motion of the arm alone; 0 where nothing is. `placed` is scratch memory.
+[[nodiscard]] double depth_along(const ArmFeedback& feedback, const Clip& clip,
+                                 Kinematics<double>& placed);
+
 // How deep (m, as collision_depth) the hand is in the body on its path whatever the arm does: with
 // more than kCollisionDepth no search of the arm helps.
 [[nodiscard]] double unavoidable_depth(const ArmFeedback& feedback);

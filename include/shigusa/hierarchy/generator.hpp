@@ -59,7 +59,7 @@ struct Candidate {
   std::vector<ContactResult> contacts;
   std::vector<LimitExcess> over_limit;  // the worst first
   FinalPosture final_posture;
-  // Of the preset layers, what the motion is generated from; `parameters` are empty then.
+  // Of layered presets, what the motion is generated from; `parameters` are empty then.
   std::optional<LayeredParameters> layered{};
   double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
   int feedback_rounds = 0;      // searches that its arms took in all
@@ -78,10 +78,11 @@ struct Generation {
   int rejected_nan = 0;    // motions that a criterion scored NaN
   int near_copies = 0;     // distinct genomes whose motions were all but a better one's
   int missed = 0;          // final genomes that missed a goal, left the path or moved a foot
+  int over_limit = 0;      // of layers that hold limits: left out as others are within them
   int replay_differs = 0;  // candidates whose score in the search was off by over kReplayTolerance
   double replay_difference = 0.0;  // the most that a candidate's score in the search was off by
   std::optional<Parameters> best_seen;  // the best of all genomes evaluated, kept or not
-  std::optional<LayeredParameters> best_seen_layered;  // the same of the preset layers
+  std::optional<LayeredParameters> best_seen_layered;  // the same of layered presets
   double best_seen_score = 0.0;
   int cells_searched = 0;  // of the arms' libraries, which were in no store
   SearchEnd end = SearchEnd::converged;
@@ -113,15 +114,17 @@ inline constexpr double kEdgeTolerance = 5e-3;
 // The preset layers searches as the paper's section 3.4 has it: the genes of the upper layer alone,
 // in the paper's code (paper_ga, annealing, random) or in decode_layer_point's, while arms come
 // from their libraries. Motions are those of the whole body and scored by the task's criteria.
+// The preset human does so with the best of a few swivels for each upper motion; the upper motions
+// that are kept are given the best swivel of all, then the best final angles of free arms.
 [[nodiscard]] Result<Generation> generate(const Task& task, const Progress& progress = {});
 
 // Generates one motion from given parameters, without a search: the parameter editor (paper,
 // section 4.2). The hand still meets its goal, or comes as near as the given locks allow; the
 // status tells. Fails on a task or parameters that are wrong (count of joints, weights not in
-// 1e-3..1e3), and on a task of the preset layers.
+// 1e-3..1e3), and on a task of a layered preset.
 [[nodiscard]] Result<Generation> regenerate(const Task& task, const Parameters& parameters);
 
-// The same of the preset layers (figure 7). Fails where check_layered does.
+// The same of layered presets (figure 7). Fails where check_layered does.
 [[nodiscard]] Result<Generation> regenerate(const Task& task, const LayeredParameters& parameters);
 
 }  // namespace shigusa

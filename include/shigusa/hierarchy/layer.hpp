@@ -23,12 +23,20 @@ struct ReducedDof {
   double start = 0.0;   // rad or m
 };
 
+// How the length of a limb goes from the start to the final one.
+enum class LengthLaw {
+  schedule,  // with minimum jerk (rule R3)
+  way,  // where the shoulder can stay, less by what the hand on its path is nearer to it: an arm
+        // that goes up in front bends on the way
+};
+
 // A limb of a reduced body: one rigid rod of variable length.
 struct ReducedLimb {
   BodyLimb joints;        // what it stands for
   int slide = 0;          // dof that is its length
   double longest = 0.0;   // m, hand to shoulder or ankle to hip in the leg's plane: contraction 0
   double shortest = 0.0;  // m: contraction 1
+  LengthLaw law = LengthLaw::schedule;  // of an arm that has a goal
 };
 
 // A body with fewer freedoms, on which a layer moves.
@@ -43,6 +51,8 @@ struct ReducedBody {
 enum class LayerGeneKind {
   weight,       // of one freedom in weighted IK: 1..15, and 0 locks it
   contraction,  // how much shorter limbs end: 0..15 of 15 parts of their range
+  swivel,       // rad, how far the elbow ends from where the arm's way alone takes it, outwards
+  final_angle,  // rad, that one freedom ends at
 };
 
 inline constexpr int kLayerGeneMax = 15;
@@ -51,19 +61,25 @@ inline constexpr int kLayerGeneMax = 15;
 struct LayerGene {
   std::string name;  // "right_hip.flexion", "legs.contraction"
   LayerGeneKind kind = LayerGeneKind::weight;
-  std::vector<int> applies_to;  // of the layer's body: the dof with that weight; limbs by number
+  // of the layer's body: the dof with that weight or angle, dofs that turn the elbow; limbs by
+  // number
+  std::vector<int> applies_to;
+  double low = 0.0;  // rad, of angles
+  double high = 0.0;
 };
 
 // How what a layer decides about a limb becomes the limb's joints below.
 enum class Handover {
   closed_form,   // they follow from the ends of the limb
-  limb_library,  // another layer moves the limb along the same path
+  limb_library,  // another layer moves the limb along the same path by weights
+  swivel,        // they follow from the ends and from the swivel that another layer chooses
 };
 
 struct HandedLimb {
   int limb = 0;  // of the layer's body
   Handover by = Handover::closed_form;
-  std::string layer;  // name of the layer that it is handed to, of limb_library
+  std::string layer;   // name of the layer that it is handed to; none of closed_form
+  std::string idle{};  // the layer that has it where no goal moves it; none: it stays as it is
 };
 
 // One layer of a hierarchy (paper, section 3.4), as data: a body with fewer freedoms than the one
@@ -93,6 +109,31 @@ enum class LayerReading {
 [[nodiscard]] Result<std::vector<Layer>> paper_layers(
     const BodyModel& body, const CriteriaSettings& criteria = {},
     LayerReading reading = LayerReading::shared_contractions);
+
+// How far an elbow may be swivelled from where the arm's way alone takes it (rad, outwards).
+inline constexpr double kSwivelMin = radians(-60.0);
+inline constexpr double kSwivelMax = radians(90.0);
+
+// Three layers: the paper's upper one; then for each arm the swivel of its elbow, all that a hand's
+// way leaves open of an arm of four freedoms; then "rest", the final angles of what no goal moves,
+// scored by `criteria` on the whole body, so that a free arm balances what the others do, and by
+// the torque that it takes itself, so that it hangs where it need not. Fails as paper_layers does.
+[[nodiscard]] Result<std::vector<Layer>> human_layers(
+    const BodyModel& body, const CriteriaSettings& criteria = {},
+    LayerReading reading = LayerReading::shared_contractions);
+
+// Which layers a body gets, and the reading of the first.
+enum class LayerStack { paper, human };
+struct LayerChoice {
+  LayerStack stack = LayerStack::paper;
+  LayerReading reading = LayerReading::shared_contractions;
+};
+[[nodiscard]] Result<std::vector<Layer>> make_layers(const BodyModel& body,
+                                                     const LayerChoice& choice,
+                                                     const CriteriaSettings& criteria = {});
+
+// Whether a layer searches numbers of that kind.
+[[nodiscard]] bool searches(const Layer& layer, LayerGeneKind kind);
 
 // A straight limb cannot be made longer by any joint speed, so the longest that a layer asks for is
 // bent by this (rule R3).

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <shigusa/hierarchy/arm_motion.hpp>
+#include <shigusa/hierarchy/arm_swivel.hpp>
 #include <shigusa/hierarchy/clip_dynamics.hpp>
-#include <shigusa/hierarchy/reduced_motion.hpp>
+#include <shigusa/hierarchy/layered_parameters.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace shigusa {
 struct LayeredProblem {
   ReachProblem reach;         // points to the whole body
   bool in_reach = true;       // of the whole body; if not, paths end at the closest point
-  std::vector<Layer> layers;  // (1 + goals) trunk and limb lengths, then each goal's arm
+  std::vector<Layer> layers;  // those to the goals (layers_to_goals)
   BodyLimbs limbs;
   std::vector<int> arms;              // (goals) index in limbs.arms
   std::vector<BodyModel> arm_bodies;  // (goals)
@@ -25,7 +25,8 @@ using HandPath = std::vector<Vec3d>;  // (frames) m, in the trunk's frame
 
 // Plays a hierarchy from the top: the reduced body moves, then its rods become limbs again. Legs
 // follow in closed form from where the pelvis is (paper, section 3.4; rule R3), their feet where
-// they stand; arms that have a goal move along the path that the rod's end took; the others hang.
+// they stand; arms that have a goal move along the path that the rod's end took, by weights or by
+// their swivel; what has a final angle goes to it with minimum jerk; the rest stays as it is.
 // Holds its scratch memory: make one per thread. The problem outlives it.
 class LayeredPlayer {
  public:
@@ -44,11 +45,12 @@ class LayeredPlayer {
     bool in_reach = true;
   };
   [[nodiscard]] PelvisCheck check_pelvis(const ReducedClip& clip) const;
-  // The whole body's motion for an upper motion and each goal's arm weights. A hand whose arm
-  // cannot follow its path with them (locked, mostly) leaves it.
-  [[nodiscard]] RolledOut expand(const ReducedClip& clip, std::span<const ArmWeights> arms);
+  // The whole body's motion for an upper motion and the parameters of the layers below; those of
+  // the upper layer are the clip's. A hand whose arm cannot follow its path with its weights
+  // (locked, mostly) leaves it.
+  [[nodiscard]] RolledOut expand(const ReducedClip& clip, const LayeredParameters& parameters);
   // The same; such an arm is given the weights of all freedoms alike.
-  [[nodiscard]] RolledOut expand_freeing(const ReducedClip& clip, std::span<ArmWeights> arms);
+  [[nodiscard]] RolledOut expand_freeing(const ReducedClip& clip, LayeredParameters& parameters);
 
  private:
   using ArmAngles = std::vector<std::vector<double>>;  // [goal] (frames × kArmDofs) rad
@@ -56,12 +58,27 @@ class LayeredPlayer {
     double lean = 0.0;    // rad
     double length = 0.0;  // m
   };
+  // What moves a goal's arm: one of the two, with its place among the parameters.
+  struct GoalArm {
+    std::unique_ptr<ArmRollout> by_weights{};
+    std::unique_ptr<SwivelArm> by_swivel{};
+    std::size_t slot = 0;
+  };
+  struct Final {
+    std::size_t dof = 0;
+    double start = 0.0;  // rad
+  };
 
   [[nodiscard]] LegLine leg_line(const BodyLimb& leg, const ReducedClip& clip, int frame) const;
   void bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
                 std::span<double> angles) const;
-  [[nodiscard]] RolledOut expanded(const ReducedClip& clip, const ArmAngles& arm_angles);
-  [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles) const;
+  void check_counts(const LayeredParameters& parameters) const;
+  double move_arm(std::size_t goal, const HandPath& path, const LayeredParameters& parameters,
+                  std::vector<double>& angles);
+  [[nodiscard]] RolledOut expanded(const ReducedClip& clip, const ArmAngles& arm_angles,
+                                   std::span<const double> finals);
+  [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles,
+                                   std::span<const double> finals) const;
   [[nodiscard]] ReachOutcome measured(Motion& motion);
 
   const LayeredProblem* problem_;
@@ -70,8 +87,9 @@ class LayeredPlayer {
   Kinematics<double> start_;
   Kinematics<double> placed_;
   ClipDynamics whole_;
-  std::vector<std::unique_ptr<ArmRollout>> arms_;  // (goals)
-  std::vector<PelvisRange> ranges_;                // (legs)
+  std::vector<GoalArm> arms_;        // (goals)
+  std::vector<Final> finals_;        // in the layers' order
+  std::vector<PelvisRange> ranges_;  // (legs)
 };
 
 }  // namespace shigusa

@@ -10,7 +10,7 @@ namespace shigusa {
 // the collision is left.
 inline constexpr int kCollisionRounds = 3;
 
-// What the preset layers is asked beside what every task says.
+// What layered presets are asked beside what every task says.
 struct LayeredSettings {
   LayerReading reading = LayerReading::shared_contractions;
   // How the arms' layers are searched; threads and SIMD set are the task's.

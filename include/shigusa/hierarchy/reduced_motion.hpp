@@ -55,12 +55,16 @@ struct ReducedClip {
 //   L(t) = L_0 + (L_f - L_0) s(t),  L_f = longest - (longest - shortest) · contraction / 15,
 //   min Σ w_i Δq_i²   s.t.   J Δq = e - J_L ΔL,
 //
-// with s(t) the minimum jerk of the motion. The lengths of the arms that have a goal, and of a leg
-// that stands alone, are exactly L(t). Two legs that both stand are a closed chain, in which both
-// lengths at once can be given for a pelvis that keeps level only: there L(t) is what lengths are
-// drawn to, a metre of difference counting as kLegStiffness rad², and neither leg gets longer than
-// `longest`. Each frame takes two steps, the
-// second for what joints on arcs leave the first short by.
+// with s(t) the minimum jerk of the motion. By LengthLaw::way, where the goal is no farther than
+// `longest` from where the shoulder starts, L(t) is less by a share k ≤ 1 of
+//   d_0 + (d_f - d_0) s(t) - d(t),
+// d(t) being the distance of the hand's path from where the shoulder starts and k the most that
+// keeps the limb between `shortest` and `longest`. The lengths of the arms that have a goal, and of
+// a leg that stands alone, are exactly L(t). Two legs that both stand are a closed chain, in which
+// both lengths at once can be given for a pelvis that keeps level only: there L(t) is what lengths
+// are drawn to, a metre of difference counting as kLegStiffness rad², and neither leg gets longer
+// than `longest`. Each frame takes two steps, the second for what joints on arcs leave the first
+// short by.
 //
 // Holds its scratch memory: make one per thread. Layer and problem outlive it.
 class ReducedRollout {
@@ -80,7 +84,8 @@ class ReducedRollout {
   };
 
   void set_up(const LayerParameters& parameters);
-  void step(double schedule, bool first);
+  void set_up_ways();
+  void step(int frame, bool first);
   void keep_frame(ReducedClip& clip) const;
   void fill_rows();
   void take_off_reference();
@@ -97,12 +102,14 @@ class ReducedRollout {
   std::vector<double> q_;
   std::vector<double> final_lengths_;  // (dofs) m, of slides
   std::vector<double> stretched_;      // (dofs) m, of slides: what they never exceed if drawn
-  std::vector<bool> given_;            // (dofs) of slides: exactly their length, not drawn to it
-  std::vector<double> inverse_;        // (dofs)
-  std::vector<double> reference_;      // (dofs) what slides are to change by
-  std::vector<double> jacobian_;       // (rows × dofs)
-  std::vector<double> residual_;       // (rows)
-  std::vector<double> change_;         // (dofs)
+  // (dofs) of slides by LengthLaw::way, (frames) m: what they are shorter by; else empty
+  std::vector<std::vector<double>> shorter_;
+  std::vector<bool> given_;        // (dofs) of slides: exactly their length, not drawn to it
+  std::vector<double> inverse_;    // (dofs)
+  std::vector<double> reference_;  // (dofs) what slides are to change by
+  std::vector<double> jacobian_;   // (rows × dofs)
+  std::vector<double> residual_;   // (rows)
+  std::vector<double> change_;     // (dofs)
 };
 
 // rad²/m²: what being off its length by a metre costs a leg of two, beside a freedom of weight 1.

@@ -20,9 +20,10 @@ enum class Preset {
   paper,   // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
   flat,    // all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
   layers,  // the paper's hierarchy: first trunk and limb lengths, then arms from a limb library
+  human,   // three layers: trunk and limb lengths, the swivel of arms, then what no goal moves
 };
 
-// "paper", "flat", "layers".
+// "paper", "flat", "layers", "human".
 [[nodiscard]] std::string_view preset_name(Preset preset);
 [[nodiscard]] std::span<const Preset> presets();
 
@@ -30,12 +31,26 @@ enum class Preset {
 [[nodiscard]] SearchMethod preset_search(Preset preset);
 [[nodiscard]] CriteriaSettings preset_criteria(Preset preset);
 
+// The layers that a preset goes by; nothing where it has none.
+[[nodiscard]] std::optional<LayerStack> preset_layers(Preset preset);
+
+// Whether a preset tells candidates apart by how they end, as people do, and not by the whole
+// motion, as the paper does.
+[[nodiscard]] bool preset_tells_ends(Preset preset);
+
+// Motions that a preset scores where a task says nothing else, but for the paper's search.
+[[nodiscard]] int preset_evaluations(Preset preset);
+
 // How many candidates a preset delivers at most.
 [[nodiscard]] int preset_candidates(Preset preset);
 
 // Motions that the preset flat scores where a task says nothing else.
 inline constexpr int kFlatEvaluations = 3000;
-// The same by NLP-IK, which takes some ten times as long for one and knows no lanes.
+// The same of the preset human, whose upper motions are played in double one by one, each with a
+// few swivels of its arms.
+inline constexpr int kHumanEvaluations = 600;
+// The same of the preset flat by NLP-IK, which takes some ten times as long for one and knows no
+// lanes.
 inline constexpr int kNlpEvaluations = 300;
 
 // The final state of one effector.
@@ -79,14 +94,14 @@ struct Task {
   // Of the preset flat: candidates are those of which none is better by joint range, balance and
   // torque at once, each the best of a search by other weights of the three (see pareto.hpp).
   bool pareto = false;
-  MotionGenerator generator = MotionGenerator::weighted_ik;  // not of the preset layers
+  MotionGenerator generator = MotionGenerator::weighted_ik;  // not of layered presets
   // Of the preset flat: 2 looks for a LaterPhase too, twice as many parameters.
   int phases = 1;
   // Motions that the search may score, at least a population's. When given, every search uses all
   // of them: it starts again, with other random numbers, until they are used up. When not, the
-  // paper's genetic algorithm runs once, and the others score kFlatEvaluations.
+  // paper's genetic algorithm runs once, and the others score preset_evaluations.
   std::optional<int> evaluations{};
-  LayeredSettings layers{};  // of the preset layers
+  LayeredSettings layers{};  // of layered presets
   BatchSettings batch{};     // SIMD set and threads; change no result
 };
 

@@ -16,7 +16,7 @@ namespace shigusa {
 
 // Parameters of a motion for those of its mirror image: weights change sides, and turns their sign.
 [[nodiscard]] Parameters mirrored(const BodyModel& body, const Parameters& parameters);
-// The same of the preset layers; `task` is the mirrored one. Fails where its layers cannot be made.
+// The same of layered presets; `task` is the mirrored one. Fails where its layers cannot be made.
 [[nodiscard]] Result<LayeredParameters> mirrored(const Task& task,
                                                  const LayeredParameters& parameters);
 

@@ -39,7 +39,7 @@ struct StoredResult {
   TaskFile task;
   std::vector<Parameters> candidates;  // in rank order
   std::vector<LayeredParameters>
-      layered;  // the same of the preset layers, whose `candidates` are none
+      layered;  // the same of layered presets, whose `candidates` are none
 };
 
 // Parses a result. Errors name the place, the value seen and what is allowed.
@@ -66,6 +66,8 @@ struct StoredResult {
 //   right_hip.flexion.weight=12, right_hip.weight=12, right_hip.locked=true   of the upper layer
 //   legs.contraction=8                      0..15: how much shorter the legs end
 //   right_arm.right_elbow.flexion.weight=3  of the layer below that moves the arm
+//   right_arm.swivel_deg=20                 where that layer swivels it: the elbow, outwards
+//   left_elbow.final_deg=40                 where no goal moves a limb: the angle it ends at
 [[nodiscard]] Result<void> assign_parameter(std::span<const Layer> layers,
                                             std::string_view assignment,
                                             LayeredParameters& parameters);

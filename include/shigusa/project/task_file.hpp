@@ -22,7 +22,7 @@ struct TaskFile {
   std::vector<Goal> goals;
   std::optional<double> duration;  // s
   Preset preset = Preset::flat;
-  LayerReading layer_reading = LayerReading::shared_contractions;  // of the preset layers
+  LayerReading layer_reading = LayerReading::shared_contractions;  // of layered presets
   std::optional<SearchMethod> search;  // the preset's own when not given
   // the built-in ones: functions do not go into files
   CriteriaSettings criteria = preset_criteria(Preset::flat);

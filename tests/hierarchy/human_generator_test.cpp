@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Motions of the preset human.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/hierarchy/layered_problem.hpp>
+
+#include "support/problems.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr Vec3d kLowFront{-0.25, 0.6, 0.5};
+constexpr Vec3d kAtTheFeet{-0.05, 0.1, 0.3};
+constexpr Vec3d kHigh{-0.45, 1.75, 0.35};
+
+Task task_for(const BodyModel& body, const Vec3d& goal, const char* hand = "right_hand") {
+  Task task = with_preset({.body = body, .goals = {{hand, goal}}}, Preset::human);
+  task.genetic.seed = 1;
+  task.evaluations = 160;
+  return task;
+}
+
+Generation generated(const Task& task) { return generate(task).value(); }
+
+void expect_kept(const Task& task, const Generation& generation) {
+  EXPECT_EQ(generation.status, ReachStatus::reached) << task.body.name();
+  const ReachProblem problem = make_layered_problem(task).value().reach;
+  ASSERT_FALSE(generation.candidates.empty());
+  for (const Candidate& candidate : generation.candidates) {
+    const MeasuredMotion measured(problem, candidate.motion.clip);
+    EXPECT_TRUE(measured.finite);
+    EXPECT_EQ(measured.start_error, 0.0);
+    EXPECT_LT(measured.goal_error, 1e-8);
+    EXPECT_LT(measured.path_error, kReachTolerance);
+    EXPECT_LT(measured.contact_slide, task.body.feet().size() == 1 ? 1e-12 : kReachTolerance);
+    EXPECT_LT(measured.contact_tilt, kTiltTolerance);
+  }
+}
+
+// rad, how far a freedom ends from where it began
+double travel(const Task& task, const Candidate& candidate, const char* dof) {
+  const auto d = static_cast<std::size_t>(task.body.find_dof(dof).value());
+  const Clip& clip = candidate.motion.clip;
+  return clip.frame(clip.frames - 1)[d] - clip.frame(0)[d];
+}
+
+TEST(GenerateHuman, HandArrivesFeetStayAndLimitsHoldAtRandomGoals) {
+  Random random(11);
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    for (int i = 0; i < 16; ++i) {
+      Task task = task_for(body, near_goal(body, random));
+      task.evaluations = 100;
+      task.candidates = 2;
+      const Generation generation = generated(task);
+      expect_kept(task, generation);
+      EXPECT_TRUE(generation.candidates.front().over_limit.empty());
+    }
+  }
+}
+
+TEST(GenerateHuman, EitherHandAndBothReachLowAndHigh) {
+  for (const Vec3d& goal : {kLowFront, kAtTheFeet, kHigh}) {
+    const Task task = task_for(full_body(), goal);
+    expect_kept(task, generated(task));
+  }
+  Task task = task_for(full_body(), {0.3, 1.2, 0.35}, "left_hand");
+  expect_kept(task, generated(task));
+  task.goals.push_back({"right_hand", {-0.2, 1.1, 0.4}});
+  const Generation both = generated(task);
+  expect_kept(task, both);
+  EXPECT_EQ(both.candidates[0].layered->swivels.size(), 2u);
+  EXPECT_TRUE(both.candidates[0].layered->finals.empty());
+}
+
+// At a goal at the feet balance is hard: the free arm is worth more than it costs.
+TEST(GenerateHuman, FreeArmMovesWhereTheWholeBodyIsBetterForIt) {
+  const Task task = task_for(full_body(), kAtTheFeet);
+  int moved = 0;
+  for (const Candidate& candidate : generated(task).candidates) {
+    const double arm = abs(travel(task, candidate, "left_shoulder.flexion")) +
+                       abs(travel(task, candidate, "left_shoulder.abduction"));
+    if (arm > radians(10.0)) ++moved;
+  }
+  EXPECT_GE(moved, 1);
+}
+
+TEST(GenerateHuman, FreeArmFollowsAMinimumJerkToItsFinalAngles) {
+  const Task task = task_for(full_body(), kLowFront);
+  const Candidate candidate = generated(task).candidates[0];
+  const std::vector<double>& finals = candidate.layered->finals;
+  const char* const dofs[] = {"left_shoulder.flexion", "left_shoulder.abduction",
+                              "left_elbow.flexion"};
+  const Clip& clip = candidate.motion.clip;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto d = static_cast<std::size_t>(task.body.find_dof(dofs[k]).value());
+    const double start = task.body.start()[d];
+    for (int f = 0; f < clip.frames; ++f) {
+      const double schedule = minimum_jerk(f / (clip.frames - 1.0));
+      EXPECT_NEAR(clip.frame(f)[d], start + (finals[k] - start) * schedule, 1e-12);
+    }
+  }
+}
+
+// The rod of an arm that goes up in front of its shoulder is no longer than the hand is away.
+TEST(GenerateHuman, TrunkStaysForWhatTheArmReaches) {
+  const Task task = task_for(full_body(), kHigh);
+  const Candidate candidate = generated(task).candidates[0];
+  EXPECT_LT(abs(travel(task, candidate, "right_knee.flexion")), radians(15.0));
+  EXPECT_LT(candidate.score.terms[1].penalty, 0.05) << candidate.score.terms[1].name;
+}
+
+TEST(GenerateHuman, SameSeedGivesTheSameNumbersOnAnyMachine) {
+  Task task = task_for(full_body(), kLowFront);
+  task.batch = {SimdSet::scalar, 1};
+  const Generation one = generated(task);
+  task.batch = {widest_simd_set(), 3};
+  const Generation other = generated(task);
+  ASSERT_EQ(one.candidates.size(), other.candidates.size());
+  for (std::size_t i = 0; i < one.candidates.size(); ++i) {
+    EXPECT_EQ(one.candidates[i].layered, other.candidates[i].layered);
+    EXPECT_EQ(one.candidates[i].motion.clip.angles, other.candidates[i].motion.clip.angles);
+    EXPECT_EQ(one.candidates[i].score.total, other.candidates[i].score.total);
+  }
+}
+
+TEST(GenerateHuman, CandidatesEndApartAndAreRanked) {
+  Task task = task_for(full_body(), kLowFront);
+  task.evaluations = 600;
+  const auto candidates = generated(task).candidates;
+  ASSERT_GE(candidates.size(), 3u);
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    EXPECT_LE(candidates[i - 1].score.total, candidates[i].score.total);
+    for (std::size_t k = 0; k < i; ++k) {
+      const Clip& a = candidates[k].motion.clip;
+      const Clip& b = candidates[i].motion.clip;
+      double squares = 0.0;
+      for (std::size_t d = 0; d < task.body.dofs().size(); ++d) {
+        const double difference = a.frame(a.frames - 1)[d] - b.frame(b.frames - 1)[d];
+        squares += difference * difference;
+      }
+      EXPECT_GE(sqrt(squares / task.body.dof_count()), kDistinctEnd);
+    }
+  }
+}
+
+TEST(GenerateHuman, GoalsAtTheEdgeOfReachAreMet) {
+  for (const Vec3d& goal : {Vec3d{-0.79, 1.81, 0.26}, {0.46, 1.83, 0.64}, {-0.69, 1.63, 0.68}}) {
+    const Task task = task_for(half_body(), goal);
+    const Generation generation = generated(task);
+    EXPECT_LT(generation.remaining_distance, 0.01);
+    for (const Candidate& candidate : generation.candidates) {
+      EXPECT_EQ(candidate.contacts[0].max_slide, 0.0);
+    }
+  }
+}
+
+TEST(GenerateHuman, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
+  const Task task = task_for(full_body(), {-1.5, 1.5, 1.2});
+  const Generation generation = generated(task);
+  EXPECT_EQ(generation.status, ReachStatus::unreachable);
+  EXPECT_GT(generation.remaining_distance, 0.1);
+  const auto again = regenerate(task, generation.candidates[0].layered.value()).value();
+  EXPECT_EQ(again.candidates[0].motion.clip.angles, generation.candidates[0].motion.clip.angles);
+}
+
+TEST(RegenerateHuman, GivesTheCandidateAgain) {
+  for (const BodyModel& body : {half_body(), full_body()}) {
+    const Task task = task_for(body, kLowFront);
+    for (const Candidate& candidate : generated(task).candidates) {
+      const Generation again = regenerate(task, candidate.layered.value()).value();
+      EXPECT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
+      EXPECT_EQ(again.candidates[0].score.total, candidate.score.total);
+    }
+  }
+}
+
+TEST(RegenerateHuman, SwivelMovesTheElbowAndNotTheHand) {
+  const Task task = task_for(full_body(), {-0.25, 1.2, 0.35});
+  LayeredParameters parameters = generated(task).candidates[0].layered.value();
+  double last = -10.0;
+  for (const double degree : {-40.0, 0.0, 40.0}) {
+    parameters.swivels[0] = radians(degree);
+    const Generation edited = regenerate(task, parameters).value();
+    EXPECT_EQ(edited.status, ReachStatus::reached);
+    EXPECT_LT(edited.candidates[0].goals[0].error, 1e-8);
+    const double elbow = edited.candidates[0].final_posture.elbow_swivel;
+    EXPECT_GT(elbow, last + radians(20.0));
+    last = elbow;
+  }
+}
+
+TEST(RegenerateHuman, RefusesWhatIsOutOfRange) {
+  const Task task = task_for(half_body(), kLowFront);
+  LayeredParameters bad = generated(task).candidates[0].layered.value();
+  bad.swivels[0] = -2.0;
+  EXPECT_THAT(regenerate(task, bad).error().to_string(),
+              testing::HasSubstr("right_arm.swivel: angle is -2 rad"));
+}
+
+}  // namespace
+}  // namespace shigusa
