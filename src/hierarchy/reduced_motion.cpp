@@ -10,6 +10,9 @@ namespace {
 // What is left after the two steps of the last frame is taken off by so many more at the most.
 constexpr int kLastSteps = 12;
 constexpr double kLastTolerance = 1e-10;  // m
+// The most that LengthLaw::way takes of what a hand comes nearer: all of it and the shoulder could
+// stay, but the elbow folds faster than a trunk gives way.
+constexpr double kWayShare = 0.5;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -127,7 +130,7 @@ void ReducedRollout::set_up_ways() {
     if (last > limb.longest) continue;
     const double least = min(limb.shortest, q_[slide]);
     shorter.assign(1, 0.0);
-    double share = 1.0;
+    double share = kWayShare;
     for (int frame = 1; frame <= problem_->steps; ++frame) {
       const double tau = static_cast<double>(frame) / problem_->steps;
       const double schedule = minimum_jerk(tau);

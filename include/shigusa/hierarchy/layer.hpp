@@ -26,8 +26,8 @@ struct ReducedDof {
 // How the length of a limb goes from the start to the final one.
 enum class LengthLaw {
   schedule,  // with minimum jerk (rule R3)
-  way,  // where the shoulder can stay, less by what the hand on its path is nearer to it: an arm
-        // that goes up in front bends on the way
+  way,  // where the shoulder can stay, less by half of what the hand on its path is nearer to it:
+        // an arm that goes up in front bends on the way
 };
 
 // A limb of a reduced body: one rigid rod of variable length.

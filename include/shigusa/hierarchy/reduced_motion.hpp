@@ -56,7 +56,7 @@ struct ReducedClip {
 //   min Σ w_i Δq_i²   s.t.   J Δq = e - J_L ΔL,
 //
 // with s(t) the minimum jerk of the motion. By LengthLaw::way, where the goal is no farther than
-// `longest` from where the shoulder starts, L(t) is less by a share k ≤ 1 of
+// `longest` from where the shoulder starts, L(t) is less by a share k ≤ ½ of
 //   d_0 + (d_f - d_0) s(t) - d(t),
 // d(t) being the distance of the hand's path from where the shoulder starts and k the most that
 // keeps the limb between `shortest` and `longest`. The lengths of the arms that have a goal, and of
