@@ -20,6 +20,7 @@ struct Budget {
   double wanted = 0.0;  // 0: none
 };
 constexpr Budget kBudgets[] = {{100}, {300, 0.5}, {1000}, {3000, 0.3}, {10000}};
+constexpr int kManyMotions = 3000;  // from here on with few seeds
 constexpr int kLongSearch = 30000;
 
 struct Found {
@@ -96,8 +97,9 @@ void add_lines(const Plan& plan, const Subject& subject, const CriteriaPreset& c
       run(1, subject, Preset::flat, settings, [](std::size_t) { return kLongSearch; });
   for (const Budget& budget : kBudgets) {
     const auto motions = [&](std::size_t) { return budget.motions; };
-    const Series paper = run(plan.seeds, subject, Preset::paper, settings, motions);
-    const Series flat = run(plan.seeds, subject, Preset::flat, settings, motions);
+    const int seeds = budget.motions >= kManyMotions ? plan.few_seeds : plan.seeds;
+    const Series paper = run(seeds, subject, Preset::paper, settings, motions);
+    const Series flat = run(seeds, subject, Preset::flat, settings, motions);
     // at the speed of the measured queries
     const Series in_time = run(plan.few_seeds, subject, Preset::flat, settings, [&](std::size_t p) {
       const double share = paper.milliseconds[p] / flat.milliseconds[p];
@@ -157,13 +159,14 @@ std::string against_paper(const Plan& plan, std::span<const Subject> subjects,
              "path, joint limits kept) and with `paper` (the paper's genetic algorithm over "
              "weights 0..15, restarted until the budget is used up), both scored by the same "
              "criteria. The ratio is that of the best scores that the two saw; motions that miss "
-             "the goal count as the worst score. {} seeds. A search of {} motions (1 seed) "
+             "the goal count as the worst score. {} seeds, {} from {} motions on. A search of {} "
+             "motions (1 seed) "
              "tells what any could come to. The last columns tell how many of the best candidates "
              "that meet the goal pass a joint limit somewhere on the way. In equal time, flat "
              "scores as many motions as paper's whole "
              "query takes time for, at flat's speed ({} seeds); times are those of whole queries "
              "on one thread.\n\n",
-             plan.seeds, kLongSearch, plan.few_seeds) +
+             plan.seeds, plan.few_seeds, kManyMotions, kLongSearch, plan.few_seeds) +
          table.text() + images + "\nThe goals that have names, flat / paper:\n\n" + named.text();
 }
 

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/hierarchy/generator.hpp>
-#include <shigusa/hierarchy/layered_problem.hpp>
 
-#include "support/problems.hpp"
+#include "support/layered.hpp"
 
 namespace shigusa {
 namespace {
@@ -27,21 +25,6 @@ Task task_for(const BodyModel& body, const Vec3d& goal, const char* hand = "righ
 
 Generation generated(const Task& task) { return generate(task).value(); }
 
-void expect_kept(const Task& task, const Generation& generation) {
-  EXPECT_EQ(generation.status, ReachStatus::reached) << task.body.name();
-  const ReachProblem problem = make_layered_problem(task).value().reach;
-  ASSERT_FALSE(generation.candidates.empty());
-  for (const Candidate& candidate : generation.candidates) {
-    const MeasuredMotion measured(problem, candidate.motion.clip);
-    EXPECT_TRUE(measured.finite);
-    EXPECT_EQ(measured.start_error, 0.0);
-    EXPECT_LT(measured.goal_error, 1e-8);
-    EXPECT_LT(measured.path_error, kReachTolerance);
-    EXPECT_LT(measured.contact_slide, task.body.feet().size() == 1 ? 1e-12 : kReachTolerance);
-    EXPECT_LT(measured.contact_tilt, kTiltTolerance);
-  }
-}
-
 // rad, how far a freedom ends from where it began
 double travel(const Task& task, const Candidate& candidate, const char* dof) {
   const auto d = static_cast<std::size_t>(task.body.find_dof(dof).value());
@@ -58,7 +41,7 @@ TEST(GenerateHuman, HandArrivesFeetStayAndLimitsHoldAtRandomGoals) {
       task.evaluations = 100;
       task.candidates = 2;
       const Generation generation = generated(task);
-      expect_kept(task, generation);
+      expect_layers_kept(task, generation);
       if (!generation.candidates.front().over_limit.empty()) ++over_limit;
     }
   }
@@ -69,13 +52,13 @@ TEST(GenerateHuman, HandArrivesFeetStayAndLimitsHoldAtRandomGoals) {
 TEST(GenerateHuman, EitherHandAndBothReachLowAndHigh) {
   for (const Vec3d& goal : {kLowFront, kAtTheFeet, kHigh}) {
     const Task task = task_for(full_body(), goal);
-    expect_kept(task, generated(task));
+    expect_layers_kept(task, generated(task));
   }
   Task task = task_for(full_body(), {0.3, 1.2, 0.35}, "left_hand");
-  expect_kept(task, generated(task));
+  expect_layers_kept(task, generated(task));
   task.goals.push_back({"right_hand", {-0.2, 1.1, 0.4}});
   const Generation both = generated(task);
-  expect_kept(task, both);
+  expect_layers_kept(task, both);
   EXPECT_EQ(both.candidates[0].layered->swivels.size(), 2u);
   EXPECT_TRUE(both.candidates[0].layered->finals.empty());
 }

@@ -11,7 +11,7 @@
 #include <shigusa/search/searches.hpp>
 #include <thread>
 
-#include "support/problems.hpp"
+#include "support/layered.hpp"
 
 namespace shigusa {
 namespace {
@@ -49,35 +49,11 @@ std::vector<double> numbers(const Generation& g) {
   return all;
 }
 
-// What every motion of a task must keep.
-void expect_kept(const Task& task, const Generation& generation) {
-  EXPECT_EQ(generation.status, ReachStatus::reached) << task.body.name();
-  EXPECT_EQ(generation.remaining_distance, 0.0);
-  const ReachProblem problem = make_layered_problem(task).value().reach;
-  ASSERT_FALSE(generation.candidates.empty());
-  for (const Candidate& candidate : generation.candidates) {
-    const MeasuredMotion measured(problem, candidate.motion.clip);
-    EXPECT_TRUE(measured.finite);
-    EXPECT_EQ(measured.start_error, 0.0);
-    EXPECT_LT(measured.goal_error, 1e-8);
-    EXPECT_LT(measured.path_error, kReachTolerance);
-    // a foot that is the base does not move, nor does one that the leg is bent from; the closed
-    // chain of two legs is kept by steps of IK
-    EXPECT_LT(measured.contact_slide, task.body.feet().size() == 1 ? 1e-12 : kReachTolerance);
-    EXPECT_LT(measured.contact_tilt, kTiltTolerance);
-    EXPECT_EQ(candidate.score.total,
-              score_motion(task.body, candidate.motion, task_criteria(task)).total);
-    ASSERT_EQ(candidate.goals.size(), task.goals.size());
-    for (const GoalResult& goal : candidate.goals) EXPECT_LT(goal.error, 1e-8);
-    EXPECT_EQ(candidate.contacts.size(), task.body.feet().size());
-  }
-}
-
 TEST(GenerateLayers, HandArrivesAndFeetStay) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     for (const Vec3d& goal : {kFrontLow, kFront, Vec3d{-0.5, 1.6, 0.2}}) {
       const Task task = task_for(body, goal);
-      expect_kept(task, generated(task));
+      expect_layers_kept(task, generated(task));
     }
   }
 }
@@ -92,16 +68,16 @@ TEST(GenerateLayers, PeopleOfAllSizesAndShapesReach) {
       build_human(lifted, {"right_leg_up", BodyExtent::full, 1.7, 70.0})};
   for (const BodyModel& body : people) {
     const Task task = task_for(body, kFront * (body.stature() / 1.741));
-    expect_kept(task, generated(task));
+    expect_layers_kept(task, generated(task));
   }
 }
 
 TEST(GenerateLayers, EitherHandAndBothTogetherReach) {
   Task task = with_preset({.body = full_body(), .goals = {{"left_hand", {0.3, 1.2, 0.35}}}},
                           Preset::layers);
-  expect_kept(task, generated(task));
+  expect_layers_kept(task, generated(task));
   task.goals.push_back({"right_hand", {-0.2, 1.1, 0.4}});
-  expect_kept(task, generated(task));
+  expect_layers_kept(task, generated(task));
 }
 
 TEST(GenerateLayers, BothReadingsReach) {
@@ -110,7 +86,7 @@ TEST(GenerateLayers, BothReadingsReach) {
     const Generation shared = generated(task);
     task.layers.reading = LayerReading::contraction_a_limb;
     const Generation each = generated(task);
-    expect_kept(task, each);
+    expect_layers_kept(task, each);
     EXPECT_NE(numbers(each), numbers(shared));
   }
 }
@@ -158,7 +134,7 @@ TEST(GenerateLayers, EverySearchReaches) {
   for (const SearchMethod method : kSearchMethods) {
     task.search = method;
     const Generation generation = generated(task);
-    expect_kept(task, generation);
+    expect_layers_kept(task, generation);
     EXPECT_EQ(generation.evaluations, 150) << search_name(method);
     EXPECT_LT(generation.best_seen_score, worst_score(task.criteria)) << search_name(method);
   }
@@ -235,7 +211,7 @@ TEST(GenerateLayers, GoalsAtTheEdgeOfReachAreMet) {
   for (const Vec3d& goal :
        {Vec3d{-0.83, 1.65, -0.03}, {-0.79, 1.81, 0.26}, {0.46, 1.83, 0.64}, {-0.69, 1.63, 0.68}}) {
     const Task task = task_for(half_body(), goal, 0);
-    expect_kept(task, generated(task));
+    expect_layers_kept(task, generated(task));
   }
 }
 
@@ -284,7 +260,7 @@ TEST(GenerateLayers, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
     const Generation with = generated(task);
     task.layers.feedback_rounds = 0;
     const Generation without = generated(task);
-    expect_kept(task, with);
+    expect_layers_kept(task, with);
     for (const Candidate& candidate : without.candidates) {
       EXPECT_EQ(candidate.collision_left, candidate.collision > kCollisionDepth);
       EXPECT_EQ(candidate.feedback_rounds, 0);
@@ -336,7 +312,7 @@ TEST(RegenerateLayers, MoreContractionOfTheLegsBendsTheKneesMore) {
         parameters.upper.contractions[i] = contraction;
       }
       const auto edited = regenerate(task, parameters).value();
-      expect_kept(task, edited);
+      expect_layers_kept(task, edited);
       const Clip& clip = edited.candidates[0].motion.clip;
       const double bend = clip.frame(clip.frames - 1)[knee];
       EXPECT_GT(bend, last + 0.1) << body.name();

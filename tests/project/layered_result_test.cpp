@@ -6,6 +6,7 @@
 
 #include "project/schema_check.hpp"
 #include "shigusa/project/result_file.hpp"
+#include "support/layered.hpp"
 
 namespace shigusa {
 namespace {
@@ -162,55 +163,47 @@ class AssignLayered : public testing::Test {
   // The freedoms of that name in the upper layer.
   [[nodiscard]] std::vector<std::size_t> dofs(const std::string& part) const {
     std::vector<std::size_t> found;
-    for (std::size_t d = 0; d < layers_[0].body.dofs.size(); ++d) {
-      if (layers_[0].body.dofs[d].name.find(part) == 0) found.push_back(d);
+    for (std::size_t d = 0; d < c_.layers[0].body.dofs.size(); ++d) {
+      if (c_.layers[0].body.dofs[d].name.find(part) == 0) found.push_back(d);
     }
     return found;
   }
 
   BodyModel body_ = full_body();
-  std::vector<Goal> goals_{{"left_hand", {}}, {"right_hand", {}}};
-  std::vector<Layer> layers_ = layers_to_goals(body_, goals_).value();
-  LayeredParameters before_ = [this] {
-    LayeredParameters parameters;
-    (void)layered_members(layers_, parameters);
-    return parameters;
-  }();
-  LayeredParameters after_ = before_;
-  LayeredParameters expected_ = before_;
+  LayeredChange c_{body_, {{"left_hand", {}}, {"right_hand", {}}}};
 };
 
 TEST_F(AssignLayered, WeightAndLockOfTheUpperLayer) {
-  ASSERT_TRUE(assign_parameter(layers_, "right_hip.weight=3", after_));
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_hip.weight=3", c_.after));
   ASSERT_EQ(dofs("right_hip.").size(), 3u);
-  for (const std::size_t d : dofs("right_hip.")) expected_.upper.joints[d] = {3.0, false};
-  EXPECT_EQ(after_, expected_);
-  ASSERT_TRUE(assign_parameter(layers_, "right_shoulder.flexion.locked=true", after_));
-  expected_.upper.joints[dofs("right_shoulder.flexion").at(0)].locked = true;
-  EXPECT_EQ(after_, expected_);
-  ASSERT_TRUE(assign_parameter(layers_, "right_shoulder.flexion.weight=2e2", after_));
-  expected_.upper.joints[dofs("right_shoulder.flexion").at(0)] = {200.0, false};
-  EXPECT_EQ(after_, expected_);
+  for (const std::size_t d : dofs("right_hip.")) c_.expected.upper.joints[d] = {3.0, false};
+  EXPECT_EQ(c_.after, c_.expected);
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_shoulder.flexion.locked=true", c_.after));
+  c_.expected.upper.joints[dofs("right_shoulder.flexion").at(0)].locked = true;
+  EXPECT_EQ(c_.after, c_.expected);
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_shoulder.flexion.weight=2e2", c_.after));
+  c_.expected.upper.joints[dofs("right_shoulder.flexion").at(0)] = {200.0, false};
+  EXPECT_EQ(c_.after, c_.expected);
 }
 
 TEST_F(AssignLayered, ContractionOfAllLimbsThatShareIt) {
-  ASSERT_TRUE(assign_parameter(layers_, "arms.contraction=7.5", after_));
-  for (std::size_t i = 0; i < layers_[0].body.limbs.size(); ++i) {
-    if (layers_[0].body.limbs[i].joints.kind == LimbKind::arm) {
-      expected_.upper.contractions[i] = 7.5;
+  ASSERT_TRUE(assign_parameter(c_.layers, "arms.contraction=7.5", c_.after));
+  for (std::size_t i = 0; i < c_.layers[0].body.limbs.size(); ++i) {
+    if (c_.layers[0].body.limbs[i].joints.kind == LimbKind::arm) {
+      c_.expected.upper.contractions[i] = 7.5;
     }
   }
-  EXPECT_EQ(after_, expected_);
-  EXPECT_NE(after_, before_);
+  EXPECT_EQ(c_.after, c_.expected);
+  EXPECT_NE(c_.after, c_.before);
 }
 
 TEST_F(AssignLayered, ArmsOwnLayerByItsName) {
-  ASSERT_TRUE(assign_parameter(layers_, "right_arm.right_elbow.flexion.weight=9", after_));
-  expected_.arms[1][3] = {9.0, false};  // the second goal's
-  EXPECT_EQ(after_, expected_);
-  ASSERT_TRUE(assign_parameter(layers_, "left_arm.left_shoulder.locked=true", after_));
-  for (std::size_t k = 0; k < 3; ++k) expected_.arms[0][k].locked = true;
-  EXPECT_EQ(after_, expected_);
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_arm.right_elbow.flexion.weight=9", c_.after));
+  c_.expected.arms[1][3] = {9.0, false};  // the second goal's
+  EXPECT_EQ(c_.after, c_.expected);
+  ASSERT_TRUE(assign_parameter(c_.layers, "left_arm.left_shoulder.locked=true", c_.after));
+  for (std::size_t k = 0; k < 3; ++k) c_.expected.arms[0][k].locked = true;
+  EXPECT_EQ(c_.after, c_.expected);
 }
 
 TEST_F(AssignLayered, WrongOnesChangeNothing) {
@@ -218,35 +211,27 @@ TEST_F(AssignLayered, WrongOnesChangeNothing) {
        {"", "=", "legs=8", "legs.contraction", "legs.contraction=15.1", "legs.contraction=1e999",
         "right_hip.weight=0", "right_knee.weight=2", "right_elbow.weight=2",
         "right_arm.right_hip.weight=2", "right_hip.locked=1", "right_leg.contraction=3"}) {
-    EXPECT_FALSE(assign_parameter(layers_, wrong, after_)) << wrong;
-    EXPECT_EQ(after_, before_) << wrong;
+    EXPECT_FALSE(assign_parameter(c_.layers, wrong, c_.after)) << wrong;
+    EXPECT_EQ(c_.after, c_.before) << wrong;
   }
 }
 
 class AssignHuman : public testing::Test {
  protected:
   BodyModel body_ = full_body();
-  std::vector<Goal> goals_{{"right_hand", {}}};
-  std::vector<Layer> layers_ = layers_to_goals(body_, goals_, {LayerStack::human}).value();
-  LayeredParameters before_ = [this] {
-    LayeredParameters parameters;
-    (void)layered_members(layers_, parameters);
-    return parameters;
-  }();
-  LayeredParameters after_ = before_;
-  LayeredParameters expected_ = before_;
+  LayeredChange c_{body_, {{"right_hand", {}}}, {LayerStack::human}};
 };
 
 TEST_F(AssignHuman, SwivelAndFinalAnglesInDegreesOrRadians) {
-  ASSERT_TRUE(assign_parameter(layers_, "right_arm.swivel_deg=20", after_));
-  ASSERT_TRUE(assign_parameter(layers_, "left_elbow.final_deg=40", after_));
-  ASSERT_TRUE(assign_parameter(layers_, "left_shoulder.abduction.final_rad=0.5", after_));
-  expected_.swivels[0] = 20.0 * radians(1.0);
-  expected_.finals[1] = 0.5;
-  expected_.finals[2] = 40.0 * radians(1.0);
-  EXPECT_EQ(after_, expected_);
-  ASSERT_TRUE(assign_parameter(layers_, "arms.contraction=2", after_));
-  ASSERT_TRUE(assign_parameter(layers_, "right_hip.flexion.weight=2", after_));
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_arm.swivel_deg=20", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.layers, "left_elbow.final_deg=40", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.layers, "left_shoulder.abduction.final_rad=0.5", c_.after));
+  c_.expected.swivels[0] = 20.0 * radians(1.0);
+  c_.expected.finals[1] = 0.5;
+  c_.expected.finals[2] = 40.0 * radians(1.0);
+  EXPECT_EQ(c_.after, c_.expected);
+  ASSERT_TRUE(assign_parameter(c_.layers, "arms.contraction=2", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_hip.flexion.weight=2", c_.after));
 }
 
 TEST_F(AssignHuman, WrongOnesChangeNothing) {
@@ -255,8 +240,8 @@ TEST_F(AssignHuman, WrongOnesChangeNothing) {
         "left_arm.swivel_deg=3", "right_arm.swivel=3", "right_elbow.final_deg=40",
         "left_elbow.final_deg=200", "left_elbow.final=40", "left_shoulder.rotation.final_deg=1",
         "right_arm.right_elbow.flexion.weight=2"}) {
-    EXPECT_FALSE(assign_parameter(layers_, wrong, after_)) << wrong;
-    EXPECT_EQ(after_, before_) << wrong;
+    EXPECT_FALSE(assign_parameter(c_.layers, wrong, c_.after)) << wrong;
+    EXPECT_EQ(c_.after, c_.before) << wrong;
   }
 }
 

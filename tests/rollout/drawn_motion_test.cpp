@@ -4,8 +4,8 @@
 
 #include <shigusa/body/human_body.hpp>
 #include <shigusa/body/posture_modes.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
 
+#include "support/lanes.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -123,9 +123,7 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
   std::vector<float> weights;
   std::vector<float> changes;
   std::vector<float> timing;
-  std::vector<double> expected;
-  std::vector<bool> met;
-  std::vector<double> ends;
+  PlayedMotions played;
   for (int i = 0; i < 37; ++i) {
     Parameters parameters = random_parameters(body, random);
     for (const PostureMode& mode : posture_modes(body)) {
@@ -143,28 +141,9 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
     for (const double t : {p.delay, p.bow, p.skew, p.sway}) {
       timing.push_back(static_cast<float>(t));
     }
-    const RolledOut rolled = roll_out(problem, parameters);
-    met.push_back(rolled.outcome.met());
-    expected.push_back(score_motion(body, rolled.motion, criteria).total);
-    const Clip& clip = rolled.motion.clip;
-    ends.insert(ends.end(), clip.frame(clip.frames - 1).begin(), clip.frame(clip.frames - 1).end());
+    played.add(problem, parameters, criteria);
   }
-  for (const SimdSet set : usable_simd_sets()) {
-    BatchRollout batch(problem, criteria, {set, 1});
-    std::vector<double> scores(expected.size());
-    std::vector<float> angles(expected.size() * dofs);
-    batch.score({weights, changes, timing}, scores, angles);
-    int compared = 0;
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-      if (!met[i] || scores[i] >= worst_score(criteria)) continue;
-      ++compared;
-      EXPECT_NEAR(scores[i], expected[i], 2e-3) << simd_name(set) << ' ' << i;
-      for (std::size_t d = 0; d < dofs; ++d) {
-        EXPECT_NEAR(static_cast<double>(angles[i * dofs + d]), ends[i * dofs + d], 2e-3);
-      }
-    }
-    EXPECT_GT(compared, 15) << simd_name(set);
-  }
+  expect_lanes_like(played, problem, criteria, {weights, changes, timing});
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <shigusa/body/posture_modes.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/rollout/nlp_rollout.hpp>
 
+#include "support/lanes.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -195,10 +195,8 @@ TEST(TwoPhases, LanesScoreAsDoubleDoes) {
   const ReachProblem problem = low_reach();
   const CriteriaSettings criteria = default_criteria();
   Random random(4);
-  const std::size_t dofs = full().dofs().size();
   std::vector<float> weights, changes, timing, later_weights, later_changes, switches;
-  std::vector<double> expected, ends;
-  std::vector<bool> met;
+  PlayedMotions played;
   const auto add = [](std::vector<float>& rows, std::span<const double> values) {
     for (const double value : values) rows.push_back(static_cast<float>(value));
   };
@@ -212,33 +210,15 @@ TEST(TwoPhases, LanesScoreAsDoubleDoes) {
     add(later_weights, input.later.inverse_weights);
     add(later_changes, input.later.posture);
     switches.push_back(static_cast<float>(input.later.switch_at));
-    const RolledOut rolled = roll_out(problem, p);
-    met.push_back(rolled.outcome.met());
-    expected.push_back(score_motion(full(), rolled.motion, criteria).total);
-    const std::span<const double> end = rolled.motion.clip.frame(problem.steps);
-    ends.insert(ends.end(), end.begin(), end.end());
+    played.add(problem, p, criteria);
   }
   MotionInputs inputs(weights, changes, timing);
   inputs.later = {later_weights, later_changes, switches};
-  for (const SimdSet set : usable_simd_sets()) {
-    BatchRollout batch(problem, criteria, {set, 1});
-    std::vector<double> scores(expected.size());
-    std::vector<float> angles(expected.size() * dofs);
-    batch.score(inputs, scores, angles);
-    int compared = 0;
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-      if (!met[i] || scores[i] >= worst_score(criteria)) continue;
-      ++compared;
-      EXPECT_NEAR(scores[i], expected[i], 2e-3) << simd_name(set) << ' ' << i;
-      for (std::size_t d = 0; d < dofs; ++d) {
-        EXPECT_NEAR(static_cast<double>(angles[i * dofs + d]), ends[i * dofs + d], 2e-3);
-      }
-    }
-    EXPECT_GT(compared, 15) << simd_name(set);
-    inputs.later.switch_at = inputs.later.switch_at.first(3);
-    EXPECT_THROW(batch.score(inputs, scores), PreconditionError);
-    inputs.later.switch_at = switches;
-  }
+  expect_lanes_like(played, problem, criteria, inputs);
+  BatchRollout batch(problem, criteria, {SimdSet::scalar, 1});
+  std::vector<double> scores(played.scores.size());
+  inputs.later.switch_at = inputs.later.switch_at.first(3);
+  EXPECT_THROW(batch.score(inputs, scores), PreconditionError);
 }
 
 TEST(TwoPhases, BesideWeightsAloneAPostureIsDrawnInItsOwnPhase) {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <shigusa/rollout/batch_rollout.hpp>
+#include <shigusa/rollout/rollout.hpp>
+#include <vector>
+
+// For tests that score motions in lanes and in double.
+namespace shigusa::testing_support {
+
+// What motions came to in double.
+struct PlayedMotions {
+  std::vector<bool> met;
+  std::vector<double> scores;
+  std::vector<double> ends;  // (motions × dofs) rad
+
+  void add(const ReachProblem& problem, const Parameters& parameters,
+           const CriteriaSettings& criteria) {
+    const RolledOut rolled = roll_out(problem, parameters);
+    met.push_back(rolled.outcome.met());
+    scores.push_back(score_motion(*problem.body, rolled.motion, criteria).total);
+    const std::span<const double> end = rolled.motion.clip.frame(problem.steps);
+    ends.insert(ends.end(), end.begin(), end.end());
+  }
+};
+
+// Every SIMD set scores the motions as double does, and ends them where it does; those that miss in
+// either are left out, which are not the most.
+inline void expect_lanes_like(const PlayedMotions& played, const ReachProblem& problem,
+                              const CriteriaSettings& criteria, const MotionInputs& inputs) {
+  const std::size_t dofs = problem.body->dofs().size();
+  for (const SimdSet set : usable_simd_sets()) {
+    BatchRollout batch(problem, criteria, {set, 1});
+    std::vector<double> scores(played.scores.size());
+    std::vector<float> angles(scores.size() * dofs);
+    batch.score(inputs, scores, angles);
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      if (!played.met[i] || scores[i] >= worst_score(criteria)) continue;
+      ++compared;
+      EXPECT_NEAR(scores[i], played.scores[i], 2e-3) << simd_name(set) << ' ' << i;
+      for (std::size_t k = i * dofs; k < (i + 1) * dofs; ++k) {
+        EXPECT_NEAR(static_cast<double>(angles[k]), played.ends[k], 2e-3);
+      }
+    }
+    EXPECT_GT(compared, scores.size() * 2 / 5) << simd_name(set);
+  }
+}
+
+}  // namespace shigusa::testing_support

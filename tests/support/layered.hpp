@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/hierarchy/layered_problem.hpp>
+
+#include "support/problems.hpp"
+
+// For tests of presets that move by layers.
+namespace shigusa::testing_support {
+
+// Layers with parameters of theirs, before and after what a test does to them.
+struct LayeredChange {
+  LayeredChange(const BodyModel& body, const std::vector<Goal>& goals, LayerChoice choice = {})
+      : layers(layers_to_goals(body, goals, choice).value()) {
+    (void)layered_members(layers, before);
+    after = expected = before;
+  }
+
+  std::vector<Layer> layers;
+  LayeredParameters before{};
+  LayeredParameters after{};
+  LayeredParameters expected{};
+};
+
+// What every motion of a layered task must keep.
+inline void expect_layers_kept(const Task& task, const Generation& generation) {
+  EXPECT_EQ(generation.status, ReachStatus::reached) << task.body.name();
+  EXPECT_EQ(generation.remaining_distance, 0.0);
+  const ReachProblem problem = make_layered_problem(task).value().reach;
+  ASSERT_FALSE(generation.candidates.empty());
+  for (const Candidate& candidate : generation.candidates) {
+    const MeasuredMotion measured(problem, candidate.motion.clip);
+    EXPECT_TRUE(measured.finite);
+    EXPECT_EQ(measured.start_error, 0.0);
+    EXPECT_LT(measured.goal_error, 1e-8);
+    EXPECT_LT(measured.path_error, kReachTolerance);
+    // a foot that is the base does not move, nor does one that the leg is bent from; the closed
+    // chain of two legs is kept by steps of IK
+    EXPECT_LT(measured.contact_slide, task.body.feet().size() == 1 ? 1e-12 : kReachTolerance);
+    EXPECT_LT(measured.contact_tilt, kTiltTolerance);
+    EXPECT_EQ(candidate.score.total,
+              score_motion(task.body, candidate.motion, task_criteria(task)).total);
+    ASSERT_EQ(candidate.goals.size(), task.goals.size());
+    for (const GoalResult& goal : candidate.goals) EXPECT_LT(goal.error, 1e-8);
+    EXPECT_EQ(candidate.contacts.size(), task.body.feet().size());
+  }
+}
+
+}  // namespace shigusa::testing_support
