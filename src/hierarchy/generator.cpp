@@ -190,6 +190,24 @@ Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
               "every parameter is fixed: there is nothing to search, an edit plays them");
 }
 
+// Searches the first `most` ways, then one more at a time, until something arrives.
+void search_ways(const Task& task, std::span<const ReachProblem> ways, std::size_t most,
+                 const Progress& progress, Generation& generation) {
+  for (; most <= ways.size(); ++most) {
+    const auto search = task.pareto ? search_front : search_best;
+    search(task, ways.first(most), progress, generation);
+    if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) return;
+  }
+}
+
+// At the edge of reach a goal may be met in a posture that hardly any motion leads to. Then others
+// are tried, so many.
+constexpr int kOtherGuides = 3;
+
+bool goes_on(const ClosestReach& reach, const Generation& generation) {
+  return reach.reached() && generation.candidates.empty() && generation.end != SearchEnd::cancelled;
+}
+
 }  // namespace
 
 Result<Generation> generate(const Task& task, const Progress& progress) {
@@ -204,11 +222,11 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
   Generation generation;
   generation.duration = problem->duration;
-  for (std::size_t w = 0; w < ways.size(); ++w) {
-    const auto tried = std::span(ways).first(w + 1);
-    const auto search = task.pareto ? search_front : search_best;
-    search(task, tried, progress, generation);
-    if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) break;
+  search_ways(task, ways, 1, progress, generation);
+  for (int other = 1; other <= kOtherGuides && goes_on(reach, generation); ++other) {
+    const ClosestReach again = closest_reach(*problem, {.other = other});
+    if (!again.reached()) continue;
+    search_ways(task, ways_to_goal(*problem, again), 2, progress, generation);
   }
   if (generation.candidates.empty()) {
     generation.candidates.push_back(only_candidate(task, ways, uniform_parameters(task.body)));
@@ -234,6 +252,13 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
   Generation generation;
   generation.duration = problem->duration;
   generation.candidates.push_back(only_candidate(task, ways, parameters));
+  for (int other = 1; other <= kOtherGuides && reach.reached(); ++other) {
+    if (miss_of(generation.candidates.front()) <= kReachTolerance) break;
+    const ClosestReach again = closest_reach(*problem, {.other = other});
+    if (!again.reached()) continue;
+    Candidate candidate = only_candidate(task, ways_to_goal(*problem, again), parameters);
+    if (miss_of(candidate) <= kReachTolerance) generation.candidates.front() = std::move(candidate);
+  }
   finish(reach, generation);
   return generation;
 }

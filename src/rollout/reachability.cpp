@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <shigusa/core/random.hpp>
@@ -182,11 +183,11 @@ class Descent {
 ClosestReach closest_reach(const ReachProblem& problem, const ReachabilitySettings& settings) {
   const BodyModel& body = *problem.body;
   Descent descent(problem);
-  Random random(0, 0x5EAC4);
+  Random random(static_cast<std::uint64_t>(settings.other), 0x5EAC4);
   ClosestReach best;
   best.distance = std::numeric_limits<double>::infinity();
   for (int s = 0; s < settings.starts; ++s) {
-    std::vector<double> angles = s == 0
+    std::vector<double> angles = s == 0 && settings.other == 0
                                      ? std::vector<double>(body.start().begin(), body.start().end())
                                      : descent.wander(random);
     ClosestReach found = descent.run(std::move(angles), settings.iterations);

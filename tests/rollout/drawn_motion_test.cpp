@@ -119,7 +119,6 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
   problem.goals[0].sway = {-0.3, 0.0, 0.0};
   const CriteriaSettings criteria = default_criteria();
   Random random(3);
-  const std::size_t dofs = body.dofs().size();
   std::vector<float> weights;
   std::vector<float> changes;
   std::vector<float> timing;

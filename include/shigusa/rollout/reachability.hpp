@@ -9,6 +9,7 @@ namespace shigusa {
 struct ReachabilitySettings {
   int starts = 48;       // postures to search from: the start posture and random ones
   int iterations = 400;  // steps from each, at most
+  int other = 0;         // 1, 2, …: from other random postures, and not from the start posture
 };
 
 // The nearest that a body can come to its goals from its start posture without ever moving its
