@@ -117,6 +117,13 @@ Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
   if (bytes.empty()) return fail(ErrorCode::parse, "the file is empty", place);
   const Result<std::string_view> text = json_text(bytes, place);
   if (!text) return tl::unexpected(text.error());
+  // a parser takes some times the memory of the longest text in it
+  if (text->size() > kGltfMaxJsonBytes) {
+    return fail(ErrorCode::parse,
+                fmt::format("its JSON part has {} bytes; up to {} are allowed", text->size(),
+                            kGltfMaxJsonBytes),
+                place);
+  }
   SkeletonFilter filter;
   const auto watch = [&filter](int depth, Json::parse_event_t event, const Json& parsed) {
     return filter.keep(depth, event, parsed);

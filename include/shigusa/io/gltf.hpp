@@ -14,6 +14,7 @@ namespace shigusa {
 
 // What a glTF, GLB or VRM file may hold at most; more is refused before memory is taken.
 inline constexpr std::size_t kGltfMaxBytes = std::size_t{128} << 20;
+inline constexpr std::size_t kGltfMaxJsonBytes = std::size_t{40} << 20;  // all of a .gltf file
 inline constexpr int kGltfMaxNodes = 4096;
 // Numbers beyond this are refused, and so are nodes that stand farther from the origin.
 inline constexpr double kGltfMaxValue = 1e9;
