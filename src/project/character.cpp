@@ -41,17 +41,37 @@ struct CharacterFile {
   SkeletonMotion motion;
   HumanoidMap given;                // by the file itself
   std::vector<std::string> doubts;  // of reading
+  bool posture = true;              // a frame is how a person stood, and not how they were modelled
 };
 
 Result<CharacterFile> read_character(const std::filesystem::path& path) {
   if (file_kind(path.string()) == FileKind::gltf) {
     Result<GltfCharacter> file = read_gltf(path);
     if (!file) return tl::unexpected(file.error());
-    return CharacterFile{std::move(file->rest), std::move(file->humanoid), std::move(file->doubts)};
+    return CharacterFile{std::move(file->rest), std::move(file->humanoid), std::move(file->doubts),
+                         false};
   }
   Result<SkeletonMotion> file = read_bvh(path);
   if (!file) return tl::unexpected(file.error());
   return CharacterFile{std::move(*file), {}, {}};
+}
+
+// The arms as those of a person who stands at ease, in their own lengths: a T is how characters
+// are modelled, and nobody reaches from it. Exactly there two axes of a shoulder are one.
+Landmarks with_hanging_arms(Landmarks person, double stature) {
+  const Landmarks at_ease = standing_landmarks(stature, 0.0);
+  const auto hang = [](Landmarks::Arm& arm, const Landmarks::Arm& like) {
+    const auto along = [](const Vec3d& way, const Vec3d& length) {
+      return normalized(way) * norm(length);
+    };
+    const Vec3d elbow = arm.shoulder + along(like.elbow - like.shoulder, arm.elbow - arm.shoulder);
+    const Vec3d wrist = elbow + along(like.wrist - like.elbow, arm.wrist - arm.elbow);
+    const Vec3d tip = wrist + along(like.fingertip - like.wrist, arm.fingertip - arm.wrist);
+    arm = {arm.shoulder, elbow, wrist, tip};
+  };
+  hang(person.left_arm, at_ease.left_arm);
+  hang(person.right_arm, at_ease.right_arm);
+  return person;
 }
 
 }  // namespace
@@ -101,7 +121,8 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   }
   spec.source = name;
   spec.stature = person->stature;
-  spec.landmarks = person->landmarks;
+  spec.landmarks =
+      file->posture ? person->landmarks : with_hanging_arms(person->landmarks, person->stature);
   spec.doubts = file->doubts;
   for (const auto* more : {&map->doubts, &person->doubts}) {
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());

@@ -20,7 +20,7 @@ struct CharacterSpec {
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
   Sex sex = Sex::male;
   BodyExtent extent = BodyExtent::full;  // of a person from a file
-  int frame = 0;  // of the file: the start posture; glTF has 0 alone, its rest pose
+  int frame = 0;                         // of the file: the start posture; glTF has 0 alone
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
   std::vector<std::string> doubts{};  // what was guessed in measuring
@@ -36,8 +36,9 @@ struct CharacterSpec {
 [[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
 
 // Reads and measures the file that `source` names, if it does and has not been measured yet: fills
-// stature, landmarks and doubts, and leaves the file's bare name as the source. A relative path
-// starts at `folder`. Errors name the file and the place.
+// stature, landmarks and doubts, and leaves the file's bare name as the source. glTF has a rest
+// pose in place of a posture, mostly a T: the arms hang then. A relative path starts at `folder`.
+// Errors name the file and the place.
 [[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
                                              const std::filesystem::path& folder);
 
