@@ -21,7 +21,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
     }
     if (option.given && option.measures && spec.landmarks) {
       return fail(ErrorCode::invalid_argument,
-                  "the task file holds this person as measured; give the BVH file by --character",
+                  "the task file holds this person as measured; give the file by --character",
                   option.name);
     }
   }

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <optional>
 #include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/core/check.hpp>
 
 #include "humanoid_names.hpp"
 #include "humanoid_shape.hpp"
@@ -27,7 +28,11 @@ constexpr std::array<std::string_view, 4> kLimbNames{"left leg", "right leg", "l
 
 class BoneFinder {
  public:
-  explicit BoneFinder(const SkeletonTree& tree) : tree_(tree) {
+  BoneFinder(const SkeletonTree& tree, const HumanoidMap& given) : tree_(tree), given_(given) {
+    for (const int node : given.node) {
+      SHG_CHECK(node < tree.size(), "a given node of the skeleton");
+      any_given_ = any_given_ || node >= 0;
+    }
     for (int i = 0; i < tree.size(); ++i) {
       names_.push_back(tree.node(i).end_site ? BoneName{} : read_bone_name(tree.node(i).name));
     }
@@ -41,7 +46,7 @@ class BoneFinder {
     }
     std::size_t gap = kLimbs.size();
     for (std::size_t limb = kLimbs.size(); limb-- > 0;) {
-      if (!find_by_name(limb)) gap = limb;
+      if (!take_given(limb) && !find_by_name(limb)) gap = limb;
     }
     if (gap < kLimbs.size()) {
       if (!find_by_shape()) return fail(ErrorCode::invalid_argument, missing(gap));
@@ -92,6 +97,23 @@ class BoneFinder {
   [[nodiscard]] bool at_parent(int i) const {
     const int parent = tree_.node(i).parent;
     return parent >= 0 && !tree_.apart(i, parent);
+  }
+
+  [[nodiscard]] bool strictly_below(int i, int ancestor) const {
+    return i >= 0 && ancestor >= 0 && i != ancestor && tree_.below(i, ancestor);
+  }
+
+  // A limb as the file tells it; false where it tells none, or no chain.
+  bool take_given(std::size_t limb) {
+    if (!any_given_) return false;
+    const auto& [upper, lower, end] = kLimbs[limb];
+    if (!strictly_below(given_[lower], given_[upper]) ||
+        !strictly_below(given_[end], given_[lower])) {
+      doubt("the file's own map has no whole {}: it was looked for by names", kLimbNames[limb]);
+      return false;
+    }
+    for (const Bone bone : kLimbs[limb]) map_[bone] = given_[bone];
+    return true;
   }
 
   // Takes the first chain with the right names; of an incomplete one what there is, for the
@@ -219,6 +241,12 @@ class BoneFinder {
     // a root in the chest: the legs hang together below it
     const int lowest = all == chest_ ? legs : all;
     map_[Bone::hips] = lowest;
+    const int given = given_[Bone::hips];
+    if (given >= 0 && tree_.below(lowest, given)) {
+      map_[Bone::hips] = given;
+      return true;
+    }
+    if (any_given_) doubt("the file's own map has no hips above the legs: they were looked for");
     for (int i = 0; i <= lowest; ++i) {
       const bool named_hips = name(i).part == BonePart::hips || name(i).part == BonePart::hip;
       if (named_hips && name(i).side == NameSide::none && tree_.below(lowest, i)) {
@@ -232,11 +260,15 @@ class BoneFinder {
     int& neck = map_[Bone::neck];
     int& head = map_[Bone::head];
     const std::vector<int> necks = named(NameSide::none, {BonePart::neck});
-    neck = first_below(necks, chest_);
+    const bool neck_given = strictly_below(given_[Bone::neck], chest_);
+    neck = neck_given ? given_[Bone::neck] : first_below(necks, chest_);
     // one at the place of the chest is a helper if another neck joint follows
-    const int upper_neck = neck < 0 ? -1 : first_below(necks, neck);
+    const int upper_neck = neck < 0 || neck_given ? -1 : first_below(necks, neck);
     if (upper_neck >= 0 && at_parent(neck) && tree_.apart(upper_neck, neck)) neck = upper_neck;
-    head = first_below(named(NameSide::none, {BonePart::head}), neck >= 0 ? neck : chest_);
+    const int trunk_end = neck >= 0 ? neck : chest_;
+    head = strictly_below(given_[Bone::head], trunk_end)
+               ? given_[Bone::head]
+               : first_below(named(NameSide::none, {BonePart::head}), trunk_end);
     if (head < 0) head = head_by_shape();
     if (neck < 0 && head >= 0) neck = neck_by_shape(head);
     if (neck < 0) doubt("no neck joint: none stands between the arms and the head");
@@ -277,6 +309,10 @@ class BoneFinder {
   }
 
   void find_toes(NameSide side, Bone foot, Bone toes) {
+    if (strictly_below(given_[toes], map_[foot])) {
+      map_[toes] = given_[toes];
+      return;
+    }
     const bool ankle = name(map_[foot]).part == BonePart::ankle;
     map_[toes] = first_below(named(side, {BonePart::toes}), map_[foot]);
     if (map_[toes] < 0 && ankle)
@@ -292,6 +328,8 @@ class BoneFinder {
   }
 
   const SkeletonTree& tree_;
+  const HumanoidMap& given_;
+  bool any_given_ = false;
   std::vector<BoneName> names_;  // (nodes)
   HumanoidMap map_;
   int chest_ = -1;  // where the arms meet
@@ -322,9 +360,10 @@ std::string_view humanoid_bone_name(HumanoidBone bone) {
   return kNames[static_cast<std::size_t>(bone)];
 }
 
-Result<HumanoidMap> find_humanoid(const Skeleton& skeleton, const std::vector<Transformd>& world) {
+Result<HumanoidMap> find_humanoid(const Skeleton& skeleton, const std::vector<Transformd>& world,
+                                  const HumanoidMap& given) {
   const SkeletonTree tree(skeleton, world);
-  return BoneFinder(tree).find();
+  return BoneFinder(tree, given).find();
 }
 
 }  // namespace shigusa

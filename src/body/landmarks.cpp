@@ -270,8 +270,13 @@ class Measurer {
     const Vec3d neck = neck_ >= 0 ? tree_.at(neck_) : mid_shoulder_;
     const int last = neck_ >= 0 ? neck_ : chest;
     const double to_hips = norm(tree_.at(hips) - mid_hip_);
-    // hips far from the hip joints are a root on the floor: the straight way then
-    if (last < 0 || tree_.common_ancestor(hips, last) < 0 || to_hips > 0.5 * leg_length) {
+    // hips far from the hip joints are a root on the floor, and hips below them would count the way
+    // up to them twice: the straight way then
+    constexpr double kClearly = 0.05;
+    const Vec3d trunk = neck - mid_hip_;
+    const bool low_hips = dot(mid_hip_ - tree_.at(hips), trunk) > kClearly * dot(trunk, trunk);
+    if (last < 0 || tree_.common_ancestor(hips, last) < 0 || to_hips > 0.5 * leg_length ||
+        low_hips) {
       return norm(neck - mid_hip_);
     }
     return to_hips + way(hips, last) + norm(neck - tree_.at(last));

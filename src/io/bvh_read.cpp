@@ -10,7 +10,7 @@
 #include <shigusa/io/file.hpp>
 #include <vector>
 
-#include "bvh_names.hpp"
+#include "node_names.hpp"
 
 namespace shigusa {
 namespace {
@@ -383,7 +383,7 @@ class BvhReader {
   Cursor cursor_;
   std::string_view name_;
   SkeletonMotion motion_;
-  BvhNames names_{true};
+  NodeNames names_{true};
   std::vector<Seen> seen_;         // (nodes)
   std::vector<int> open_;          // nodes whose } is still to come, outermost first
   std::vector<Channel> channels_;  // columns of the motion

@@ -6,7 +6,7 @@
 #include <shigusa/io/bvh.hpp>
 #include <vector>
 
-#include "bvh_names.hpp"
+#include "node_names.hpp"
 
 namespace shigusa {
 namespace {
@@ -177,7 +177,7 @@ class BvhWriter {
   double unit_;
   int decimals_ = 0;
   double resolution_ = 1.0;  // last decimal of a length, in file units
-  BvhNames names_{false};
+  NodeNames names_{false};
   std::vector<std::size_t> order_;  // nodes as they are written
   std::vector<int> depth_;          // (nodes)
   std::vector<bool> has_child_;     // (nodes)

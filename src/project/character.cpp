@@ -3,6 +3,7 @@
 
 #include <shigusa/core/names.hpp>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/io/gltf.hpp>
 #include <shigusa/project/character.hpp>
 
 namespace shigusa {
@@ -22,6 +23,57 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
       "character");
 }
 
+enum class FileKind { none, bvh, gltf };
+
+// By the name's ending, in any case.
+FileKind file_kind(const std::string& source) {
+  std::string ending = std::filesystem::path(source).extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (ending == ".bvh") return FileKind::bvh;
+  for (const char* each : {".glb", ".gltf", ".vrm"}) {
+    if (ending == each) return FileKind::gltf;
+  }
+  return FileKind::none;
+}
+
+// A character as its file has it; glTF tells one frame, the rest pose.
+struct CharacterFile {
+  SkeletonMotion motion;
+  HumanoidMap given;                // by the file itself
+  std::vector<std::string> doubts;  // of reading
+  bool posture = true;              // a frame is how a person stood, and not how they were modelled
+};
+
+Result<CharacterFile> read_character(const std::filesystem::path& path) {
+  if (file_kind(path.string()) == FileKind::gltf) {
+    Result<GltfCharacter> file = read_gltf(path);
+    if (!file) return tl::unexpected(file.error());
+    return CharacterFile{std::move(file->rest), std::move(file->humanoid), std::move(file->doubts),
+                         false};
+  }
+  Result<SkeletonMotion> file = read_bvh(path);
+  if (!file) return tl::unexpected(file.error());
+  return CharacterFile{std::move(*file), {}, {}};
+}
+
+// The arms as those of a person who stands at ease, in their own lengths: a T is how characters
+// are modelled, and nobody reaches from it. Exactly there two axes of a shoulder are one.
+Landmarks with_hanging_arms(Landmarks person, double stature) {
+  const Landmarks at_ease = standing_landmarks(stature, 0.0);
+  const auto hang = [](Landmarks::Arm& arm, const Landmarks::Arm& like) {
+    const auto along = [](const Vec3d& way, const Vec3d& length) {
+      return normalized(way) * norm(length);
+    };
+    const Vec3d elbow = arm.shoulder + along(like.elbow - like.shoulder, arm.elbow - arm.shoulder);
+    const Vec3d wrist = elbow + along(like.wrist - like.elbow, arm.wrist - arm.elbow);
+    const Vec3d tip = wrist + along(like.fingertip - like.wrist, arm.fingertip - arm.wrist);
+    arm = {arm.shoulder, elbow, wrist, tip};
+  };
+  hang(person.left_arm, at_ease.left_arm);
+  hang(person.right_arm, at_ease.right_arm);
+  return person;
+}
+
 }  // namespace
 
 bool is_built_in(const CharacterSpec& spec) {
@@ -29,11 +81,12 @@ bool is_built_in(const CharacterSpec& spec) {
 }
 
 Result<void> check_source(const CharacterSpec& spec) {
-  const std::string ending = std::filesystem::path(spec.source).extension().string();
-  if (spec.landmarks || is_built_in(spec) || ending == ".bvh" || ending == ".BVH") return {};
+  const bool file = file_kind(spec.source) != FileKind::none;
+  if (spec.landmarks || is_built_in(spec) || file) return {};
   const std::vector<std::string> names{"half_body", "full_body"};
   return fail(ErrorCode::invalid_argument,
-              unknown_name("character", spec.source, names) + ", or a file that ends in .bvh",
+              unknown_name("character", spec.source, names) +
+                  ", or a file that ends in .bvh, .glb, .gltf or .vrm",
               "character");
 }
 
@@ -45,31 +98,35 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   if (const auto ok = check_source(spec); !ok) return ok;
   const std::filesystem::path path = folder / spec.source;
   const std::string name = path.filename().string();
-  const Result<SkeletonMotion> file = read_bvh(path);
+  const Result<CharacterFile> file = read_character(path);
   if (!file) return tl::unexpected(file.error());
-  if (spec.frame < 0 || spec.frame >= file->clip.frames) {
+  const auto& [skeleton, clip] = file->motion;
+  if (spec.frame < 0 || spec.frame >= clip.frames) {
+    const std::string has =
+        clip.frames == 1 ? "only frame 0" : fmt::format("the frames 0 to {}", clip.frames - 1);
     return fail(ErrorCode::invalid_argument,
-                fmt::format("frame {} does not exist; the file has the frames 0 to {}", spec.frame,
-                            file->clip.frames - 1),
-                name);
+                fmt::format("frame {} does not exist; the file has {}", spec.frame, has), name);
   }
-  const std::vector<Transformd> world = world_transforms(file->skeleton, file->clip, spec.frame);
-  const Result<HumanoidMap> map = find_humanoid(file->skeleton, world);
+  const std::vector<Transformd> world = world_transforms(skeleton, clip, spec.frame);
+  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file->given);
   if (!map) return fail(map.error().code, map.error().to_string(), name);
   const Result<MeasuredPerson> person =
-      measure_person(file->skeleton, world, *map, {.stature = spec.stature});
+      measure_person(skeleton, world, *map, {.stature = spec.stature});
   if (!person) return fail(person.error().code, person.error().to_string(), name);
   for (int b = 0; b < kHumanoidBoneCount; ++b) {
     const auto bone = static_cast<HumanoidBone>(b);
     if ((*map)[bone] < 0) continue;
     spec.humanoid.emplace_back(humanoid_bone_name(bone),
-                               file->skeleton.nodes[static_cast<std::size_t>((*map)[bone])].name);
+                               skeleton.nodes[static_cast<std::size_t>((*map)[bone])].name);
   }
   spec.source = name;
   spec.stature = person->stature;
-  spec.landmarks = person->landmarks;
-  spec.doubts = map->doubts;
-  spec.doubts.insert(spec.doubts.end(), person->doubts.begin(), person->doubts.end());
+  spec.landmarks =
+      file->posture ? person->landmarks : with_hanging_arms(person->landmarks, person->stature);
+  spec.doubts = file->doubts;
+  for (const auto* more : {&map->doubts, &person->doubts}) {
+    spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
+  }
   return {};
 }
 

@@ -53,11 +53,11 @@ class FolderOfBadInput : public testing::Test {
     folder_.put("truncated.json", R"({"version": 1, "goals": [{"effec)");
     folder_.put("folder/kept.txt", "kept");
     folder_.put("taken", "a file where a folder is wanted");
-    for (const std::string ending : {"bvh", "json"}) {
+    for (const std::string ending : {"bvh", "glb", "json"}) {
       folder_.put("empty." + ending, "");
       folder_.put("binary." + ending, binary);
       folder_.put("huge." + ending, "");
-      std::filesystem::resize_file(folder_ / ("huge." + ending), 100'000'000);
+      std::filesystem::resize_file(folder_ / ("huge." + ending), 200'000'000);
     }
     make_result();
   }
@@ -210,7 +210,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{
             "Unknown", {"body", "half_bodi"}, {"'half_bodi'", "did you mean 'half_body'?", ".bvh"}},
-        Case{"OtherFormat", {"body", "hero.vrm"}, {"'hero.vrm'", ".bvh"}},
+        Case{"OtherFormat", {"body", "hero.fbx"}, {"'hero.fbx'", ".bvh, .glb, .gltf or .vrm"}},
+        Case{"MissingVrm", {"body", "hero.vrm"}, {"hero.vrm", "No such file"}},
+        Case{"EmptyGlb", {"body", "empty.glb"}, {"empty.glb", "empty"}},
+        Case{"BinaryGlb", {"body", "binary.glb"}, {"binary.glb", "not glTF"}},
+        Case{"HugeGlb", {"body", "huge.glb"}, {"huge.glb", "134217728 bytes"}},
         Case{"Missing",
              {"reach", "--goal", kGoal, "--character", "gone.bvh"},
              {"gone.bvh", "No such file"}},

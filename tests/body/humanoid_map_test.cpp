@@ -234,6 +234,43 @@ TEST(HumanoidMap, SidesInNamesHelpTheShape) {
   EXPECT_THAT(map->doubts, Contains(HasSubstr("feet point backwards")));
 }
 
+// What a file tells of its bones: the capture names' nodes.
+HumanoidMap given_map(const StickFigure& figure) {
+  HumanoidMap map;
+  for (std::size_t b = 0; b < kCaptureNames.size(); ++b)
+    map.node[b] = figure.find(kCaptureNames[b]);
+  return map;
+}
+
+TEST(HumanoidMap, GivenBonesGoBeforeNames) {
+  // the names of the arms are exchanged, and those of the legs tell nothing
+  StickFigure figure = standing_figure();
+  const HumanoidMap given = given_map(figure);
+  std::swap(figure["LeftArm"].name, figure["RightArm"].name);
+  figure["LeftUpLeg"].name = "a";
+  const auto map = find_humanoid(figure.skeleton(), figure.world(), given);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->node, given.node);
+  EXPECT_THAT(map->doubts, IsEmpty());
+}
+
+TEST(HumanoidMap, GivenBonesThatAreNoLimbAreLookedForByNames) {
+  const StickFigure figure = standing_figure();
+  HumanoidMap given = given_map(figure);
+  std::swap(given[Bone::left_lower_leg], given[Bone::right_lower_leg]);
+  given[Bone::left_hand] = -1;
+  given[Bone::right_hand] = given[Bone::right_lower_arm];
+  given[Bone::hips] = given[Bone::head];
+  given[Bone::head] = given[Bone::right_hand];
+  given[Bone::left_toes] = -1;
+  const auto map = find_humanoid(figure.skeleton(), figure.world(), given);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(mapped(figure.skeleton(), *map), kCaptureNames);
+  EXPECT_EQ(map->doubts.size(), 5u);
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("map has no whole left arm")));
+  EXPECT_THAT(map->doubts, Contains(HasSubstr("map has no hips above the legs")));
+}
+
 TEST(HumanoidMap, RootInTheChestIsFollowedToTheHips) {
   // the standing figure with its root at the chest: hips hang below the spine
   const StickFigure upright = standing_figure();

@@ -165,6 +165,12 @@ TEST(MeasurePerson, StatureIsTheSameInAStoop) {
   EXPECT_GT(person->landmarks.head_top.z, 0.7);
 }
 
+TEST(MeasurePerson, HipsBelowTheHipJointsAddNothingToTheStature) {
+  StickFigure figure = standing_figure();
+  figure["Hips"].at.y -= 0.1;  // as in VRM and game characters
+  EXPECT_NEAR(measured(figure).stature, measured(standing_figure()).stature, 1e-12);
+}
+
 TEST(MeasurePerson, PersonWhoSitsOnTheFloorIsNotTilted) {
   StickFigure figure = standing_figure();
   const Vec3d hips = figure["Hips"].at;

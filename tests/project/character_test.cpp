@@ -2,10 +2,11 @@
 // Characters that nobody here made: they start as they were recorded, and keep every promise.
 #include <gmock/gmock.h>
 
+#include <shigusa/io/gltf.hpp>
 #include <shigusa/project/export.hpp>
 
 #include "support/exported.hpp"
-#include "support/person_file.hpp"
+#include "support/gltf_file.hpp"
 #include "support/work_folder.hpp"
 
 namespace shigusa {
@@ -29,9 +30,11 @@ class RecordedCharacter : public testing::TestWithParam<Recorded> {
 
   // The landmarks of the file's own posture, measured apart from the body.
   [[nodiscard]] Landmarks recorded() const {
-    const SkeletonMotion file = read_bvh(path_).value();
+    const bool bvh = path_.ends_with(".bvh");
+    const GltfCharacter gltf = bvh ? GltfCharacter{} : read_gltf(path_).value();
+    const SkeletonMotion file = bvh ? read_bvh(path_).value() : gltf.rest;
     const auto world = world_transforms(file.skeleton, file.clip, GetParam().frame);
-    const HumanoidMap map = find_humanoid(file.skeleton, world).value();
+    const HumanoidMap map = find_humanoid(file.skeleton, world, gltf.humanoid).value();
     return measure_person(file.skeleton, world, map).value().landmarks;
   }
 
@@ -60,7 +63,14 @@ TEST_P(RecordedCharacter, StartsInTheRecordedPosture) {
   for (const Side side : {Side::left, Side::right}) {
     const std::string of = side == Side::left ? "left_" : "right_";
     const auto& leg = person.leg(side);
-    const auto& arm = person.arm(side);
+    auto arm = person.arm(side);
+    if (!path_.ends_with(".bvh")) {
+      // a rest pose is no posture: the arms hang, the elbows bent by 10° as standing_landmarks has
+      const double forearm = norm(arm.wrist - arm.elbow);
+      arm.elbow = arm.shoulder - Vec3d{0, norm(arm.elbow - arm.shoulder), 0};
+      const SinCos<double> bend = sin_cos(radians(10.0));
+      arm.wrist = arm.elbow + Vec3d{0, -bend.cos, bend.sin} * forearm;
+    }
     // what is written moves no origin by more than 1e-6 m
     EXPECT_LE(norm(exported.at(of + "upper_leg", 0) - leg.hip), 1e-6);
     EXPECT_LE(norm(exported.at(of + "lower_leg", 0) - leg.knee), 1e-6);
@@ -107,6 +117,91 @@ INSTANTIATE_TEST_SUITE_P(
                     Recorded{"assimp__Boxing_Toes.bvh", 0, "Boxing0"},
                     Recorded{"assimp__Boxing_Toes.bvh", 60, "Boxing60"}),
     [](const auto& of) { return std::string(of.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Gltf, RecordedCharacter,
+    testing::Values(Recorded{"VRM-Addon-for-Blender__basic_armature.vrm", 0, "Vrm0"},
+                    Recorded{"VRM-Addon-for-Blender__debug_robot.vrm", 0, "Vrm1"},
+                    Recorded{"KayKit_Knight.glb", 0, "Knight"},
+                    Recorded{"lab0_CesiumMan.glb", 0, "CesiumMan"}),
+    [](const auto& of) { return std::string(of.param.name); });
+
+// What becomes of the files of ../shared: who has which height, or why there is no person.
+struct Shared {
+  const char* file;
+  double stature;  // m, or 0
+  const char* told;
+  const char* left_hand;  // the node
+};
+
+class SharedCharacter : public testing::TestWithParam<Shared> {};
+
+TEST_P(SharedCharacter, IsMeasuredOrGivesTheReason) {
+  const std::string shared = SHIGUSA_SHARED_DIR;
+  if (shared.empty()) GTEST_SKIP() << "no recorded characters here";
+  CharacterSpec spec;
+  spec.source = shared + "/characters/" + GetParam().file;
+  const auto measured = measure_character(spec, {});
+  if (GetParam().stature == 0.0) {
+    ASSERT_FALSE(measured);
+    EXPECT_THAT(measured.error().to_string(), testing::HasSubstr(GetParam().told));
+    return;
+  }
+  ASSERT_TRUE(measured) << measured.error().to_string();
+  EXPECT_NEAR(*spec.stature, GetParam().stature, 1e-3);
+  EXPECT_THAT(spec.doubts, testing::Contains(testing::HasSubstr(GetParam().told)));
+  EXPECT_THAT(spec.humanoid, testing::Contains(testing::Pair("left_hand", GetParam().left_hand)));
+  EXPECT_GT(spec.landmarks->left_leg.hip.x, spec.landmarks->right_leg.hip.x);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Gltf, SharedCharacter,
+    testing::Values(
+        Shared{"VRM-Addon-for-Blender__basic_armature.vrm", 1.621, "head has no tip", "hand.L"},
+        Shared{"VRM-Addon-for-Blender__debug_robot.vrm", 1.674, "head has no tip", "hand.L"},
+        // the whole armature is tilted
+        Shared{"VRM-Addon-for-Blender__armature_transform.vrm", 1.921, "does not stand", "hand.L"},
+        Shared{"KayKit_Knight.glb", 1.206, "no neck joint", "wrist.l"},
+        Shared{"lab0_CesiumMan.glb", 1.305, "found by the skeleton's shape",
+               "Skeleton_arm_joint_L__2_"},
+        // his right arm ends at the elbow
+        Shared{"mjolnir_BrainStem.glb", 0.0, "no two legs and two arms", ""},
+        Shared{"meshoptimizer__fuzz.glb", 0.0, "no body", ""},
+        Shared{"assimp__simple_skin.gltf", 0.0, "no left leg", ""},
+        Shared{"assimp__IndexOutOfRange.gltf", 0.0, "no body", ""},
+        Shared{"tinygltf__invalid-buffer-index.gltf", 0.0, "no nodes", ""}),
+    [](const auto& of) {
+      std::string name = of.param.file;
+      std::erase_if(name, [](char c) { return c == '_' || c == '.' || c == '-'; });
+      return name;
+    });
+
+TEST(MeasureCharacter, GltfAndBvhOfAPersonAreMeasuredAlike) {
+  const WorkFolder work;
+  work.put("person.bvh", person_bvh());
+  work.put("person.glb", glb(person_gltf().dump()));
+  work.put("person.GLTF", person_gltf().dump());
+  CharacterSpec bvh{.source = "person.bvh"};
+  ASSERT_TRUE(measure_character(bvh, work.path()));
+  for (const char* file : {"person.glb", "person.GLTF"}) {
+    CharacterSpec gltf{.source = file};
+    ASSERT_TRUE(measure_character(gltf, work.path()));
+    EXPECT_EQ(gltf.source, file);
+    // BVH's angles are written so that no origin moves by more than 1e-6 m
+    EXPECT_NEAR(*gltf.stature, *bvh.stature, 1e-6);
+    EXPECT_LE(norm(gltf.landmarks->left_arm.fingertip - bvh.landmarks->left_arm.fingertip), 1e-6);
+  }
+}
+
+TEST(MeasureCharacter, GltfHasOneFrame) {
+  const WorkFolder work;
+  work.put("person.glb", glb(person_gltf().dump()));
+  CharacterSpec spec{.source = "person.glb", .frame = 1};
+  const auto measured = measure_character(spec, work.path());
+  ASSERT_FALSE(measured);
+  EXPECT_EQ(measured.error().to_string(),
+            "person.glb: frame 1 does not exist; the file has only frame 0");
+}
 
 TEST(MeasureCharacter, RelativePathStartsAtTheFolder) {
   const WorkFolder work;

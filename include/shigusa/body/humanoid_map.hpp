@@ -60,7 +60,13 @@ struct HumanoidMap {
 // place of its parent is a helper, and the next one is the bone. If the limbs' names are
 // incomplete, all limbs are found by shape, and the names tell only the sides; without those the
 // feet do. Hips are where legs and spine meet, or what is called so just above.
+//
+// `given`: what the file itself tells of its bones (VRM). It goes before names where it makes
+// sense: a limb with all its joints, each below the one before, hips above the legs, a neck and a
+// head above the arms, toes below the foot. What it leaves out or contradicts is found as above;
+// for a limb or the hips that is a doubt.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Skeleton& skeleton,
-                                                const std::vector<Transformd>& world);
+                                                const std::vector<Transformd>& world,
+                                                const HumanoidMap& given = {});
 
 }  // namespace shigusa

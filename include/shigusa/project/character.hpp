@@ -11,16 +11,16 @@
 
 namespace shigusa {
 
-// Who moves: a built-in body, or a person measured from a capture file.
+// Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
-  // "half_body", "full_body" or the path of a BVH file; for a person who was measured before
-  // (landmarks below), only a name
+  // "half_body", "full_body" or the path of a BVH, glTF, GLB or VRM file; for a person who was
+  // measured before (landmarks below), only a name
   std::string source = "full_body";
   std::optional<double> stature{};  // m, 0.5..2.5
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
   Sex sex = Sex::male;
   BodyExtent extent = BodyExtent::full;  // of a person from a file
-  int frame = 0;                         // of the file: the start posture
+  int frame = 0;                         // of the file: the start posture; glTF has 0 alone
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
   std::vector<std::string> doubts{};  // what was guessed in measuring
@@ -31,13 +31,14 @@ struct CharacterSpec {
 // True for "half_body" and "full_body", which need no file.
 [[nodiscard]] bool is_built_in(const CharacterSpec& spec);
 
-// Fails where `source` can be no character at all: neither built in, nor a BVH file by its ending,
-// nor measured before.
+// Fails where `source` can be no character at all: neither built in, nor a file of one of these
+// kinds by its ending, nor measured before.
 [[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
 
 // Reads and measures the file that `source` names, if it does and has not been measured yet: fills
-// stature, landmarks and doubts, and leaves the file's bare name as the source. A relative path
-// starts at `folder`. Errors name the file and the place.
+// stature, landmarks and doubts, and leaves the file's bare name as the source. glTF has a rest
+// pose in place of a posture, mostly a T: the arms hang then. A relative path starts at `folder`.
+// Errors name the file and the place.
 [[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
                                              const std::filesystem::path& folder);
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 
 namespace shigusa {
 
 // Gives out joint names, each once.
-class BvhNames {
+class NodeNames {
  public:
   // `spaces`: whether names keep their blanks; otherwise these become '_' too.
-  explicit BvhNames(bool spaces) : spaces_(spaces) {}
+  explicit NodeNames(bool spaces) : spaces_(spaces) {}
 
   // The name as it may stand in a file: valid UTF-8 without control characters and braces, "joint"
   // if empty, and with "_2", "_3", … where it was taken before.
@@ -19,7 +19,7 @@ class BvhNames {
 
  private:
   bool spaces_;
-  std::set<std::string, std::less<>> taken_;
+  std::map<std::string, int> taken_;  // and the number that the name was last given with
 };
 
 }  // namespace shigusa

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bvh_names.hpp"
+#include "node_names.hpp"
 
 #include <cstdint>
 
@@ -43,10 +43,12 @@ std::string cleaned(std::string_view name, bool spaces) {
 
 }  // namespace
 
-std::string BvhNames::take(std::string_view name) {
+std::string NodeNames::take(std::string_view name) {
   const std::string clean = cleaned(name, spaces_);
   std::string unique = clean;
-  for (int n = 2; !taken_.insert(unique).second; ++n) unique = clean + '_' + std::to_string(n);
+  while (!taken_.emplace(unique, 1).second) {
+    unique = clean + '_' + std::to_string(++taken_[clean]);
+  }
   return unique;
 }
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/body/skeleton.hpp>
+#include <shigusa/core/result.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+// What a glTF, GLB or VRM file may hold at most; more is refused before memory is taken.
+inline constexpr std::size_t kGltfMaxBytes = std::size_t{128} << 20;
+inline constexpr std::size_t kGltfMaxJsonBytes = std::size_t{40} << 20;  // all of a .gltf file
+inline constexpr int kGltfMaxNodes = 4096;
+// Numbers beyond this are refused, and so are nodes that stand farther from the origin.
+inline constexpr double kGltfMaxValue = 1e9;
+
+enum class VrmVersion { none, v0, v1 };
+
+// The skeleton of a character in glTF 2.0. Metres, +Y up; characters face +Z, those of VRM 0.x -Z.
+struct GltfCharacter {
+  // one frame, the rest pose: where the nodes' own places put them, whatever pose the mesh was
+  // bound in. No node is turned in it: offsets are along the axes of the world.
+  SkeletonMotion rest;
+  std::vector<int> file_node;  // (nodes) the index that each has in the file
+  VrmVersion vrm = VrmVersion::none;
+  HumanoidMap humanoid;  // what a VRM file tells of its bones; empty for others
+  std::vector<std::string> doubts;
+};
+
+// Parses the bytes of a .gltf, .glb or .vrm file. Of these only the JSON part is read, so no other
+// file is opened. Errors name the node, the value seen and what is allowed; `name` stands for the
+// file in them.
+//
+// - Nodes are the joints of all skins and the bones of VRM, all that these hang on, and the leaves
+//   on them that carry no mesh: tips of fingers and toes. A file without joints and bones gives
+//   all nodes.
+// - Scales go into the offsets, mirroring ones too. Bones below a scale that is not the same along
+//   its axes keep the lengths that they have in the rest pose; the doubts name such nodes.
+// - Names are made unique as parse_bvh does; a node without a name is "node 17" by its index.
+// - Bones of the VRM map that name no node of the file are left out, with a doubt.
+[[nodiscard]] Result<GltfCharacter> parse_gltf(std::string_view bytes, std::string_view name);
+
+// Reads and parses a file.
+[[nodiscard]] Result<GltfCharacter> read_gltf(const std::filesystem::path& path);
+
+}  // namespace shigusa

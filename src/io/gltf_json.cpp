@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "gltf_json.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <shigusa/io/gltf.hpp>
+
+namespace shigusa {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kMaxDepth = 64;
+constexpr std::size_t kMaxValues = 500'000;
+
+template <std::size_t N>
+bool one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+  for (const std::string_view w : words) {
+    if (w == word) return true;
+  }
+  return false;
+}
+
+// Watches a text being parsed: keeps what the skeleton needs, and ends the parse by throwing what
+// passes a limit. A mesh may lie in the text, as long as all bones together a hundred times.
+class SkeletonFilter {
+ public:
+  // `depth`: of an event, the number of objects and lists that are open around it
+  bool keep(int depth, Json::parse_event_t event, const Json& parsed) {
+    using Event = Json::parse_event_t;
+    if (depth >= kMaxDepth) throw fmt::format("nested deeper than {} levels", kMaxDepth);
+    if (depth > dropped_) return false;
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Event::key) {
+      path_[level] = parsed.get_ref<const std::string&>();
+      const bool is_wanted = wanted(depth);
+      dropped_ = is_wanted ? std::numeric_limits<int>::max() : depth;
+      return is_wanted;
+    }
+    if (event == Event::object_start || event == Event::array_start) {
+      // nlohmann looks through all of a list when one of its members ends
+      if (++members_[level] > kGltfMaxNodes) {
+        throw fmt::format("more than {} entries in {}", kGltfMaxNodes, path_[1]);
+      }
+      members_[level + 1] = 0;
+    }
+    if (++values_ > kMaxValues) throw fmt::format("more than {} values in nodes", kMaxValues);
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool wanted(int depth) const {
+    constexpr std::array<std::string_view, 4> kTop{"asset", "nodes", "skins", "extensions"};
+    constexpr std::array<std::string_view, 7> kNode{"name",     "children", "mesh",  "translation",
+                                                    "rotation", "scale",    "matrix"};
+    constexpr std::array<std::string_view, 2> kVrm{"VRM", "VRMC_vrm"};
+    const std::string& key = path_[static_cast<std::size_t>(depth)];
+    if (depth == 1) return one_of(key, kTop);
+    if (path_[1] == "asset") return depth > 2 || key == "version";
+    if (path_[1] == "nodes") return one_of(key, kNode);
+    if (path_[1] == "skins") return key == "joints";
+    if (depth == 2) return one_of(key, kVrm);
+    if (depth == 3) return key == "humanoid";
+    return depth > 4 || key == "humanBones";
+  }
+
+  std::array<std::string, kMaxDepth> path_;        // the last key at each depth
+  std::array<int, kMaxDepth + 1> members_{};       // objects and lists so far at each depth
+  int dropped_ = std::numeric_limits<int>::max();  // the depth of the key that was not wanted
+  std::size_t values_ = 0;
+};
+
+std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  return word;
+}
+
+// The JSON text: of a GLB its first chunk, else all.
+Result<std::string_view> json_text(std::string_view bytes, const std::string& place) {
+  constexpr std::uint32_t kVersion = 2;
+  constexpr std::size_t kHeader = 20;  // of the file and of its first chunk
+  if (!bytes.starts_with("glTF")) return bytes;
+  if (bytes.size() < kHeader) {
+    return fail(ErrorCode::parse,
+                fmt::format("ends after {} bytes; the header of a GLB file takes {}", bytes.size(),
+                            kHeader),
+                place);
+  }
+  if (word_at(bytes, 4) != kVersion) {
+    return fail(ErrorCode::unsupported,
+                fmt::format("is GLB version {}; {} is read", word_at(bytes, 4), kVersion), place);
+  }
+  if (word_at(bytes, 8) > bytes.size()) {
+    return fail(ErrorCode::parse,
+                fmt::format("its header tells {} bytes, but it ends after {}", word_at(bytes, 8),
+                            bytes.size()),
+                place);
+  }
+  if (bytes.substr(16, 4) != "JSON" || word_at(bytes, 12) > bytes.size() - kHeader) {
+    return fail(ErrorCode::parse,
+                fmt::format("its first chunk must be of JSON and {} bytes at most; this one tells "
+                            "{} bytes",
+                            bytes.size() - kHeader, word_at(bytes, 12)),
+                place);
+  }
+  return bytes.substr(kHeader, word_at(bytes, 12));
+}
+
+}  // namespace
+
+Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
+  const std::string place(name);
+  if (bytes.empty()) return fail(ErrorCode::parse, "the file is empty", place);
+  const Result<std::string_view> text = json_text(bytes, place);
+  if (!text) return tl::unexpected(text.error());
+  // a parser takes some times the memory of the longest text in it
+  if (text->size() > kGltfMaxJsonBytes) {
+    return fail(ErrorCode::parse,
+                fmt::format("its JSON part has {} bytes; up to {} are allowed", text->size(),
+                            kGltfMaxJsonBytes),
+                place);
+  }
+  SkeletonFilter filter;
+  const auto watch = [&filter](int depth, Json::parse_event_t event, const Json& parsed) {
+    return filter.keep(depth, event, parsed);
+  };
+  try {
+    Json json = Json::parse(*text, watch);
+    if (json.is_object()) return json;
+    return fail(ErrorCode::parse, "holds JSON, but no object { … } as glTF does", place);
+  } catch (const std::string& passed) {
+    return fail(ErrorCode::parse, passed, place);
+  } catch (const Json::exception& error) {
+    const std::string_view what = error.what();
+    const std::size_t cut = what.find("] ");
+    return fail(ErrorCode::parse,
+                "not glTF: " + std::string(cut == what.npos ? what : what.substr(cut + 2)), place);
+  }
+}
+
+}  // namespace shigusa

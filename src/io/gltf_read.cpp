@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <shigusa/io/file.hpp>
+#include <shigusa/io/gltf.hpp>
+
+#include "gltf_json.hpp"
+#include "gltf_vrm.hpp"
+#include "node_names.hpp"
+
+namespace shigusa {
+namespace {
+
+using Json = nlohmann::json;
+
+// One node as the file has it.
+struct FileNode {
+  std::string name;
+  int parent = -1;
+  std::vector<int> children;
+  Transformd place;     // in its parent; with the scale in its matrix
+  bool uneven = false;  // scaled differently along its axes
+  bool mesh = false;
+  bool joint = false;   // of a skin or of VRM
+  bool needed = false;  // stands in the skeleton
+};
+
+// Reads one file. Each step returns false after it has noted the error.
+class GltfReader {
+ public:
+  GltfReader(const Json& json, std::string_view name) : json_(json), name_(name) {}
+
+  Result<GltfCharacter> read() {
+    if (!version() || !nodes() || !parents() || !joints()) return tl::unexpected<Error>(error_);
+    mark_needed();
+    if (!build()) return tl::unexpected<Error>(error_);
+    take_vrm();
+    tell_uneven();
+    return std::move(result_);
+  }
+
+ private:
+  template <class... Args>
+  bool wrong(std::string place, fmt::format_string<Args...> format, Args&&... args) {
+    if (!place.empty()) place += " of ";
+    error_ = {ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...), place + name_};
+    return false;
+  }
+
+  FileNode& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] int count() const { return static_cast<int>(nodes_.size()); }
+  // "node 3 'hips'"
+  std::string described(int i) {
+    return node(i).name.empty() ? fmt::format("node {}", i)
+                                : fmt::format("node {} '{}'", i, node(i).name);
+  }
+
+  // A value as it stands in a message: short, and ASCII only.
+  static std::string shown(const Json& value) {
+    constexpr std::size_t kLongest = 60;
+    const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return text.size() > kLongest ? text.substr(0, kLongest) + "…" : text;
+  }
+
+  bool version() {
+    const auto asset = json_.find("asset");
+    if (asset == json_.end() || !asset->is_object() || !asset->contains("version")) {
+      return wrong("", "no glTF file: asset.version is missing");
+    }
+    const Json& version = (*asset)["version"];
+    if (version.is_string() && version.get_ref<const std::string&>().starts_with("2.")) return true;
+    return wrong("", "is glTF version {}; 2.0 is read", shown(version));
+  }
+
+  bool nodes() {
+    const auto list = json_.find("nodes");
+    if (list == json_.end() || !list->is_array() || list->empty()) {
+      return wrong("", "holds no nodes, so no character");
+    }
+    for (const Json& json : *list) {
+      nodes_.emplace_back();
+      if (!read_node(json, count() - 1)) return false;
+    }
+    return true;
+  }
+
+  bool read_node(const Json& json, int index) {
+    if (!json.is_object()) return wrong(described(index), "is {}, and no object", shown(json));
+    FileNode& read = nodes_.back();
+    const auto name = json.find("name");
+    constexpr std::size_t kMaxName = 256;
+    if (name != json.end() && name->is_string()) {
+      read.name = name->get<std::string>();
+      if (read.name.size() > kMaxName) {
+        const std::size_t length = read.name.size();
+        read.name.clear();
+        return wrong(described(index), "its name has {} bytes; up to {} are allowed", length,
+                     kMaxName);
+      }
+    }
+    read.mesh = json.contains("mesh");
+    return indices(json, "children", described(index), read.children) && read_place(json, index);
+  }
+
+  // A list of nodes; their range is checked when all are read.
+  bool indices(const Json& json, const char* key, const std::string& place,
+               std::vector<int>& into) {
+    const auto list = json.find(key);
+    if (list == json.end()) return true;
+    if (!list->is_array()) return wrong(place, "{} is {}, and no list", key, shown(*list));
+    for (const Json& index : *list) {
+      const auto nodes = static_cast<std::uint64_t>(json_["nodes"].size());
+      if (!index.is_number_unsigned() || index >= nodes) {
+        return wrong(place, "{} holds {}; allowed are the nodes 0 to {}", key, shown(index),
+                     nodes - 1);
+      }
+      into.push_back(index.get<int>());
+    }
+    return true;
+  }
+
+  template <std::size_t N>
+  bool numbers(const Json& json, const char* key, int index, std::array<double, N>& into) {
+    const auto list = json.find(key);
+    if (list == json.end()) return true;
+    bool valid = list->is_array() && list->size() == N;
+    for (std::size_t k = 0; valid && k < N; ++k) {
+      const Json& value = (*list)[k];
+      valid = value.is_number() && abs(value.get<double>()) <= kGltfMaxValue;
+      if (valid) into[k] = value.get<double>();
+    }
+    return valid || wrong(described(index), "{} is {}; it must be {} numbers from {:g} to {:g}",
+                          key, shown(*list), N, -kGltfMaxValue, kGltfMaxValue);
+  }
+
+  bool read_place(const Json& json, int index) {
+    FileNode& read = node(index);
+    if (json.contains("matrix")) {
+      std::array<double, 16> m{};
+      if (!numbers(json, "matrix", index, m)) return false;
+      read.place = {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}},
+                    {m[12], m[13], m[14]}};
+    } else {
+      std::array<double, 3> t{};
+      std::array<double, 4> r{0.0, 0.0, 0.0, 1.0};
+      std::array<double, 3> s{1.0, 1.0, 1.0};
+      if (!numbers(json, "translation", index, t) || !numbers(json, "rotation", index, r) ||
+          !numbers(json, "scale", index, s)) {
+        return false;
+      }
+      const double length = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
+      constexpr double kShortest = 1e-6;
+      if (length < kShortest) {
+        return wrong(described(index), "rotation is a quaternion of length {:g}; it must be 1",
+                     length);
+      }
+      const Mat3d turn =
+          to_matrix(Quatd{r[0] / length, r[1] / length, r[2] / length, r[3] / length});
+      read.place = {{turn.cx * s[0], turn.cy * s[1], turn.cz * s[2]}, {t[0], t[1], t[2]}};
+    }
+    const Mat3d& m = read.place.rotation;
+    const double longest = max(norm(m.cx), max(norm(m.cy), norm(m.cz)));
+    const double least = min(norm(m.cx), min(norm(m.cy), norm(m.cz)));
+    constexpr double kUneven = 1e-3;
+    read.uneven = longest - least > kUneven * longest;
+    return true;
+  }
+
+  // Each node hangs on one other at most, and all on roots: else `children` does not make a forest.
+  bool parents() {
+    for (int i = 0; i < count(); ++i) {
+      for (const int child : node(i).children) {
+        if (node(child).parent >= 0) {
+          return wrong(described(child), "is a child of {} and of {}; one parent is allowed",
+                       described(node(child).parent), described(i));
+        }
+        node(child).parent = i;
+      }
+    }
+    // depth first, as BVH has it; the order stays when nodes are left out
+    for (int root = 0; root < count(); ++root) {
+      if (node(root).parent >= 0) continue;
+      std::vector<int> open{root};
+      while (!open.empty()) {
+        const int i = open.back();
+        open.pop_back();
+        order_.push_back(i);
+        open.insert(open.end(), node(i).children.rbegin(), node(i).children.rend());
+      }
+    }
+    if (order_.size() == nodes_.size()) return true;
+    std::vector<bool> reached(nodes_.size());
+    for (const int i : order_) reached[static_cast<std::size_t>(i)] = true;
+    const auto first = std::find(reached.begin(), reached.end(), false) - reached.begin();
+    return wrong(described(static_cast<int>(first)),
+                 "hangs on no root: it is its own descendant, or below one that is");
+  }
+
+  bool joints() {
+    const auto skins = json_.find("skins");
+    if (skins != json_.end()) {
+      if (!skins->is_array()) return wrong("", "skins is {}, and no list", shown(*skins));
+      int number = 0;
+      for (const Json& skin : *skins) {
+        std::vector<int> joints;
+        if (!indices(skin, "joints", fmt::format("skin {}", number++), joints)) return false;
+        for (const int i : joints) node(i).joint = true;
+      }
+    }
+    vrm_ = read_vrm_bones(json_, count());
+    for (const int i : vrm_.all) node(i).joint = true;
+    return true;
+  }
+
+  void mark_needed() {
+    bool any = false;
+    for (int i = 0; i < count(); ++i) {
+      if (!node(i).joint) continue;
+      any = true;
+      for (int k = i; k >= 0 && !node(k).needed; k = node(k).parent) node(k).needed = true;
+    }
+    for (FileNode& each : nodes_) {
+      const bool tip =
+          each.parent >= 0 && node(each.parent).joint && each.children.empty() && !each.mesh;
+      each.needed = each.needed || !any || tip;
+    }
+  }
+
+  bool build() {
+    std::vector<Transformd> world(nodes_.size());  // with scales, by the file's own index
+    std::vector<int> place(nodes_.size(), -1);     // in the skeleton
+    NodeNames names(true);
+    for (const int i : order_) {
+      if (!node(i).needed) continue;
+      const auto index = static_cast<std::size_t>(i);
+      const int parent = node(i).parent;
+      const auto above = static_cast<std::size_t>(parent);
+      world[index] = parent < 0 ? node(i).place : world[above] * node(i).place;
+      const Vec3d& at = world[index].translation;
+      for (int k = 0; k < 3; ++k) {
+        if (abs(at[k]) <= kGltfMaxValue) continue;  // false for what is no number
+        return wrong(described(i), "stands {:g} m from the origin; {:g} m are allowed", at[k],
+                     kGltfMaxValue);
+      }
+      place[index] = static_cast<int>(result_.file_node.size());
+      result_.file_node.push_back(i);
+      const std::string name = node(i).name.empty() ? fmt::format("node {}", i) : node(i).name;
+      result_.rest.skeleton.nodes.push_back({names.take(name), parent < 0 ? -1 : place[above],
+                                             parent < 0 ? at : at - world[above].translation});
+      result_.rest.clip.local.push_back({result_.rest.skeleton.nodes.back().offset, {}});
+    }
+    result_.rest.clip.frames = 1;
+    place_ = std::move(place);
+    return true;
+  }
+
+  void take_vrm() {
+    result_.vrm = vrm_.version;
+    result_.doubts = vrm_.doubts;
+    for (int b = 0; b < kHumanoidBoneCount; ++b) {
+      const auto bone = static_cast<HumanoidBone>(b);
+      if (vrm_.map[bone] < 0) continue;
+      result_.humanoid[bone] = place_[static_cast<std::size_t>(vrm_.map[bone])];
+    }
+  }
+
+  void tell_uneven() {
+    int uneven = 0;
+    int first = -1;
+    for (const int i : result_.file_node) {
+      bool bones_below = false;
+      for (const int child : node(i).children) bones_below = bones_below || node(child).needed;
+      if (!node(i).uneven || !bones_below) continue;
+      if (++uneven == 1) first = i;
+    }
+    if (uneven == 0) return;
+    result_.doubts.push_back(fmt::format(
+        "{}{} has different scales along its axes: the bones below keep the lengths that they have "
+        "in the rest pose",
+        described(first), uneven == 1 ? "" : fmt::format(", as {} more,", uneven - 1)));
+  }
+
+  const Json& json_;
+  const std::string name_;
+  std::vector<FileNode> nodes_;
+  std::vector<int> order_;  // of all nodes, parents first
+  std::vector<int> place_;  // (nodes of the file) index in the skeleton, or -1
+  VrmBones vrm_;
+  GltfCharacter result_;
+  Error error_;
+};
+
+}  // namespace
+
+Result<GltfCharacter> parse_gltf(std::string_view bytes, std::string_view name) {
+  const Result<Json> json = read_gltf_json(bytes, name);
+  if (!json) return tl::unexpected(json.error());
+  return GltfReader(*json, name).read();
+}
+
+Result<GltfCharacter> read_gltf(const std::filesystem::path& path) {
+  const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return parse_gltf(*bytes, path.filename().string());
+}
+
+}  // namespace shigusa

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "gltf_vrm.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+namespace shigusa {
+namespace {
+
+using Json = nlohmann::json;
+
+// The member of that name, or null where there is none or `json` is no object.
+const Json& member(const Json& json, const char* key) {
+  static const Json none;
+  const auto found = json.is_object() ? json.find(key) : json.end();
+  return json.is_object() && found != json.end() ? *found : none;
+}
+
+// "leftUpperLeg" as "left_upper_leg".
+std::string snake_case(std::string_view camel) {
+  std::string snake;
+  for (const char c : camel) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    if (capital) snake += '_';
+    snake += capital ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return snake;
+}
+
+class BoneReader {
+ public:
+  explicit BoneReader(int nodes) : nodes_(nodes) {}
+
+  void bone(const Json& name, const Json& node) {
+    // some writers give the node -1 to bones that a character has not
+    if (node.is_number_integer() && node == -1) return;
+    if (!node.is_number_unsigned() || node >= static_cast<std::uint64_t>(nodes_)) {
+      return wrong(fmt::format("the node of {} is {}; allowed are 0 to {}", shown(name),
+                               shown(node), nodes_ - 1));
+    }
+    const int index = node.get<int>();
+    bones_.all.push_back(index);
+    const std::string ours = snake_case(name.is_string() ? name.get_ref<const std::string&>() : "");
+    for (int b = 0; b < kHumanoidBoneCount; ++b) {
+      const auto bone = static_cast<HumanoidBone>(b);
+      if (ours != humanoid_bone_name(bone)) continue;
+      int& mapped = bones_.map[bone];
+      if (mapped >= 0 && mapped != index) {
+        wrong(fmt::format("{} comes twice: node {} is taken, not {}", shown(name), mapped, index));
+      } else {
+        mapped = index;
+      }
+    }
+  }
+
+  VrmBones finish() {
+    if (wrong_ == 1) bones_.doubts.push_back("the VRM map is wrong: " + first_wrong_);
+    if (wrong_ > 1) {
+      bones_.doubts.push_back(fmt::format(
+          "the VRM map is wrong in {} places, the first of them: {}", wrong_, first_wrong_));
+    }
+    return std::move(bones_);
+  }
+
+  void version(VrmVersion version) { bones_.version = version; }
+
+ private:
+  // A value as it stands in a message: short, and ASCII only.
+  static std::string shown(const Json& value) {
+    constexpr std::size_t kLongest = 40;
+    const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return text.size() > kLongest ? text.substr(0, kLongest) + "…" : text;
+  }
+
+  void wrong(std::string message) {
+    if (++wrong_ == 1) first_wrong_ = std::move(message);
+  }
+
+  VrmBones bones_;
+  int nodes_;
+  int wrong_ = 0;  // entries of the map
+  std::string first_wrong_;
+};
+
+}  // namespace
+
+VrmBones read_vrm_bones(const Json& file, int nodes) {
+  const Json& extensions = member(file, "extensions");
+  const Json& old_bones = member(member(member(extensions, "VRM"), "humanoid"), "humanBones");
+  const Json& bones = member(member(member(extensions, "VRMC_vrm"), "humanoid"), "humanBones");
+  BoneReader reader(nodes);
+  if (bones.is_object()) {
+    reader.version(VrmVersion::v1);
+    for (const auto& [name, bone] : bones.items()) reader.bone(name, member(bone, "node"));
+  } else if (old_bones.is_array()) {
+    reader.version(VrmVersion::v0);
+    for (const Json& bone : old_bones) reader.bone(member(bone, "bone"), member(bone, "node"));
+  }
+  return reader.finish();
+}
+
+}  // namespace shigusa

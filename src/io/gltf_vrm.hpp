@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <shigusa/io/gltf.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+// What the VRM extension of a file tells, in terms of the file's own nodes.
+struct VrmBones {
+  VrmVersion version = VrmVersion::none;
+  HumanoidMap map;
+  std::vector<int> all;  // nodes of all bones, fingers and eyes among them
+  std::vector<std::string> doubts;
+};
+
+// Reads the bones of VRM 0.x and 1.0; `nodes`: how many the file has. A file may hold both, then
+// 1.0 is read. Never fails: what is no bone or no node of the file is left out, with a doubt.
+[[nodiscard]] VrmBones read_vrm_bones(const nlohmann::json& file, int nodes);
+
+}  // namespace shigusa

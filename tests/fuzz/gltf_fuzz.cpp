@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// From the bytes of a glTF, GLB or VRM file to a measured person: nothing may crash, hang or fill
+// the memory, and every number stays finite.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <shigusa/body/landmarks.hpp>
+#include <shigusa/io/gltf.hpp>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace shigusa;
+  const auto file =
+      parse_gltf(std::string_view(reinterpret_cast<const char*>(data), size), "fuzz.glb");
+  if (!file) return 0;
+
+  const Skeleton& skeleton = file->rest.skeleton;
+  if (file->file_node.size() != skeleton.nodes.size()) std::abort();
+  const auto world = world_transforms(skeleton, file->rest.clip, 0);
+  for (const Transformd& x : world) {
+    if (!is_finite(x.translation.x + x.translation.y + x.translation.z)) std::abort();
+  }
+  const auto map = find_humanoid(skeleton, world, file->humanoid);
+  if (!map) return 0;
+  const auto person = measure_person(skeleton, world, *map);
+  if (!person) return 0;
+  const Landmarks& l = person->landmarks;
+  for (const Vec3d& p : {l.left_leg.toe, l.right_leg.toe, l.left_arm.fingertip, l.head_top}) {
+    if (!is_finite(p.x + p.y + p.z)) std::abort();
+  }
+  return 0;
+}

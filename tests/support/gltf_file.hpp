@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <shigusa/io/bvh.hpp>
+#include <string>
+
+#include "support/person_file.hpp"
+
+namespace shigusa::testing_support {
+
+inline std::string word_bytes(std::uint32_t word) {
+  std::string bytes;
+  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> 8 * i & 0xFF);
+  return bytes;
+}
+
+// A GLB file of this JSON, padded, and of a chunk of binary data.
+inline std::string glb(std::string json, const std::string& binary = "mesh") {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string chunks = word_bytes(static_cast<std::uint32_t>(json.size())) + "JSON" + json +
+                             word_bytes(static_cast<std::uint32_t>(binary.size())) +
+                             std::string("BIN\0", 4) + binary;
+  return "glTF" + word_bytes(2) + word_bytes(static_cast<std::uint32_t>(chunks.size() + 12)) +
+         chunks;
+}
+
+// person_bvh's first frame as glTF: one node for each, in the same order, turned as there. In
+// metres.
+inline nlohmann::json person_gltf() {
+  const SkeletonMotion person = parse_bvh(person_bvh(), "person.bvh").value();
+  nlohmann::json file{{"asset", {{"version", "2.0"}}}, {"nodes", nlohmann::json::array()}};
+  nlohmann::json& nodes = file["nodes"];
+  for (std::size_t i = 0; i < person.skeleton.nodes.size(); ++i) {
+    const SkeletonNode& node = person.skeleton.nodes[i];
+    const auto& [at, turn] = person.clip.frame(person.skeleton, 0)[i];
+    nodes.push_back({{"translation", {0.01 * at.x, 0.01 * at.y, 0.01 * at.z}},
+                     {"rotation", {turn.x, turn.y, turn.z, turn.w}}});
+    if (!node.end_site) nodes.back()["name"] = node.name;
+    if (node.parent >= 0) nodes[static_cast<std::size_t>(node.parent)]["children"].push_back(i);
+  }
+  return file;
+}
+
+}  // namespace shigusa::testing_support
