@@ -99,7 +99,7 @@ inline constexpr double kEndSlack = radians(0.1);
 inline constexpr double kCandidateSpread = 0.15;
 // … or this, where the best bends down and none of their style is better: people squat although it
 // costs more.
-inline constexpr double kStyleSpread = 0.25;
+inline constexpr double kStyleSpread = 0.3;
 // Searches score in single precision; every candidate is played again in double and scored anew.
 // What scores may differ by without being counted.
 inline constexpr double kReplayTolerance = 1e-3;
