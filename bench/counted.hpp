@@ -97,6 +97,7 @@ class Counted {
     const C c = quadrant & 1 ? sine : cosine;
     return {quadrant & 2 ? -s : s, (quadrant + 1) & 2 ? -c : c};
   }
+  friend Counted atan2(Counted y, Counted x) { return single_atan2(y, x); }
 
  private:
   float value_ = 0.0F;

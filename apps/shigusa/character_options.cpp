@@ -26,7 +26,9 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
     }
   }
   if (options.extent) {
-    spec.extent = *options.extent == "half" ? BodyExtent::half : BodyExtent::full;
+    spec.extent = *options.extent == "half"   ? BodyExtent::half
+                  : *options.extent == "full" ? BodyExtent::full
+                                              : BodyExtent::human;
   }
   if (options.frame) spec.frame = *options.frame;
   if (options.stature) spec.stature = *options.stature;

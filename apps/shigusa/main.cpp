@@ -14,8 +14,9 @@ namespace {
 using namespace shigusa::app;
 
 void add_character_options(CLI::App& c, CharacterOptions& o) {
-  c.add_option("--extent", o.extent, "Of a person from a file: full (18 dof) or half (9 dof)")
-      ->check(CLI::IsMember({"full", "half"}));
+  c.add_option("--extent", o.extent,
+               "Of a person from a file: human (spine, neck, wrists, …), full (18 dof) or half (9)")
+      ->check(CLI::IsMember({"human", "full", "half"}));
   c.add_option("--frame", o.frame, "Frame of the file that is the start posture (from 0)")
       ->check(whole_number(0, 1'000'000));
   c.add_option("--stature", o.stature, "Standing height in metres");
@@ -28,7 +29,7 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("reach", "Find natural motions that bring hands to their goals");
   c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
   c->add_option("--character", o.character,
-                "half_body, full_body, or a person's BVH, GLB, glTF or VRM file");
+                "half_body, full_body, human, or a person's BVH, GLB, glTF or VRM file");
   add_character_options(*c, o.person);
   c->add_option("--goal", o.goals,
                 "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X; repeatable")
@@ -123,7 +124,7 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
 
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
-  c->add_option("source", o.source, "half_body, full_body, or a BVH, GLB, glTF or VRM file")
+  c->add_option("source", o.source, "half_body, full_body, human, or a BVH, GLB, glTF or VRM file")
       ->required();
   add_character_options(*c, o.person);
   c->add_flag("--json", o.json, "Print JSON");

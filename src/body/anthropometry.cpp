@@ -13,6 +13,9 @@ constexpr SegmentTable kMale{
     .thigh = {.1416, .4095, .329, .329, .149},
     .shank = {.0433, .4395, .251, .246, .102},
     .foot = {.0137, .4415, .257, .245, .124},
+    .trunk_parts = {{{.1117, 145.7 / 603.3, .615, .551, .587},
+                     {.1633, 215.5 / 603.3, .482, .383, .468},
+                     {.1596, 242.1 / 603.3, .505, .320, .465}}},
     .mean_stature = 1.741,
     .mean_mass = 73.0,
 };
@@ -26,6 +29,9 @@ constexpr SegmentTable kFemale{
     .thigh = {.1478, .3612, .369, .364, .162},
     .shank = {.0481, .4352, .267, .263, .092},
     .foot = {.0129, .4014, .299, .279, .139},
+    .trunk_parts = {{{.1247, 181.5 / 614.8, .433, .402, .444},
+                     {.1465, 205.3 / 614.8, .433, .354, .415},
+                     {.1545, 228.0 / 614.8, .466, .314, .449}}},
     .mean_stature = 1.735,
     .mean_mass = 61.9,
 };
@@ -84,6 +90,8 @@ Landmarks standing_landmarks(double stature, double toe_out) {
     const Vec3d along{0.0, -sin_cos(kElbowBend).cos, sin_cos(kElbowBend).sin};
     result.wrist = result.elbow + along * (F::kForearm * h);
     result.fingertip = result.wrist + along * (F::kHand * h);
+    result.clavicle =
+        mid_hip + Vec3d{side * F::kClavicleHalfBreadth * h, trunk + F::kClavicleRise * h, 0.0};
     return result;
   };
   person.left_arm = arm(1.0);
@@ -91,6 +99,10 @@ Landmarks standing_landmarks(double stature, double toe_out) {
   const double drop = F::kAnkleHeight * h + (F::kShank + F::kThigh) * h - mid_hip.y;
   person.head_top = {0.0, h - drop, mid_hip.z};
   person.neck = {0.0, (1.0 - F::kHeadLength) * h - drop, mid_hip.z};
+  for (const double share : kSpineShares) {
+    person.spine.push_back(mid_hip + (person.neck - mid_hip) * share);
+  }
+  person.head = person.neck + (person.head_top - person.neck) * kHeadJointShare;
   return person;
 }
 

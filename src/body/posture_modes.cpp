@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <initializer_list>
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/body/posture_modes.hpp>
 #include <utility>
 
@@ -30,6 +31,27 @@ class ModeBuilder {
   std::vector<PostureMode> modes_;
 };
 
+// A spine bends by its joints' shares of the range, and turns before the hips do.
+void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
+  if (!body.find_dof("spine.rotation")) {
+    modes.add("twist", radians(-40.0), radians(40.0),
+              {{"right_hip.rotation", 1.0}, {"left_hip.rotation", -1.0}});
+    return;
+  }
+  modes.add("round", radians(-15.0), radians(70.0),
+            {{"spine.flexion", kSpineRanges[0].flexion},
+             {"chest.flexion", kSpineRanges[1].flexion},
+             {"upper_chest.flexion", kSpineRanges[2].flexion}});
+  constexpr double kSpine = 0.6;
+  constexpr double kHips = 1.0 - kSpine;
+  modes.add("twist", radians(-65.0), radians(65.0),
+            {{"right_hip.rotation", kHips},
+             {"left_hip.rotation", -kHips},
+             {"spine.rotation", kSpine * kSpineRanges[0].rotation},
+             {"chest.rotation", kSpine * kSpineRanges[1].rotation},
+             {"upper_chest.rotation", kSpine * kSpineRanges[2].rotation}});
+}
+
 }  // namespace
 
 std::vector<PostureMode> posture_modes(const BodyModel& body) {
@@ -43,8 +65,7 @@ std::vector<PostureMode> posture_modes(const BodyModel& body) {
              {"left_ankle.flexion", 0.5}});
   modes.add("lean", radians(-20.0), radians(110.0),
             {{"right_hip.flexion", 1.0}, {"left_hip.flexion", 1.0}});
-  modes.add("twist", radians(-40.0), radians(40.0),
-            {{"right_hip.rotation", 1.0}, {"left_hip.rotation", -1.0}});
+  add_trunk_modes(body, modes);
   modes.add("right_elbow", 0.0, radians(110.0), {{"right_elbow.flexion", 1.0}});
   modes.add("left_elbow", 0.0, radians(110.0), {{"left_elbow.flexion", 1.0}});
   modes.add("right_swivel", radians(-60.0), radians(60.0), {{"right_shoulder.rotation", 1.0}});

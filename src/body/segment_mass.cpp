@@ -88,7 +88,38 @@ LinkMass SegmentMasses::trunk_and_head() const {
   const Vec3d shoulders = (person_.left_arm.shoulder + person_.right_arm.shoulder) * 0.5;
   const Vec3d hips = (person_.left_leg.hip + person_.right_leg.hip) * 0.5;
   LinkMass result = segment(table_.trunk, shoulders, hips, frames_.trunk.cx);
-  result.add(segment(table_.head, person_.head_top, person_.neck, frames_.trunk.cx));
+  result.add(head());
+  return result;
+}
+
+LinkMass SegmentMasses::head() const {
+  return segment(table_.head, person_.head_top, person_.neck, frames_.trunk.cx);
+}
+
+// A part of even density that is cut shorter keeps the spread of its cross section: what is left of
+// its radii of gyration when a rod's, length / √12, is taken off.
+LinkMass SegmentMasses::trunk_slice(double from, double to) const {
+  const Vec3d hips = (person_.left_leg.hip + person_.right_leg.hip) * 0.5;
+  const Vec3d way = person_.neck - hips;
+  constexpr double kRod = 1.0 / 12.0;
+  const auto across = [](double r) { return r * r - kRod; };
+  LinkMass result;
+  double begin = 0.0;
+  for (const TrunkPart& part : table_.trunk_parts) {
+    const double low = max(from, begin);
+    const double high = min(to, begin + part.length);
+    begin += part.length;
+    if (!(high > low)) continue;
+    const double share = (high - low) / part.length;
+    const double rod = kRod * share * share;
+    const auto radius = [&](double r) { return sqrt(across(r) + rod) / share; };
+    const SegmentParameters slice{.mass = part.mass * share,
+                                  .com = 0.5,
+                                  .r_sagittal = radius(part.r_sagittal),
+                                  .r_transverse = radius(part.r_transverse),
+                                  .r_long = part.r_long / share};
+    result.add(segment(slice, hips + way * low, hips + way * high, frames_.trunk.cx));
+  }
   return result;
 }
 
@@ -97,11 +128,19 @@ LinkMass SegmentMasses::upper_arm(Side side) const {
   return segment(table_.upper_arm, arm.shoulder, arm.elbow, frames_.arm(side).upper_arm.cx);
 }
 
-LinkMass SegmentMasses::forearm_and_hand(Side side) const {
+LinkMass SegmentMasses::forearm(Side side) const {
   const Landmarks::Arm& arm = person_.arm(side);
-  const Vec3d left = frames_.arm(side).forearm.cx;
-  LinkMass result = segment(table_.forearm, arm.elbow, arm.wrist, left);
-  result.add(segment(table_.hand, arm.wrist, arm.fingertip, left));
+  return segment(table_.forearm, arm.elbow, arm.wrist, frames_.arm(side).forearm.cx);
+}
+
+LinkMass SegmentMasses::hand(Side side) const {
+  const Landmarks::Arm& arm = person_.arm(side);
+  return segment(table_.hand, arm.wrist, arm.fingertip, frames_.arm(side).forearm.cx);
+}
+
+LinkMass SegmentMasses::forearm_and_hand(Side side) const {
+  LinkMass result = forearm(side);
+  result.add(hand(side));
   return result;
 }
 

@@ -37,7 +37,13 @@ class SegmentMasses {
   [[nodiscard]] LinkMass shank(Side side) const;
   [[nodiscard]] LinkMass thigh(Side side) const;
   [[nodiscard]] LinkMass trunk_and_head() const;
+  // with the neck
+  [[nodiscard]] LinkMass head() const;
+  // The trunk between two shares (0..1, rising) of the way from between the hips to C7.
+  [[nodiscard]] LinkMass trunk_slice(double from, double to) const;
   [[nodiscard]] LinkMass upper_arm(Side side) const;
+  [[nodiscard]] LinkMass forearm(Side side) const;
+  [[nodiscard]] LinkMass hand(Side side) const;
   [[nodiscard]] LinkMass forearm_and_hand(Side side) const;
   [[nodiscard]] LinkMass arm(Side side) const;
 

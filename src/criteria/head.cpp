@@ -17,7 +17,12 @@ HeadPoints head_points(const BodyModel& body) {
   forward_kinematics<double>(body, body.start(), kinematics);
   const double distance =
       norm(kinematics.point(head->link, head->point) - kinematics.point(hips->link, hips->point));
-  return {head->link, head->point, hips->link, hips->point, distance};
+  return {.head_link = head->link,
+          .head = head->point,
+          .pelvis_link = hips->link,
+          .pelvis = hips->point,
+          .distance = distance,
+          .neck = body.find_dof("neck.flexion").has_value()};
 }
 
 double head_penalty(const BodyModel& body, const Motion& motion, const HeadSettings& settings) {

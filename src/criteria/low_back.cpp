@@ -8,14 +8,18 @@ namespace shigusa {
 
 BackConstants back_constants(const BodyModel& body) {
   BackConstants back;
+  if (const auto spine = body.find_dof("spine.flexion")) {
+    const Dof& dof = body.dof(*spine);
+    return {{*spine}, 1.0 / dof.torque_negative, 1.0 / dof.torque_positive};
+  }
   double hips = 0.0;
   for (int d = 0; d < body.dof_count(); ++d) {
     const Dof& dof = body.dof(d);
     if (!dof.joint.ends_with("_hip") || !dof.name.ends_with(".flexion")) continue;
-    back.hips.push_back(d);
+    back.dofs.push_back(d);
     hips += dof.torque_negative;
   }
-  if (back.hips.empty()) return back;
+  if (back.dofs.empty()) return back;
   // both hips of the man whose back is known; the half body's one hip counts for two
   const double strength = hips / (2.0 * kHipFlexion.torque_negative);
   back.per_extension = kBackShareOfHips / (kBackExtension * strength);

@@ -215,7 +215,8 @@ Result<ReachProblem> make_problem(const Task& task) {
         max(problem.duration, reach_duration(norm(goal.position - from), beyond_arm));
   }
   if (task.duration) problem.duration = *task.duration;
-  problem.hold_limits = preset_tells_ends(task.preset);
+  problem.hold_limits = problem.posture_law = preset_tells_ends(task.preset);
+  problem.gaze = task_criteria(task).head.gaze_target;
   if (task.preset == Preset::flat) {
     problem.corrections = kLimitCorrections;
     problem.path_slack = kPathSlack;

@@ -33,8 +33,9 @@ SegmentPair nearest_points(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0, co
 Penetration limb_penetration(const BodyModel& body, const Kinematics<double>& kinematics,
                              const Effector& effector) {
   Penetration deepest;
+  const std::string& first = body.dof(effector.limb_root).joint;
   for (const Capsule& limb : body.capsules()) {
-    if (limb.link != effector.link) continue;
+    if (!body.moves(effector.limb_root, limb.link) || body.dof(limb.link).joint == first) continue;
     for (const Capsule& part : body.capsules()) {
       if (body.moves(effector.limb_root, part.link)) continue;
       const SegmentPair pair = nearest_points(

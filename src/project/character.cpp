@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <shigusa/core/names.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/gltf.hpp>
@@ -9,6 +11,7 @@
 namespace shigusa {
 namespace {
 
+constexpr std::array<std::string_view, 3> kBuiltIn{"half_body", "full_body", "human"};
 constexpr double kStatureMin = 0.5;  // m
 constexpr double kStatureMax = 2.5;
 constexpr double kMassMin = 2.0;  // kg
@@ -77,13 +80,13 @@ Landmarks with_hanging_arms(Landmarks person, double stature) {
 }  // namespace
 
 bool is_built_in(const CharacterSpec& spec) {
-  return spec.source == "half_body" || spec.source == "full_body";
+  return std::find(kBuiltIn.begin(), kBuiltIn.end(), spec.source) != kBuiltIn.end();
 }
 
 Result<void> check_source(const CharacterSpec& spec) {
   const bool file = file_kind(spec.source) != FileKind::none;
   if (spec.landmarks || is_built_in(spec) || file) return {};
-  const std::vector<std::string> names{"half_body", "full_body"};
+  const std::vector<std::string> names(kBuiltIn.begin(), kBuiltIn.end());
   return fail(ErrorCode::invalid_argument,
               unknown_name("character", spec.source, names) +
                   ", or a file that ends in .bvh, .glb, .gltf or .vrm",
@@ -142,7 +145,8 @@ Result<BodyModel> build_character(const CharacterSpec& spec) {
                        spec.doubts);
   }
   const Stature person{stature, mass, spec.sex};
-  return spec.source == "half_body" ? half_body(person) : full_body(person);
+  if (spec.source == "half_body") return half_body(person);
+  return spec.source == "human" ? human_body(person) : full_body(person);
 }
 
 }  // namespace shigusa

@@ -96,17 +96,25 @@ class JsonReader {
 
   void vector(const char* key, Vec3d& into, double range) {
     if (!has(key)) return;
-    const Json& member = value(key);
-    bool valid = member.is_array() && member.size() == 3;
-    for (std::size_t k = 0; valid && k < 3; ++k) {
-      valid = member[k].is_number() && member[k].get<double>() >= -range &&
-              member[k].get<double>() <= range;
+    if (!read_vector(value(key), into, range)) {
+      wrong(key, fmt::format("is {}; must be three numbers [x, y, z] from {:g} to {:g}",
+                             shown(value(key)), -range, range));
+    }
+  }
+
+  // a list of at most `most` of them
+  void vectors(const char* key, std::vector<Vec3d>& into, std::size_t most, double range) {
+    if (!has(key)) return;
+    const Json& list = value(key);
+    bool valid = list.is_array() && list.size() <= most;
+    for (std::size_t i = 0; valid && i < list.size(); ++i) {
+      valid = read_vector(list[i], into.emplace_back(), range);
     }
     if (!valid) {
-      return wrong(key, fmt::format("is {}; must be three numbers [x, y, z] from {:g} to {:g}",
-                                    shown(member), -range, range));
+      wrong(key, fmt::format("must be a list of at most {} points [x, y, z], each number from {:g} "
+                             "to {:g}",
+                             most, -range, range));
     }
-    into = {member[0].get<double>(), member[1].get<double>(), member[2].get<double>()};
   }
 
   // a member that must be there
@@ -136,6 +144,16 @@ class JsonReader {
   }
 
  private:
+  static bool read_vector(const Json& member, Vec3d& into, double range) {
+    bool valid = member.is_array() && member.size() == 3;
+    for (std::size_t k = 0; valid && k < 3; ++k) {
+      valid = member[k].is_number() && member[k].get<double>() >= -range &&
+              member[k].get<double>() <= range;
+      if (valid) into[static_cast<int>(k)] = member[k].get<double>();
+    }
+    return valid;
+  }
+
   // the object itself; the outermost has its name alone
   [[nodiscard]] std::string place() const {
     return place_.ends_with(": ") ? place_.substr(0, place_.size() - 2) : place_;

@@ -25,6 +25,10 @@ void mirror(Landmarks& person) {
   }
   person.neck = across(person.neck);
   person.head_top = across(person.head_top);
+  for (Vec3d& joint : person.spine) joint = across(joint);
+  for (auto* joint : {&person.head, &person.left_arm.clavicle, &person.right_arm.clavicle}) {
+    if (*joint) *joint = across(**joint);
+  }
 }
 
 // "right_elbow.weight=3" of "left_elbow.weight=3", "twist_deg=-20" of "twist_deg=20".

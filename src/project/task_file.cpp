@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/result_file.hpp>
 #include <shigusa/project/task_file.hpp>
@@ -39,6 +40,27 @@ void for_each_landmark(Person& p, Visit&& visit) {
   visit("head_top", p.head_top);
 }
 
+// Joints that a person may lack.
+template <class Person, class Visit>
+void for_each_further_landmark(Person& p, Visit&& visit) {
+  visit("head", p.head);
+  visit("left_clavicle", p.left_arm.clavicle);
+  visit("right_clavicle", p.right_arm.clavicle);
+}
+
+constexpr std::array<std::pair<const char*, BodyExtent>, 3> kExtents{
+    {{"half", BodyExtent::half}, {"full", BodyExtent::full}, {"human", BodyExtent::human}}};
+
+Json landmarks_to_json(const Landmarks& person) {
+  Json json;
+  for_each_landmark(person, [&](const char* name, const Vec3d& p) { json[name] = to_json(p); });
+  for (const Vec3d& p : person.spine) json["spine"].push_back(to_json(p));
+  for_each_further_landmark(person, [&](const char* name, const std::optional<Vec3d>& p) {
+    if (p) json[name] = to_json(*p);
+  });
+  return json;
+}
+
 Json character_to_json(const CharacterSpec& c) {
   Json json;
   json["source"] = c.source;
@@ -46,14 +68,12 @@ Json character_to_json(const CharacterSpec& c) {
   if (c.mass) json["mass_kg"] = *c.mass;
   json["sex"] = c.sex == Sex::male ? "male" : "female";
   if (is_built_in(c)) return json;
-  json["extent"] = c.extent == BodyExtent::half ? "half" : "full";
+  for (const auto& [name, extent] : kExtents) {
+    if (extent == c.extent) json["extent"] = name;
+  }
   json["frame"] = c.frame;
   if (!c.doubts.empty()) json["doubts"] = c.doubts;
-  if (c.landmarks) {
-    for_each_landmark(*c.landmarks, [&](const char* name, const Vec3d& p) {
-      json["landmarks_m"][name] = to_json(p);
-    });
-  }
+  if (c.landmarks) json["landmarks_m"] = landmarks_to_json(*c.landmarks);
   return json;
 }
 
@@ -95,6 +115,10 @@ void read_landmarks(JsonReader& reader, CharacterSpec& c) {
     landmarks.require(name);
     landmarks.vector(name, p, kLengthRange);
   });
+  landmarks.vectors("spine", person.spine, kSpineJoints, kLengthRange);
+  for_each_further_landmark(person, [&](const char* name, std::optional<Vec3d>& p) {
+    if (landmarks.has(name)) landmarks.vector(name, p.emplace(), kLengthRange);
+  });
   reader.absorb(landmarks.finish());
   reader.require("stature_m");
   check_segments(reader, person);
@@ -122,8 +146,7 @@ void read_character(JsonReader& task, CharacterSpec& c) {
   reader.number("stature_m", c.stature, 0.5, 2.5);
   reader.number("mass_kg", c.mass, 2.0, 300.0);
   reader.choice<Sex>("sex", c.sex, {{"male", Sex::male}, {"female", Sex::female}});
-  reader.choice<BodyExtent>("extent", c.extent,
-                            {{"half", BodyExtent::half}, {"full", BodyExtent::full}});
+  reader.choice<BodyExtent>("extent", c.extent, {kExtents.begin(), kExtents.end()});
   reader.integer("frame", c.frame, 0, kFrameMax);
   read_texts(reader, "doubts", c.doubts);
   read_landmarks(reader, c);

@@ -55,6 +55,19 @@ TEST(FullBody, ReachesWithBothHandsOnBothFeet) {
   EXPECT_EQ(body.feet()[1].link, body.find_dof("left_ankle.flexion"));
 }
 
+TEST(HumanBody, TrunkCapsuleReachesFromTheHipsToTheShoulders) {
+  const Landmarks person = standing_landmarks(1.741, kStandingToeOut);
+  const BodyModel body = full_body();
+  const Kinematics<double> kinematics = placed(body, body.start());
+  for (const Capsule& capsule : body.capsules()) {
+    if (capsule.name != "trunk") continue;
+    const Vec3d low = kinematics.point(capsule.link, capsule.from);
+    const Vec3d high = kinematics.point(capsule.link, capsule.to);
+    EXPECT_LT(norm(low - (person.left_leg.hip + person.right_leg.hip) * 0.5), 1e-12);
+    EXPECT_NEAR(high.y + capsule.radius, person.left_arm.shoulder.y, 1e-12);
+  }
+}
+
 TEST(HumanBody, WeighsWhatIsAsked) {
   EXPECT_NEAR(half_body({1.741, 73.0, Sex::male}).mass(), 73.0, 1e-10);
   EXPECT_NEAR(full_body({1.6, 90.0, Sex::male}).mass(), 90.0, 1e-10);

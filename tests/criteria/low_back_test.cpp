@@ -18,7 +18,7 @@ double penalty_of(const BodyModel& body, const std::vector<double>& together,
                   const LowBackSettings& settings = {}) {
   const std::vector<double> start(body.start().begin(), body.start().end());
   Motion motion = motion_through(body, std::vector<std::vector<double>>(together.size(), start));
-  const std::vector<int> hips = back_constants(body).hips;
+  const std::vector<int> hips = back_constants(body).dofs;
   for (std::size_t f = 0; f < together.size(); ++f) {
     for (const int hip : hips) {
       motion.torques[f * start.size() + static_cast<std::size_t>(hip)] =
@@ -39,20 +39,20 @@ double hip_torque(const BodyModel& body, const std::vector<double>& posture) {
     share_ground_wrench<double>(body, now, ground, body.feet()[0], body.feet()[1], tau);
   }
   double sum = 0.0;
-  for (const int hip : back_constants(body).hips) sum += tau[static_cast<std::size_t>(hip)];
+  for (const int hip : back_constants(body).dofs) sum += tau[static_cast<std::size_t>(hip)];
   return sum;
 }
 
 // The start posture with both hips flexed by so much (rad).
 std::vector<double> stoop(const BodyModel& body, double flexion) {
   std::vector<double> q(body.start().begin(), body.start().end());
-  for (const int hip : back_constants(body).hips) q[static_cast<std::size_t>(hip)] += flexion;
+  for (const int hip : back_constants(body).dofs) q[static_cast<std::size_t>(hip)] += flexion;
   return q;
 }
 
 TEST(LowBack, KnowsTheHips) {
-  EXPECT_EQ(back_constants(half_body()).hips.size(), 1u);
-  EXPECT_EQ(back_constants(full_body()).hips.size(), 2u);
+  EXPECT_EQ(back_constants(half_body()).dofs.size(), 1u);
+  EXPECT_EQ(back_constants(full_body()).dofs.size(), 2u);
 }
 
 TEST(LowBack, HipTorquesAreTheMomentOfAllAboveThem) {

@@ -255,7 +255,7 @@ TEST(GenerateLayers, WrongTasksAndBodiesAreErrors) {
 // lays the forearm through it.
 TEST(GenerateLayers, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
   int taken_back = 0;
-  for (const Vec3d& goal : {Vec3d{0.1, 0.9, 0.3}, {0.1, 0.9, 0.15}, {0.3, 1.2, 0.3}}) {
+  for (const Vec3d& goal : {Vec3d{0.1, 1.3, 0.15}, {0.2, 1.3, 0.25}, {0.3, 1.1, 0.25}}) {
     Task task = task_for(half_body(), goal, 0);
     const Generation with = generated(task);
     task.layers.feedback_rounds = 0;

@@ -42,7 +42,7 @@ TEST(AddDetours, LeavesAFreePathStraight) {
 
 TEST(AddDetours, GoesAroundTheHipToBehindTheBack) {
   const BodyModel body = full_body();
-  ReachProblem problem = problem_of(body, {0.1, 1.0, -0.3});
+  ReachProblem problem = problem_of(body, {0.05, 0.9, -0.35});
   const double straight = deepest(problem);
   add_detours(problem);
   EXPECT_GT(straight, kDetourDepth);

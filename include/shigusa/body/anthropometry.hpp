@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <shigusa/body/landmarks.hpp>
 #include <shigusa/math/scalar.hpp>
 
@@ -18,6 +19,15 @@ struct SegmentParameters {
   double r_long = 0.0;        // … about the segment's own axis
 };
 
+// One of three parts of the trunk, cut across. Same source.
+struct TrunkPart {
+  double mass = 0.0;          // fraction of the body's mass
+  double length = 0.0;        // fraction of mid-hips – C7
+  double r_sagittal = 0.0;    // radius of gyration, fraction of the part's length, …
+  double r_transverse = 0.0;  // … as above
+  double r_long = 0.0;
+};
+
 struct SegmentTable {
   SegmentParameters head;       // vertex – C7
   SegmentParameters trunk;      // mid-shoulders – mid-hips
@@ -27,8 +37,10 @@ struct SegmentTable {
   SegmentParameters thigh;      // hip – knee
   SegmentParameters shank;      // knee – ankle
   SegmentParameters foot;       // heel – toe tip
-  double mean_stature = 0.0;    // m, of the measured group
-  double mean_mass = 0.0;       // kg
+  // the trunk's thirds from below: mid-hips – navel – xiphoid – C7
+  std::array<TrunkPart, 3> trunk_parts;
+  double mean_stature = 0.0;  // m, of the measured group
+  double mean_mass = 0.0;     // kg
 };
 
 [[nodiscard]] const SegmentTable& segment_table(Sex sex);
@@ -49,13 +61,25 @@ struct StatureFractions {
   static constexpr double kShoulderHalfBreadth = 0.129;
   static constexpr double kHipHalfBreadth = 0.050;
   static constexpr double kHeadLength = 0.1395;  // vertex – C7: 0.2429 m of 1.741 m, de Leva
+  // the joint of breastbone and clavicle, from the middle, and above the shoulder joints
+  static constexpr double kClavicleHalfBreadth = 0.014;
+  static constexpr double kClavicleRise = 0.010;
 };
+
+// Where the joints of a spine of three stand for its 17: shares of the way from between the hips
+// to C7. L5/S1 is some 0.10 m above the hips of a man of 1.74 m (criteria/low_back.hpp), T12/L1
+// 0.18 m higher, and the third in the middle of the chest.
+inline constexpr std::array<double, kSpineJoints> kSpineShares{0.17, 0.47, 0.72};
+// The joint of neck and skull, as a share of the way from C7 to the vertex.
+inline constexpr double kHeadJointShare = 0.35;
 
 // Radii of capsules around the bones, as fractions of stature: rough, from a trunk about 0.23 m
 // deep and a thigh, a forearm 0.16 m and 0.08 m thick in a man of 1.74 m.
 inline constexpr double kTrunkRadius = 0.066;
 inline constexpr double kThighRadius = 0.043;
 inline constexpr double kForearmRadius = 0.020;
+inline constexpr double kUpperArmRadius = 0.026;
+inline constexpr double kHeadRadius = 0.045;
 
 // Share of the foot's length that lies behind the ankle joint.
 inline constexpr double kHeelShare = 0.25;
@@ -87,6 +111,44 @@ inline constexpr JointLimits kElbowFlexion{0, radians(150), 70, 55};
 // Hip flexion with a bent knee: 115° + 50° · min(1, knee / 60°).
 inline constexpr double kHipFlexionGain = radians(50);
 inline constexpr double kHipFlexionKneeFull = radians(60);
+
+// The body `human` has a spine, so its hips are hips alone: hamstrings stop a straight leg at about
+// 85°, a bent one goes to 125° (AAOS 120°, CDC 130°).
+inline constexpr JointLimits kFreeHipFlexion{radians(-20), radians(85), 120, 220};
+inline constexpr double kFreeHipFlexionGain = radians(40);
+inline constexpr JointLimits kAnkleInversion{radians(-15), radians(35), 25, 20};
+// All of the spine between pelvis and neck: AAOS' thoracolumbar range of motion, and strengths
+// about L5/S1. Positive: forwards, to the left, turned to the left.
+inline constexpr JointLimits kSpineFlexion{radians(-25), radians(80), 150, 240};
+inline constexpr JointLimits kSpineLateral{radians(-35), radians(35), 140, 140};
+inline constexpr JointLimits kSpineRotation{radians(-45), radians(45), 75, 75};
+// What each of three joints has of it: the lumbar spine bends, the thoracic one turns (A. White and
+// M. Panjabi, Clinical Biomechanics of the Spine).
+struct SpineShares {
+  double flexion;
+  double lateral;
+  double rotation;
+};
+inline constexpr std::array<SpineShares, kSpineJoints> kSpineRanges{
+    {{0.40, 0.35, 0.10}, {0.35, 0.35, 0.30}, {0.25, 0.30, 0.60}}};
+// Half of the neck's range of motion (AAOS), of each of its two joints; strengths by A. Vasavada et
+// al., Spine 26 (2001) 1904-1909. A positive angle bends the head forwards, to the left, or turns
+// it to the left.
+inline constexpr JointLimits kNeckFlexion{radians(-22.5), radians(22.5), 30, 52};
+inline constexpr JointLimits kNeckLateral{radians(-22.5), radians(22.5), 36, 36};
+inline constexpr JointLimits kNeckRotation{radians(-35), radians(35), 15, 15};
+// The clavicle lifts the shoulder and takes it forwards; what it gives, the shoulder's own joint
+// does not have.
+inline constexpr JointLimits kClavicleElevation{radians(-8), radians(35), 60, 60};
+inline constexpr JointLimits kClavicleProtraction{radians(-20), radians(25), 60, 60};
+inline constexpr JointLimits kFreeShoulderFlexion{radians(-60), radians(160), 80, 80};
+inline constexpr JointLimits kFreeShoulderAbduction{radians(-40), radians(145), 65, 70};
+// Supination of the forearm from thumb-ahead (AAOS 80° either way), palmar flexion and radial
+// deviation of the hand (AAOS 80°/70°, 20°/30°); strengths by S. Delp, A. Grierson and T. Buchanan,
+// J. Biomechanics 29 (1996) 1371-1375, and of the forearm some 9 N·m.
+inline constexpr JointLimits kForearmRotation{radians(-80), radians(80), 9, 8};
+inline constexpr JointLimits kWristFlexion{radians(-70), radians(80), 12.2, 7.1};
+inline constexpr JointLimits kWristDeviation{radians(-30), radians(20), 11, 9.5};
 // Women's joint strength as a share of men's, each at the mean mass of their group.
 inline constexpr double kFemaleStrength = 0.6;
 

@@ -13,6 +13,9 @@ namespace shigusa {
 enum class BodyExtent {
   half,  // 9 dof: right ankle 1, knee 1, hip 3, shoulder 3, elbow 1; left limbs are mass
   full,  // 18 dof: both sides; both feet stay planted
+  // 45 dof, with the pelvis' six 51: spine, neck, clavicles, forearms, wrists and ankles' second
+  // freedom as well, as far as the landmarks tell of them
+  human,
 };
 
 struct HumanSettings {
@@ -43,5 +46,6 @@ inline constexpr double kStandingToeOut = radians(7.0);
 // The built-in bodies, standing at ease (standing_landmarks).
 [[nodiscard]] BodyModel half_body(const Stature& stature = {});
 [[nodiscard]] BodyModel full_body(const Stature& stature = {});
+[[nodiscard]] BodyModel human_body(const Stature& stature = {});
 
 }  // namespace shigusa

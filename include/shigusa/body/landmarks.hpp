@@ -12,6 +12,8 @@ namespace shigusa {
 
 enum class Side { left, right };
 
+inline constexpr std::size_t kSpineJoints = 3;
+
 // Joint centres and tips of a person in one posture: all that a body's geometry and start posture
 // are made of. Metres, in shigusa's world: +Y up, facing +Z, left is +X, origin on the floor
 // between the feet.
@@ -27,6 +29,7 @@ struct Landmarks {
     Vec3d elbow;
     Vec3d wrist;
     Vec3d fingertip;
+    std::optional<Vec3d> clavicle{};  // its joint with the breastbone; none: part of the trunk
   };
   Leg left_leg;
   Leg right_leg;
@@ -34,6 +37,9 @@ struct Landmarks {
   Arm right_arm;
   Vec3d neck;      // base of the neck (C7)
   Vec3d head_top;  // vertex
+  // Joints that the paper's rigid trunk does without; a person from a file may lack some.
+  std::vector<Vec3d> spine{};   // 0..kSpineJoints, from below
+  std::optional<Vec3d> head{};  // between neck and skull
 
   [[nodiscard]] const Leg& leg(Side side) const {
     return side == Side::left ? left_leg : right_leg;

@@ -20,6 +20,7 @@ struct PostureMode {
 //   squat         knees bend by the value, the trunk stays upright: half of it goes to each hip and
 //                 ankle, which keeps the leg's line for a thigh as long as the shank
 //   lean          hips bend
+//   round         the spine bends forwards
 //   twist         the trunk turns to the left over the feet
 //   right_elbow, left_elbow   the arm's contraction: the elbow bends
 //   right_swivel, left_swivel the upper arm turns outwards about its axis

@@ -19,6 +19,10 @@ inline constexpr double kGazeFree = radians(80);
 // … and where they cannot any more: to the side, where the neck rotates by 60° (AAOS).
 inline constexpr double kGazeLimit = radians(95);
 
+// The same of a body that has a neck: what is left to the eyes.
+inline constexpr double kEyesFree = radians(35);
+inline constexpr double kEyesLimit = radians(60);
+
 struct HeadSettings {
   double height = kHeadHeight;  // share, > 0
   // m, world: what the eyes are on. A task's first goal where none is given; without one only the
@@ -33,6 +37,7 @@ struct HeadPoints {
   int pelvis_link = kBaseLink;
   Vec3d pelvis{};         // m, link frame
   double distance = 0.0;  // m, between them in the start posture; 0 where the body lacks one
+  bool neck = false;      // the head turns on the trunk
 };
 // By the names of the body's nodes, "head" and "hips".
 [[nodiscard]] HeadPoints head_points(const BodyModel& body);
@@ -44,7 +49,8 @@ struct HeadPoints {
 //   away(t) = (cos 80° - cos a) / (cos 80° - cos 95°),
 // each held to [0, 1], a being the angle between the trunk's forward direction and the way from the
 // head to the goal; p(t) = max(low, away);   P = ½ mean_t p + ½ max_t p.
-// The head is rigid on its trunk, so the neck's share is taken off rather than seen. A body without
+// Where the head is rigid on its trunk, the neck's share is taken off rather than seen; a body with
+// a neck has a as the angle from where its head faces, and 35° and 60° for the two. A body without
 // these points has no penalty.
 template <class S>
 class Head {
@@ -53,7 +59,9 @@ class Head {
       : points_(head_points(body)),
         per_height_(points_.distance > 0.0 ? 1.0 / (settings.height * points_.distance) : 0.0),
         looks_(settings.gaze_target.has_value()),
-        target_(to_scalar<S>(settings.gaze_target.value_or(Vec3d{}))) {}
+        target_(to_scalar<S>(settings.gaze_target.value_or(Vec3d{}))),
+        free_(points_.neck ? kCosEyesFree : kCosFree),
+        per_cosine_(1.0 / (free_ - (points_.neck ? kCosEyesLimit : kCosLimit))) {}
 
   // Forgets the frames seen.
   void reset() {
@@ -82,22 +90,26 @@ class Head {
   }
 
  private:
-  // cosines of kGazeFree and kGazeLimit
-  static constexpr double kFree = 0.17364817766693;
-  static constexpr double kLimit = -0.08715574274766;
+  // cosines of kGazeFree, kGazeLimit, kEyesFree and kEyesLimit
+  static constexpr double kCosFree = 0.17364817766693;
+  static constexpr double kCosLimit = -0.08715574274766;
+  static constexpr double kCosEyesFree = 0.81915204428899;
+  static constexpr double kCosEyesLimit = 0.5;
 
   [[nodiscard]] S away(const Kinematics<S>& placed, const Vec3<S>& head) const {
     const Vec3<S> forward = placed.link_rotation(points_.head_link).cz;
     const Vec3<S> way = target_ - head;
     // a goal at the head itself is in no direction
     const S cosine = dot(forward, way) / max(sqrt(dot(way, way)), S(1e-3));
-    return (S(kFree) - cosine) * S(1.0 / (kFree - kLimit));
+    return (S(free_) - cosine) * S(per_cosine_);
   }
 
   HeadPoints points_;
   double per_height_;  // 1/m
   bool looks_;
   Vec3<S> target_;  // m, world
+  double free_;     // cosine
+  double per_cosine_;
   S sum_{};
   S largest_{};
   int frames_ = 0;

@@ -26,9 +26,10 @@ struct LowBackSettings {
   double share = kLowBackShare;  // of strength, > 0
 };
 
-// The hips' flexion dofs and what of their torques' sum is the lower back's whole strength.
+// The dofs whose torques' sum is told as a share of the lower back's strength: both hips' flexion,
+// or the lowest joint's of a spine.
 struct BackConstants {
-  std::vector<int> hips;
+  std::vector<int> dofs;
   double per_extension = 0.0;  // 1/(N·m), of torques less than 0
   double per_flexion = 0.0;    // 1/(N·m)
 };
@@ -36,10 +37,11 @@ struct BackConstants {
 
 // Moment about the lateral axis of the lowest lumbar joint, L5/S1, squared, in [0, 1]:
 //   r(t) = 0.76 · Σ τ_hip flexion / strength,   P = min(1, (½ mean_t r² + ½ max_t r²) / share²).
-// The trunk is rigid, so no joint of the body is L5/S1. But both hips flex about one line across
+// Where the trunk is rigid, no joint of the body is L5/S1. But both hips flex about one line across
 // the pelvis, and their torques together are the moment, of weight and of inertia, of all that
 // stands on them; L5/S1 bears a fixed share of it. Strength is the man's above, by the ratio of the
-// body's hips to his: mass and sex are in there. A body without hips has no penalty.
+// body's hips to his: mass and sex are in there. A body with a spine has the joint, and r is its
+// torque by its strength. A body without hips has no penalty.
 template <class S>
 class LowBack {
  public:
@@ -54,7 +56,7 @@ class LowBack {
 
   void add(const MotionFrame<S>& frame) {
     S torque(0);
-    for (const int hip : back_.hips) torque = torque + frame.torques[static_cast<std::size_t>(hip)];
+    for (const int d : back_.dofs) torque = torque + frame.torques[static_cast<std::size_t>(d)];
     const S load = torque * select(torque > S(0), S(back_.per_flexion), S(back_.per_extension));
     const S square = load * load;
     sum_ = sum_ + square;

@@ -22,8 +22,8 @@ struct Penetration {
   Vec3d outward{};      // unit vector, world: the shortest way out for the limb
 };
 
-// The deepest penetration of an effector's own capsules (those of its link) into the capsules of
-// links that the effector's limb does not move.
+// The deepest penetration of an effector's limb, but for its first segment, which its joint holds
+// to the trunk, into the capsules of links that the limb does not move.
 [[nodiscard]] Penetration limb_penetration(const BodyModel& body,
                                            const Kinematics<double>& kinematics,
                                            const Effector& effector);

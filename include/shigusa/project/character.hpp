@@ -13,8 +13,8 @@ namespace shigusa {
 
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
-  // "half_body", "full_body" or the path of a BVH, glTF, GLB or VRM file; for a person who was
-  // measured before (landmarks below), only a name
+  // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB or VRM file; for a person who
+  // was measured before (landmarks below), only a name
   std::string source = "full_body";
   std::optional<double> stature{};  // m, 0.5..2.5
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
@@ -28,7 +28,7 @@ struct CharacterSpec {
   std::vector<std::pair<std::string, std::string>> humanoid{};
 };
 
-// True for "half_body" and "full_body", which need no file.
+// True for "half_body", "full_body" and "human", which need no file.
 [[nodiscard]] bool is_built_in(const CharacterSpec& spec);
 
 // Fails where `source` can be no character at all: neither built in, nor a file of one of these

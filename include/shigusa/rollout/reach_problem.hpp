@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/kinematics/weighted_ik.hpp>
 #include <shigusa/motion/minimum_jerk.hpp>
@@ -40,7 +41,9 @@ struct ReachProblem {
   // false: the hands go where the guide takes them, and only the last frame has them at their goals
   bool follow_path = true;
   IkSettings ik;
-  bool hold_limits = false;  // no joint passes a limit (see LimitGuard)
+  bool hold_limits = false;     // no joint passes a limit (see LimitGuard)
+  bool posture_law = false;     // head, free arms and clavicles follow PostureLaw
+  std::optional<Vec3d> gaze{};  // m, world: what the head turns to by that law
   // A step falls short of its path by what joints on arcs leave the straight line. The shortfall
   // changes little from frame to frame, so the next step allows for the last one's, up to this
   // much; farther off, the goal is one that the body cannot follow.

@@ -10,6 +10,7 @@
 #include <shigusa/rollout/motion_input.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/phase_blend.hpp>
+#include <shigusa/rollout/posture_law.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <vector>
 
@@ -35,7 +36,8 @@ class Rollout {
         step_(speeds_),
         unlocked_(speeds_),
         reference_(speeds_),
-        blend_(speeds_.size()) {
+        blend_(speeds_.size()),
+        law_(problem) {
     if (problem.hold_limits) limits_.emplace(*problem.body);
     for (const IkTarget<double>& target : ik_targets(problem)) {
       targets_.push_back({.link = target.link,
@@ -63,7 +65,7 @@ class Rollout {
       target.lead = target.tilt_lead = {};
     }
     now_ = 0;
-    drawn_ = !problem_->guide.empty() || !input.posture.empty();
+    drawn_ = !problem_->guide.empty() || !input.posture.empty() || !law_.empty();
     if (limits_) limits_->reset();
     if (input.has_later()) blend_.begin(input);
     for (std::size_t d = 0; d < speeds_.size(); ++d) {
@@ -197,13 +199,17 @@ class Rollout {
   // how far the null space is drawn in this frame: so that, drawn in every frame, it follows the
   // minimum-jerk profile into the guide posture, or makes the input's change of posture
   void draw_null_space(int frame, const MotionInput<S>& input) {
-    if (!problem_->guide.empty()) {
+    const bool guided = !problem_->guide.empty();
+    if (guided) {
       draw_to_guide(frame);
-    } else if (drawn_) {
+    } else if (!input.posture.empty()) {
       const S share = posture_share(frame, input) - posture_share(frame - 1, input);
       const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
       for (std::size_t d = 0; d < reference_.size(); ++d) reference_[d] = posture[d] * share;
+    } else if (drawn_) {
+      for (S& way : reference_) way = S(0);
     }
+    if (!law_.empty()) law_.draw(frame, problem_->steps, now(), angles_[1], guided, reference_);
   }
 
   // how much of the change of posture is made by then
@@ -296,6 +302,7 @@ class Rollout {
   bool drawn_ = false;        // the null space is drawn somewhere, by …
   std::vector<S> reference_;  // … (dofs, rad) in this frame
   PhaseBlend<S> blend_;       // of a motion in two phases
+  PostureLaw<S> law_;
   std::optional<LimitGuard<S>> limits_;
 };
 

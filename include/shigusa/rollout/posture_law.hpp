@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/motion/minimum_jerk.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// The head has turned to the goal by this share of the duration: gaze gets there before the hand
+// does (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
+inline constexpr double kGazeArrives = 0.7;
+// What the head does of a turn of the gaze; eyes do the rest.
+inline constexpr double kHeadOfGaze = 0.75;
+// How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
+inline constexpr double kArmHangs = 0.8;
+// The clavicle's elevation with the arm straight up, and its protraction with the arm straight
+// ahead: a part of what the shoulder blade turns in raising an arm (V. Inman, J. Saunders and L.
+// Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
+inline constexpr double kClavicleRises = radians(28);
+inline constexpr double kClavicleAhead = radians(14);
+
+// What the parts of a whole human do that no goal moves, frame by frame: the head turns to the
+// goal, a free arm hangs, clavicles go with their arms. The law says by how much the null space is
+// drawn; goals, contacts and limits stay what they are. For bodies with a neck; others have none.
+template <class S>
+class PostureLaw {
+ public:
+  explicit PostureLaw(const ReachProblem& problem) {
+    const BodyModel& body = *problem.body;
+    if (!problem.posture_law || !body.find_dof("neck.flexion")) return;
+    find_head(problem);
+    for (const char* side : {"left_", "right_"}) find_arm(problem, side);
+  }
+
+  [[nodiscard]] bool empty() const { return !looks_ && arms_.empty(); }
+
+  // Sets what the step to `frame` is drawn by (dofs, rad), from the placement and the angles (dofs,
+  // rad) before it. `guided`: the rest of the body is drawn to a posture; arms with goals are left
+  // to it.
+  void draw(int frame, int steps, const Kinematics<S>& now, std::span<const S> angles, bool guided,
+            std::span<S> reference) const {
+    if (looks_) look(gaze_share(frame, steps), now, angles, reference);
+    for (const Arm& arm : arms_) {
+      if (arm.free) hang(arm, now, angles, reference);
+      if (arm.has_clavicle && (arm.free || !guided)) shrug(arm, now, angles, reference);
+    }
+  }
+
+ private:
+  using T = Element<S>;
+  struct Freedom {
+    std::size_t dof = 0;
+    T lower{};  // rad
+    T upper{};
+    T start{};
+    T share{};  // of what is wanted of the joints together
+  };
+  struct Arm {
+    bool free = false;
+    bool has_clavicle = false;
+    T side{};        // +1 left, -1 right
+    int parent = 0;  // link that carries the shoulder
+    int chest = 0;   // link that carries the clavicle
+    int upper = 0;   // the upper arm's link
+    Freedom flexion, abduction, elevation, protraction;
+  };
+
+  static Freedom freedom(const BodyModel& body, int d, double share = 1.0) {
+    const Dof& dof = body.dof(d);
+    const double start = body.start()[static_cast<std::size_t>(d)];
+    return {static_cast<std::size_t>(d), static_cast<T>(dof.lower), static_cast<T>(dof.upper),
+            static_cast<T>(start), static_cast<T>(share)};
+  }
+
+  void find_head(const ReachProblem& problem) {
+    const BodyModel& body = *problem.body;
+    const auto neck = body.find_dof("neck.flexion");
+    if (!problem.gaze || !neck) return;
+    looks_ = true;
+    target_ = to_scalar<S>(*problem.gaze);
+    chest_ = body.dof(*neck).parent;
+    head_ = *neck;
+    const bool two = body.find_dof("head.flexion").has_value();
+    for (const char* joint : {"neck", "head"}) {
+      const auto nod = body.find_dof(std::string(joint) + ".flexion");
+      const auto turn = body.find_dof(std::string(joint) + ".rotation");
+      if (!nod || !turn) continue;
+      head_ = *nod;
+      nods_.push_back(freedom(body, *nod, two ? 0.5 : 1.0));
+      turns_.push_back(freedom(body, *turn, two ? 0.5 : 1.0));
+    }
+  }
+
+  void find_arm(const ReachProblem& problem, const std::string& side) {
+    const BodyModel& body = *problem.body;
+    const auto dof = [&](const char* name) { return body.find_dof(side + name); };
+    const auto flexion = dof("shoulder.flexion");
+    const auto abduction = dof("shoulder.abduction");
+    const auto rotation = dof("shoulder.rotation");
+    if (!flexion || !abduction || !rotation) return;
+    Arm arm;
+    arm.free = true;
+    for (const ReachGoal& goal : problem.goals) {
+      const int link = body.effectors()[static_cast<std::size_t>(goal.effector)].link;
+      arm.free = arm.free && !body.moves(*flexion, link);
+    }
+    arm.side = static_cast<T>(side == "left_" ? 1.0 : -1.0);
+    arm.parent = body.dof(*flexion).parent;
+    arm.upper = *rotation;
+    arm.flexion = freedom(body, *flexion);
+    arm.abduction = freedom(body, *abduction);
+    const auto elevation = dof("clavicle.elevation");
+    const auto protraction = dof("clavicle.protraction");
+    arm.has_clavicle = elevation && protraction;
+    if (arm.has_clavicle) {
+      arm.chest = body.dof(*elevation).parent;
+      arm.elevation = freedom(body, *elevation);
+      arm.protraction = freedom(body, *protraction);
+    }
+    arms_.push_back(arm);
+  }
+
+  // of the way that is left
+  static S gaze_share(int frame, int steps) {
+    const auto done = [steps](int f) {
+      return minimum_jerk(min(1.0, static_cast<double>(f) / (kGazeArrives * steps)));
+    };
+    const double before = done(frame - 1);
+    return S(before < 1.0 ? (done(frame) - before) / (1.0 - before) : 1.0);
+  }
+
+  // draws a freedom by a share of the way to the angle wanted
+  static void draw_to(const Freedom& f, const S& wanted, const S& share, std::span<const S> angles,
+                      std::span<S> reference) {
+    const S held = clamp(S(f.start) + wanted * S(f.share), S(f.lower), S(f.upper));
+    reference[f.dof] = (held - angles[f.dof]) * share;
+  }
+
+  void look(const S& share, const Kinematics<S>& now, std::span<const S> angles,
+            std::span<S> reference) const {
+    const Vec3<S> eye = now.origin[static_cast<std::size_t>(head_)];
+    const Vec3<S> way = transpose_times(now.link_rotation(chest_), target_ - eye);
+    const S across = sqrt(way.x * way.x + way.z * way.z);
+    // what is behind is looked for sideways, and from one side to the other without a jump
+    const S turn = atan2(way.x, max(way.z, across * S(0.2)));
+    const S nod = atan2(-way.y, across);
+    for (const Freedom& f : turns_) draw_to(f, turn * S(kHeadOfGaze), share, angles, reference);
+    for (const Freedom& f : nods_) draw_to(f, nod * S(kHeadOfGaze), share, angles, reference);
+  }
+
+  void hang(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
+            std::span<S> reference) const {
+    const Mat3<S> parent = now.link_rotation(arm.parent);
+    const Vec3<S> down{-parent.cx.y, -parent.cy.y, -parent.cz.y};
+    const S level = sqrt(down.y * down.y + down.z * down.z);
+    draw_to(arm.flexion, atan2(down.z, -down.y) * S(kArmHangs), S(1), angles, reference);
+    draw_to(arm.abduction, atan2(down.x, level) * S(arm.side) * S(kArmHangs), S(1), angles,
+            reference);
+  }
+
+  void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
+             std::span<S> reference) const {
+    const Vec3<S> up = now.link_rotation(arm.upper).cy;
+    const Vec3<S> along = transpose_times(now.link_rotation(arm.chest), -up);
+    draw_to(arm.elevation, (S(1) + along.y) * S(0.5 * kClavicleRises), S(1), angles, reference);
+    draw_to(arm.protraction, along.z * S(kClavicleAhead), S(1), angles, reference);
+  }
+
+  bool looks_ = false;
+  Vec3<S> target_{};  // m, world
+  int chest_ = 0;     // link that carries the neck
+  int head_ = 0;      // dof whose centre is where the eyes are taken to be
+  std::vector<Freedom> nods_;
+  std::vector<Freedom> turns_;
+  std::vector<Arm> arms_;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <tuple>
+
+#include "human_builder.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr std::array kSpineNames{"spine", "chest", "upper_chest"};
+// Where the chest's node of a trunk without joints stands, between hips and shoulders.
+constexpr double kRigidChest = 0.6;
+
+JointLimits part_of_range(const JointLimits& all, double share) {
+  return {all.lower * share, all.upper * share, all.torque_positive, all.torque_negative};
+}
+
+}  // namespace
+
+Vec3d HumanBuilder::mid_hip() const { return (person_.left_leg.hip + person_.right_leg.hip) * 0.5; }
+
+Vec3d HumanBuilder::mid_shoulder() const {
+  return (person_.left_arm.shoulder + person_.right_arm.shoulder) * 0.5;
+}
+
+// what stands on the pelvis, which is there already
+void HumanBuilder::add_trunk() {
+  if (whole()) {
+    add_spine();
+    add_neck();
+  } else {
+    neck_ = head_ = trunk_.front();
+    LinkMass trunk = masses_.trunk_and_head();
+    if (settings_.extent == BodyExtent::half) trunk.add(masses_.arm(Side::left));
+    set_mass(trunk_.front(), trunk);
+  }
+  add_trunk_capsules();
+}
+
+// Fewer joints than three have the range of all of them.
+void HumanBuilder::add_spine() {
+  const std::size_t joints = std::min(person_.spine.size(), kSpineJoints);
+  const Vec3d way = person_.neck - mid_hip();
+  double begin = 0.0;
+  for (std::size_t j = 0; j < joints; ++j) {
+    SpineShares range{};
+    for (std::size_t k = j; k < kSpineJoints; k += joints) {
+      range.flexion += kSpineRanges[k].flexion;
+      range.lateral += kSpineRanges[k].lateral;
+      range.rotation += kSpineRanges[k].rotation;
+    }
+    Part part =
+        add_joint(kSpineNames[j], trunk_.back(), person_.spine[j], frames_.trunk,
+                  {{"flexion", Axis::x, 1.0, part_of_range(kSpineFlexion, range.flexion)},
+                   {"lateral", Axis::z, -1.0, part_of_range(kSpineLateral, range.lateral)},
+                   {"rotation", Axis::y, 1.0, part_of_range(kSpineRotation, range.rotation)}});
+    part.from = clamp(dot(person_.spine[j] - mid_hip(), way) / dot(way, way), begin, 1.0);
+    set_mass(trunk_.back(), masses_.trunk_slice(begin, part.from));
+    begin = part.from;
+    trunk_.push_back(part);
+  }
+  set_mass(trunk_.back(), masses_.trunk_slice(begin, 1.0));
+}
+
+void HumanBuilder::add_neck() {
+  const auto joint = [&](const char* name, const Part& on, const Vec3d& at) {
+    return add_joint(name, on, at, frames_.trunk,
+                     {{"flexion", Axis::x, 1.0, kNeckFlexion},
+                      {"lateral", Axis::z, -1.0, kNeckLateral},
+                      {"rotation", Axis::y, 1.0, kNeckRotation}});
+  };
+  neck_ = joint("neck", trunk_.back(), person_.neck);
+  head_ = person_.head ? joint("head", neck_, *person_.head) : neck_;
+  set_mass(head_, masses_.head());
+  const Vec3d crown = person_.head_top;
+  const Vec3d inset = normalized(crown - head_.origin) * (kHeadRadius * settings_.stature);
+  add_capsule("head", head_, head_.origin + inset, crown - inset, kHeadRadius);
+}
+
+// The part that carries the arm: its clavicle, or else the trunk.
+HumanBuilder::Part HumanBuilder::add_clavicle(Side side) {
+  const Landmarks::Arm& arm = person_.arm(side);
+  if (!whole() || !arm.clavicle) return trunk_.back();
+  const double s = side_sign(side);
+  return add_joint(prefix_of(side) + "clavicle", trunk_.back(), *arm.clavicle, frames_.trunk,
+                   {{"elevation", Axis::z, s, kClavicleElevation},
+                    {"protraction", Axis::y, -s, kClavicleProtraction}});
+}
+
+void HumanBuilder::add_trunk_capsules() {
+  const Vec3d hips = mid_hip();
+  const Vec3d shoulders = mid_shoulder();
+  // the ends are round: they begin a radius within
+  const Vec3d inset = normalized(shoulders - hips) * (kTrunkRadius * settings_.stature);
+  if (trunk_.size() == 1) {
+    return add_capsule("trunk", trunk_.front(), hips, shoulders - inset, kTrunkRadius);
+  }
+  add_capsule("pelvis", trunk_.front(), hips, trunk_[1].origin, kTrunkRadius);
+  for (std::size_t j = 1; j < trunk_.size(); ++j) {
+    const bool last = j + 1 == trunk_.size();
+    add_capsule(kSpineNames[j - 1], trunk_[j], trunk_[j].origin,
+                last ? shoulders - inset : trunk_[j + 1].origin, kTrunkRadius);
+  }
+}
+
+int HumanBuilder::add_node(const std::string& name, int parent, const Part& part,
+                           const Vec3d& point, bool end_site) {
+  body_.nodes.push_back(
+      {name, parent, part.link, transpose_times(part.frame, point - part.origin), end_site});
+  return static_cast<int>(body_.nodes.size()) - 1;
+}
+
+void HumanBuilder::add_nodes() {
+  const int hips = add_node("hips", -1, trunk_.front(), mid_hip());
+  const int chest = add_trunk_nodes(hips);
+  for (const Side side : {Side::left, Side::right}) {
+    if (side == Side::left && settings_.extent == BodyExtent::half) {
+      add_stubs(hips, chest);
+      continue;
+    }
+    add_arm_nodes(side, chest);
+    add_leg_nodes(side, hips);
+  }
+}
+
+// the node that carries arms and neck
+int HumanBuilder::add_trunk_nodes(int hips) {
+  int chest = hips;
+  for (std::size_t j = 1; j < trunk_.size(); ++j) {
+    chest = add_node(kSpineNames[j - 1], chest, trunk_[j], trunk_[j].origin);
+  }
+  if (trunk_.size() == 1) {
+    const Vec3d at = mid_hip() + (mid_shoulder() - mid_hip()) * kRigidChest;
+    chest = add_node("chest", hips, trunk_.front(), at);
+  }
+  const Vec3d joint = person_.neck + (person_.head_top - person_.neck) * kHeadJointShare;
+  const bool free = whole() && person_.head;
+  const int neck = add_node("neck", chest, neck_, person_.neck);
+  const int head = add_node("head", neck, head_, free ? *person_.head : joint);
+  add_node("", head, head_, person_.head_top, true);
+  return chest;
+}
+
+// the still limbs are not shown (paper, section 4), but the trunk that they hang on is
+void HumanBuilder::add_stubs(int hips, int chest) {
+  const Vec3d stub = (mid_hip() - mid_shoulder()) * 0.05;
+  for (const auto& [name, parent, at] :
+       {std::tuple{"left_upper_arm", chest, person_.left_arm.shoulder},
+        std::tuple{"left_upper_leg", hips, person_.left_leg.hip}}) {
+    add_node("", add_node(name, parent, trunk_.front(), at), trunk_.front(), at + stub, true);
+  }
+}
+
+void HumanBuilder::add_arm_nodes(Side side, int chest) {
+  const std::string prefix = prefix_of(side);
+  const Landmarks::Arm& arm = person_.arm(side);
+  const ArmParts& parts = arms_[index_of(side)];
+  int on = chest;
+  if (whole() && arm.clavicle) {
+    on = add_node(prefix + "shoulder", on, parts.clavicle, *arm.clavicle);
+  }
+  on = add_node(prefix + "upper_arm", on, parts.upper, arm.shoulder);
+  on = add_node(prefix + "lower_arm", on, parts.fore, arm.elbow);
+  on = add_node(prefix + "hand", on, parts.hand, arm.wrist);
+  const Vec3d grip = arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction;
+  on = add_node(prefix + "hand_grip", on, parts.hand, grip);
+  add_node("", on, parts.hand, arm.fingertip, true);
+}
+
+void HumanBuilder::add_leg_nodes(Side side, int hips) {
+  const std::string prefix = prefix_of(side);
+  const Landmarks::Leg& leg = person_.leg(side);
+  const LegParts& parts = legs_[index_of(side)];
+  int on = add_node(prefix + "upper_leg", hips, parts.thigh, leg.hip);
+  on = add_node(prefix + "lower_leg", on, parts.shank, leg.knee);
+  on = add_node(prefix + "foot", on, parts.foot, leg.ankle);
+  on = add_node(prefix + "toes", on, parts.foot, leg.ankle + (leg.toe - leg.ankle) * 0.7);
+  add_node("", on, parts.foot, leg.toe, true);
+}
+
+}  // namespace shigusa

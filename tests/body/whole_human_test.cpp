@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/body/posture_modes.hpp>
+
+#include "support/bodies.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr double kRounding = 1e-12;
+
+Vec3d node_position(const BodyModel& body, std::span<const double> angles, const char* name) {
+  const Kinematics<double> kinematics = placed(body, angles);
+  for (const BodyNode& node : body.nodes()) {
+    if (node.name == name) return kinematics.point(node.link, node.point);
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+// a spine of so many joints, the others rigid
+BodyModel with_spine(std::size_t joints) {
+  Landmarks person = standing_landmarks(1.7, kStandingToeOut);
+  person.spine.resize(joints);
+  return build_human(person, {"human", BodyExtent::human, 1.7, 70.0, Sex::male});
+}
+
+double upper_limit(const BodyModel& body, const char* freedom) {
+  double sum = 0.0;
+  for (const char* joint : {"spine", "chest", "upper_chest"}) {
+    if (const auto d = body.find_dof(std::string(joint) + freedom)) sum += body.dof(*d).upper;
+  }
+  return sum;
+}
+
+TEST(WholeHuman, HasFiftyOneFreedomsWithThePelvisSix) {
+  EXPECT_EQ(human_body().dof_count() + 6, 51);
+}
+
+TEST(WholeHuman, StandsWithTheLandmarksOfThePerson) {
+  const Landmarks person = asymmetric_person();
+  const BodyModel body = build_human(person, {"human", BodyExtent::human, 1.6, 55.0, Sex::female});
+  const auto expect_at = [&](const char* node, const Vec3d& at) {
+    EXPECT_LT(norm(node_position(body, body.start(), node) - at), kRounding) << node;
+  };
+  expect_at("spine", person.spine[0]);
+  expect_at("upper_chest", person.spine[2]);
+  expect_at("head", *person.head);
+  expect_at("left_shoulder", *person.left_arm.clavicle);
+  expect_at("left_hand", person.left_arm.wrist);
+  expect_at("right_lower_arm", person.right_arm.elbow);
+  expect_at("left_foot", person.left_leg.ankle);
+}
+
+TEST(WholeHuman, WeighsWhatIsAskedWhateverItsJoints) {
+  for (const std::size_t joints : {0u, 1u, 2u, 3u}) {
+    EXPECT_NEAR(with_spine(joints).mass(), 70.0, 1e-10) << joints;
+  }
+}
+
+// kg m, of all links but the standing foot
+Vec3d moment_of_mass(const BodyModel& body) {
+  const Kinematics<double> kinematics = placed(body, body.start());
+  Vec3d moment{};
+  for (int d = 0; d < body.dof_count(); ++d) {
+    const MassProperties& mass = body.link_mass(d);
+    moment += kinematics.point(d, mass.com) * mass.mass;
+  }
+  return moment;
+}
+
+// One trunk in three parts of even density against de Leva's whole one.
+TEST(WholeHuman, HasItsCentreOfMassWhereTheRigidTrunkHasIt) {
+  const BodyModel whole = human_body();
+  const Vec3d apart = moment_of_mass(whole) - moment_of_mass(full_body());
+  EXPECT_LT(norm(apart) / whole.mass(), 0.012);
+}
+
+TEST(WholeHuman, CentreOfMassDoesNotDependOnTheSpinesJoints) {
+  const Vec3d all = moment_of_mass(with_spine(3));
+  for (const std::size_t joints : {0u, 1u, 2u}) {
+    EXPECT_LT(norm(moment_of_mass(with_spine(joints)) - all), 1e-9) << joints;
+  }
+}
+
+TEST(WholeHuman, FewerSpineJointsHaveTheSameRangeTogether) {
+  for (const char* freedom : {".flexion", ".lateral", ".rotation"}) {
+    const double all = upper_limit(with_spine(3), freedom);
+    EXPECT_NEAR(upper_limit(with_spine(1), freedom), all, kRounding);
+    EXPECT_NEAR(upper_limit(with_spine(2), freedom), all, kRounding);
+  }
+}
+
+// Positive angles are what the names say: measured at nodes that the freedom moves.
+TEST(WholeHuman, FreedomsTurnTheWayTheirNamesSay) {
+  const BodyModel body = human_body();
+  const auto moved = [&](const char* dof, const char* node) {
+    std::vector<double> angles(body.start().begin(), body.start().end());
+    angles[static_cast<std::size_t>(body.find_dof(dof).value())] += 0.2;
+    return node_position(body, angles, node) - node_position(body, body.start(), node);
+  };
+  EXPECT_GT(moved("spine.flexion", "head").z, 0.01);
+  EXPECT_GT(moved("chest.lateral", "head").x, 0.01);
+  EXPECT_GT(moved("upper_chest.rotation", "right_hand").z, 0.005);
+  EXPECT_GT(moved("neck.flexion", "head").z, 0.005);
+  for (const double side : {1.0, -1.0}) {
+    const std::string prefix = side > 0 ? "left_" : "right_";
+    const std::string hand = prefix + "hand_grip";
+    const auto of = [&](const char* dof) { return moved((prefix + dof).c_str(), hand.c_str()); };
+    EXPECT_GT(of("clavicle.elevation").y, 0.005) << prefix;
+    EXPECT_GT(of("clavicle.protraction").z, 0.005) << prefix;
+    EXPECT_LT(of("wrist.flexion").x * side, -0.005) << prefix;  // palms face the thighs
+    EXPECT_GT(of("wrist.deviation").z, 0.005) << prefix;        // thumbs are ahead
+  }
+  // from the standing foot the body tilts, and the other foot's sole turns inwards
+  EXPECT_LT(std::abs(moved("right_ankle.inversion", "right_foot").x), kRounding);
+  EXPECT_GT(moved("left_ankle.inversion", "left_toes").x, -0.05);
+}
+
+TEST(WholeHuman, RoundsAndTwistsItsSpine) {
+  const BodyModel body = human_body();
+  std::vector<std::string> names;
+  for (const PostureMode& mode : posture_modes(body)) names.push_back(mode.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"squat", "lean", "round", "twist", "right_elbow",
+                                             "left_elbow", "right_swivel", "left_swivel"}));
+}
+
+TEST(WholeHuman, IsAsStrongAsItsSexAndMass) {
+  const BodyModel woman = human_body({1.7, 60.0, Sex::female});
+  const BodyModel man = human_body({1.7, 60.0, Sex::male});
+  const int back = man.find_dof("spine.flexion").value();
+  const double ratio = woman.dof(back).torque_negative / man.dof(back).torque_negative;
+  EXPECT_NEAR(ratio, kFemaleStrength * 73.0 / 61.9, 1e-9);
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/rollout/rollout.hpp>
+#include <shigusa/simd/pack.hpp>
+
+#include "support/problems.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr Vec3d kAtTheFeet{-0.1, 0.15, 0.4};
+constexpr Vec3d kHigh{-0.4, 1.8, 0.3};
+
+ReachProblem lawful_reach(const BodyModel& body, const Vec3d& goal) {
+  ReachProblem problem = reach_with(body, "right_hand", goal);
+  problem.hold_limits = problem.posture_law = true;
+  problem.gaze = goal;
+  return problem;
+}
+
+Vec3d direction(const BodyModel& body, std::span<const double> angles, const char* from,
+                const char* to) {
+  const Kinematics<double> kinematics = placed(body, angles);
+  Vec3d ends[2];
+  for (const BodyNode& node : body.nodes()) {
+    if (node.name == from) ends[0] = kinematics.point(node.link, node.point);
+    if (node.name == to) ends[1] = kinematics.point(node.link, node.point);
+  }
+  return normalized(ends[1] - ends[0]);
+}
+
+double degrees_between(const Vec3d& a, const Vec3d& b) { return degrees(acos(dot(a, b))); }
+
+// from where the head faces
+double gaze_off(const BodyModel& body, std::span<const double> angles, const Vec3d& goal) {
+  const int head = body.find_dof("head.rotation").value();
+  const Kinematics<double> kinematics = placed(body, angles);
+  const Vec3d way = goal - kinematics.origin[static_cast<std::size_t>(head)];
+  return degrees_between(kinematics.link_rotation(head).cz, normalized(way));
+}
+
+TEST(PostureLaw, TheHeadTurnsToTheGoalBeforeTheHandIsThere) {
+  const BodyModel body = human_body();
+  const Vec3d goal{-0.6, 1.2, 0.3};
+  const ReachProblem problem = lawful_reach(body, goal);
+  const Clip clip = roll_out(problem, uniform_parameters(body)).motion.clip;
+  const double before = gaze_off(body, clip.frame(0), goal);
+  EXPECT_GT(before, 60.0);
+  // the eyes do a quarter of each angle; two joints that turn and nod in turn lose some degrees
+  // more
+  EXPECT_LT(gaze_off(body, clip.frame(48), goal), 0.4 * before);
+  EXPECT_LT(gaze_off(body, clip.frame(60), goal), 0.4 * before);
+}
+
+TEST(PostureLaw, AFreeArmHangs) {
+  const BodyModel body = human_body();
+  const ReachProblem problem = lawful_reach(body, kAtTheFeet);
+  const Clip clip = roll_out(problem, uniform_parameters(body)).motion.clip;
+  const auto from_plumb = [&](const char* arm, const char* elbow) {
+    return degrees_between(direction(body, clip.frame(60), arm, elbow), {0, -1, 0});
+  };
+  // the trunk leans by some 100°, of which a stiff arm would make up nothing
+  const Vec3d trunk = direction(body, clip.frame(60), "hips", "neck");
+  ASSERT_GT(degrees_between(trunk, {0, 1, 0}), 60.0);
+  EXPECT_LT(from_plumb("left_upper_arm", "left_lower_arm"), 30.0);
+}
+
+TEST(PostureLaw, ARaisedArmTakesItsClavicleAlong) {
+  const BodyModel body = human_body();
+  const Clip clip = roll_out(lawful_reach(body, kHigh), uniform_parameters(body)).motion.clip;
+  const auto angle = [&](const char* name) {
+    return clip.frame(60)[static_cast<std::size_t>(body.find_dof(name).value())];
+  };
+  EXPECT_GT(degrees(angle("right_clavicle.elevation")), 5.0);
+  EXPECT_LT(std::fabs(degrees(angle("left_clavicle.elevation"))), 4.0);
+}
+
+TEST(PostureLaw, GoalsFeetAndLimitsStayWhatTheyAre) {
+  const BodyModel body = human_body();
+  for (const Vec3d& goal : {kAtTheFeet, kHigh, Vec3d{-0.6, 1.2, -0.1}}) {
+    ReachProblem problem = lawful_reach(body, goal);
+    problem.corrections = 2;
+    const RolledOut rolled = roll_out(problem, uniform_parameters(body));
+    const MeasuredMotion measured(problem, rolled.motion.clip);
+    EXPECT_LT(measured.goal_error, kReachTolerance);
+    EXPECT_LT(measured.contact_slide, kReachTolerance);
+    for (int f = 0; f < rolled.motion.clip.frames; ++f) {
+      for (int d = 0; d < body.dof_count(); ++d) {
+        const double angle = rolled.motion.clip.frame(f)[static_cast<std::size_t>(d)];
+        EXPECT_GE(angle, body.dof(d).lower - 1e-12) << body.dof(d).name;
+      }
+    }
+  }
+}
+
+// The law goes through its own arctangent in lanes.
+TEST(PostureLaw, IsTheSameInLanes) {
+  using Lanes = Pack<float, 4>;
+  const BodyModel body = human_body();
+  const ReachProblem problem = lawful_reach(body, kAtTheFeet);
+  const std::vector<double> weights = inverse_weights(uniform_parameters(body));
+  std::vector<Lanes> in_lanes;
+  for (const double weight : weights) in_lanes.emplace_back(static_cast<float>(weight));
+  Rollout<double> alone(problem);
+  Rollout<Lanes> together(problem);
+  const auto ignore = [](const auto&, const auto&) {};
+  alone.run(MotionInput<double>(weights), ignore);
+  together.run(MotionInput<Lanes>(in_lanes), ignore);
+  for (std::size_t d = 0; d < weights.size(); ++d) {
+    EXPECT_NEAR(static_cast<double>(together.final_angles()[d][0]), alone.final_angles()[d], 2e-4)
+        << body.dof(static_cast<int>(d)).name;
+  }
+}
+
+TEST(PostureLaw, BodiesWithoutANeckHaveNone) {
+  const BodyModel body = full_body();
+  EXPECT_TRUE(PostureLaw<double>(lawful_reach(body, kHigh)).empty());
+}
+
+}  // namespace
+}  // namespace shigusa
