@@ -31,8 +31,10 @@ struct ReachOptions {
   std::string task;  // file, or empty
   std::optional<std::string> character;
   CharacterOptions person;
-  std::vector<std::string> goals;  // EFFECTOR=X,Y,Z
-  std::optional<double> duration;  // s
+  std::vector<std::string> goals;      // EFFECTOR=X,Y,Z
+  std::vector<std::string> loads;      // EFFECTOR=KG
+  std::vector<std::string> obstacles;  // NAME=X,Y,Z,SX,SY,SZ
+  std::optional<double> duration;      // s
   std::optional<std::string> preset;
   std::optional<std::string> layer_reading;
   std::optional<std::string> criteria;

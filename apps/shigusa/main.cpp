@@ -34,6 +34,12 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->add_option("--goal", o.goals,
                 "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X; repeatable")
       ->allow_extra_args(false);
+  c->add_option("--load", o.loads, "EFFECTOR=KG held all the way by a hand with a goal; repeatable")
+      ->allow_extra_args(false);
+  c->add_option("--obstacle", o.obstacles,
+                "NAME=X,Y,Z,SX,SY,SZ: a box, its middle and size in metres; repeatable; task files "
+                "know turned boxes, spheres and capsules too")
+      ->allow_extra_args(false);
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
   c->add_option(
       "--preset", o.preset,

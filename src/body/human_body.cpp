@@ -192,7 +192,7 @@ void HumanBuilder::add_arm(Side side) {
         {{"flexion", Axis::z, -s, kWristFlexion}, {"deviation", Axis::x, -1.0, kWristDeviation}});
     add_capsule(prefix + "upper_arm", parts.upper, arm.shoulder, arm.elbow, kUpperArmRadius);
     add_capsule(prefix + "forearm", parts.fore, arm.elbow, arm.wrist, kForearmRadius);
-    add_capsule(prefix + "hand", parts.hand, arm.wrist, arm.fingertip, kForearmRadius);
+    add_capsule(prefix + "hand", parts.hand, arm.wrist, arm.fingertip, kHandRadius);
     set_mass(parts.fore, masses_.forearm(side));
     set_mass(parts.hand, masses_.hand(side));
   } else {

@@ -35,6 +35,14 @@ MassProperties LinkMass::in_frame(const Mat3d& frame, const Vec3d& origin) const
   return {mass, transpose_times(frame, com - origin), transpose(frame) * about_com * frame};
 }
 
+LinkMass link_mass(const MassProperties& mass) {
+  return {mass.mass, mass.com * mass.mass, mass.inertia + point_inertia(mass.mass, mass.com)};
+}
+
+LinkMass point_mass(double mass, const Vec3d& at) {
+  return {mass, at * mass, point_inertia(mass, at)};
+}
+
 SoleOutline sole_outline(const Landmarks::Leg& leg, double stature) {
   using F = StatureFractions;
   Vec3d ahead = leg.toe - leg.ankle;

@@ -22,6 +22,10 @@ struct LinkMass {
   [[nodiscard]] MassProperties in_frame(const Mat3d& frame, const Vec3d& origin) const;
 };
 
+// In the frame that the properties are in.
+[[nodiscard]] LinkMass link_mass(const MassProperties& mass);
+[[nodiscard]] LinkMass point_mass(double mass, const Vec3d& at);
+
 // Corners of a sole on the floor, counter-clockwise from above.
 using SoleOutline = std::array<Vec3d, 4>;
 [[nodiscard]] SoleOutline sole_outline(const Landmarks::Leg& leg, double stature);

@@ -69,6 +69,7 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
   }
   candidate.over_limit = limit_excess(body, rolled.motion.clip);
   const Clip& clip = rolled.motion.clip;
+  candidate.collides = deepest_collision(body, rolled.motion.clip, task_criteria(task).collision);
   candidate.final_posture =
       PostureMeter(body).measure(clip.frame(clip.frames - 1), problem.goals.front().effector);
   candidate.motion = std::move(rolled.motion);

@@ -24,6 +24,14 @@ double replayed_score(const ReachProblem& problem, const Task& task, const Param
              : worst_score(task.criteria);
 }
 
+// Where a motion passes through nothing, those that do are left out.
+void drop_collisions(Generation& generation) {
+  const auto collides = [](const Candidate& c) { return c.collides.depth > kCollisionDepth; };
+  std::vector<Candidate>& all = generation.candidates;
+  if (std::all_of(all.begin(), all.end(), collides)) return;
+  generation.collided = static_cast<int>(std::erase_if(all, collides));
+}
+
 // Replays what was found and keeps what arrives and differs, best first.
 void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
                         const Searched& searched, const SearchResult& found,
@@ -31,8 +39,9 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
   const bool paper = task.preset == Preset::paper;
   const Choice choice = paper ? Choice{.picked = ranked_population(found)}
                               : distinct_postures(searched.archive(), 4 * task.candidates);
+  int free = 0;  // candidates that pass through nothing; the paper does not ask
   for (const Individual& individual : choice.picked) {
-    if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
+    if (free >= task.candidates) break;
     const Parameters parameters = searched.space().decode(individual.point);
     std::optional<Arrival> arrival = first_arrival(ways, parameters, task.generator);
     if (!arrival) {
@@ -50,6 +59,7 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
     }
     generation.candidates.push_back(
         make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled)));
+    if (paper || generation.candidates.back().collides.depth <= kCollisionDepth) ++free;
     if (arrival->way != &ways.back()) continue;
     // it was searched on this way, in single precision
     const double difference = abs(generation.candidates.back().score.total - individual.score);
@@ -60,6 +70,9 @@ void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
   std::stable_sort(
       generation.candidates.begin(), generation.candidates.end(),
       [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
+  if (!paper) drop_collisions(generation);
+  const auto most = static_cast<std::size_t>(task.candidates);
+  if (generation.candidates.size() > most) generation.candidates.resize(most);
   generation.fewer = why_fewer(task, generation, choice);
 }
 
@@ -208,9 +221,18 @@ bool goes_on(const ClosestReach& reach, const Generation& generation) {
   return reach.reached() && generation.candidates.empty() && generation.end != SearchEnd::cancelled;
 }
 
+bool is_loaded(const Task& task) {
+  return std::any_of(task.goals.begin(), task.goals.end(),
+                     [](const Goal& goal) { return goal.load != 0.0; });
+}
+
 }  // namespace
 
 Result<Generation> generate(const Task& task, const Progress& progress) {
+  if (is_loaded(task)) {
+    const Result<Task> loaded = with_loads(task);
+    return loaded ? generate(*loaded, progress) : tl::unexpected(loaded.error());
+  }
   if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
   if (preset_layers(task.preset)) return generate_layered(task, progress);
   const Result<ReachProblem> problem = make_problem(task);
@@ -236,6 +258,10 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
 }
 
 Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
+  if (is_loaded(task)) {
+    const Result<Task> loaded = with_loads(task);
+    return loaded ? regenerate(*loaded, parameters) : tl::unexpected(loaded.error());
+  }
   if (preset_layers(task.preset)) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("the preset {} goes by layered parameters, not by weights of the whole "
@@ -264,6 +290,10 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
 }
 
 Result<Generation> regenerate(const Task& task, const LayeredParameters& parameters) {
+  if (is_loaded(task)) {
+    const Result<Task> loaded = with_loads(task);
+    return loaded ? regenerate(*loaded, parameters) : tl::unexpected(loaded.error());
+  }
   return regenerate_layered(task, parameters);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/body/load.hpp>
 #include <shigusa/core/names.hpp>
 #include <shigusa/hierarchy/task.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
@@ -17,7 +18,12 @@ Result<int> effector_index(const BodyModel& body, const Goal& goal) {
   return fail(ErrorCode::not_found, unknown_name("effector", goal.effector, names), "goal");
 }
 
-Result<void> check_position(const Goal& goal) {
+Result<void> check_goal(const Goal& goal) {
+  if (!(goal.load >= 0.0 && goal.load <= kLoadMax)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("load is {} kg; allowed are 0 to {:g} kg", goal.load, kLoadMax),
+                "goal of " + goal.effector);
+  }
   for (int k = 0; k < 3; ++k) {
     const double x = goal.position[k];
     if (is_finite(x) && x >= -kGoalRange && x <= kGoalRange) continue;
@@ -25,6 +31,35 @@ Result<void> check_position(const Goal& goal) {
                 fmt::format("{} coordinate is {}; allowed are finite numbers from -{:g} to {:g} m",
                             "xyz"[k], x, kGoalRange, kGoalRange),
                 "goal of " + goal.effector);
+  }
+  return {};
+}
+
+bool within(const Vec3d& v, double low, double high) {
+  for (int k = 0; k < 3; ++k) {
+    if (!(v[k] >= low && v[k] <= high)) return false;
+  }
+  return true;
+}
+
+Result<void> check_obstacles(const Task& task) {
+  if (task.obstacles.size() > kObstaclesMax) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} obstacles; allowed are {}", task.obstacles.size(), kObstaclesMax));
+  }
+  for (const Obstacle& obstacle : task.obstacles) {
+    const Quatd& q = obstacle.rotation;
+    const double length = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+    const char* wrong = nullptr;
+    if (!within(obstacle.position, -kGoalRange, kGoalRange)) wrong = "position";
+    if (!within(obstacle.size, 0.0, kGoalRange)) wrong = "size";
+    if (!(obstacle.radius >= 0.0 && obstacle.radius <= kGoalRange)) wrong = "radius";
+    if (!(abs(length - 1.0) < 1e-3)) wrong = "rotation";
+    if (wrong == nullptr) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} is out of range: within {:g} m, sizes from 0, a unit quaternion",
+                            wrong, kGoalRange),
+                "obstacle " + obstacle.name.substr(0, 80));
   }
   return {};
 }
@@ -63,6 +98,7 @@ Result<void> check_settings(const Task& task) {
                 fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
   }
   if (const auto checked = check_phases(task); !checked) return checked;
+  if (const auto checked = check_obstacles(task); !checked) return checked;
   const CriteriaSettings& c = task.criteria;
   double sum = 0.0;
   const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
@@ -178,7 +214,20 @@ CriteriaSettings task_criteria(const Task& task) {
   if (!criteria.head.gaze_target && !task.goals.empty()) {
     criteria.head.gaze_target = task.goals.front().position;
   }
+  criteria.collision.obstacles = task.obstacles;
   return criteria;
+}
+
+Result<Task> with_loads(const Task& task) {
+  Task loaded = task;
+  for (Goal& goal : loaded.goals) {
+    const Result<int> index = effector_index(task.body, goal);
+    if (!index) return tl::unexpected(index.error());
+    if (const auto checked = check_goal(goal); !checked) return tl::unexpected(checked.error());
+    if (goal.load > 0.0) loaded.body = with_load(loaded.body, *index, goal.load);
+    goal.load = 0.0;
+  }
+  return loaded;
 }
 
 Result<ReachProblem> make_problem(const Task& task) {
@@ -197,7 +246,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   for (const Goal& goal : task.goals) {
     const Result<int> index = effector_index(body, goal);
     if (!index) return tl::unexpected(index.error());
-    if (const auto checked = check_position(goal); !checked) {
+    if (const auto checked = check_goal(goal); !checked) {
       return tl::unexpected(checked.error());
     }
     for (const ReachGoal& earlier : problem.goals) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <shigusa/kinematics/penetration.hpp>
 
 namespace shigusa {
@@ -30,21 +31,48 @@ SegmentPair nearest_points(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0, co
   return {a0 + a * s, b0 + b * t};
 }
 
+std::vector<CapsulePair> limb_pairs(const BodyModel& body, const Effector& effector) {
+  std::vector<CapsulePair> pairs;
+  const std::string& first = body.dof(effector.limb_root).joint;
+  const auto count = static_cast<int>(body.capsules().size());
+  const auto link = [&](int c) { return body.capsules()[static_cast<std::size_t>(c)].link; };
+  for (int limb = 0; limb < count; ++limb) {
+    if (!body.moves(effector.limb_root, link(limb)) || body.dof(link(limb)).joint == first) {
+      continue;
+    }
+    for (int part = 0; part < count; ++part) {
+      if (!body.moves(effector.limb_root, link(part))) pairs.push_back({limb, part});
+    }
+  }
+  return pairs;
+}
+
+std::vector<CapsulePair> all_limb_pairs(const BodyModel& body) {
+  std::vector<CapsulePair> all;
+  for (const Effector& effector : body.effectors()) {
+    for (const CapsulePair& pair : limb_pairs(body, effector)) {
+      const auto same = [&](const CapsulePair& known) {
+        return (known.limb == pair.part && known.part == pair.limb) ||
+               (known.limb == pair.limb && known.part == pair.part);
+      };
+      if (std::none_of(all.begin(), all.end(), same)) all.push_back(pair);
+    }
+  }
+  return all;
+}
+
 Penetration limb_penetration(const BodyModel& body, const Kinematics<double>& kinematics,
                              const Effector& effector) {
   Penetration deepest;
-  const std::string& first = body.dof(effector.limb_root).joint;
-  for (const Capsule& limb : body.capsules()) {
-    if (!body.moves(effector.limb_root, limb.link) || body.dof(limb.link).joint == first) continue;
-    for (const Capsule& part : body.capsules()) {
-      if (body.moves(effector.limb_root, part.link)) continue;
-      const SegmentPair pair = nearest_points(
-          kinematics.point(limb.link, limb.from), kinematics.point(limb.link, limb.to),
-          kinematics.point(part.link, part.from), kinematics.point(part.link, part.to));
-      const Vec3d apart = pair.on_a - pair.on_b;
-      const double depth = limb.radius + part.radius - norm(apart);
-      if (depth > deepest.depth) deepest = {depth, normalized(apart, {0, 0, 1})};
-    }
+  for (const CapsulePair& pair : limb_pairs(body, effector)) {
+    const Capsule& limb = body.capsules()[static_cast<std::size_t>(pair.limb)];
+    const Capsule& part = body.capsules()[static_cast<std::size_t>(pair.part)];
+    const PlacedCapsule<double> a = placed_capsule(limb, kinematics);
+    const PlacedCapsule<double> b = placed_capsule(part, kinematics);
+    const SegmentPair nearest = nearest_points(a.from, a.to, b.from, b.to);
+    const Vec3d apart = nearest.on_a - nearest.on_b;
+    const double depth = limb.radius + part.radius - norm(apart);
+    if (depth > deepest.depth) deepest = {depth, normalized(apart, {0, 0, 1})};
   }
   return deepest;
 }

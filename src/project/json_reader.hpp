@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <shigusa/core/names.hpp>
+#include <shigusa/math/quat.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <shigusa/math/vec3.hpp>
 #include <string>
@@ -94,12 +95,31 @@ class JsonReader {
     wrong(key, unknown_name("word", word, names));
   }
 
-  void vector(const char* key, Vec3d& into, double range) {
+  void vector(const char* key, Vec3d& into, double range) { vector(key, into, -range, range); }
+  void vector(const char* key, Vec3d& into, double low, double high) {
     if (!has(key)) return;
-    if (!read_vector(value(key), into, range)) {
+    if (!read_vector(value(key), into, low, high)) {
       wrong(key, fmt::format("is {}; must be three numbers [x, y, z] from {:g} to {:g}",
-                             shown(value(key)), -range, range));
+                             shown(value(key)), low, high));
     }
+  }
+
+  void quaternion(const char* key, Quatd& into) {
+    if (!has(key)) return;
+    const Json& member = value(key);
+    double q[4] = {};
+    bool valid = member.is_array() && member.size() == 4;
+    double square = 0.0;
+    for (std::size_t k = 0; valid && k < 4; ++k) {
+      valid = member[k].is_number();
+      if (valid) q[k] = member[k].get<double>();
+      square += q[k] * q[k];
+    }
+    if (!valid || !(abs(square - 1.0) < 1e-3)) {
+      return wrong(key,
+                   fmt::format("is {}; must be a unit quaternion [x, y, z, w]", shown(member)));
+    }
+    into = {q[0], q[1], q[2], q[3]};
   }
 
   // a list of at most `most` of them
@@ -108,7 +128,7 @@ class JsonReader {
     const Json& list = value(key);
     bool valid = list.is_array() && list.size() <= most;
     for (std::size_t i = 0; valid && i < list.size(); ++i) {
-      valid = read_vector(list[i], into.emplace_back(), range);
+      valid = read_vector(list[i], into.emplace_back(), -range, range);
     }
     if (!valid) {
       wrong(key, fmt::format("must be a list of at most {} points [x, y, z], each number from {:g} "
@@ -144,11 +164,11 @@ class JsonReader {
   }
 
  private:
-  static bool read_vector(const Json& member, Vec3d& into, double range) {
+  static bool read_vector(const Json& member, Vec3d& into, double low, double high) {
     bool valid = member.is_array() && member.size() == 3;
     for (std::size_t k = 0; valid && k < 3; ++k) {
-      valid = member[k].is_number() && member[k].get<double>() >= -range &&
-              member[k].get<double>() <= range;
+      valid = member[k].is_number() && member[k].get<double>() >= low &&
+              member[k].get<double>() <= high;
       if (valid) into[static_cast<int>(k)] = member[k].get<double>();
     }
     return valid;

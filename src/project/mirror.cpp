@@ -80,6 +80,11 @@ Result<TaskFile> mirrored(TaskFile task) {
     goal.effector = mirrored_name(goal.effector);
     goal.position = across(goal.position);
   }
+  for (Obstacle& obstacle : task.obstacles) {
+    obstacle.position = across(obstacle.position);
+    obstacle.rotation.y = -obstacle.rotation.y;
+    obstacle.rotation.z = -obstacle.rotation.z;
+  }
   for (std::string& assignment : task.fixed) assignment = mirrored_assignment(assignment);
   return task;
 }

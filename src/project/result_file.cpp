@@ -130,6 +130,12 @@ Json candidate_to_json(const Task& task, const Generation& generation, std::size
   for (const LimitExcess& excess : candidate.over_limit) {
     json["over_limit"].push_back({{"dof", excess.dof}, {"excess_deg", degrees(excess.excess)}});
   }
+  if (candidate.collides.depth > 0.0) {
+    json["collision"] = {{"depth_mm", candidate.collides.depth * kMillimetres},
+                         {"limb", candidate.collides.limb},
+                         {"other", candidate.collides.other},
+                         {"time_s", candidate.collides.time}};
+  }
   json["final_posture"] = posture_to_json(candidate.final_posture);
   json["duration_s"] = generation.duration;
   json["frames"] = candidate.motion.clip.frames;
@@ -163,6 +169,7 @@ Json search_to_json(const Task& task, const Generation& generation) {
   Json json{{"end", end_name(generation.end)},
             {"generations", generation.generations},
             {"missed", generation.missed},
+            {"collided", generation.collided},
             {"near_copies", generation.near_copies},
             {"rejected_nan", generation.rejected_nan},
             {"replay_differs", generation.replay_differs},

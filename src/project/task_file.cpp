@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <shigusa/body/load.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/result_file.hpp>
 #include <shigusa/project/task_file.hpp>
@@ -169,6 +170,9 @@ void read_goals(JsonReader& task, std::vector<Goal>& goals) {
     reader.text("effector", goal.effector);
     reader.require("position_m");
     reader.vector("position_m", goal.position, kGoalRange);
+    std::optional<double> load;
+    reader.number("load_kg", load, 0.0, kLoadMax);
+    goal.load = load.value_or(0.0);
     for (const Goal& earlier : goals) {
       if (earlier.effector != goal.effector) continue;
       reader.wrong("effector", "is a second goal for '" + goal.effector.substr(0, 80) +
@@ -177,6 +181,38 @@ void read_goals(JsonReader& task, std::vector<Goal>& goals) {
     task.absorb(reader.finish());
     goals.push_back(std::move(goal));
   }
+}
+
+void read_obstacles(JsonReader& task, std::vector<Obstacle>& obstacles) {
+  if (!task.has("obstacles")) return;
+  const Json& list = task.value("obstacles");
+  if (!list.is_array() || list.size() > kObstaclesMax) {
+    return task.wrong("obstacles",
+                      fmt::format("must be a list of at most {} obstacles", kObstaclesMax));
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    JsonReader reader(list[i], task.place_of("obstacles[" + std::to_string(i) + "]"));
+    Obstacle& obstacle = obstacles.emplace_back();
+    obstacle.name = fmt::format("obstacle {}", i + 1);
+    reader.text("name", obstacle.name);
+    reader.require("position_m");
+    reader.vector("position_m", obstacle.position, kGoalRange);
+    reader.vector("size_m", obstacle.size, 0.0, kGoalRange);
+    std::optional<double> radius;
+    reader.number("radius_m", radius, 0.0, kGoalRange);
+    obstacle.radius = radius.value_or(0.0);
+    reader.quaternion("rotation_xyzw", obstacle.rotation);
+    task.absorb(reader.finish());
+  }
+}
+
+Json obstacle_to_json(const Obstacle& obstacle) {
+  const Quatd& q = obstacle.rotation;
+  return {{"name", obstacle.name},
+          {"position_m", to_json(obstacle.position)},
+          {"size_m", to_json(obstacle.size)},
+          {"radius_m", obstacle.radius},
+          {"rotation_xyzw", {q.x, q.y, q.z, q.w}}};
 }
 
 // A mixture by its name, or weights and reference scales; what is not given stays as it is.
@@ -216,6 +252,10 @@ Json task_to_json(const TaskFile& task) {
   json["goals"] = Json::array();
   for (const Goal& goal : task.goals) {
     json["goals"].push_back({{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
+    if (goal.load > 0.0) json["goals"].back()["load_kg"] = goal.load;
+  }
+  for (const Obstacle& obstacle : task.obstacles) {
+    json["obstacles"].push_back(obstacle_to_json(obstacle));
   }
   if (task.duration) json["duration_s"] = *task.duration;
   json["preset"] = preset_name(task.preset);
@@ -244,6 +284,7 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   reader.integer("version", version, kTaskVersion, kTaskVersion);
   read_character(reader, task.character);
   read_goals(reader, task.goals);
+  read_obstacles(reader, task.obstacles);
   reader.number("duration_s", task.duration, kTaskDurationMin, kTaskDurationMax);
   std::vector<std::pair<std::string, Preset>> known_presets;
   for (const Preset preset : presets()) known_presets.emplace_back(preset_name(preset), preset);
@@ -316,6 +357,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .genetic = {},
             .candidates = file.candidates,
             .evaluations = file.evaluations};
+  task.obstacles = file.obstacles;
   task.pareto = file.pareto;
   task.generator = file.generator;
   task.phases = file.phases;

@@ -132,7 +132,7 @@ TEST_F(Reach, CriteriaOfTheCallReplaceThoseOfTheTaskFile) {
               testing::UnorderedElementsAre("joint_range", "balance", "torque"));
   EXPECT_THAT(terms_by({"--criteria", "default"}),
               testing::UnorderedElementsAre("joint_range", "balance_zone", "discomfort",
-                                            "joint_acceleration", "low_back"));
+                                            "joint_acceleration", "low_back", "collision"));
 }
 
 TEST_F(Reach, GoalsOfTheCallReplaceThoseOfTheTaskFile) {

@@ -78,6 +78,7 @@ inline constexpr double kHeadJointShare = 0.35;
 inline constexpr double kTrunkRadius = 0.066;
 inline constexpr double kThighRadius = 0.043;
 inline constexpr double kForearmRadius = 0.020;
+inline constexpr double kHandRadius = 0.012;
 inline constexpr double kUpperArmRadius = 0.026;
 inline constexpr double kHeadRadius = 0.045;
 

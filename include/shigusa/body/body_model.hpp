@@ -106,6 +106,7 @@ class BodyModel {
   // effectors on existing links; PreconditionError otherwise) and takes it over.
   explicit BodyModel(BodyDefinition definition);
 
+  [[nodiscard]] const BodyDefinition& definition() const { return definition_; }
   [[nodiscard]] const std::string& name() const { return definition_.name; }
   [[nodiscard]] double stature() const { return definition_.stature; }
   [[nodiscard]] double mass() const { return definition_.mass; }

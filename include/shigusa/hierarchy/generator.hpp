@@ -61,6 +61,7 @@ struct Candidate {
   FinalPosture final_posture;
   // Of layered presets, what the motion is generated from; `parameters` are empty then.
   std::optional<LayeredParameters> layered{};
+  CollisionFound collides;      // the deepest at any frame, with itself, an obstacle or the floor
   double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
   int feedback_rounds = 0;      // searches that its arms took in all
   bool collision_left = false;  // it is deeper than kCollisionDepth all the same
@@ -78,6 +79,7 @@ struct Generation {
   int rejected_nan = 0;    // motions that a criterion scored NaN
   int near_copies = 0;     // distinct genomes whose motions were all but a better one's
   int missed = 0;          // final genomes that missed a goal, left the path or moved a foot
+  int collided = 0;        // left out as others pass through nothing
   int over_limit = 0;      // of layers that hold limits: left out as others are within them
   int replay_differs = 0;  // candidates whose score in the search was off by over kReplayTolerance
   double replay_difference = 0.0;  // the most that a candidate's score in the search was off by

@@ -57,10 +57,12 @@ inline constexpr int kNlpEvaluations = 300;
 struct Goal {
   std::string effector = "right_hand";  // name in the body's effectors
   Vec3d position{};                     // m, shigusa's world
+  double load = 0.0;                    // kg, 0..kLoadMax, held all the way
 };
 
 // A goal's coordinates may not exceed this (m): nobody reaches so far, and numbers stay harmless.
 inline constexpr double kGoalRange = 100.0;
+inline constexpr std::size_t kObstaclesMax = 64;
 inline constexpr double kTaskDurationMin = 0.05;  // s
 inline constexpr double kTaskDurationMax = 60.0;  // s
 
@@ -84,6 +86,7 @@ struct Task {
   std::vector<Goal> goals{};         // 1 or more, each for another effector
   std::optional<double> duration{};  // s; from the distance (reach_duration) when not given
   Preset preset = Preset::flat;
+  std::vector<Obstacle> obstacles{};  // at most kObstaclesMax; the criterion `collision` sees them
   CriteriaSettings criteria = default_criteria();
   std::optional<SearchMethod> search{};  // the preset's own when not given
   SearchFunction own_search{};           // in the place of all these, when given; not of layers
@@ -112,11 +115,15 @@ struct Task {
 // nothing else is said.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
 
+// The task with its goals' loads in the body's hands; fails as make_problem does.
+[[nodiscard]] Result<Task> with_loads(const Task& task);
+
 // The problem that a task poses to the search: paths from the start posture to the goals, and the
 // time for them. Fails with a message that names the goal and what is allowed: unknown effector
 // (with the nearest name), two goals for one effector, coordinates that are not finite or beyond
 // kGoalRange, no goal at all, a duration outside 0.05 to 60 s, criteria weights below 0 or all 0,
-// phases that the preset does not know or that a fixed parameter is not of.
+// phases that the preset does not know or that a fixed parameter is not of, a load or an obstacle
+// out of range.
 // The problem points into the task.
 [[nodiscard]] Result<ReachProblem> make_problem(const Task& task);
 

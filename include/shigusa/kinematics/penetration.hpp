@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/body/obstacle.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
+#include <vector>
 
 namespace shigusa {
 
@@ -16,16 +19,71 @@ struct SegmentPair {
 [[nodiscard]] SegmentPair nearest_points(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0,
                                          const Vec3d& b1);
 
-// How deep a limb's last part is inside the rest of the body.
+// Two capsules of a body (indices) that should not meet: one of an effector's limb, but not of its
+// first segment, which its joint holds to the trunk, and one that the limb does not move.
+struct CapsulePair {
+  int limb = 0;
+  int part = 0;
+};
+// Those of one effector's limb.
+[[nodiscard]] std::vector<CapsulePair> limb_pairs(const BodyModel& body, const Effector& effector);
+// Those of all limbs, each pair once.
+[[nodiscard]] std::vector<CapsulePair> all_limb_pairs(const BodyModel& body);
+
+// How deep a limb is inside the rest of the body.
 struct Penetration {
   double depth = -1e9;  // m; negative: that far apart
   Vec3d outward{};      // unit vector, world: the shortest way out for the limb
 };
 
-// The deepest penetration of an effector's limb, but for its first segment, which its joint holds
-// to the trunk, into the capsules of links that the limb does not move.
+// The deepest of the effector's pairs.
 [[nodiscard]] Penetration limb_penetration(const BodyModel& body,
                                            const Kinematics<double>& kinematics,
                                            const Effector& effector);
+
+// A capsule's ends in the world (m).
+template <class S>
+struct PlacedCapsule {
+  Vec3<S> from{};
+  Vec3<S> to{};
+};
+template <class S>
+[[nodiscard]] PlacedCapsule<S> placed_capsule(const Capsule& capsule,
+                                              const Kinematics<S>& kinematics) {
+  return {kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.from)),
+          kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.to))};
+}
+
+// Squared distance (m²) of two segments whose lengths are not 0. Of parallel ones, that at some
+// point which both have beside each other.
+template <class S>
+[[nodiscard]] S square_distance(const PlacedCapsule<S>& a, const PlacedCapsule<S>& b) {
+  const Vec3<S> along_a = a.to - a.from;
+  const Vec3<S> along_b = b.to - b.from;
+  const Vec3<S> between = a.from - b.from;
+  const S aa = dot(along_a, along_a);
+  const S bb = dot(along_b, along_b);
+  const S ab = dot(along_a, along_b);
+  const S a_between = dot(along_a, between);
+  const S b_between = dot(along_b, between);
+  const S square = aa * bb;
+  const S lines = (ab * b_between - bb * a_between) / max(square - ab * ab, square * S(1e-6));
+  const S t = clamp((ab * clamp(lines, S(0), S(1)) + b_between) / bb, S(0), S(1));
+  const S s = clamp((ab * t - a_between) / aa, S(0), S(1));
+  const Vec3<S> apart = between + along_a * s - along_b * t;
+  return dot(apart, apart);
+}
+
+// Signed distance (m) of a point from an obstacle, less than 0 inside.
+template <class S>
+[[nodiscard]] S obstacle_distance(const Obstacle& obstacle, const Vec3<S>& point) {
+  const Mat3<S> axes = to_scalar<S>(to_matrix(obstacle.rotation));
+  const Vec3<S> p = transpose_times(axes, point - to_scalar<S>(obstacle.position));
+  const Vec3d half = obstacle.size * 0.5;
+  const Vec3<S> over{abs(p.x) - S(half.x), abs(p.y) - S(half.y), abs(p.z) - S(half.z)};
+  const Vec3<S> outside{max(over.x, S(0)), max(over.y, S(0)), max(over.z, S(0))};
+  const S inside = min(max(over.x, max(over.y, over.z)), S(0));
+  return sqrt(dot(outside, outside)) + inside - S(obstacle.radius);
+}
 
 }  // namespace shigusa

@@ -20,6 +20,7 @@ inline constexpr std::size_t kTaskMaxBytes = std::size_t{1} << 20;
 struct TaskFile {
   CharacterSpec character;
   std::vector<Goal> goals;
+  std::vector<Obstacle> obstacles{};
   std::optional<double> duration;  // s
   Preset preset = Preset::flat;
   LayerReading layer_reading = LayerReading::shared_contractions;  // of layered presets

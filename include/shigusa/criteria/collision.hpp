@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/core/check.hpp>
+#include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/kinematics/penetration.hpp>
+#include <shigusa/motion/motion.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+// Depth (m) of a collision at which the penalty is full.
+inline constexpr double kCollisionFull = 0.05;
+// What flesh gives way by (m): less is no collision.
+inline constexpr double kCollisionDepth = 0.005;
+
+struct CollisionSettings {
+  double full = kCollisionFull;       // m, > 0
+  std::vector<Obstacle> obstacles{};  // of the task
+};
+
+// What can collide in a body, and by how much it does at the start: that is not held against a
+// motion.
+struct CollisionPairs {
+  struct Pair {
+    int limb = 0;          // capsule
+    int other = 0;         // capsule or obstacle
+    double allowed = 0.0;  // m, depth of the start posture where it is above 0
+  };
+  std::vector<Pair> parts;      // limbs and parts of the body
+  std::vector<Pair> obstacles;  // any capsule and an obstacle
+  std::vector<Pair> floor;      // capsules of arms that have a wrist; `other` is not used
+};
+[[nodiscard]] CollisionPairs collision_pairs(const BodyModel& body,
+                                             const CollisionSettings& settings);
+
+enum class CollisionKind { part, obstacle, floor };
+
+// Calls visit(pair, kind, depth in m beyond what is allowed) for all that can collide. `placed` is
+// scratch memory, one for each of the body's capsules.
+template <class S, class Pairs, class Visitor>
+void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obstacle> obstacles,
+                      const Kinematics<S>& kinematics, std::span<PlacedCapsule<S>> placed,
+                      Visitor&& visit) {
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  const auto radius = [&](int c) { return body.capsules()[index(c)].radius; };
+  for (std::size_t c = 0; c < placed.size(); ++c) {
+    placed[c] = placed_capsule(body.capsules()[c], kinematics);
+  }
+  for (auto& pair : pairs.parts) {
+    const S apart = sqrt(square_distance(placed[index(pair.limb)], placed[index(pair.other)]));
+    const double radii = radius(pair.limb) + radius(pair.other);
+    visit(pair, CollisionKind::part, S(radii - pair.allowed) - apart);
+  }
+  for (auto& pair : pairs.obstacles) {
+    const Obstacle& obstacle = obstacles[index(pair.other)];
+    const PlacedCapsule<S>& limb = placed[index(pair.limb)];
+    const S ends =
+        min(obstacle_distance(obstacle, limb.from), obstacle_distance(obstacle, limb.to));
+    const S apart = min(ends, obstacle_distance(obstacle, (limb.from + limb.to) * S(0.5)));
+    visit(pair, CollisionKind::obstacle, S(radius(pair.limb) - pair.allowed) - apart);
+  }
+  for (auto& pair : pairs.floor) {
+    const PlacedCapsule<S>& limb = placed[index(pair.limb)];
+    const S height = min(limb.from.y, limb.to.y);
+    visit(pair, CollisionKind::floor, S(radius(pair.limb) - pair.allowed) - height);
+  }
+}
+
+// Whether arms pass through the body, and any part through obstacles, or arms that have a wrist
+// through the floor at y = 0, in [0, 1]. With d the depth of the deepest such pair of capsules
+// beyond what it has in the start posture, as a share of `full`, held to [0, 1]:  P = ½ mean_t d +
+// ½ max_t d. An obstacle is asked about a capsule's ends and middle.
+template <class S>
+class Collision {
+ public:
+  explicit Collision(const BodyModel& body, const CollisionSettings& settings = {})
+      : body_(&body),
+        pairs_(collision_pairs(body, settings)),
+        obstacles_(settings.obstacles),
+        per_full_(1.0 / settings.full),
+        placed_(body.capsules().size()) {}
+
+  // Forgets the frames seen.
+  void reset() {
+    sum_ = largest_ = S(0);
+    frames_ = 0;
+  }
+
+  // The frame must have its placement.
+  void add(const MotionFrame<S>& frame) {
+    SHG_ASSERT(frame.kinematics != nullptr);
+    frames_ += 1;
+    const S share = clamp(deepest(*frame.kinematics) * S(per_full_), S(0), S(1));
+    sum_ = sum_ + share;
+    largest_ = max(largest_, share);
+  }
+
+  [[nodiscard]] S penalty() const {
+    if (frames_ == 0) return S(0);
+    return min(S(1), sum_ * S(0.5 / frames_) + largest_ * S(0.5));
+  }
+
+ private:
+  [[nodiscard]] S deepest(const Kinematics<S>& kinematics) {
+    S most(0);
+    const auto keep = [&most](const auto&, CollisionKind, const S& depth) {
+      most = max(most, depth);
+    };
+    visit_collisions<S>(*body_, pairs_, obstacles_, kinematics, placed_, keep);
+    return most;
+  }
+
+  const BodyModel* body_;
+  CollisionPairs pairs_;
+  std::vector<Obstacle> obstacles_;
+  double per_full_;
+  std::vector<PlacedCapsule<S>> placed_;
+  S sum_{};
+  S largest_{};
+  int frames_ = 0;
+};
+
+// The penalty of a whole motion.
+[[nodiscard]] double collision_penalty(const BodyModel& body, const Motion& motion,
+                                       const CollisionSettings& settings = {});
+
+// Where a motion collides most.
+struct CollisionFound {
+  double depth = 0.0;  // m, beyond what the start posture has; 0 where nothing collides
+  std::string limb;    // capsule, "right_forearm"
+  std::string other;   // capsule, obstacle or "floor"
+  double time = 0.0;   // s
+};
+[[nodiscard]] CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
+                                               const CollisionSettings& settings = {});
+
+}  // namespace shigusa

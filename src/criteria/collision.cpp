@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/criteria/collision.hpp>
+
+#include "replay.hpp"
+
+namespace shigusa {
+
+namespace {
+
+// A hand without a wrist points where its forearm does, and cannot be kept off the floor.
+void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& pairs) {
+  if (!body.dof(effector.link).joint.ends_with("_wrist")) return;
+  const int count = static_cast<int>(body.capsules().size());
+  for (int c = 0; c < count; ++c) {
+    const int link = body.capsules()[static_cast<std::size_t>(c)].link;
+    if (body.moves(effector.limb_root, link)) pairs.floor.push_back({c, 0});
+  }
+}
+
+}  // namespace
+
+CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& settings) {
+  CollisionPairs pairs;
+  for (const CapsulePair& pair : all_limb_pairs(body)) {
+    pairs.parts.push_back({pair.limb, pair.part});
+  }
+  for (const Effector& effector : body.effectors()) add_floor(body, effector, pairs);
+  for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {
+    for (int o = 0; o < static_cast<int>(settings.obstacles.size()); ++o) {
+      pairs.obstacles.push_back({c, o});
+    }
+  }
+  Kinematics<double> start(body);
+  forward_kinematics<double>(body, body.start(), start);
+  std::vector<PlacedCapsule<double>> placed(body.capsules().size());
+  visit_collisions<double>(body, pairs, settings.obstacles, start, placed,
+                           [](CollisionPairs::Pair& pair, CollisionKind, double depth) {
+                             pair.allowed = max(depth, 0.0);
+                           });
+  return pairs;
+}
+
+double collision_penalty(const BodyModel& body, const Motion& motion,
+                         const CollisionSettings& settings) {
+  return replayed(body, motion, Collision<double>(body, settings));
+}
+
+CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
+                                 const CollisionSettings& settings) {
+  const CollisionPairs pairs = collision_pairs(body, settings);
+  std::vector<PlacedCapsule<double>> placed(body.capsules().size());
+  Kinematics<double> kinematics(body);
+  CollisionFound found;
+  const auto name = [&](const CollisionPairs::Pair& pair, CollisionKind kind) -> std::string {
+    const auto other = static_cast<std::size_t>(pair.other);
+    if (kind == CollisionKind::floor) return "floor";
+    return kind == CollisionKind::part ? body.capsules()[other].name
+                                       : settings.obstacles[other].name;
+  };
+  for (int f = 0; f < clip.frames; ++f) {
+    forward_kinematics<double>(body, clip.frame(f), kinematics);
+    visit_collisions<double>(
+        body, pairs, settings.obstacles, kinematics, placed,
+        [&](const CollisionPairs::Pair& pair, CollisionKind kind, double depth) {
+          if (!(depth > found.depth)) return;
+          const auto limb = static_cast<std::size_t>(pair.limb);
+          found = {depth, body.capsules()[limb].name, name(pair, kind), f * clip.frame_time};
+        });
+  }
+  return found;
+}
+
+}  // namespace shigusa

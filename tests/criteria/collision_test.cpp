@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/criteria/collision.hpp>
+#include <shigusa/criteria/criteria.hpp>
+#include <shigusa/simd/pack.hpp>
+
+#include "support/bodies.hpp"
+#include "support/motions.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+std::vector<double> posture(const BodyModel& body,
+                            std::initializer_list<std::pair<const char*, double>> angles_deg) {
+  std::vector<double> angles(body.start().begin(), body.start().end());
+  for (const auto& [name, angle] : angles_deg) {
+    angles[static_cast<std::size_t>(body.find_dof(name).value())] = radians(angle);
+  }
+  return angles;
+}
+
+Clip clip_of(const BodyModel& body, const std::vector<std::vector<double>>& frames) {
+  Clip clip;
+  clip.dofs = body.dof_count();
+  clip.frames = static_cast<int>(frames.size());
+  clip.frame_time = 0.1;
+  for (const auto& frame : frames) {
+    clip.angles.insert(clip.angles.end(), frame.begin(), frame.end());
+  }
+  return clip;
+}
+
+TEST(Collision, AStandingPersonTouchesNothing) {
+  const BodyModel body = human_body();
+  EXPECT_EQ(deepest_collision(body, clip_of(body, {posture(body, {})})).depth, 0.0);
+}
+
+TEST(Collision, NamesWhatPassesThroughWhatAndWhen) {
+  const BodyModel body = human_body();
+  // the forearm turned inwards goes through the belly
+  const auto inside = posture(body, {{"right_elbow.flexion", 90},
+                                     {"right_shoulder.rotation", -70},
+                                     {"right_shoulder.flexion", -25}});
+  const CollisionFound found =
+      deepest_collision(body, clip_of(body, {posture(body, {}), inside, posture(body, {})}));
+  EXPECT_GT(found.depth, 0.03);
+  EXPECT_TRUE(found.limb == "right_hand" || found.limb == "right_forearm") << found.limb;
+  EXPECT_TRUE(found.other == "pelvis" || found.other == "spine" || found.other == "chest")
+      << found.other;
+  EXPECT_DOUBLE_EQ(found.time, 0.1);
+}
+
+TEST(Collision, SeesTheFloorBelowTheHands) {
+  const BodyModel body = human_body();
+  const auto deep = posture(body, {{"right_hip.flexion", 110}, {"right_knee.flexion", 130}});
+  EXPECT_EQ(deepest_collision(body, clip_of(body, {deep})).other, "floor");
+}
+
+// A ball whose middle is at the wrist: in by both radii.
+TEST(Collision, DepthInABallIsThatOfTheirRadii) {
+  const BodyModel body = human_body();
+  const auto raised = posture(body, {{"right_shoulder.flexion", 90}});
+  const Kinematics<double> kinematics = placed(body, raised);
+  for (const Capsule& capsule : body.capsules()) {
+    if (capsule.name != "right_forearm") continue;  // thicker than the hand
+    CollisionSettings settings;
+    settings.obstacles.push_back(
+        {.name = "ball", .position = kinematics.point(capsule.link, capsule.to), .radius = 0.02});
+    const CollisionFound found = deepest_collision(body, clip_of(body, {raised}), settings);
+    EXPECT_EQ(found.other, "ball");
+    EXPECT_NEAR(found.depth, capsule.radius + 0.02, 1e-9);
+  }
+}
+
+TEST(Collision, DistanceFromABoxIsSignedAndTurnsWithIt) {
+  Obstacle box{.name = "box", .position = {1, 0, 0}, .size = {2, 4, 6}};
+  EXPECT_NEAR(obstacle_distance(box, Vec3d{3, 0, 0}), 1.0, 1e-12);
+  EXPECT_NEAR(obstacle_distance(box, Vec3d{1, 1.5, 0}), -0.5, 1e-12);
+  EXPECT_NEAR(obstacle_distance(box, Vec3d{5, 6, 0}), 5.0, 1e-12);  // 3, 4, 5 from the edge
+  box.rotation = axis_rotation(Axis::z, radians(90));
+  EXPECT_NEAR(obstacle_distance(box, Vec3d{3, 0, 0}), 0.0, 1e-12);
+  box.radius = 0.25;
+  EXPECT_NEAR(obstacle_distance(box, Vec3d{4, 0, 0}), 0.75, 1e-12);
+}
+
+// Against the pair of nearest points, which is tested by itself.
+TEST(Collision, DistanceOfSegmentsIsThatOfTheirNearestPoints) {
+  Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    Vec3d p[4];
+    for (Vec3d& v : p) {
+      v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    }
+    if (i % 10 == 0) p[3] = p[2] + (p[1] - p[0]) * random.uniform(-2, 2);  // parallel
+    const SegmentPair pair = nearest_points(p[0], p[1], p[2], p[3]);
+    const double square = square_distance<double>({p[0], p[1]}, {p[2], p[3]});
+    EXPECT_NEAR(std::sqrt(square), norm(pair.on_a - pair.on_b), 1e-6) << i;
+  }
+}
+
+TEST(Collision, IsInTheDefaultMixtureAndNotInThePapers) {
+  EXPECT_GT(default_criteria().collision_weight, 0.0);
+  EXPECT_EQ(paper_criteria().collision_weight, 0.0);
+}
+
+}  // namespace
+}  // namespace shigusa
