@@ -66,7 +66,7 @@ TEST(MeasurePerson, StandingFigureIsMeasuredAsItWasDrawn) {
   const StickFigure figure = standing_figure();
   const MeasuredPerson person = measured(figure);
   EXPECT_NEAR(person.stature, 1.7, 1e-12);
-  EXPECT_EQ(person.unit, 1.0);
+  EXPECT_EQ(person.placement.unit, 1.0);
   EXPECT_THAT(person.doubts, IsEmpty());
   const Landmarks& l = person.landmarks;
   const auto at = [&](const char* name) {
@@ -94,7 +94,7 @@ RC_GTEST_PROP(MeasurePerson, AxesPlaceAndUnitOfTheFileDoNotMatter, ()) {
   const Vec3d place{*rc::gen::inRange(-500, 500) * 1.0, *rc::gen::inRange(-500, 500) * 1.0, 7.0};
   figure.move("Hips", place);
   const MeasuredPerson person = measured(figure);
-  RC_ASSERT(std::abs(person.unit - unit) < 1e-12);
+  RC_ASSERT(std::abs(person.placement.unit - unit) < 1e-12);
   RC_ASSERT(distance(person.landmarks, measured(standing_figure()).landmarks) < 1e-9);
 }
 
@@ -114,7 +114,7 @@ TEST(MeasurePerson, FacingIsTheMeanOfHipsAndShoulders) {
 TEST(MeasurePerson, GivenStatureScalesAndNoUnitIsGuessed) {
   const MeasuredPerson person = measured(standing_figure().transformed(scale(23.0)), {1.19});
   EXPECT_EQ(person.stature, 1.19);
-  EXPECT_NEAR(person.unit, 1.19 / (23.0 * 1.7), 1e-12);
+  EXPECT_NEAR(person.placement.unit, 1.19 / (23.0 * 1.7), 1e-12);
   EXPECT_NEAR(person.landmarks.head_top.y, 1.19, 1e-12);
   EXPECT_THAT(person.doubts, IsEmpty());
 }
@@ -130,13 +130,13 @@ TEST(MeasurePerson, GivenStatureMustBeAPersons) {
 TEST(MeasurePerson, TwoPlausibleUnitsAreADoubt) {
   // 33 units: 0.84 m in inches, 1.86 m in the CMU's unit
   const MeasuredPerson person = measured(standing_figure().transformed(scale(33.0 / 1.7)));
-  EXPECT_NEAR(person.unit, 0.0254 / 0.45, 1e-12);
+  EXPECT_NEAR(person.placement.unit, 0.0254 / 0.45, 1e-12);
   EXPECT_THAT(person.doubts, Contains(HasSubstr("it could be inches, 0.84 m")));
 }
 
 TEST(MeasurePerson, UnusualStatureIsADoubt) {
   const MeasuredPerson person = measured(standing_figure().transformed(scale(100.0 / 1.7)));
-  EXPECT_EQ(person.unit, 0.01);
+  EXPECT_EQ(person.placement.unit, 0.01);
   EXPECT_THAT(person.doubts, Contains(HasSubstr("a stature of 1.00 m is unusual")));
 }
 
@@ -331,7 +331,7 @@ class RealPersons : public ::testing::TestWithParam<RealPerson> {
 TEST_P(RealPersons, HaveOneStatureAndUnitInAllFrames) {
   for (int frame = 0; frame < motion_.clip.frames; frame += 7) {
     const MeasuredPerson person = at(frame);
-    EXPECT_NEAR(person.unit, GetParam().unit, 1e-9) << frame;
+    EXPECT_NEAR(person.placement.unit, GetParam().unit, 1e-9) << frame;
     EXPECT_NEAR(person.stature, GetParam().stature, 0.002) << frame;
   }
 }
