@@ -80,7 +80,8 @@ Landmarks at_ease(const Landmarks& person, double stature) {
     const Landmarks::Arm& was = person.arm(side);
     Landmarks::Arm& arm = side == Side::left ? result.left_arm : result.right_arm;
     // the hand goes with its forearm
-    const Mat3d turn = after.arm(side).forearm * transpose(before.arm(side).forearm);
+    const Mat3d turn = along_segment(after.arm(side).forearm, arm.elbow, arm.wrist) *
+                       transpose(along_segment(before.arm(side).forearm, was.elbow, was.wrist));
     arm.fingertip = arm.wrist + turn * (was.fingertip - was.wrist);
     if (was.grip) arm.grip = arm.wrist + turn * (*was.grip - was.wrist);
   }

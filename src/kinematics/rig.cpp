@@ -15,39 +15,43 @@ using Bone = HumanoidBone;
 // An affine map p -> linear p + at; rotations of the file come with scales in them.
 using Affine = Transformd;
 
-// What a bone's segment is in one posture: its orientation and a point of it.
+Transformd segment(const Mat3d& frame, const Vec3d& joint, const Vec3d& far) {
+  return {along_segment(frame, joint, far), joint};
+}
+
+// What a bone's segment is in one posture: its orientation, and the joint that it hangs on.
 Transformd segment(Bone bone, const Landmarks& person, const HumanFrames& frames) {
-  const auto leg = [&](Side side) -> const Landmarks::Leg& { return person.leg(side); };
-  const auto arm = [&](Side side) -> const Landmarks::Arm& { return person.arm(side); };
+  const Landmarks::Leg& left_leg = person.left_leg;
+  const Landmarks::Leg& right_leg = person.right_leg;
+  const Landmarks::Arm& left_arm = person.left_arm;
+  const Landmarks::Arm& right_arm = person.right_arm;
   switch (bone) {
     case Bone::left_upper_leg:
-      return {frames.left_leg.thigh, leg(Side::left).hip};
+      return segment(frames.left_leg.thigh, left_leg.hip, left_leg.knee);
     case Bone::right_upper_leg:
-      return {frames.right_leg.thigh, leg(Side::right).hip};
+      return segment(frames.right_leg.thigh, right_leg.hip, right_leg.knee);
     case Bone::left_lower_leg:
-      return {frames.left_leg.shank, leg(Side::left).knee};
+      return segment(frames.left_leg.shank, left_leg.knee, left_leg.ankle);
     case Bone::right_lower_leg:
-      return {frames.right_leg.shank, leg(Side::right).knee};
+      return segment(frames.right_leg.shank, right_leg.knee, right_leg.ankle);
     case Bone::left_foot:
     case Bone::left_toes:
-      return {frames.left_leg.foot, leg(Side::left).ankle};
+      return {frames.left_leg.foot, left_leg.ankle};
     case Bone::right_foot:
     case Bone::right_toes:
-      return {frames.right_leg.foot, leg(Side::right).ankle};
+      return {frames.right_leg.foot, right_leg.ankle};
     case Bone::left_upper_arm:
-      return {frames.left_arm.upper_arm, arm(Side::left).shoulder};
+      return segment(frames.left_arm.upper_arm, left_arm.shoulder, left_arm.elbow);
     case Bone::right_upper_arm:
-      return {frames.right_arm.upper_arm, arm(Side::right).shoulder};
+      return segment(frames.right_arm.upper_arm, right_arm.shoulder, right_arm.elbow);
     case Bone::left_lower_arm:
-      return {frames.left_arm.forearm, arm(Side::left).elbow};
-    case Bone::right_lower_arm:
-      return {frames.right_arm.forearm, arm(Side::right).elbow};
     case Bone::left_hand:
-      return {frames.left_arm.forearm, arm(Side::left).wrist};
+      return segment(frames.left_arm.forearm, left_arm.elbow, left_arm.wrist);
+    case Bone::right_lower_arm:
     case Bone::right_hand:
-      return {frames.right_arm.forearm, arm(Side::right).wrist};
+      return segment(frames.right_arm.forearm, right_arm.elbow, right_arm.wrist);
     default:
-      return {frames.trunk, (leg(Side::left).hip + leg(Side::right).hip) * 0.5};
+      return {frames.trunk, (left_leg.hip + right_leg.hip) * 0.5};
   }
 }
 
@@ -122,8 +126,14 @@ class RigMover {
       if (node < 0) continue;
       const auto driver = driver_of(static_cast<Bone>(b), body, rig, rest, start);
       if (!driver) continue;
-      driver_[static_cast<std::size_t>(node)] = static_cast<int>(drivers_.size());
-      drivers_.push_back(*driver);
+      drive(node, *driver);
+    }
+    for (const Side side : {Side::left, Side::right}) {
+      // one that a hand's other node is goes with the hand, and is where goals are to be
+      const int grip = rig.grips[static_cast<std::size_t>(side)];
+      const auto hand = side == Side::left ? Bone::left_hand : Bone::right_hand;
+      if (grip < 0 || driver_[static_cast<std::size_t>(grip)] >= 0) continue;
+      if (const auto driver = driver_of(hand, body, rig, rest, start)) drive(grip, *driver);
     }
     find_places();
   }
@@ -142,6 +152,11 @@ class RigMover {
   }
 
  private:
+  void drive(int node, const Driver& driver) {
+    driver_[static_cast<std::size_t>(node)] = static_cast<int>(drivers_.size());
+    drivers_.push_back(driver);
+  }
+
   // of nodes at rest, and who moves those that are no bones
   void find_places() {
     for (std::size_t i = 0; i < rig_.nodes.size(); ++i) {

@@ -74,8 +74,7 @@ Result<CharacterFile> read_character(const std::filesystem::path& path) {
 CharacterRig make_rig(CharacterFile&& file, int frame, const HumanoidMap& map,
                       const MeasuredPerson& person, const Landmarks& start) {
   CharacterRig result = std::move(file.rig);
-  result.rig = {{}, map, person.placement, person.landmarks, start};
-  result.grips = person.grip_nodes;
+  result.rig = {{}, map, person.grip_nodes, person.placement, person.landmarks, start};
   const auto& [skeleton, clip] = file.motion;
   for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
     const int parent = skeleton.nodes[i].parent;
@@ -178,8 +177,8 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
 
 int rig_node(const CharacterSpec& spec, std::string_view body_node) {
   if (!spec.rig) return -1;
-  if (body_node == "left_hand_grip") return spec.rig->grips[0];
-  if (body_node == "right_hand_grip") return spec.rig->grips[1];
+  if (body_node == "left_hand_grip") return spec.rig->rig.grips[0];
+  if (body_node == "right_hand_grip") return spec.rig->rig.grips[1];
   for (int b = 0; b < kHumanoidBoneCount; ++b) {
     const auto bone = static_cast<HumanoidBone>(b);
     if (humanoid_bone_name(bone) == body_node) return spec.rig->rig.bones[bone];

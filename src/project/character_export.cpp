@@ -87,6 +87,7 @@ class VrmSkeleton {
     for (int& node : rig.bones.node) {
       if (node >= 0) node = ours[static_cast<std::size_t>(node)];
     }
+    rig.grips = {-1, -1};  // on fingers
     Placement& p = rig.placement;
     for (Vec3d* v : {&p.left, &p.up, &p.ahead, &p.origin}) *v = facing_ahead(*v);
   }

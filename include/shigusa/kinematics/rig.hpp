@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/body/landmarks.hpp>
 #include <shigusa/body/skeleton.hpp>
@@ -21,10 +22,11 @@ struct RigNode {
 // What ties a character's own skeleton to its body.
 struct Rig {
   std::vector<RigNode> nodes;
-  HumanoidMap bones;    // index in `nodes`
-  Placement placement;  // of the nodes at rest
-  Landmarks rest;       // joints of the nodes at rest, in shigusa's world …
-  Landmarks start;      // … and in the body's start posture
+  HumanoidMap bones;                 // index in `nodes`
+  std::array<int, 2> grips{-1, -1};  // left, right: the nodes that goals are given for
+  Placement placement;               // of the nodes at rest
+  Landmarks rest;                    // joints of the nodes at rest, in shigusa's world …
+  Landmarks start;                   // … and in the body's start posture
 };
 
 // How a rig's nodes move.
@@ -42,12 +44,12 @@ struct RigMotion {
 //
 // Each mapped bone goes rigidly with the link of the body's node of that name, from where it stands
 // at rest: R_node(t) = R_link(t) R_link(0)ᵀ F_start F_restᵀ R_node(rest), F the segment's frames
-// in the two postures (human_frames). A bone whose name the body has not goes with the bone above
+// in the two postures. A bone whose name the body has not goes with the bone above
 // it, and so do all nodes between bones; what stands above the hips stays. Of a half body, whose
 // left leg goes as its right one, the left bones turn as the right ones and stay on one another.
 //
 // Below a scale that is not the same along its axes a turned bone would be sheared, which no
-// rotation tells: joints stand exactly all the same, as translations make up for it.
+// rotation tells: joints and grips stand exactly all the same, as translations make up for it.
 [[nodiscard]] RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig);
 
 }  // namespace shigusa

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <shigusa/body/human_body.hpp>
@@ -24,7 +23,6 @@ struct CharacterRig {
   CharacterFormat format = CharacterFormat::bvh;
   Skeleton skeleton;                                   // names; offsets in the file's units
   Rig rig;                                             // its nodes as the file has them
-  std::array<int, 2> grips{};                          // left, right: the nodes at the hands' grips
   BvhChannels channels;                                // of BVH
   std::vector<int> file_node;                          // of glTF: (nodes) indices in the file
   std::vector<std::pair<std::string, int>> vrm_bones;  // of VRM
