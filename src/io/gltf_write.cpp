@@ -73,14 +73,6 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-std::string numbers(std::initializer_list<double> values) {
-  return fmt::format("[{}]", fmt::join(values, ","));
-}
-
 // Lays out the numbers of animations, each in a buffer view of its own, and their JSON entries.
 class Layout {
  public:
@@ -102,7 +94,7 @@ class Layout {
                             offset_ + view_begin_, data.size() - view_begin_));
     ++view_;
     item(animations, fmt::format(R"({{"name":{},"channels":[{}],"samplers":[{}]}})",
-                                 quoted(animation.name), channels_, samplers_));
+                                 json_quoted(animation.name), channels_, samplers_));
   }
 
   std::string accessors;
@@ -250,8 +242,8 @@ class AnimationAdder {
       const auto& [t, r, s] = track.rest;
       json_.replace(
           matrix.key_begin, matrix.end,
-          fmt::format(R"("translation":{},"rotation":{},"scale":{})", numbers({t.x, t.y, t.z}),
-                      numbers({r.x, r.y, r.z, r.w}), numbers({s.x, s.y, s.z})));
+          fmt::format(R"("translation":{},"rotation":{},"scale":{})", json_numbers({t.x, t.y, t.z}),
+                      json_numbers({r.x, r.y, r.z, r.w}), json_numbers({s.x, s.y, s.z})));
     }
   }
 
@@ -304,30 +296,6 @@ Result<std::string> add_animations(std::string_view bytes, std::string_view name
   const Result<Parts> parts = parts_of(bytes, name);
   if (!parts) return tl::unexpected<Error>(parts.error());
   return AnimationAdder(*parts, name).add(animations);
-}
-
-Result<std::string> format_vrm_animation(const VrmAnimation& motion) {
-  std::string nodes;
-  std::string map;
-  for (std::size_t i = 0; i < motion.bones.size(); ++i) {
-    const auto& [name, parent, offset] = motion.bones[i];
-    std::string children;
-    for (std::size_t k = i + 1; k < motion.bones.size(); ++k) {
-      if (motion.bones[k].parent != static_cast<int>(i)) continue;
-      children += fmt::format("{}{}", children.empty() ? "" : ",", k);
-    }
-    if (!children.empty()) children = fmt::format(R"(,"children":[{}])", children);
-    const char* comma = i == 0 ? "" : ",";
-    nodes += fmt::format(R"({}{{"name":{},"translation":{}{}}})", comma, quoted(name),
-                         numbers({offset.x, offset.y, offset.z}), children);
-    map += fmt::format(R"({}{}:{{"node":{}}})", comma, quoted(name), i);
-  }
-  const std::string text = fmt::format(
-      R"({{"asset":{{"version":"2.0","generator":"shigusa"}},"extensionsUsed":["VRMC_vrm_animation"],)"
-      R"("extensions":{{"VRMC_vrm_animation":{{"specVersion":"1.0","humanoid":{{"humanBones":{{{}}}}}}}}},)"
-      R"("scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}]}})",
-      map, nodes);
-  return add_animations(text, "VRM animation", std::span(&motion.animation, 1));
 }
 
 }  // namespace shigusa

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "json_splice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,14 @@ std::string key_of(std::string_view quoted) {
 }
 
 }  // namespace
+
+std::string json_quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string json_numbers(std::initializer_list<double> values) {
+  return fmt::format("[{}]", fmt::join(values, ","));
+}
 
 JsonSplice::JsonSplice(std::string_view text) : text_(text) {}
 

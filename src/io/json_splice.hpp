@@ -2,11 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace shigusa {
+
+// A text as JSON writes it, with its quotes, and a list of finite numbers that read back exactly.
+[[nodiscard]] std::string json_quoted(const std::string& text);
+[[nodiscard]] std::string json_numbers(std::initializer_list<double> values);
 
 // Changes places of a JSON text and leaves every other byte as it is. The text must have been
 // parsed before, so nothing is checked but that no place lies beyond it.

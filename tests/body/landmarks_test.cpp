@@ -280,6 +280,38 @@ TEST(MeasurePerson, FingertipIsTheFarthestButTheThumb) {
               measured(standing_figure()).landmarks.left_arm.wrist + Vec3d{0.2, 0, 0});
 }
 
+TEST(MeasurePerson, GripIsTheNodeNearestToTheThirdKnuckle) {
+  StickFigure figure = standing_figure();
+  const Vec3d wrist = figure["LeftHand"].at;
+  figure.add("LeftHandThumb1", "LeftHand", wrist + Vec3d{0.09, 0, 0.01});
+  figure.add("LeftHandMiddle1", "LeftHand", wrist + Vec3d{0.1, 0, 0});
+  figure.add("LeftHandMiddle2", "LeftHandMiddle1", wrist + Vec3d{0.2, 0, 0});
+  const MeasuredPerson person = measured(figure);
+  EXPECT_EQ(person.grip_nodes[0], figure.find("LeftHandMiddle1"));
+  expect_near(*person.landmarks.left_arm.grip, person.landmarks.left_arm.wrist + Vec3d{0.1, 0, 0});
+  // a hand without fingers
+  EXPECT_EQ(person.grip_nodes[1], figure.find("RightHand"));
+  EXPECT_EQ(*person.landmarks.right_arm.grip, person.landmarks.right_arm.wrist);
+}
+
+TEST(GripOf, WithoutANodeIsAShareOfTheHand) {
+  const Landmarks::Arm arm = standing_landmarks(1.7, 0.0).left_arm;
+  expect_near(grip_of(arm), arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction);
+}
+
+TEST(Placement, TakesTheFilesPointsToTheLandmarks) {
+  const Mat3d turn = rotation(Axis::x, radians(90)) * rotation(Axis::y, radians(30));
+  for (const double mirror : {1.0, -1.0}) {
+    StickFigure figure = standing_figure().transformed(turn * scale(100.0));
+    for (auto& point : figure.points) point.at = Vec3d{mirror * point.at.x, point.at.y, point.at.z};
+    const MeasuredPerson person = measured(figure);
+    EXPECT_EQ(person.placement.mirrored(), mirror < 0.0);
+    expect_near(person.placement.to_world(figure["LeftLeg"].at), person.landmarks.left_leg.knee);
+    expect_near(person.placement.to_world(figure["RightHand"].at),
+                person.landmarks.right_arm.wrist);
+  }
+}
+
 TEST(MeasurePerson, SegmentsWithoutLengthAreErrors) {
   for (const auto& [upper, lower, segment] :
        {std::tuple("RightUpLeg", "RightLeg", "right thigh"),

@@ -167,6 +167,23 @@ TEST_F(CharacterExport, JointsStandExactlyBelowAnUnevenScaleToo) {
   expect_kept();
 }
 
+TEST_F(CharacterExport, AMirroredFileKeepsItsOwnAxes) {
+  reach_with("mirrored.glb",
+             below({{"scale", {-1.0, 1.0, 1.0}}, {"translation", {3.0, 0.5, -2.0}}}), "glb");
+  const Placement& file = file_.character.rig->rig.placement;
+  ASSERT_TRUE(file.mirrored());
+  const ExportedGlb out(work_.get("candidate-1.glb"));
+  const int last = out.frames(kAnimation) - 1;
+  const Json& goal = candidate().at("reached").at(0);
+  const Vec3d wanted{goal.at("goal_m").at(0), goal.at("goal_m").at(1), goal.at("goal_m").at(2)};
+  EXPECT_LE(norm(file.to_world(out.at(goal.at("gltf_node"), kAnimation, last)) - wanted),
+            kMillimetre);
+  for (const Json& contact : candidate().at("contacts")) {
+    const int foot = contact.at("gltf_node");
+    EXPECT_LE(norm(out.at(foot, kAnimation, last) - out.place(foot).translation), kMillimetre);
+  }
+}
+
 TEST_F(CharacterExport, NodesBetweenAndBelowBonesGoAlong) {
   // a twist bone between upper and lower arm, and a sword in the hand, both without a name
   nlohmann::json file = person_gltf();
@@ -197,6 +214,12 @@ TEST_F(CharacterExport, NodesBetweenAndBelowBonesGoAlong) {
 TEST_F(CharacterExport, HalfABodyLeavesToo) {
   file_.character.extent = BodyExtent::half;
   reach_with("person.glb", person_gltf(), "glb");
+  expect_kept();
+}
+
+TEST_F(CharacterExport, TheWholeHumanLeavesToo) {
+  file_.character.extent = BodyExtent::human;
+  reach_with("person.glb", vrm_person(), "glb");
   expect_kept();
 }
 
