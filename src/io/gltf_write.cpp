@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <bit>
 #include <optional>
 #include <shigusa/core/check.hpp>
 #include <shigusa/io/gltf_write.hpp>
@@ -53,7 +52,7 @@ Result<Parts> parts_of(std::string_view bytes, std::string_view name) {
 }
 
 void append_float(std::string& bytes, double value) {
-  append_word(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+  append_word(bytes, __builtin_bit_cast(std::uint32_t, static_cast<float>(value)));
 }
 
 std::string base64(std::string_view bytes) {
@@ -166,23 +165,29 @@ class Layout {
 class AnimationAdder {
  public:
   AnimationAdder(const Parts& parts, std::string_view name)
-      : parts_(parts), name_(name), json_(parts.json), root_(json_.root()) {}
+      : parts_(parts),
+        name_(name),
+        json_(parts.json),
+        root_(json_.root()),
+        buffers_(json_.elements(json_.member(root_, "buffers"))) {}
+
+  [[nodiscard]] Result<void> check() const {
+    for (const char* list : {"buffers", "images"}) {
+      if (auto own = refers_to_no_file(list); !own) return own;
+    }
+    if (buffers_.empty() || !in_chunk()) return {};
+    if (!parts_.binary) return wrong("buffers[0] is of the binary chunk, and there is none");
+    return json_.member(buffers_[0], "byteLength") ? Result<void>{}
+                                                   : wrong("buffers[0] has no byteLength");
+  }
 
   Result<std::string> add(std::span<const GltfAnimation> animations) {
-    for (const char* list : {"buffers", "images"}) {
-      if (auto own = refers_to_no_file(list); !own) return tl::unexpected<Error>(own.error());
-    }
-    const std::vector<Value> buffers = json_.elements(json_.member(root_, "buffers"));
-    // the binary chunk is the first buffer's, if that has no address
-    const bool chunk = buffers.empty() || (parts_.glb && !json_.member(buffers[0], "uri"));
-    if (chunk && !buffers.empty() && !parts_.binary) {
-      return fail(ErrorCode::parse, "buffers[0] is of the binary chunk, and there is none",
-                  std::string(name_));
-    }
+    if (auto can = check(); !can) return tl::unexpected<Error>(can.error());
+    const bool chunk = in_chunk();
     std::string binary(chunk ? parts_.binary.value_or("") : "");
     binary.resize((binary.size() + 3) / 4 * 4);
     Layout layout(json_.count(json_.member(root_, "accessors")),
-                  json_.count(json_.member(root_, "bufferViews")), chunk ? 0 : buffers.size(),
+                  json_.count(json_.member(root_, "bufferViews")), chunk ? 0 : buffers_.size(),
                   binary.size());
     for (const GltfAnimation& animation : animations) {
       layout.add(animation);
@@ -199,15 +204,25 @@ class AnimationAdder {
       return assemble(parts_.binary);
     }
     binary += layout.data;
-    if (auto told = tell_length(buffers, binary.size()); !told) {
-      return tl::unexpected<Error>(told.error());
-    }
+    tell_length(binary.size());
     return assemble(binary);
   }
 
  private:
+  [[nodiscard]] Result<void> wrong(std::string message) const {
+    return fail(ErrorCode::parse, std::move(message), std::string(name_));
+  }
+
+  // The binary chunk is the first buffer's, if that has no address.
+  [[nodiscard]] bool in_chunk() const {
+    return buffers_.empty() || (parts_.glb && !json_.member(buffers_[0], "uri"));
+  }
+
   [[nodiscard]] Result<void> refers_to_no_file(const char* list) const {
     std::size_t i = 0;
+    if (json_.count(json_.member(root_, list)) > JsonSplice::kMostElements) {
+      return wrong(fmt::format("more than {} {}", JsonSplice::kMostElements, list));
+    }
     for (const Value& each : json_.elements(json_.member(root_, list))) {
       const std::string_view uri = json_.text_of(json_.member(each, "uri"));
       if (!uri.empty() && !uri.starts_with("\"data:")) {
@@ -247,21 +262,20 @@ class AnimationAdder {
     }
   }
 
-  [[nodiscard]] Result<void> tell_length(const std::vector<Value>& buffers, std::size_t length) {
-    if (buffers.empty()) {
+  void tell_length(std::size_t length) {
+    if (buffers_.empty()) {
       json_.append("buffers", fmt::format(R"({{"byteLength":{}}})", length));
-      return {};
+      return;
     }
-    const Value told = json_.member(buffers[0], "byteLength");
-    if (!told) return fail(ErrorCode::parse, "buffers[0] has no byteLength", std::string(name_));
+    const Value told = json_.member(buffers_[0], "byteLength");
     json_.replace(told.begin, told.end, fmt::format("{}", length));
-    return {};
   }
 
   [[nodiscard]] std::string assemble(std::optional<std::string_view> binary) const {
     std::string text = json_.finish();
     // a byte order mark has no place in a GLB
-    text.erase(0, text.find('{'));
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string chunks;
     const auto chunk = [&](std::string_view kind, std::string_view bytes) {
@@ -282,11 +296,18 @@ class AnimationAdder {
   std::string_view name_;
   JsonSplice json_;
   Value root_;
+  std::vector<Value> buffers_;
   std::vector<Value> nodes_;
   std::vector<bool> freed_;  // (nodes) its matrix was replaced
 };
 
 }  // namespace
+
+Result<void> check_animations_fit(std::string_view bytes, std::string_view name) {
+  const Result<Parts> parts = parts_of(bytes, name);
+  if (!parts) return tl::unexpected<Error>(parts.error());
+  return AnimationAdder(*parts, name).check();
+}
 
 Result<std::string> add_animations(std::string_view bytes, std::string_view name,
                                    std::span<const GltfAnimation> animations) {

@@ -94,7 +94,9 @@ void JsonSplice::each(const Value& list, Action&& action) const {
 
 std::vector<JsonSplice::Value> JsonSplice::elements(const Value& list) const {
   std::vector<Value> found;
-  each(list, [&](const Value& value) { found.push_back(value); });
+  each(list, [&](const Value& value) {
+    if (found.size() < kMostElements) found.push_back(value);
+  });
   return found;
 }
 

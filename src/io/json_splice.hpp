@@ -31,7 +31,8 @@ class JsonSplice {
   [[nodiscard]] std::string_view text_of(const Value& value) const;
   // Of an object the member of that name, the last where it comes twice; else nothing.
   [[nodiscard]] Value member(const Value& object, std::string_view key) const;
-  // Of a list its elements, or how many there are; of anything else none.
+  // Of a list its elements, kMostElements at most, or how many there are; of anything else none.
+  static constexpr std::size_t kMostElements = 65'536;
   [[nodiscard]] std::vector<Value> elements(const Value& list) const;
   [[nodiscard]] std::size_t count(const Value& list) const;
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <shigusa/body/at_ease.hpp>
 #include <shigusa/core/names.hpp>
+#include <shigusa/io/file.hpp>
+#include <shigusa/io/gltf_write.hpp>
 #include <shigusa/project/character.hpp>
 
 namespace shigusa {
@@ -51,11 +53,20 @@ Result<CharacterFile> read_character(const std::filesystem::path& path) {
   CharacterFile character;
   character.rig.file = path;
   if (file_kind(path.string()) == FileKind::gltf) {
-    Result<GltfCharacter> file = read_gltf(path);
+    const std::string name = path.filename().string();
+    const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    Result<GltfCharacter> file = parse_gltf(*bytes, name);
     if (!file) return tl::unexpected(file.error());
+    if (const auto fits = check_animations_fit(*bytes, name); !fits) {
+      character.rig.not_glb = fits.error().message;
+    }
     character.motion = std::move(file->rest);
     character.given = std::move(file->humanoid);
     character.doubts = std::move(file->doubts);
+    if (!character.rig.not_glb.empty()) {
+      character.doubts.push_back("motions cannot leave as GLB: " + character.rig.not_glb);
+    }
     character.places = std::move(file->places);
     character.rig.format =
         file->vrm == VrmVersion::none ? CharacterFormat::gltf : CharacterFormat::vrm;

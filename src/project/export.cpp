@@ -222,6 +222,9 @@ Result<void> check_formats(const CharacterSpec& character,
     }
     const bool gltf = character.rig && character.rig->format != CharacterFormat::bvh;
     const bool vrm = gltf && character.rig->format == CharacterFormat::vrm;
+    if (format == ExportFormat::glb && gltf && !character.rig->not_glb.empty()) {
+      return fail(ErrorCode::unsupported, character.rig->not_glb, asked);
+    }
     if (format == ExportFormat::glb ? gltf : vrm) continue;
     return fail(
         ErrorCode::invalid_argument,

@@ -77,6 +77,19 @@ TEST_F(CharacterFiles, FormatsThatACharacterHasNotAreRefusedBeforeTheSearch) {
   }
 }
 
+TEST_F(CharacterFiles, AFileThatRefersToOthersLeavesAsTheRest) {
+  nlohmann::json file = person_gltf();
+  file["images"] = {{{"uri", "skin.png"}}};
+  work_.put("person.gltf", file.dump());
+  const ProgramRun usual = reach({}, "person.gltf");
+  EXPECT_EQ(usual.exit_code, 0) << usual.err;
+  EXPECT_THAT(usual.err, HasSubstr("cannot leave as GLB: images[0] lies in another file"));
+  EXPECT_EQ(StoredRun(work_, "out").candidate(1).at("files").size(), 4u);
+  const ProgramRun asked = reach({"--formats", "glb"}, "person.gltf");
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.err, HasSubstr("make it one .glb file first"));
+}
+
 TEST_F(CharacterFiles, SameSeedSameBytes) {
   ASSERT_EQ(reach({"--threads", "1", "--simd", "scalar"}).exit_code, 0);
   const std::string first = work_.get("out/candidate-1.glb");

@@ -4,6 +4,7 @@
 
 #include <shigusa/project/export.hpp>
 
+#include "project/schema_check.hpp"
 #include "support/exported.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
@@ -86,6 +87,8 @@ class CharacterExport : public testing::Test {
                                       {parse_formats(formats).value(), one_file});
     ASSERT_TRUE(written) << written.error().to_string();
     summary_ = Json::parse(*written);
+    EXPECT_EQ(SchemaCheck::in_docs("result.schema.json").judge(nlohmann::json::parse(*written)),
+              "");
   }
   void reach_with(const std::string& name, const nlohmann::json& gltf, const std::string& formats) {
     work_.put(name, glb(gltf.dump(), "data"));

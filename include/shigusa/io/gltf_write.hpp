@@ -36,6 +36,10 @@ struct GltfAnimation {
 [[nodiscard]] Result<std::string> add_animations(std::string_view bytes, std::string_view name,
                                                  std::span<const GltfAnimation> animations);
 
+// Whether add_animations can take a file that parse_gltf has read: an error tells what it cannot
+// keep.
+[[nodiscard]] Result<void> check_animations_fit(std::string_view bytes, std::string_view name);
+
 // A VRM animation (VRMC_vrm_animation 1.0), for any VRM character.
 struct VrmAnimation {
   // One humanoid bone at rest, all unturned; parents first, the hips at the root.

@@ -26,6 +26,7 @@ struct CharacterRig {
   BvhChannels channels;                                // of BVH
   std::vector<int> file_node;                          // of glTF: (nodes) indices in the file
   std::vector<std::pair<std::string, int>> vrm_bones;  // of VRM
+  std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
 };
 
 // Who moves: a built-in body, or a person measured from a file.
