@@ -12,6 +12,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json to_json(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+// Where goals are in the file: p_world = unit (left, up, ahead)ᵀ (p_file - origin).
+Json placement_to_json(const Placement& p) {
+  return {{"unit_m", p.unit},
+          {"origin", to_json(p.origin)},
+          {"left", to_json(p.left)},
+          {"up", to_json(p.up)},
+          {"ahead", to_json(p.ahead)}};
+}
+
 Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
   Json json{{"name", body.name()},
             {"stature_m", body.stature()},
@@ -32,6 +43,7 @@ Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
   for (const Effector& effector : body.effectors()) json["effectors"].push_back(effector.name);
   json["humanoid"] = Json::object();
   for (const auto& [bone, node] : spec.humanoid) json["humanoid"][bone] = node;
+  if (spec.rig) json["placement"] = placement_to_json(spec.rig->rig.placement);
   json["doubts"] = std::vector<std::string>(body.doubts().begin(), body.doubts().end());
   return json;
 }

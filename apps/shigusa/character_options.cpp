@@ -37,4 +37,13 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
   return {};
 }
 
+Result<ExportSettings> export_settings(const std::optional<std::string>& formats, bool one_file,
+                                       const CharacterSpec& spec) {
+  if (!formats) return ExportSettings{usual_formats(spec), one_file};
+  Result<std::vector<ExportFormat>> asked = parse_formats(*formats);
+  if (!asked) return tl::unexpected(asked.error());
+  if (const auto can = check_formats(spec, *asked); !can) return tl::unexpected(can.error());
+  return ExportSettings{std::move(*asked), one_file};
+}
+
 }  // namespace shigusa::app

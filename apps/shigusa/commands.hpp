@@ -5,7 +5,7 @@
 #include <optional>
 #include <shigusa/core/progress.hpp>
 #include <shigusa/core/result.hpp>
-#include <shigusa/project/character.hpp>
+#include <shigusa/project/export.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,7 +50,8 @@ struct ReachOptions {
   int threads = 0;  // 0: one for each core
   std::optional<std::string> simd;
   std::string out = "out";
-  std::string formats = "bvh,csv,svg,png";
+  std::optional<std::string> formats;
+  bool one_file = false;
   bool json = false;
 };
 
@@ -58,9 +59,11 @@ struct EditOptions {
   std::string result;
   int candidate = 1;
   std::vector<std::string> assignments;
-  bool mirror = false;  // left for right
-  std::string out;      // empty: a new folder beside the result
-  std::string formats = "bvh,csv,svg,png";
+  bool mirror = false;                   // left for right
+  std::optional<std::string> character;  // the file of the result's person
+  std::string out;                       // empty: a new folder beside the result
+  std::optional<std::string> formats;
+  bool one_file = false;
   bool json = false;
 };
 
@@ -86,6 +89,10 @@ int body(const BodyOptions& options);
 // Fails on what a built-in body, or a person who was measured before, cannot be told.
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,
                                                    CharacterSpec& spec);
+
+// What to write: the formats asked for, or those that are usual for this character.
+[[nodiscard]] Result<ExportSettings> export_settings(const std::optional<std::string>& formats,
+                                                     bool one_file, const CharacterSpec& spec);
 
 // A text from a file as it may stand on a terminal: control characters become '?'.
 [[nodiscard]] std::string printable(std::string_view text);

@@ -81,8 +81,9 @@ Result<Generation> edited(const EditOptions& options, StoredResult& stored, cons
 }  // namespace
 
 int edit(const EditOptions& options) {
-  const Result<std::vector<ExportFormat>> formats = parse_formats(options.formats);
-  if (!formats) return report(formats.error());
+  if (const auto formats = parse_formats(options.formats.value_or("")); !formats) {
+    return report(formats.error());
+  }
   const Result<std::filesystem::path> folder = edit_folder(options);
   if (!folder) return report(folder.error());
   Result<StoredResult> stored = read_result(options.result);
@@ -99,6 +100,13 @@ int edit(const EditOptions& options) {
   }
   const Result<Task> task = make_task(stored->task, {});
   if (!task) return report(task.error());
+  if (options.character) {
+    const auto attached = attach_file(stored->task.character, *options.character);
+    if (!attached) return report(attached.error());
+  }
+  const Result<ExportSettings> settings =
+      export_settings(options.formats, options.one_file, stored->task.character);
+  if (!settings) return report(settings.error());
   const auto begin = std::chrono::steady_clock::now();
   const Result<Generation> generation = edited(options, *stored, *task);
   if (!generation) return report(generation.error());
@@ -106,7 +114,7 @@ int edit(const EditOptions& options) {
   info.elapsed_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   if (const auto ready = prepare_folder(*folder); !ready) return report(ready.error());
-  return deliver(*folder, stored->task, *task, *generation, info, *formats, options.json);
+  return deliver(*folder, stored->task, *task, *generation, info, *settings, options.json);
 }
 
 }  // namespace shigusa::app

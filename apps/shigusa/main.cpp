@@ -25,6 +25,16 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
       ->check(CLI::IsMember({"male", "female"}));
 }
 
+template <class Options>
+void add_export_options(CLI::App* c, Options& o) {
+  c->add_option(
+      "--formats", o.formats,
+      "Of bvh, csv, svg, png, pdf, glb and vrma (default: bvh,csv,svg,png, for a character "
+      "from a glTF or VRM file also glb, from VRM also vrma)");
+  c->add_flag("--one-file", o.one_file,
+              "All candidates in one candidates.glb in place of a GLB for each");
+}
+
 void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("reach", "Find natural motions that bring hands to their goals");
   c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
@@ -81,7 +91,7 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->add_option("--simd", o.simd,
                 "Instructions of the search (default: the widest of the machine)");
   c->add_option("--out", o.out, "Folder for the result")->capture_default_str();
-  c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
+  add_export_options(c, o);
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
   c->callback([&] { exit_code = reach(o); });
 }
@@ -89,11 +99,13 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
 // What edit and mirror have in common.
 void add_result_options(CLI::App* c, EditOptions& o, int& exit_code) {
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
+  c->add_option("--character", o.character,
+                "The person's file, which glb, vrma and a BVH of the file's own nodes need");
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
   c->add_option(
       "--out", o.out,
       "Folder for the new result (default: a new one beside the old, named as the command)");
-  c->add_option("--formats", o.formats, "Of bvh, csv, svg, png, pdf")->capture_default_str();
+  add_export_options(c, o);
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
   c->callback([&] { exit_code = edit(o); });
 }

@@ -203,8 +203,9 @@ void note_goals_below_floor(const Task& task) {
 }  // namespace
 
 int reach(const ReachOptions& options) {
-  const Result<std::vector<ExportFormat>> formats = parse_formats(options.formats);
-  if (!formats) return report(formats.error());
+  if (const auto formats = parse_formats(options.formats.value_or("")); !formats) {
+    return report(formats.error());
+  }
   const Result<BatchSettings> batch = batch_settings(options);
   if (!batch) return report(batch.error());
   Result<TaskFile> file = options.task.empty() ? TaskFile{} : read_task(options.task);
@@ -218,6 +219,9 @@ int reach(const ReachOptions& options) {
                           : std::filesystem::path(options.task).parent_path();
   Result<Task> task = make_task(*file, folder);
   if (!task) return report(task.error());
+  const Result<ExportSettings> settings =
+      export_settings(options.formats, options.one_file, file->character);
+  if (!settings) return report(settings.error());
   task->batch = *batch;
   task->layers.store = limb_store();
   if (const auto problem = make_problem(*task); !problem) {
@@ -240,7 +244,7 @@ int reach(const ReachOptions& options) {
   info.simd = simd_name(batch->simd);
   info.elapsed_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  return deliver(options.out, *file, *task, *generation, info, *formats, options.json);
+  return deliver(options.out, *file, *task, *generation, info, *settings, options.json);
 }
 
 }  // namespace shigusa::app

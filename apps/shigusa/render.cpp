@@ -63,8 +63,8 @@ Result<void> understand_figure(const SkeletonMotion& motion, const RenderOptions
           : Result<MeasuredPerson>(tl::unexpected(map.error()));
   if (map) settings.humanoid = *map;
   if (person) {
-    settings.metres_per_unit = person->unit;
-    settings.up = person->up;
+    settings.metres_per_unit = person->placement.unit;
+    settings.up = person->placement.up;
     return {};
   }
   if (options.stature && !(*options.stature >= 0.5 && *options.stature <= 2.5)) {

@@ -70,9 +70,9 @@ std::string headline(const Task& task, const Generation& generation, const RunIn
 }
 
 int deliver(const std::filesystem::path& folder, const TaskFile& file, const Task& task,
-            const Generation& generation, const RunInfo& info,
-            const std::vector<ExportFormat>& formats, bool json) {
-  const Result<std::string> summary = write_result(folder, file, task, generation, info, formats);
+            const Generation& generation, const RunInfo& info, const ExportSettings& settings,
+            bool json) {
+  const Result<std::string> summary = write_result(folder, file, task, generation, info, settings);
   if (!summary) return report(summary.error());
   for (const std::string& doubt : task.body.doubts()) note(task.body.name(), doubt);
   if (generation.replay_differs > 0) {
@@ -92,6 +92,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
   } else {
     fmt::print("{}{}", headline(task, generation, info), candidate_table(generation));
     for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+      const auto& formats = settings.formats;
       if (std::find(formats.begin(), formats.end(), ExportFormat::png) == formats.end()) break;
       fmt::print("{}\n", (folder / fmt::format("candidate-{}.png", i + 1)).string());
     }

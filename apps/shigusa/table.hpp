@@ -17,7 +17,7 @@ namespace shigusa::app {
 
 // Writes a result, prints it as the options ask, and returns the exit code.
 int deliver(const std::filesystem::path& folder, const TaskFile& file, const Task& task,
-            const Generation& generation, const RunInfo& info,
-            const std::vector<ExportFormat>& formats, bool json);
+            const Generation& generation, const RunInfo& info, const ExportSettings& settings,
+            bool json);
 
 }  // namespace shigusa::app

@@ -201,7 +201,7 @@ void HumanBuilder::add_arm(Side side) {
     add_capsule(prefix + "forearm", parts.fore, arm.elbow, arm.fingertip, kForearmRadius);
     set_mass(parts.fore, masses_.forearm_and_hand(side));
   }
-  const Vec3d grip = arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction;
+  const Vec3d grip = grip_of(arm);
   body_.effectors.push_back({prefix + "hand", prefix + "hand_grip", parts.hand.link,
                              local(parts.hand.frame, parts.hand.origin, grip), root});
 }

@@ -87,6 +87,12 @@ HumanFrames human_frames(const Landmarks& person) {
   return frames;
 }
 
+Mat3d along_segment(const Mat3d& frame, const Vec3d& joint, const Vec3d& far) {
+  const Vec3d y = normalized(joint - far, frame.cy);
+  const Vec3d z = normalized(cross(frame.cx, y), frame.cz);
+  return {cross(y, z), y, z};
+}
+
 BallAngles ball_angles(const Mat3d& relative, Side side) {
   const double s = side_sign(side);
   const auto with_flexion = [&](double flexion) {

@@ -36,6 +36,11 @@ struct HumanFrames {
 
 [[nodiscard]] HumanFrames human_frames(const Landmarks& person);
 
+// A segment's frame with y exactly along it, from its far joint to the joint that it hangs on, and
+// x as near to the anatomical frame's as this allows. Two postures of a segment take the far joint
+// to the far joint so, whatever shape a limb has.
+[[nodiscard]] Mat3d along_segment(const Mat3d& frame, const Vec3d& joint, const Vec3d& far);
+
 // Flexion, abduction and lateral rotation (rad) of a ball joint:
 // R = Rx(-flexion) · Rz(side · abduction) · Ry(side · rotation), of the two ways to write a
 // rotation so the one with the smaller angles.

@@ -162,7 +162,7 @@ void HumanBuilder::add_arm_nodes(Side side, int chest) {
   on = add_node(prefix + "upper_arm", on, parts.upper, arm.shoulder);
   on = add_node(prefix + "lower_arm", on, parts.fore, arm.elbow);
   on = add_node(prefix + "hand", on, parts.hand, arm.wrist);
-  const Vec3d grip = arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction;
+  const Vec3d grip = grip_of(arm);
   on = add_node(prefix + "hand_grip", on, parts.hand, grip);
   add_node("", on, parts.hand, arm.fingertip, true);
 }

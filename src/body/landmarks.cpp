@@ -128,11 +128,12 @@ class Measurer {
 
   Result<MeasuredPerson> measure(const MeasureSettings& settings) {
     if (auto done = read_limbs(); !done) return tl::unexpected<Error>(done.error());
-    up_ = result_.up = find_up();
+    up_ = find_up();
     if (auto done = find_left(); !done) return tl::unexpected<Error>(done.error());
     read_tips();
     stature_ = measure_stature();
     place_missing_tips();
+    find_grips();
     if (auto done = find_unit(settings); !done) return tl::unexpected<Error>(done.error());
     move_to_world();
     check_plausibility();
@@ -334,10 +335,30 @@ class Measurer {
     doubt("the head has no tip: the top of the head is placed by average proportions");
   }
 
+  // A goal's effector is a node of the file, so that anybody finds it there.
+  void find_grips() {
+    for (const Side side : kSides) {
+      Landmarks::Arm& a = arm(side);
+      const Vec3d nominal = grip_of(a);
+      const int hand = map_[arm_bones(side).wrist];
+      int best = hand;
+      std::vector<int> open{hand};
+      while (!open.empty()) {
+        const int i = open.back();
+        open.pop_back();
+        if (part(i) == BonePart::thumb || tree_.node(i).end_site) continue;
+        if (norm(tree_.at(i) - nominal) < norm(tree_.at(best) - nominal)) best = i;
+        open.insert(open.end(), tree_.children(i).rbegin(), tree_.children(i).rend());
+      }
+      a.grip = tree_.at(best);
+      result_.grip_nodes[static_cast<std::size_t>(side)] = best;
+    }
+  }
+
   Result<void> find_unit(const MeasureSettings& settings) {
     if (settings.stature) {
       result_.stature = *settings.stature;
-      result_.unit = *settings.stature / stature_;
+      result_.placement.unit = *settings.stature / stature_;
       if (is_person(*settings.stature)) return {};
       return fail(ErrorCode::invalid_argument,
                   fmt::format("a stature of {:g} m; {} to {} m are allowed", *settings.stature,
@@ -347,7 +368,7 @@ class Measurer {
     for (const Unit& unit : kUnits) {
       if (oddness(stature_ * unit.metres) < oddness(stature_ * best->metres)) best = &unit;
     }
-    result_.unit = best->metres;
+    result_.placement.unit = best->metres;
     result_.stature = stature_ * best->metres;
     if (!is_person(result_.stature)) {
       return fail(
@@ -382,7 +403,7 @@ class Measurer {
   void move_to_world() {
     const Vec3d between = (body().left_leg.ankle + body().right_leg.ankle) * 0.5;
     const auto move = [&](Vec3d& p) {
-      const Vec3d d = (p - between) * result_.unit;
+      const Vec3d d = (p - between) * result_.placement.unit;
       p = {dot(d, left_), dot(d, up_), dot(d, ahead_)};
     };
     const auto each = [&](const auto& action) {
@@ -394,6 +415,7 @@ class Measurer {
              {&arm(side).shoulder, &arm(side).elbow, &arm(side).wrist, &arm(side).fingertip}) {
           action(*p);
         }
+        action(*arm(side).grip);
       }
       action(body().neck);
       action(body().head_top);
@@ -401,6 +423,8 @@ class Measurer {
     each(move);
     const double floor = min(sole(Side::left), sole(Side::right));
     each([&](Vec3d& p) { p.y -= floor; });
+    result_.placement = {left_, up_, ahead_, between + up_ * (floor / result_.placement.unit),
+                         result_.placement.unit};
   }
 
   void check_plausibility() {
@@ -445,6 +469,15 @@ class Measurer {
 };
 
 }  // namespace
+
+Vec3d grip_of(const Landmarks::Arm& arm) {
+  return arm.grip.value_or(arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction);
+}
+
+Vec3d Placement::to_world(const Vec3d& p) const {
+  const Vec3d d = (p - origin) * unit;
+  return {dot(d, left), dot(d, up), dot(d, ahead)};
+}
 
 Result<MeasuredPerson> measure_person(const Skeleton& skeleton,
                                       const std::vector<Transformd>& world, const HumanoidMap& map,

@@ -130,11 +130,17 @@ class BvhReader {
  public:
   BvhReader(std::string_view text, std::string_view name) : cursor_(text), name_(name) {}
 
-  Result<SkeletonMotion> read() {
+  Result<BvhFile> read() {
     if (!hierarchy() || !frame_count() || !frame_time() || !values_fit() || !values()) {
       return tl::unexpected<Error>(error_);
     }
-    return std::move(motion_);
+    BvhFile file{std::move(motion_), {}};
+    file.channels.resize(file.motion.skeleton.nodes.size());
+    for (const Channel& channel : channels_) {
+      file.channels[static_cast<std::size_t>(channel.node)].push_back(
+          {channel.rotates, channel.axis});
+    }
+    return file;
   }
 
  private:
@@ -392,7 +398,7 @@ class BvhReader {
 
 }  // namespace
 
-Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name) {
+Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name) {
   if (text.size() > kBvhMaxBytes) {
     return fail(ErrorCode::parse,
                 fmt::format("{} bytes; up to {} are allowed", text.size(), kBvhMaxBytes),
@@ -401,10 +407,22 @@ Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name) {
   return BvhReader(text, name).read();
 }
 
-Result<SkeletonMotion> read_bvh(const std::filesystem::path& path) {
+Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name) {
+  Result<BvhFile> file = parse_bvh_file(text, name);
+  if (!file) return tl::unexpected<Error>(file.error());
+  return std::move(file->motion);
+}
+
+Result<BvhFile> read_bvh_file(const std::filesystem::path& path) {
   const Result<std::string> text = read_text_file(path, kBvhMaxBytes);
   if (!text) return tl::unexpected<Error>(text.error());
-  return parse_bvh(*text, path.filename().string());
+  return parse_bvh_file(*text, path.filename().string());
+}
+
+Result<SkeletonMotion> read_bvh(const std::filesystem::path& path) {
+  Result<BvhFile> file = read_bvh_file(path);
+  if (!file) return tl::unexpected<Error>(file.error());
+  return std::move(file->motion);
 }
 
 }  // namespace shigusa

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 #include <shigusa/core/check.hpp>
 #include <shigusa/io/bvh.hpp>
@@ -18,14 +19,26 @@ constexpr double kStillness = 1e-9;
 // Below this cosine of the middle angle the outer two turn about one axis: gimbal lock.
 constexpr double kGimbal = 1e-9;
 
-// Angles in degrees with R = Rot(z, .z) Rot(x, .x) Rot(y, .y), given the first of them.
-Vec3d angles_after_z(const Mat3d& r, double z) {
-  // Rot(z)ᵀ R = Rot(x) Rot(y); here z may be any angle in gimbal lock, and x and y make up for it
-  const SinCos<double> a = sin_cos(z);
-  const double xx = a.cos * r.cx.x + a.sin * r.cx.y;
-  const double xz = a.cos * r.cz.x + a.sin * r.cz.y;
-  const double yy = a.cos * r.cy.y - a.sin * r.cy.x;
-  return {degrees(atan2(r.cy.z, yy)), degrees(atan2(xz, xx)), degrees(z)};
+// The axes of three rotations in their order, R = Rot(a[0]) Rot(a[1]) Rot(a[2]).
+using Order = std::array<int, 3>;
+constexpr Order kZxy{2, 0, 1};
+
+// Angles in degrees, by axis, with the product of rotations in that order R, given the first.
+Vec3d angles_after(const Mat3d& r, const Order& order, double first) {
+  const auto [i, j, k] = order;
+  const double s = (j - i + 3) % 3 == 1 ? 1.0 : -1.0;
+  const auto at = [&r](int row, int column) { return r.column(column)[row]; };
+  // Rot(first)ᵀ R = Rot(a[1]) Rot(a[2]); in gimbal lock the first may be any angle, and the others
+  // make up for it
+  const SinCos<double> a = sin_cos(first);
+  const double jj = a.cos * at(j, j) + s * a.sin * at(k, j);
+  const double ji = a.cos * at(j, i) + s * a.sin * at(k, i);
+  const double kk = a.cos * at(k, k) - s * a.sin * at(j, k);
+  Vec3d angles;
+  angles[i] = degrees(first);
+  angles[j] = degrees(atan2(s * at(i, k), kk));
+  angles[k] = degrees(atan2(s * ji, jj));
+  return angles;
 }
 
 // The angle equal to `angle` up to whole turns that is nearest to `near`.
@@ -40,16 +53,19 @@ double distance(const Vec3d& a, const Vec3d& b) {
   return max(abs(a.x - b.x), max(abs(a.y - b.y), abs(a.z - b.z)));
 }
 
-// Euler angles in degrees (.z first, then .x, then .y), of their two forms the one nearer to the
-// frame before.
-Vec3d euler_zxy(const Quatd& rotation, const Vec3d& before) {
+// Euler angles in degrees, by axis, of their two forms the one nearer to the frame before.
+Vec3d euler_angles(const Quatd& rotation, const Order& order, const Vec3d& before) {
   const Mat3d r = to_matrix(rotation);
-  const bool locked = abs(r.cy.x) < kGimbal && abs(r.cy.y) < kGimbal;
-  const double z = locked ? radians(before.z) : atan2(-r.cy.x, r.cy.y);
+  const auto [i, j, k] = order;
+  const double s = (j - i + 3) % 3 == 1 ? 1.0 : -1.0;
+  const double sine = r.column(k)[j];
+  const double cosine = r.column(k)[k];
+  const bool locked = abs(sine) < kGimbal && abs(cosine) < kGimbal;
+  const double first = locked ? radians(before[i]) : atan2(-s * sine, cosine);
   Vec3d best{};
   for (const double half_turn : {0.0, kPi}) {
-    Vec3d angles = angles_after_z(r, z + half_turn);
-    for (int i = 0; i < 3; ++i) angles[i] = unwrapped(angles[i], before[i]);
+    Vec3d angles = angles_after(r, order, first + half_turn);
+    for (int axis = 0; axis < 3; ++axis) angles[axis] = unwrapped(angles[axis], before[axis]);
     if (half_turn == 0.0 || distance(angles, before) < distance(best, before)) best = angles;
   }
   return best;
@@ -57,13 +73,15 @@ Vec3d euler_zxy(const Quatd& rotation, const Vec3d& before) {
 
 class BvhWriter {
  public:
-  BvhWriter(const SkeletonMotion& motion, double unit) : motion_(motion), unit_(unit) {
-    while (decimals_ < 16 && resolution_ * unit > kLengthResolution) {
+  BvhWriter(const SkeletonMotion& motion, const BvhFormat& format)
+      : motion_(motion), unit_(format.unit) {
+    while (decimals_ < 16 && resolution_ * unit_ > kLengthResolution) {
       resolution_ /= 10.0;
       ++decimals_;
     }
     find_order();
     find_moving();
+    find_channels(format.channels);
   }
 
   std::string write() {
@@ -131,6 +149,41 @@ class BvhWriter {
     }
   }
 
+  void find_channels(const BvhChannels& given) {
+    const std::size_t count = motion_.skeleton.nodes.size();
+    std::vector<bool> turns(count);
+    for (std::size_t k = 0; k < motion_.clip.local.size(); ++k) {
+      const Quatd& q = motion_.clip.local[k].rotation;
+      if (q.x != 0.0 || q.y != 0.0 || q.z != 0.0) turns[k % count] = true;
+    }
+    channels_.resize(count);
+    rotations_.resize(count, kZxy);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i < given.size() && tells(given[i], turns[i], moves_[i], rotations_[i])) {
+        channels_[i] = given[i];
+        continue;
+      }
+      for (int axis = 0; axis < 3 && moves_[i]; ++axis) {
+        channels_[i].push_back({false, static_cast<Axis>(axis)});
+      }
+      for (const int axis : kZxy) channels_[i].push_back({true, static_cast<Axis>(axis)});
+    }
+  }
+
+  // Whether channels can tell any motion of a node; `order`: of their rotations, if so.
+  static bool tells(const std::vector<BvhChannel>& channels, bool turns, bool moves, Order& order) {
+    std::vector<int> axes;
+    std::size_t positions = 0;
+    for (const auto& [rotates, axis] : channels) {
+      if (rotates) axes.push_back(static_cast<int>(axis));
+      positions += rotates ? 0 : 1;
+    }
+    const bool any =
+        axes.size() == 3 && axes[0] != axes[1] && axes[1] != axes[2] && axes[2] != axes[0];
+    if (any) order = {axes[0], axes[1], axes[2]};
+    return (any || !turns) && (positions == 3 || !moves);
+  }
+
   void write_node(std::size_t place) {
     const std::size_t i = order_[place];
     const int depth = depth_[i];
@@ -145,8 +198,11 @@ class BvhWriter {
     write_lengths(root ? Vec3d{} : node(i).offset);
     append("\n");
     if (is_end(i) && !root) return;
-    append("{:\t>{}}CHANNELS {}Zrotation Xrotation Yrotation\n", "", depth + 1,
-           moves_[i] ? "6 Xposition Yposition Zposition " : "3 ");
+    append("{:\t>{}}CHANNELS {}", "", depth + 1, channels_[i].size());
+    for (const auto& [rotates, axis] : channels_[i]) {
+      append(" {}{}", "XYZ"[static_cast<int>(axis)], rotates ? "rotation" : "position");
+    }
+    append("\n");
   }
 
   void write_frame(int frame, std::vector<Vec3d>& angles) {
@@ -154,10 +210,15 @@ class BvhWriter {
     const std::size_t start = text_.size();
     for (const std::size_t i : order_) {
       if (is_end(i) && node(i).parent >= 0) continue;
-      if (moves_[i]) write_lengths(local[i].translation);
-      Vec3d& a = angles[i];
-      a = euler_zxy(local[i].rotation, a);
-      for (const double angle : {a.z, a.x, a.y}) write_number(angle, kAngleDecimals, 5e-7);
+      angles[i] = euler_angles(local[i].rotation, rotations_[i], angles[i]);
+      for (const auto& [rotates, axis] : channels_[i]) {
+        const int k = static_cast<int>(axis);
+        if (rotates) {
+          write_number(angles[i][k], kAngleDecimals, 5e-7);
+        } else {
+          write_length(local[i].translation[k]);
+        }
+      }
     }
     // each number brings its blank; the first needs none
     if (text_.size() > start) text_.erase(start, 1);
@@ -165,8 +226,10 @@ class BvhWriter {
   }
 
   void write_lengths(const Vec3d& v) {
-    for (int i = 0; i < 3; ++i) write_number(v[i] / unit_, decimals_, 0.5 * resolution_);
+    for (int i = 0; i < 3; ++i) write_length(v[i]);
   }
+
+  void write_length(double v) { write_number(v / unit_, decimals_, 0.5 * resolution_); }
 
   // `half`: half of the last decimal; what lies below it is 0, never -0
   void write_number(double value, int decimals, double half) {
@@ -181,7 +244,9 @@ class BvhWriter {
   std::vector<std::size_t> order_;  // nodes as they are written
   std::vector<int> depth_;          // (nodes)
   std::vector<bool> has_child_;     // (nodes)
-  std::vector<bool> moves_;         // (nodes) has position channels
+  std::vector<bool> moves_;         // (nodes) leaves its offset
+  BvhChannels channels_;            // (nodes)
+  std::vector<Order> rotations_;    // (nodes) the axes of its rotations
   std::string text_;
 };
 
@@ -193,7 +258,7 @@ std::string format_bvh(const SkeletonMotion& motion, const BvhFormat& format) {
   SHG_CHECK(motion.clip.local.size() ==
                 static_cast<std::size_t>(motion.clip.frames) * motion.skeleton.nodes.size(),
             "one transform for each frame and node");
-  return BvhWriter(motion, format.unit).write();
+  return BvhWriter(motion, format).write();
 }
 
 }  // namespace shigusa

@@ -8,6 +8,8 @@
 #include <limits>
 #include <shigusa/io/gltf.hpp>
 
+#include "glb.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -73,16 +75,10 @@ class SkeletonFilter {
   std::size_t values_ = 0;
 };
 
-std::uint32_t word_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<std::uint8_t>(bytes[at + i]);
-  return word;
-}
-
 // The JSON text: of a GLB its first chunk, else all.
 Result<std::string_view> json_text(std::string_view bytes, const std::string& place) {
   constexpr std::uint32_t kVersion = 2;
-  constexpr std::size_t kHeader = 20;  // of the file and of its first chunk
+  constexpr std::size_t kHeader = kGlbHeader + kGlbChunkHeader;
   if (!bytes.starts_with("glTF")) return bytes;
   if (bytes.size() < kHeader) {
     return fail(ErrorCode::parse,

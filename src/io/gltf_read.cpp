@@ -22,11 +22,23 @@ struct FileNode {
   int parent = -1;
   std::vector<int> children;
   Transformd place;     // in its parent; with the scale in its matrix
+  GltfPlace parts;      // the same in parts
   bool uneven = false;  // scaled differently along its axes
   bool mesh = false;
   bool joint = false;   // of a skin or of VRM
   bool needed = false;  // stands in the skeleton
 };
+
+// A matrix without shear in its parts; a mirroring one has a negative scale along x.
+GltfPlace parts_of(const Transformd& place) {
+  const Mat3d& m = place.rotation;
+  const double side = dot(cross(m.cx, m.cy), m.cz) < 0.0 ? -1.0 : 1.0;
+  const Vec3d x = normalized(m.cx * side, {1, 0, 0});
+  const Vec3d z = normalized(cross(x, m.cy), {0, 0, 1});
+  return {place.translation,
+          to_quat(Mat3d{x, cross(z, x), z}),
+          {side * norm(m.cx), norm(m.cy), norm(m.cz)}};
+}
 
 // Reads one file. Each step returns false after it has noted the error.
 class GltfReader {
@@ -143,6 +155,7 @@ class GltfReader {
       if (!numbers(json, "matrix", index, m)) return false;
       read.place = {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}},
                     {m[12], m[13], m[14]}};
+      read.parts = parts_of(read.place);
     } else {
       std::array<double, 3> t{};
       std::array<double, 4> r{0.0, 0.0, 0.0, 1.0};
@@ -157,8 +170,9 @@ class GltfReader {
         return wrong(described(index), "rotation is a quaternion of length {:g}; it must be 1",
                      length);
       }
-      const Mat3d turn =
-          to_matrix(Quatd{r[0] / length, r[1] / length, r[2] / length, r[3] / length});
+      const Quatd rotation{r[0] / length, r[1] / length, r[2] / length, r[3] / length};
+      const Mat3d turn = to_matrix(rotation);
+      read.parts = {{t[0], t[1], t[2]}, rotation, {s[0], s[1], s[2]}};
       read.place = {{turn.cx * s[0], turn.cy * s[1], turn.cz * s[2]}, {t[0], t[1], t[2]}};
     }
     const Mat3d& m = read.place.rotation;
@@ -211,7 +225,7 @@ class GltfReader {
       }
     }
     vrm_ = read_vrm_bones(json_, count());
-    for (const int i : vrm_.all) node(i).joint = true;
+    for (const auto& [name, i] : vrm_.all) node(i).joint = true;
     return true;
   }
 
@@ -247,6 +261,7 @@ class GltfReader {
       }
       place[index] = static_cast<int>(result_.file_node.size());
       result_.file_node.push_back(i);
+      result_.places.push_back(node(i).parts);
       const std::string name = node(i).name.empty() ? fmt::format("node {}", i) : node(i).name;
       result_.rest.skeleton.nodes.push_back({names.take(name), parent < 0 ? -1 : place[above],
                                              parent < 0 ? at : at - world[above].translation});
@@ -260,6 +275,9 @@ class GltfReader {
   void take_vrm() {
     result_.vrm = vrm_.version;
     result_.doubts = vrm_.doubts;
+    for (auto& [name, i] : vrm_.all) {
+      result_.vrm_bones.emplace_back(std::move(name), place_[static_cast<std::size_t>(i)]);
+    }
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const auto bone = static_cast<HumanoidBone>(b);
       if (vrm_.map[bone] < 0) continue;

@@ -40,8 +40,9 @@ class BoneReader {
                                shown(node), nodes_ - 1));
     }
     const int index = node.get<int>();
-    bones_.all.push_back(index);
-    const std::string ours = snake_case(name.is_string() ? name.get_ref<const std::string&>() : "");
+    const std::string own = name.is_string() ? name.get<std::string>() : std::string();
+    bones_.all.emplace_back(own, index);
+    const std::string ours = snake_case(own);
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const auto bone = static_cast<HumanoidBone>(b);
       if (ours != humanoid_bone_name(bone)) continue;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <shigusa/io/gltf.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shigusa {
@@ -12,7 +13,8 @@ namespace shigusa {
 struct VrmBones {
   VrmVersion version = VrmVersion::none;
   HumanoidMap map;
-  std::vector<int> all;  // nodes of all bones, fingers and eyes among them
+  // all bones by the file's name and node, fingers and eyes among them
+  std::vector<std::pair<std::string, int>> all;
   std::vector<std::string> doubts;
 };
 

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/body/at_ease.hpp>
 #include <shigusa/core/names.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/gltf.hpp>
+#include <shigusa/io/file.hpp>
+#include <shigusa/io/gltf_write.hpp>
 #include <shigusa/project/character.hpp>
 
 namespace shigusa {
@@ -44,37 +45,83 @@ struct CharacterFile {
   SkeletonMotion motion;
   HumanoidMap given;                // by the file itself
   std::vector<std::string> doubts;  // of reading
-  bool posture = true;              // a frame is how a person stood, and not how they were modelled
+  CharacterRig rig;                 // its format, and what that alone has
+  std::vector<GltfPlace> places;    // (nodes) of glTF
 };
 
 Result<CharacterFile> read_character(const std::filesystem::path& path) {
+  CharacterFile character;
+  character.rig.file = path;
   if (file_kind(path.string()) == FileKind::gltf) {
-    Result<GltfCharacter> file = read_gltf(path);
+    const std::string name = path.filename().string();
+    const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    Result<GltfCharacter> file = parse_gltf(*bytes, name);
     if (!file) return tl::unexpected(file.error());
-    return CharacterFile{std::move(file->rest), std::move(file->humanoid), std::move(file->doubts),
-                         false};
+    if (const auto fits = check_animations_fit(*bytes, name); !fits) {
+      character.rig.not_glb = fits.error().message;
+    }
+    character.motion = std::move(file->rest);
+    character.given = std::move(file->humanoid);
+    character.doubts = std::move(file->doubts);
+    if (!character.rig.not_glb.empty()) {
+      character.doubts.push_back("motions cannot leave as GLB: " + character.rig.not_glb);
+    }
+    character.places = std::move(file->places);
+    character.rig.format =
+        file->vrm == VrmVersion::none ? CharacterFormat::gltf : CharacterFormat::vrm;
+    character.rig.file_node = std::move(file->file_node);
+    character.rig.vrm_bones = std::move(file->vrm_bones);
+    return character;
   }
-  Result<SkeletonMotion> file = read_bvh(path);
+  Result<BvhFile> file = read_bvh_file(path);
   if (!file) return tl::unexpected(file.error());
-  return CharacterFile{std::move(*file), {}, {}};
+  character.motion = std::move(file->motion);
+  character.rig.channels = std::move(file->channels);
+  return character;
 }
 
-// The arms as those of a person who stands at ease, in their own lengths: a T is how characters
-// are modelled, and nobody reaches from it. Exactly there two axes of a shoulder are one.
-Landmarks with_hanging_arms(Landmarks person, double stature) {
-  const Landmarks at_ease = standing_landmarks(stature, 0.0);
-  const auto hang = [](Landmarks::Arm& arm, const Landmarks::Arm& like) {
-    const auto along = [](const Vec3d& way, const Vec3d& length) {
-      return normalized(way) * norm(length);
-    };
-    const Vec3d elbow = arm.shoulder + along(like.elbow - like.shoulder, arm.elbow - arm.shoulder);
-    const Vec3d wrist = elbow + along(like.wrist - like.elbow, arm.wrist - arm.elbow);
-    const Vec3d tip = wrist + along(like.fingertip - like.wrist, arm.fingertip - arm.wrist);
-    arm = {arm.shoulder, elbow, wrist, tip};
-  };
-  hang(person.left_arm, at_ease.left_arm);
-  hang(person.right_arm, at_ease.right_arm);
-  return person;
+// What ties the file's nodes to the person who was measured from them, in that frame.
+CharacterRig make_rig(CharacterFile&& file, int frame, const HumanoidMap& map,
+                      const MeasuredPerson& person, const Landmarks& start) {
+  CharacterRig result = std::move(file.rig);
+  result.rig = {{}, map, person.grip_nodes, person.placement, person.landmarks, start};
+  const auto& [skeleton, clip] = file.motion;
+  for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
+    const int parent = skeleton.nodes[i].parent;
+    if (result.format == CharacterFormat::bvh) {
+      const LocalTransform& local = clip.frame(skeleton, frame)[i];
+      result.rig.nodes.push_back({parent, local.translation, local.rotation});
+    } else {
+      const GltfPlace& place = file.places[i];
+      result.rig.nodes.push_back({parent, place.translation, place.rotation, place.scale});
+    }
+  }
+  result.skeleton = std::move(file.motion.skeleton);
+  return result;
+}
+
+// The farthest that a joint of one person stands from the other's (m).
+double apart(const Landmarks& a, const Landmarks& b) {
+  double most = max(norm(a.neck - b.neck), norm(a.head_top - b.head_top));
+  for (const Side side : {Side::left, Side::right}) {
+    const Landmarks::Leg& la = a.leg(side);
+    const Landmarks::Leg& lb = b.leg(side);
+    const Landmarks::Arm& aa = a.arm(side);
+    const Landmarks::Arm& ab = b.arm(side);
+    for (const auto& [p, q] : {std::pair{la.hip, lb.hip},
+                               {la.knee, lb.knee},
+                               {la.ankle, lb.ankle},
+                               {la.toe, lb.toe},
+                               {aa.shoulder, ab.shoulder},
+                               {aa.elbow, ab.elbow},
+                               {aa.wrist, ab.wrist},
+                               {aa.fingertip, ab.fingertip},
+                               {grip_of(aa), grip_of(ab)}}) {
+      most = max(most, norm(p - q));
+    }
+  }
+  return most;
 }
 
 }  // namespace
@@ -101,7 +148,7 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   if (const auto ok = check_source(spec); !ok) return ok;
   const std::filesystem::path path = folder / spec.source;
   const std::string name = path.filename().string();
-  const Result<CharacterFile> file = read_character(path);
+  Result<CharacterFile> file = read_character(path);
   if (!file) return tl::unexpected(file.error());
   const auto& [skeleton, clip] = file->motion;
   if (spec.frame < 0 || spec.frame >= clip.frames) {
@@ -124,13 +171,51 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   }
   spec.source = name;
   spec.stature = person->stature;
-  spec.landmarks =
-      file->posture ? person->landmarks : with_hanging_arms(person->landmarks, person->stature);
+  const bool posture = file->rig.format == CharacterFormat::bvh;
+  spec.landmarks = posture ? person->landmarks : at_ease(person->landmarks, person->stature);
   spec.doubts = file->doubts;
   for (const auto* more : {&map->doubts, &person->doubts}) {
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
   }
+  if (person->placement.mirrored()) {
+    spec.doubts.push_back(
+        "files with the character's own skeleton keep the mirrored axes: goals are not where they "
+        "stand in them");
+  }
+  spec.rig = make_rig(std::move(*file), spec.frame, *map, *person, *spec.landmarks);
   return {};
+}
+
+int rig_node(const CharacterSpec& spec, std::string_view body_node) {
+  if (!spec.rig) return -1;
+  if (body_node == "left_hand_grip") return spec.rig->rig.grips[0];
+  if (body_node == "right_hand_grip") return spec.rig->rig.grips[1];
+  for (int b = 0; b < kHumanoidBoneCount; ++b) {
+    const auto bone = static_cast<HumanoidBone>(b);
+    if (humanoid_bone_name(bone) == body_node) return spec.rig->rig.bones[bone];
+  }
+  return -1;
+}
+
+Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path) {
+  constexpr double kSame = 1e-6;  // m
+  // the stature stands in a result whether it was given or measured
+  for (const std::optional<double>& stature : {std::optional<double>{}, spec.stature}) {
+    CharacterSpec fresh{.source = path.string(), .stature = stature, .frame = spec.frame};
+    if (const auto measured = measure_character(fresh, {}); !measured) {
+      if (stature) return measured;
+      continue;
+    }
+    if (!spec.landmarks || !fresh.rig || apart(*spec.landmarks, *fresh.landmarks) > kSame) continue;
+    spec.rig = std::move(fresh.rig);
+    return {};
+  }
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("is not the person of the result, {}, who may have been mirrored or changed "
+                  "since",
+                  spec.source),
+      path.filename().string());
 }
 
 Result<BodyModel> build_character(const CharacterSpec& spec) {

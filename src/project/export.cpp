@@ -11,15 +11,20 @@
 #include <shigusa/project/export.hpp>
 #include <utility>
 
+#include "character_export.hpp"
+
 namespace shigusa {
 namespace {
 
-constexpr std::array<std::pair<const char*, ExportFormat>, 5> kFormats{
+constexpr std::array<std::pair<const char*, ExportFormat>, 7> kFormats{
     {{"bvh", ExportFormat::bvh},
      {"csv", ExportFormat::csv},
      {"svg", ExportFormat::svg},
      {"png", ExportFormat::png},
-     {"pdf", ExportFormat::pdf}}};
+     {"pdf", ExportFormat::pdf},
+     {"glb", ExportFormat::glb},
+     {"vrma", ExportFormat::vrma}}};
+constexpr const char* kOneFile = "candidates.glb";
 
 const char* format_name(ExportFormat format) {
   for (const auto& [name, known] : kFormats) {
@@ -88,10 +93,12 @@ std::string file_name(std::size_t index, const char* format) {
 void remove_surplus(const std::filesystem::path& folder, const std::vector<CandidateFiles>& files) {
   constexpr std::size_t kMany = 1000;
   std::error_code ignored;
+  const bool one = !files.empty() && files[0].contains("glb") && files[0].at("glb") == kOneFile;
+  if (!one) std::filesystem::remove(folder / kOneFile, ignored);
   for (std::size_t i = 0; i < kMany; ++i) {
     bool any = i < files.size();
     for (const auto& [name, format] : kFormats) {
-      if (i < files.size() && files[i].contains(name)) continue;
+      if (i < files.size() && files[i].contains(name) && files[i].at(name) != kOneFile) continue;
       any = std::filesystem::remove(folder / file_name(i, name), ignored) || any;
     }
     if (!any) return;
@@ -153,23 +160,107 @@ Result<std::string> export_candidate(const Task& task, const Candidate& candidat
       return motion_strip(task, candidate, FigureFormat::png);
     case ExportFormat::pdf:
       return motion_strip(task, candidate, FigureFormat::pdf);
+    case ExportFormat::glb:
+    case ExportFormat::vrma:
+      break;
   }
-  return fail(ErrorCode::unsupported, "unknown format");
+  return fail(ErrorCode::unsupported, "a body of one's own has no glTF file to leave in");
+}
+
+namespace {
+
+// One candidate's bytes; `name` of its animation.
+Result<std::string> export_any(const CharacterExporter* character, const Task& task,
+                               const Candidate& candidate, ExportFormat format,
+                               const std::string& name) {
+  if (character != nullptr && format == ExportFormat::bvh) {
+    return character->bvh(task.body, candidate.motion.clip);
+  }
+  if (character != nullptr && format == ExportFormat::glb) {
+    return character->glb(
+        std::vector{character->animation(task.body, candidate.motion.clip, name)});
+  }
+  if (character != nullptr && format == ExportFormat::vrma) {
+    return character->vrma(task.body, candidate.motion.clip, name);
+  }
+  return export_candidate(task, candidate, format);
+}
+
+Result<void> write_one_file(const std::filesystem::path& folder, const CharacterExporter& character,
+                            const Task& task, const Generation& generation) {
+  std::vector<GltfAnimation> animations;
+  for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+    animations.push_back(character.animation(task.body, generation.candidates[i].motion.clip,
+                                             animation_name(i + 1)));
+  }
+  const Result<std::string> bytes = character.glb(animations);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return write_file(folder / kOneFile, *bytes);
+}
+
+}  // namespace
+
+std::vector<ExportFormat> usual_formats(const CharacterSpec& character) {
+  std::vector<ExportFormat> formats{ExportFormat::bvh, ExportFormat::csv, ExportFormat::svg,
+                                    ExportFormat::png};
+  for (const ExportFormat more : {ExportFormat::glb, ExportFormat::vrma}) {
+    if (check_formats(character, {more})) formats.push_back(more);
+  }
+  return formats;
+}
+
+Result<void> check_formats(const CharacterSpec& character,
+                           const std::vector<ExportFormat>& formats) {
+  for (const ExportFormat format : formats) {
+    if (format != ExportFormat::glb && format != ExportFormat::vrma) continue;
+    const std::string asked = std::string("the format ") + format_name(format);
+    if (!character.rig && character.landmarks) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("needs the character's file, {}: give it by --character FILE",
+                              character.source),
+                  asked);
+    }
+    const bool gltf = character.rig && character.rig->format != CharacterFormat::bvh;
+    const bool vrm = gltf && character.rig->format == CharacterFormat::vrm;
+    if (format == ExportFormat::glb && gltf && !character.rig->not_glb.empty()) {
+      return fail(ErrorCode::unsupported, character.rig->not_glb, asked);
+    }
+    if (format == ExportFormat::glb ? gltf : vrm) continue;
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("is for characters from {} files, and {} is none",
+                    format == ExportFormat::glb ? ".glb, .gltf and .vrm" : "VRM", character.source),
+        asked);
+  }
+  return {};
 }
 
 Result<std::string> write_result(const std::filesystem::path& folder, const TaskFile& file,
                                  const Task& task, const Generation& generation,
-                                 const RunInfo& info, const std::vector<ExportFormat>& formats) {
+                                 const RunInfo& info, const ExportSettings& settings) {
+  if (const auto can = check_formats(file.character, settings.formats); !can) {
+    return tl::unexpected(can.error());
+  }
+  std::optional<CharacterExporter> character;
+  if (file.character.rig) character.emplace(*file.character.rig);
   std::vector<CandidateFiles> files(generation.candidates.size());
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    for (const ExportFormat format : formats) {
-      const std::string name = file_name(i, format_name(format));
-      const Result<std::string> bytes = export_candidate(task, generation.candidates[i], format);
+  for (const ExportFormat format : settings.formats) {
+    const bool one = settings.one_file && format == ExportFormat::glb;
+    if (one) {
+      const auto written = write_one_file(folder, *character, task, generation);
+      if (!written) return tl::unexpected(written.error());
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const std::string name = one ? kOneFile : file_name(i, format_name(format));
+      files[i][format_name(format)] = name;
+      if (one) continue;
+      const Result<std::string> bytes =
+          export_any(character ? &*character : nullptr, task, generation.candidates[i], format,
+                     animation_name(i + 1));
       if (!bytes) return tl::unexpected(bytes.error());
       if (const auto written = write_file(folder / name, *bytes); !written) {
         return tl::unexpected(written.error());
       }
-      files[i][format_name(format)] = name;
     }
   }
   remove_surplus(folder, files);

@@ -22,6 +22,7 @@ void mirror(Landmarks& person) {
   }
   for (Landmarks::Arm* arm : {&person.left_arm, &person.right_arm}) {
     for (Vec3d* p : {&arm->shoulder, &arm->elbow, &arm->wrist, &arm->fingertip}) *p = across(*p);
+    if (arm->grip) arm->grip = across(*arm->grip);
   }
   person.neck = across(person.neck);
   person.head_top = across(person.head_top);

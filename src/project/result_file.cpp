@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
-#include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/result_file.hpp>
 
+#include "character_export.hpp"
 #include "parameters_json.hpp"
 #include "task_json.hpp"
 
@@ -75,14 +75,29 @@ const char* path_name(PathKind path) {
   return "";
 }
 
-Json goals_to_json(const Candidate& candidate) {
+// The node of the exported file that a node of the body is: the character's own, if it has one.
+Json joint_of(const CharacterSpec& character, const std::string& body_node) {
+  const int node = rig_node(character, body_node);
+  if (node < 0) return body_node;
+  return character.rig->skeleton.nodes[static_cast<std::size_t>(node)].name;
+}
+
+// Names in glTF may come twice, or be none: indices of the file's nodes do not.
+void add_gltf_node(const CharacterSpec& character, const std::string& body_node, Json& json) {
+  const int node = rig_node(character, body_node);
+  if (node < 0 || character.rig->file_node.empty()) return;
+  json["gltf_node"] = character.rig->file_node[static_cast<std::size_t>(node)];
+}
+
+Json goals_to_json(const CharacterSpec& character, const Candidate& candidate) {
   Json list = Json::array();
   for (const GoalResult& goal : candidate.goals) {
     list.push_back({{"effector", goal.effector},
-                    {"joint", goal.node},
+                    {"joint", joint_of(character, goal.node)},
                     {"goal_m", to_json(goal.goal)},
                     {"reached_m", to_json(goal.reached)},
                     {"error_mm", goal.error * kMillimetres}});
+    add_gltf_node(character, goal.node, list.back());
   }
   return list;
 }
@@ -95,12 +110,13 @@ Json paths_to_json(const Candidate& candidate) {
   return list;
 }
 
-Json contacts_to_json(const Candidate& candidate) {
+Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate) {
   Json list = Json::array();
   for (const ContactResult& contact : candidate.contacts) {
     list.push_back({{"effector", contact.effector},
-                    {"joint", contact.node},
+                    {"joint", joint_of(character, contact.node)},
                     {"max_slide_mm", contact.max_slide * kMillimetres}});
+    add_gltf_node(character, contact.node, list.back());
   }
   return list;
 }
@@ -114,7 +130,8 @@ Json posture_to_json(const FinalPosture& posture) {
   return json;
 }
 
-Json candidate_to_json(const Task& task, const Generation& generation, std::size_t index,
+Json candidate_to_json(const CharacterSpec& character, const Task& task,
+                       const Generation& generation, std::size_t index,
                        const CandidateFiles* files) {
   const Candidate& candidate = generation.candidates[index];
   Json json;
@@ -122,10 +139,10 @@ Json candidate_to_json(const Task& task, const Generation& generation, std::size
   json["score"] = candidate.score.total;
   json["criteria"] = Json::object();
   for (const ScoreTerm& term : candidate.score.terms) json["criteria"][term.name] = term.penalty;
-  json["reached"] = goals_to_json(candidate);
+  json["reached"] = goals_to_json(character, candidate);
   json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
-  json["contacts"] = contacts_to_json(candidate);
+  json["contacts"] = contacts_to_json(character, candidate);
   json["over_limit"] = Json::array();
   for (const LimitExcess& excess : candidate.over_limit) {
     json["over_limit"].push_back({{"dof", excess.dof}, {"excess_deg", degrees(excess.excess)}});
@@ -148,8 +165,9 @@ Json candidate_to_json(const Task& task, const Generation& generation, std::size
   json["files"] = Json::object();
   if (files != nullptr) {
     for (const auto& [format, name] : *files) json["files"][format] = name;
+    if (files->contains("glb")) json["glb_animation"] = animation_name(index + 1);
   }
-  json["bvh_unit_m"] = BvhFormat{}.unit;
+  json["bvh_unit_m"] = bvh_unit(character);
   return json;
 }
 
@@ -268,8 +286,8 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   }
   json["candidates"] = Json::array();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
-    json["candidates"].push_back(
-        candidate_to_json(task, generation, i, i < files.size() ? &files[i] : nullptr));
+    json["candidates"].push_back(candidate_to_json(file.character, task, generation, i,
+                                                   i < files.size() ? &files[i] : nullptr));
   }
   if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
   json["search_detail"] = search_to_json(task, generation);

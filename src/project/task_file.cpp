@@ -41,12 +41,14 @@ void for_each_landmark(Person& p, Visit&& visit) {
   visit("head_top", p.head_top);
 }
 
-// Joints that a person may lack.
+// Points that a person may lack.
 template <class Person, class Visit>
 void for_each_further_landmark(Person& p, Visit&& visit) {
   visit("head", p.head);
   visit("left_clavicle", p.left_arm.clavicle);
   visit("right_clavicle", p.right_arm.clavicle);
+  visit("left_grip", p.left_arm.grip);
+  visit("right_grip", p.right_arm.grip);
 }
 
 constexpr std::array<std::pair<const char*, BodyExtent>, 3> kExtents{

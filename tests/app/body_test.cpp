@@ -63,6 +63,16 @@ TEST_F(Body, HumanoidMapNamesTheFilesNodes) {
   EXPECT_EQ(humanoid.at("hips"), "hips");
 }
 
+TEST_F(Body, PlacementTellsWhereGoalsAreInTheFile) {
+  const Json placement = json({"person.bvh"}).at("placement");
+  EXPECT_NEAR(placement.at("unit_m").get<double>(), 0.01, 1e-12);
+  // the person of the file stands as shigusa's own does, in centimetres
+  EXPECT_NEAR(placement.at("up").at(1).get<double>(), 1.0, 1e-9);
+  EXPECT_NEAR(placement.at("ahead").at(2).get<double>(), 1.0, 1e-6);
+  EXPECT_NEAR(placement.at("origin").at(0).get<double>(), 0.0, 1e-4);
+  EXPECT_FALSE(json({"half_body"}).contains("placement"));
+}
+
 TEST_F(Body, FrameIsTheStartPosture) {
   // the file's person bends the elbow by 0.2 rad from frame to frame
   const auto elbow = [](const Json& object) {

@@ -118,10 +118,13 @@ TEST_F(Edit, LocksThatKeepTheHandFromItsGoalAreToldAsOutOfReach) {
 TEST_F(Edit, OfAPersonFromAFileNeedsTheFileNoMore) {
   work_.put("person.bvh", person_bvh());
   reach({"--character", "person.bvh", "--frame", "2", "--goal", "left_hand=0.1,0.9,0.45"});
+  ASSERT_EQ(edit("result", {"--character", "person.bvh"}).exit_code, 0);
+  EXPECT_EQ(work_.get("result/edit-1/candidate-1.bvh"), work_.get("result/candidate-1.bvh"));
+  // without it the motion is the same, on nodes of the body's own
   std::filesystem::remove(work_ / "person.bvh");
   ASSERT_EQ(edit("result").exit_code, 0);
-  EXPECT_EQ(work_.get("result/edit-1/candidate-1.bvh"), work_.get("result/candidate-1.bvh"));
-  expect_promises_kept(StoredRun(work_, "result/edit-1"));
+  EXPECT_EQ(work_.get("result/edit-2/candidate-1.csv"), work_.get("result/candidate-1.csv"));
+  expect_promises_kept(StoredRun(work_, "result/edit-2"));
 }
 
 TEST_F(Edit, NeverOpensAFileThatAResultNames) {

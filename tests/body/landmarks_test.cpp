@@ -66,7 +66,7 @@ TEST(MeasurePerson, StandingFigureIsMeasuredAsItWasDrawn) {
   const StickFigure figure = standing_figure();
   const MeasuredPerson person = measured(figure);
   EXPECT_NEAR(person.stature, 1.7, 1e-12);
-  EXPECT_EQ(person.unit, 1.0);
+  EXPECT_EQ(person.placement.unit, 1.0);
   EXPECT_THAT(person.doubts, IsEmpty());
   const Landmarks& l = person.landmarks;
   const auto at = [&](const char* name) {
@@ -94,7 +94,7 @@ RC_GTEST_PROP(MeasurePerson, AxesPlaceAndUnitOfTheFileDoNotMatter, ()) {
   const Vec3d place{*rc::gen::inRange(-500, 500) * 1.0, *rc::gen::inRange(-500, 500) * 1.0, 7.0};
   figure.move("Hips", place);
   const MeasuredPerson person = measured(figure);
-  RC_ASSERT(std::abs(person.unit - unit) < 1e-12);
+  RC_ASSERT(std::abs(person.placement.unit - unit) < 1e-12);
   RC_ASSERT(distance(person.landmarks, measured(standing_figure()).landmarks) < 1e-9);
 }
 
@@ -114,7 +114,7 @@ TEST(MeasurePerson, FacingIsTheMeanOfHipsAndShoulders) {
 TEST(MeasurePerson, GivenStatureScalesAndNoUnitIsGuessed) {
   const MeasuredPerson person = measured(standing_figure().transformed(scale(23.0)), {1.19});
   EXPECT_EQ(person.stature, 1.19);
-  EXPECT_NEAR(person.unit, 1.19 / (23.0 * 1.7), 1e-12);
+  EXPECT_NEAR(person.placement.unit, 1.19 / (23.0 * 1.7), 1e-12);
   EXPECT_NEAR(person.landmarks.head_top.y, 1.19, 1e-12);
   EXPECT_THAT(person.doubts, IsEmpty());
 }
@@ -130,13 +130,13 @@ TEST(MeasurePerson, GivenStatureMustBeAPersons) {
 TEST(MeasurePerson, TwoPlausibleUnitsAreADoubt) {
   // 33 units: 0.84 m in inches, 1.86 m in the CMU's unit
   const MeasuredPerson person = measured(standing_figure().transformed(scale(33.0 / 1.7)));
-  EXPECT_NEAR(person.unit, 0.0254 / 0.45, 1e-12);
+  EXPECT_NEAR(person.placement.unit, 0.0254 / 0.45, 1e-12);
   EXPECT_THAT(person.doubts, Contains(HasSubstr("it could be inches, 0.84 m")));
 }
 
 TEST(MeasurePerson, UnusualStatureIsADoubt) {
   const MeasuredPerson person = measured(standing_figure().transformed(scale(100.0 / 1.7)));
-  EXPECT_EQ(person.unit, 0.01);
+  EXPECT_EQ(person.placement.unit, 0.01);
   EXPECT_THAT(person.doubts, Contains(HasSubstr("a stature of 1.00 m is unusual")));
 }
 
@@ -280,6 +280,38 @@ TEST(MeasurePerson, FingertipIsTheFarthestButTheThumb) {
               measured(standing_figure()).landmarks.left_arm.wrist + Vec3d{0.2, 0, 0});
 }
 
+TEST(MeasurePerson, GripIsTheNodeNearestToTheThirdKnuckle) {
+  StickFigure figure = standing_figure();
+  const Vec3d wrist = figure["LeftHand"].at;
+  figure.add("LeftHandThumb1", "LeftHand", wrist + Vec3d{0.09, 0, 0.01});
+  figure.add("LeftHandMiddle1", "LeftHand", wrist + Vec3d{0.1, 0, 0});
+  figure.add("LeftHandMiddle2", "LeftHandMiddle1", wrist + Vec3d{0.2, 0, 0});
+  const MeasuredPerson person = measured(figure);
+  EXPECT_EQ(person.grip_nodes[0], figure.find("LeftHandMiddle1"));
+  expect_near(*person.landmarks.left_arm.grip, person.landmarks.left_arm.wrist + Vec3d{0.1, 0, 0});
+  // a hand without fingers
+  EXPECT_EQ(person.grip_nodes[1], figure.find("RightHand"));
+  EXPECT_EQ(*person.landmarks.right_arm.grip, person.landmarks.right_arm.wrist);
+}
+
+TEST(GripOf, WithoutANodeIsAShareOfTheHand) {
+  const Landmarks::Arm arm = standing_landmarks(1.7, 0.0).left_arm;
+  expect_near(grip_of(arm), arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction);
+}
+
+TEST(Placement, TakesTheFilesPointsToTheLandmarks) {
+  const Mat3d turn = rotation(Axis::x, radians(90)) * rotation(Axis::y, radians(30));
+  for (const double mirror : {1.0, -1.0}) {
+    StickFigure figure = standing_figure().transformed(turn * scale(100.0));
+    for (auto& point : figure.points) point.at = Vec3d{mirror * point.at.x, point.at.y, point.at.z};
+    const MeasuredPerson person = measured(figure);
+    EXPECT_EQ(person.placement.mirrored(), mirror < 0.0);
+    expect_near(person.placement.to_world(figure["LeftLeg"].at), person.landmarks.left_leg.knee);
+    expect_near(person.placement.to_world(figure["RightHand"].at),
+                person.landmarks.right_arm.wrist);
+  }
+}
+
 TEST(MeasurePerson, SegmentsWithoutLengthAreErrors) {
   for (const auto& [upper, lower, segment] :
        {std::tuple("RightUpLeg", "RightLeg", "right thigh"),
@@ -331,7 +363,7 @@ class RealPersons : public ::testing::TestWithParam<RealPerson> {
 TEST_P(RealPersons, HaveOneStatureAndUnitInAllFrames) {
   for (int frame = 0; frame < motion_.clip.frames; frame += 7) {
     const MeasuredPerson person = at(frame);
-    EXPECT_NEAR(person.unit, GetParam().unit, 1e-9) << frame;
+    EXPECT_NEAR(person.placement.unit, GetParam().unit, 1e-9) << frame;
     EXPECT_NEAR(person.stature, GetParam().stature, 0.002) << frame;
   }
 }

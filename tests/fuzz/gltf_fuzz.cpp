@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a glTF, GLB or VRM file to a measured person: nothing may crash, hang or fill
-// the memory, and every number stays finite.
+// From the bytes of a glTF, GLB or VRM file to a measured person, and to the file with an
+// animation: nothing may crash, hang or fill the memory, and every number stays finite.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <shigusa/body/landmarks.hpp>
-#include <shigusa/io/gltf.hpp>
+#include <shigusa/io/gltf_write.hpp>
+#include <span>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -20,6 +21,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const Transformd& x : world) {
     if (!is_finite(x.translation.x + x.translation.y + x.translation.z)) std::abort();
   }
+  // what can be read can be written, or tells why not
+  const GltfAnimation animation{
+      "fuzz", 0.5, 2, {{file->file_node[0], file->places[0], {{}, {}}, {{}, {}}}}};
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  if (const auto written = add_animations(bytes, "fuzz.glb", std::span(&animation, 1))) {
+    if (!parse_gltf(*written, "written.glb")) std::abort();
+  }
+
   const auto map = find_humanoid(skeleton, world, file->humanoid);
   if (!map) return 0;
   const auto person = measure_person(skeleton, world, *map);

@@ -509,6 +509,60 @@ RC_GTEST_PROP(BvhWriter, ReadingBackMovesNoOriginByAMicrometre, ()) {
   RC_ASSERT(moved_by_writing(motion, unit) < 1e-6);
 }
 
+// Channels of three rotations in that order, and of the place where `moves`.
+std::vector<BvhChannel> channels_of(const std::vector<Axis>& order, bool moves) {
+  std::vector<BvhChannel> channels;
+  for (const Axis axis : order) channels.push_back({true, axis});
+  if (moves) {
+    for (const Axis axis : {Axis::y, Axis::z, Axis::x}) channels.push_back({false, axis});
+  }
+  return channels;
+}
+
+RC_GTEST_PROP(BvhWriter, AnyOrderOfChannelsTellsTheSameMotion, ()) {
+  const SkeletonMotion motion = random_body();
+  std::vector<Axis> order{Axis::x, Axis::y, Axis::z};
+  for (int k = *rc::gen::inRange(0, 6); k > 0; --k) {
+    std::next_permutation(order.begin(), order.end());
+  }
+  BvhFormat format;
+  for (const SkeletonNode& node : motion.skeleton.nodes) {
+    format.channels.push_back(node.end_site ? std::vector<BvhChannel>{} : channels_of(order, true));
+  }
+  const BvhFile read = parse_bvh_file(format_bvh(motion, format), "written.bvh").value();
+  const auto at = [&](const SkeletonMotion& of, double unit, std::size_t i, int frame) {
+    return world_transforms(of.skeleton, of.clip, frame)[i].translation * unit;
+  };
+  for (std::size_t i = 0; i < motion.skeleton.nodes.size(); ++i) {
+    const std::string& name = motion.skeleton.nodes[i].name;
+    const int k = read.motion.skeleton.find(name);
+    if (motion.skeleton.nodes[i].end_site || k < 0) continue;
+    const auto& channels = read.channels[static_cast<std::size_t>(k)];
+    RC_ASSERT(channels.size() == 6u);
+    RC_ASSERT(channels[0].axis == order[0] && channels[2].axis == order[2]);
+    RC_ASSERT(!channels[3].rotates && channels[3].axis == Axis::y);
+    for (int f = 0; f < motion.clip.frames; ++f) {
+      RC_ASSERT(norm(at(motion, 1.0, i, f) -
+                     at(read.motion, 0.01, static_cast<std::size_t>(k), f)) < 1e-6);
+    }
+  }
+}
+
+TEST(BvhWriter, ChannelsThatCannotTellAMotionAreReplaced) {
+  SkeletonMotion motion = chain({{{}, {}, {}}, {turned(10, 20, 30), turned(10, 20, 30), {}}});
+  BvhFormat format;
+  format.channels = {{{true, Axis::x}, {true, Axis::y}, {true, Axis::x}},
+                     {{true, Axis::x}},
+                     {{true, Axis::x}},
+                     {}};
+  format.channels.resize(motion.skeleton.nodes.size());
+  const BvhFile read = parse_bvh_file(format_bvh(motion, format), "written.bvh").value();
+  EXPECT_EQ(read.channels[0].size(), 6u);
+  EXPECT_EQ(read.channels[1].size(), 3u);
+  EXPECT_EQ(read.channels[1][0].axis, Axis::z);
+  EXPECT_EQ(read.channels[2].size(), 1u);
+}
+
 TEST(BvhWriter, GimbalLockIsWrittenExactly) {
   for (const double x : {90.0, -90.0}) {
     for (const double off : {0.0, 1e-4, 1e-7, 1e-9, 1e-12}) {

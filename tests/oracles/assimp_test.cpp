@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <assimp/Importer.hpp>
+#include <nlohmann/json.hpp>
 #include <shigusa/project/export.hpp>
 
 #include "support/exported.hpp"
+#include "support/work_folder.hpp"
 
 namespace shigusa {
 namespace {
@@ -115,6 +117,62 @@ TEST_P(AssimpReadsExport, EveryJointIsWhereOurReaderPutsIt) {
 
 INSTANTIATE_TEST_SUITE_P(Of, AssimpReadsExport, testing::Values("half_body", "full_body"),
                          [](const auto& of) { return std::string(of.param); });
+
+// BVH characters, whose motions leave on the file's own nodes.
+class AssimpReadsCharacter : public testing::TestWithParam<const char*> {};
+
+TEST_P(AssimpReadsCharacter, HandEndsWhereItIsToldAndFeetStay) {
+  const std::string shared = SHIGUSA_SHARED_DIR;
+  if (shared.empty()) GTEST_SKIP() << "no recorded characters here";
+  const WorkFolder work;
+  for (const char* hand : {"left_hand", "right_hand"}) {
+    // low in front, at the feet, high to the side
+    for (Vec3d share : {Vec3d{-0.1, 0.35, 0.3}, {-0.08, 0.08, 0.15}, {-0.12, 1.0, 0.15}}) {
+      TaskFile file;
+      file.character.source = shared + "/characters/" + GetParam();
+      ASSERT_TRUE(measure_character(file.character, {}));
+      if (hand[0] == 'l') share.x = -share.x;
+      file.goals = {{hand, share * *file.character.stature}};
+      file.evaluations = 400;
+      file.candidates = 2;
+      const Task task = make_task(file, {}).value();
+      const Generation generation = generate(task).value();
+      const auto summary = nlohmann::json::parse(
+          write_result(work.path(), file, task, generation, {}, {{ExportFormat::bvh}}).value());
+      for (const auto& candidate : summary.at("candidates")) {
+        const AssimpMotion motion(work.get(candidate.at("files").at("bvh")));
+        const double unit = candidate.at("bvh_unit_m");
+        ASSERT_EQ(motion.frames(), candidate.at("frames"));
+        const auto& goal = candidate.at("reached").at(0);
+        const std::vector<double> told = goal.at("reached_m");
+        const Vec3d end = motion.at(goal.at("joint"), motion.frames() - 1) * unit;
+        // assimp computes in single precision, metres from the origin
+        EXPECT_LE(norm(end - Vec3d{told[0], told[1], told[2]}), 2e-5) << hand << share.y;
+        if (generation.status == ReachStatus::reached) {
+          EXPECT_LE(goal.at("error_mm").get<double>(), 1.0);
+        }
+        for (const auto& foot : candidate.at("contacts")) {
+          for (int f = 0; f < motion.frames(); ++f) {
+            const Vec3d moved = motion.at(foot.at("joint"), f) - motion.at(foot.at("joint"), 0);
+            EXPECT_LE(norm(moved) * unit, 1e-3) << foot.at("joint") << ' ' << f;
+          }
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, AssimpReadsCharacter,
+                         testing::Values("assimp__Boxing_Toes.bvh", "pybvh__bvh_test1.bvh",
+                                         "pybvh__standard_skeleton.bvh",
+                                         "fairmotion__pfnn_hierarchy.bvh",
+                                         "blender-cli-rendering__102_01.bvh"),
+                         [](const auto& of) {
+                           std::string name = of.param;
+                           std::erase_if(name,
+                                         [](char c) { return c == '_' || c == '.' || c == '-'; });
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace shigusa

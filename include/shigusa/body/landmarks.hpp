@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <shigusa/body/humanoid_map.hpp>
 #include <shigusa/core/result.hpp>
@@ -30,6 +31,8 @@ struct Landmarks {
     Vec3d wrist;
     Vec3d fingertip;
     std::optional<Vec3d> clavicle{};  // its joint with the breastbone; none: part of the trunk
+    // where the hand holds things: of a character the node nearest to it; see grip_of
+    std::optional<Vec3d> grip{};
   };
   Leg left_leg;
   Leg right_leg;
@@ -49,12 +52,28 @@ struct Landmarks {
   }
 };
 
+// The point that an arm's goals are given for: its own grip, or the third knuckle.
+[[nodiscard]] Vec3d grip_of(const Landmarks::Arm& arm);
+
+// Where a file's person stands in shigusa's world:
+// p_world = unit · (left, up, ahead)ᵀ (p_file - origin).
+struct Placement {
+  Vec3d left{1, 0, 0};  // unit vectors in the file's axes
+  Vec3d up{0, 1, 0};
+  Vec3d ahead{0, 0, 1};  // -(left × up) where the file is mirrored
+  Vec3d origin{};        // on the floor between the feet, in the file's units and axes
+  double unit = 1.0;     // m per unit of the file
+
+  [[nodiscard]] Vec3d to_world(const Vec3d& p) const;
+  [[nodiscard]] bool mirrored() const { return dot(cross(left, up), ahead) < 0.0; }
+};
+
 // What was read from a person's skeleton.
 struct MeasuredPerson {
   Landmarks landmarks;
   double stature = 0.0;             // m, standing height: measured along the bones, not the posture
-  double unit = 1.0;                // m per unit of the source file
-  Vec3d up{0, 1, 0};                // the file's axis that points up
+  Placement placement;              // of the file in shigusa's world
+  std::array<int, 2> grip_nodes{};  // left, right: the nodes at the hands' grips
   std::vector<std::string> doubts;  // guesses: the unit, a missing toe, a lifted foot
 };
 
@@ -78,6 +97,8 @@ struct MeasureSettings {
 //   hips to the vertex; left and right averaged.
 // - Fingertips and toe tips are the farthest nodes below hand and foot, without the thumb; the
 //   vertex is the head's tip. Missing ones are placed by the proportions of anthropometry.hpp.
+// - A hand's grip is the node nearest to kGripFraction of the way from wrist to fingertip, of the
+//   hand and what has a name below it, thumbs excepted.
 // - The floor is where the sole of the lower foot is: 0.039 of the stature below its ankle, or at
 //   the tip of the toes.
 [[nodiscard]] Result<MeasuredPerson> measure_person(const Skeleton& skeleton,

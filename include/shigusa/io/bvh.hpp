@@ -7,6 +7,7 @@
 #include <shigusa/core/result.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace shigusa {
 
@@ -17,6 +18,20 @@ inline constexpr int kBvhMaxFrames = 200'000;
 inline constexpr std::size_t kBvhMaxTransforms = 8'000'000;  // frames × nodes: 450 MB
 // Numbers beyond this are refused, infinities and NaN among them.
 inline constexpr double kBvhMaxValue = 1e9;
+
+// One column of a BVH's motion.
+struct BvhChannel {
+  bool rotates = false;
+  Axis axis = Axis::x;
+};
+// (nodes) the channels of each in their order; of end sites none.
+using BvhChannels = std::vector<std::vector<BvhChannel>>;
+
+// A BVH file: its motion, and how it writes it.
+struct BvhFile {
+  SkeletonMotion motion;
+  BvhChannels channels;
+};
 
 // Parses BVH text. Lengths stay in the file's own unit (BVH does not tell it) and axes in the
 // file's own directions; angles become rotations. Channels in any order and number per joint, LF or
@@ -35,11 +50,18 @@ inline constexpr double kBvhMaxValue = 1e9;
 //   writers count frames from 0.
 [[nodiscard]] Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name);
 
+// The same with the channels.
+[[nodiscard]] Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name);
+
 // Reads and parses a BVH file.
 [[nodiscard]] Result<SkeletonMotion> read_bvh(const std::filesystem::path& path);
+[[nodiscard]] Result<BvhFile> read_bvh_file(const std::filesystem::path& path);
 
 struct BvhFormat {
   double unit = 0.01;  // m per unit written: centimetres, what animation tools expect of BVH
+  // Channels of the nodes as another file has them; empty: as told below. A node keeps its own
+  // where they can tell its motion: three different rotations, and three positions if it moves.
+  BvhChannels channels{};
 };
 
 // The motion as BVH text: roots with 6 channels, other nodes with Zrotation Xrotation Yrotation; a

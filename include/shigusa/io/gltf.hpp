@@ -8,6 +8,7 @@
 #include <shigusa/core/result.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace shigusa {
@@ -21,14 +22,24 @@ inline constexpr double kGltfMaxValue = 1e9;
 
 enum class VrmVersion { none, v0, v1 };
 
+// Where a node stands in its parent at rest: translation · rotation · scale.
+struct GltfPlace {
+  Vec3d translation{};
+  Quatd rotation{};
+  Vec3d scale{1, 1, 1};
+};
+
 // The skeleton of a character in glTF 2.0. Metres, +Y up; characters face +Z, those of VRM 0.x -Z.
 struct GltfCharacter {
   // one frame, the rest pose: where the nodes' own places put them, whatever pose the mesh was
   // bound in. No node is turned in it: offsets are along the axes of the world.
   SkeletonMotion rest;
-  std::vector<int> file_node;  // (nodes) the index that each has in the file
+  std::vector<int> file_node;     // (nodes) the index that each has in the file
+  std::vector<GltfPlace> places;  // (nodes) as the file has them; a matrix in its parts
   VrmVersion vrm = VrmVersion::none;
   HumanoidMap humanoid;  // what a VRM file tells of its bones; empty for others
+  // all of VRM's bones by its own names, "leftUpperLeg": nodes of the skeleton
+  std::vector<std::pair<std::string, int>> vrm_bones;
   std::vector<std::string> doubts;
 };
 

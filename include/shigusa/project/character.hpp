@@ -5,11 +5,29 @@
 #include <optional>
 #include <shigusa/body/human_body.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/io/gltf.hpp>
+#include <shigusa/kinematics/rig.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace shigusa {
+
+enum class CharacterFormat { bvh, gltf, vrm };
+
+// A character's own skeleton, for motions to leave on it.
+struct CharacterRig {
+  std::filesystem::path file;  // where it was read
+  CharacterFormat format = CharacterFormat::bvh;
+  Skeleton skeleton;                                   // names; offsets in the file's units
+  Rig rig;                                             // its nodes as the file has them
+  BvhChannels channels;                                // of BVH
+  std::vector<int> file_node;                          // of glTF: (nodes) indices in the file
+  std::vector<std::pair<std::string, int>> vrm_bones;  // of VRM
+  std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
+};
 
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
@@ -26,7 +44,12 @@ struct CharacterSpec {
   std::vector<std::string> doubts{};  // what was guessed in measuring
   // what measuring found: humanoid bone and the file's node for it; not kept in files
   std::vector<std::pair<std::string, std::string>> humanoid{};
+  std::optional<CharacterRig> rig{};  // not kept in files either
 };
+
+// The node of the character's file that a node of the body is ("right_foot", "right_hand_grip"), or
+// -1 where it is none, or the spec has no rig.
+[[nodiscard]] int rig_node(const CharacterSpec& spec, std::string_view body_node);
 
 // True for "half_body", "full_body" and "human", which need no file.
 [[nodiscard]] bool is_built_in(const CharacterSpec& spec);
@@ -36,11 +59,15 @@ struct CharacterSpec {
 [[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
 
 // Reads and measures the file that `source` names, if it does and has not been measured yet: fills
-// stature, landmarks and doubts, and leaves the file's bare name as the source. glTF has a rest
-// pose in place of a posture, mostly a T: the arms hang then. A relative path starts at `folder`.
-// Errors name the file and the place.
+// stature, landmarks, doubts and rig, and leaves the file's bare name as the source. glTF has a
+// rest pose in place of a posture, mostly a T: the person stands at_ease then. A relative path
+// starts at `folder`. Errors name the file and the place.
 [[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
                                              const std::filesystem::path& folder);
+
+// Finds the rig of a person who was measured before in their file. Fails where the file cannot be
+// read or holds another person: joints that stand elsewhere by more than 1 µm.
+[[nodiscard]] Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path);
 
 // Makes the body. The spec must have been measured. Fails on a stature or mass out of range.
 [[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec);

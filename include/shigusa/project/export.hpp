@@ -10,24 +10,43 @@
 namespace shigusa {
 
 // What a candidate can be written as.
-enum class ExportFormat { bvh, csv, svg, png, pdf };
+enum class ExportFormat { bvh, csv, svg, png, pdf, glb, vrma };
 
 // Parses a list such as "bvh,csv,png"; an empty one is no format.
 [[nodiscard]] Result<std::vector<ExportFormat>> parse_formats(std::string_view list);
 
+// The formats that a character gets when none are asked for: bvh, csv, svg and png; glb where the
+// character's glTF file is at hand, and vrma where that is a VRM.
+[[nodiscard]] std::vector<ExportFormat> usual_formats(const CharacterSpec& character);
+
+// Fails on a format that this character cannot leave in: glb is for characters from .glb, .gltf and
+// .vrm files, vrma for those with VRM's bones.
+[[nodiscard]] Result<void> check_formats(const CharacterSpec& character,
+                                         const std::vector<ExportFormat>& formats);
+
 // Makes the folder, if need be, and makes sure that files can be written to it.
 [[nodiscard]] Result<void> prepare_folder(const std::filesystem::path& folder);
+
+struct ExportSettings {
+  std::vector<ExportFormat> formats;
+  bool one_file = false;  // all candidates in candidates.glb, in place of a GLB for each
+};
 
 // Writes each candidate in each format ("candidate-1.bvh", …) and the result as summary.json into
 // the folder. Candidates' files of an earlier result there are removed where this one has none of
 // that rank or format. Returns the text of summary.json.
+//
+// A character whose file is at hand (CharacterSpec::rig) leaves on its own skeleton, in the world
+// that goals are given in: BVH has the file's nodes, of a BVH also its channels and unit; GLB is
+// the file with animations added ("shigusa candidate 1", …); VRMA is for any VRM character.
 [[nodiscard]] Result<std::string> write_result(const std::filesystem::path& folder,
                                                const TaskFile& file, const Task& task,
                                                const Generation& generation, const RunInfo& info,
-                                               const std::vector<ExportFormat>& formats);
+                                               const ExportSettings& settings);
 
-// One candidate as a file's bytes. BVH: body_skeleton in centimetres. CSV: joint angles, torques,
-// centre of mass and hand path against time. SVG, PNG, PDF: the strip figure.
+// One candidate on the body's own skeleton as a file's bytes. BVH: body_skeleton in centimetres.
+// CSV: joint angles, torques, centre of mass and hand path against time. SVG, PNG, PDF: the strip
+// figure.
 [[nodiscard]] Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
                                                    ExportFormat format);
 

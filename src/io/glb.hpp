@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace shigusa {
+
+// The little-endian 32-bit number at a place of the bytes, which must have it.
+[[nodiscard]] inline std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  return word;
+}
+
+inline void append_word(std::string& bytes, std::uint32_t word) {
+  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> 8 * i & 0xFF);
+}
+
+inline constexpr std::size_t kGlbHeader = 12;      // bytes of the file's own
+inline constexpr std::size_t kGlbChunkHeader = 8;  // and of each chunk's: length and kind
+inline constexpr std::string_view kGlbJson = "JSON";
+inline constexpr std::string_view kGlbBinary{"BIN\0", 4};
+
+}  // namespace shigusa

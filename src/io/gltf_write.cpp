@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <optional>
+#include <shigusa/core/check.hpp>
+#include <shigusa/io/gltf_write.hpp>
+
+#include "glb.hpp"
+#include "gltf_json.hpp"
+#include "json_splice.hpp"
+
+namespace shigusa {
+namespace {
+
+using Value = JsonSplice::Value;
+
+constexpr int kFloat = 5126;  // glTF's componentType
+
+// A file's parts: chunks of a GLB, or the text of a .gltf.
+struct Parts {
+  std::string_view json;
+  std::optional<std::string_view> binary;
+  std::string_view further;  // chunks, whole
+  bool glb = false;
+};
+
+Result<Parts> parts_of(std::string_view bytes, std::string_view name) {
+  if (!bytes.starts_with("glTF")) return Parts{bytes, {}, {}, false};
+  // the reader has seen to the header and the first chunk
+  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + word_at(bytes, kGlbHeader);
+  if (word_at(bytes, 8) < json_end) {
+    return fail(ErrorCode::parse,
+                fmt::format("its header tells {} bytes, but its first chunk ends after {}",
+                            word_at(bytes, 8), json_end),
+                std::string(name));
+  }
+  Parts parts{bytes.substr(kGlbHeader + kGlbChunkHeader, word_at(bytes, kGlbHeader)), {}, {}, true};
+  std::string_view rest = bytes.substr(json_end, word_at(bytes, 8) - json_end);
+  if (rest.size() >= kGlbChunkHeader && rest.substr(4, 4) == kGlbBinary) {
+    const std::size_t length = word_at(rest, 0);
+    if (length > rest.size() - kGlbChunkHeader) {
+      return fail(ErrorCode::parse,
+                  fmt::format("its binary chunk tells {} bytes, but {} follow", length,
+                              rest.size() - kGlbChunkHeader),
+                  std::string(name));
+    }
+    parts.binary = rest.substr(kGlbChunkHeader, length);
+    rest = rest.substr(kGlbChunkHeader + length);
+  }
+  parts.further = rest;
+  return parts;
+}
+
+void append_float(std::string& bytes, double value) {
+  append_word(bytes, __builtin_bit_cast(std::uint32_t, static_cast<float>(value)));
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool padding = i + k > bytes.size();
+      text += padding ? '=' : kLetters[group >> (18 - 6 * k) & 63];
+    }
+  }
+  return text;
+}
+
+// Lays out the numbers of animations, each in a buffer view of its own, and their JSON entries.
+class Layout {
+ public:
+  Layout(std::size_t accessor, std::size_t view, std::size_t buffer, std::size_t offset)
+      : accessor_(accessor), view_(view), buffer_(buffer), offset_(offset) {}
+
+  void add(const GltfAnimation& animation) {
+    SHG_CHECK(animation.frames >= 1 && !animation.tracks.empty(), "an animation has tracks");
+    view_begin_ = data.size();
+    channels_.clear();
+    samplers_.clear();
+    sampler_ = 0;
+    add_times(animation);
+    for (const GltfTrack& track : animation.tracks) {
+      if (!track.rotations.empty()) add_rotations(track);
+      if (!track.translations.empty()) add_translations(track);
+    }
+    item(views, fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{}}})", buffer_,
+                            offset_ + view_begin_, data.size() - view_begin_));
+    ++view_;
+    item(animations, fmt::format(R"({{"name":{},"channels":[{}],"samplers":[{}]}})",
+                                 json_quoted(animation.name), channels_, samplers_));
+  }
+
+  std::string accessors;
+  std::string views;
+  std::string animations;
+  std::string data;
+
+ private:
+  static void item(std::string& list, const std::string& text) {
+    if (!list.empty()) list += ',';
+    list += text;
+  }
+
+  // Begins where data ends now; `more` members.
+  std::size_t add_accessor(std::size_t count, const char* type, const std::string& more = {}) {
+    item(accessors,
+         fmt::format(
+             R"({{"bufferView":{},"byteOffset":{},"componentType":{},"count":{},"type":"{}"{}}})",
+             view_, data.size() - view_begin_, kFloat, count, type, more));
+    return accessor_++;
+  }
+
+  void add_times(const GltfAnimation& animation) {
+    // what is told of the ends is what stands in the data: as floats
+    const double last = static_cast<float>((animation.frames - 1) * animation.frame_time);
+    times_ = add_accessor(static_cast<std::size_t>(animation.frames), "SCALAR",
+                          fmt::format(R"(,"min":[0],"max":[{}])", last));
+    for (int f = 0; f < animation.frames; ++f) append_float(data, f * animation.frame_time);
+  }
+
+  void add_channel(int node, const char* path, std::size_t output) {
+    item(channels_, fmt::format(R"({{"sampler":{},"target":{{"node":{},"path":"{}"}}}})",
+                                sampler_++, node, path));
+    item(samplers_,
+         fmt::format(R"({{"input":{},"interpolation":"LINEAR","output":{}}})", times_, output));
+  }
+
+  void add_rotations(const GltfTrack& track) {
+    add_channel(track.node, "rotation", add_accessor(track.rotations.size(), "VEC4"));
+    Quatd before = track.rest.rotation;
+    for (Quatd q : track.rotations) {
+      if (q.x * before.x + q.y * before.y + q.z * before.z + q.w * before.w < 0.0) {
+        q = {-q.x, -q.y, -q.z, -q.w};
+      }
+      for (const double value : {q.x, q.y, q.z, q.w}) append_float(data, value);
+      before = q;
+    }
+  }
+
+  void add_translations(const GltfTrack& track) {
+    add_channel(track.node, "translation", add_accessor(track.translations.size(), "VEC3"));
+    for (const Vec3d& p : track.translations) {
+      for (const double value : {p.x, p.y, p.z}) append_float(data, value);
+    }
+  }
+
+  std::size_t accessor_;
+  std::size_t view_;
+  std::size_t buffer_;
+  std::size_t offset_;  // of the data in its buffer
+  std::size_t view_begin_ = 0;
+  std::size_t times_ = 0;  // accessor
+  std::size_t sampler_ = 0;
+  std::string channels_;
+  std::string samplers_;
+};
+
+// Adds to one file. Each step returns an error or goes on.
+class AnimationAdder {
+ public:
+  AnimationAdder(const Parts& parts, std::string_view name)
+      : parts_(parts),
+        name_(name),
+        json_(parts.json),
+        root_(json_.root()),
+        buffers_(json_.elements(json_.member(root_, "buffers"))) {}
+
+  [[nodiscard]] Result<void> check() const {
+    for (const char* list : {"buffers", "images"}) {
+      if (auto own = refers_to_no_file(list); !own) return own;
+    }
+    if (buffers_.empty() || !in_chunk()) return {};
+    if (!parts_.binary) return wrong("buffers[0] is of the binary chunk, and there is none");
+    return json_.member(buffers_[0], "byteLength") ? Result<void>{}
+                                                   : wrong("buffers[0] has no byteLength");
+  }
+
+  Result<std::string> add(std::span<const GltfAnimation> animations) {
+    if (auto can = check(); !can) return tl::unexpected<Error>(can.error());
+    const bool chunk = in_chunk();
+    std::string binary(chunk ? parts_.binary.value_or("") : "");
+    binary.resize((binary.size() + 3) / 4 * 4);
+    Layout layout(json_.count(json_.member(root_, "accessors")),
+                  json_.count(json_.member(root_, "bufferViews")), chunk ? 0 : buffers_.size(),
+                  binary.size());
+    for (const GltfAnimation& animation : animations) {
+      layout.add(animation);
+      free_matrices(animation);
+    }
+    json_.append("accessors", layout.accessors);
+    json_.append("bufferViews", layout.views);
+    json_.append("animations", layout.animations);
+    if (!chunk) {
+      json_.append(
+          "buffers",
+          fmt::format(R"({{"byteLength":{},"uri":"data:application/octet-stream;base64,{}"}})",
+                      layout.data.size(), base64(layout.data)));
+      return assemble(parts_.binary);
+    }
+    binary += layout.data;
+    tell_length(binary.size());
+    return assemble(binary);
+  }
+
+ private:
+  [[nodiscard]] Result<void> wrong(std::string message) const {
+    return fail(ErrorCode::parse, std::move(message), std::string(name_));
+  }
+
+  // The binary chunk is the first buffer's, if that has no address.
+  [[nodiscard]] bool in_chunk() const {
+    return buffers_.empty() || (parts_.glb && !json_.member(buffers_[0], "uri"));
+  }
+
+  [[nodiscard]] Result<void> refers_to_no_file(const char* list) const {
+    std::size_t i = 0;
+    if (json_.count(json_.member(root_, list)) > JsonSplice::kMostElements) {
+      return wrong(fmt::format("more than {} {}", JsonSplice::kMostElements, list));
+    }
+    for (const Value& each : json_.elements(json_.member(root_, list))) {
+      const std::string_view uri = json_.text_of(json_.member(each, "uri"));
+      if (!uri.empty() && !uri.starts_with("\"data:")) {
+        return fail(ErrorCode::unsupported,
+                    fmt::format("{}[{}] lies in another file, {}, which a copy would lose: make it "
+                                "one .glb file first",
+                                list, i, printable(uri)),
+                    std::string(name_));
+      }
+      ++i;
+    }
+    return {};
+  }
+
+  static std::string printable(std::string_view text) {
+    constexpr std::size_t kLongest = 80;
+    std::string shown;
+    for (const char c : text.substr(0, kLongest)) shown += c >= ' ' && c < 0x7F ? c : '?';
+    return shown;
+  }
+
+  // glTF lets only translation, rotation and scale be animated.
+  void free_matrices(const GltfAnimation& animation) {
+    if (nodes_.empty()) nodes_ = json_.elements(json_.member(root_, "nodes"));
+    freed_.resize(nodes_.size());
+    for (const GltfTrack& track : animation.tracks) {
+      const auto i = static_cast<std::size_t>(track.node);
+      SHG_CHECK(track.node >= 0 && i < nodes_.size(), "a node of the file");
+      const Value matrix = json_.member(nodes_[i], "matrix");
+      if (!matrix || freed_[i]) continue;
+      freed_[i] = true;
+      const auto& [t, r, s] = track.rest;
+      json_.replace(
+          matrix.key_begin, matrix.end,
+          fmt::format(R"("translation":{},"rotation":{},"scale":{})", json_numbers({t.x, t.y, t.z}),
+                      json_numbers({r.x, r.y, r.z, r.w}), json_numbers({s.x, s.y, s.z})));
+    }
+  }
+
+  void tell_length(std::size_t length) {
+    if (buffers_.empty()) {
+      json_.append("buffers", fmt::format(R"({{"byteLength":{}}})", length));
+      return;
+    }
+    const Value told = json_.member(buffers_[0], "byteLength");
+    json_.replace(told.begin, told.end, fmt::format("{}", length));
+  }
+
+  [[nodiscard]] std::string assemble(std::optional<std::string_view> binary) const {
+    std::string text = json_.finish();
+    // a byte order mark has no place in a GLB
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string chunks;
+    const auto chunk = [&](std::string_view kind, std::string_view bytes) {
+      append_word(chunks, static_cast<std::uint32_t>(bytes.size()));
+      chunks += kind;
+      chunks += bytes;
+    };
+    chunk(kGlbJson, text);
+    if (binary) chunk(kGlbBinary, *binary);
+    chunks += parts_.further;
+    std::string file = "glTF";
+    append_word(file, 2);
+    append_word(file, static_cast<std::uint32_t>(chunks.size() + kGlbHeader));
+    return file += chunks;
+  }
+
+  const Parts& parts_;
+  std::string_view name_;
+  JsonSplice json_;
+  Value root_;
+  std::vector<Value> buffers_;
+  std::vector<Value> nodes_;
+  std::vector<bool> freed_;  // (nodes) its matrix was replaced
+};
+
+}  // namespace
+
+Result<void> check_animations_fit(std::string_view bytes, std::string_view name) {
+  const Result<Parts> parts = parts_of(bytes, name);
+  if (!parts) return tl::unexpected<Error>(parts.error());
+  return AnimationAdder(*parts, name).check();
+}
+
+Result<std::string> add_animations(std::string_view bytes, std::string_view name,
+                                   std::span<const GltfAnimation> animations) {
+  if (const auto json = read_gltf_json(bytes, name); !json) {
+    return tl::unexpected<Error>(json.error());
+  }
+  const Result<Parts> parts = parts_of(bytes, name);
+  if (!parts) return tl::unexpected<Error>(parts.error());
+  return AnimationAdder(*parts, name).add(animations);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include <optional>
+#include <shigusa/core/check.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/kinematics/rig.hpp>
+#include <string>
+
+#include "body/human_frames.hpp"
+
+namespace shigusa {
+namespace {
+
+using Bone = HumanoidBone;
+
+// An affine map p -> linear p + at; rotations of the file come with scales in them.
+using Affine = Transformd;
+
+Transformd segment(const Mat3d& frame, const Vec3d& joint, const Vec3d& far) {
+  return {along_segment(frame, joint, far), joint};
+}
+
+// What a bone's segment is in one posture: its orientation, and the joint that it hangs on.
+Transformd segment(Bone bone, const Landmarks& person, const HumanFrames& frames) {
+  const Landmarks::Leg& left_leg = person.left_leg;
+  const Landmarks::Leg& right_leg = person.right_leg;
+  const Landmarks::Arm& left_arm = person.left_arm;
+  const Landmarks::Arm& right_arm = person.right_arm;
+  switch (bone) {
+    case Bone::left_upper_leg:
+      return segment(frames.left_leg.thigh, left_leg.hip, left_leg.knee);
+    case Bone::right_upper_leg:
+      return segment(frames.right_leg.thigh, right_leg.hip, right_leg.knee);
+    case Bone::left_lower_leg:
+      return segment(frames.left_leg.shank, left_leg.knee, left_leg.ankle);
+    case Bone::right_lower_leg:
+      return segment(frames.right_leg.shank, right_leg.knee, right_leg.ankle);
+    case Bone::left_foot:
+    case Bone::left_toes:
+      return {frames.left_leg.foot, left_leg.ankle};
+    case Bone::right_foot:
+    case Bone::right_toes:
+      return {frames.right_leg.foot, right_leg.ankle};
+    case Bone::left_upper_arm:
+      return segment(frames.left_arm.upper_arm, left_arm.shoulder, left_arm.elbow);
+    case Bone::right_upper_arm:
+      return segment(frames.right_arm.upper_arm, right_arm.shoulder, right_arm.elbow);
+    case Bone::left_lower_arm:
+    case Bone::left_hand:
+      return segment(frames.left_arm.forearm, left_arm.elbow, left_arm.wrist);
+    case Bone::right_lower_arm:
+    case Bone::right_hand:
+      return segment(frames.right_arm.forearm, right_arm.elbow, right_arm.wrist);
+    default:
+      return {frames.trunk, (left_leg.hip + right_leg.hip) * 0.5};
+  }
+}
+
+const BodyNode* find_node(const BodyModel& body, const std::string& name) {
+  for (const BodyNode& node : body.nodes()) {
+    if (node.name == name) return &node;
+  }
+  return nullptr;
+}
+
+// What moves a node: a link of the body, from the posture at rest on.
+struct Driver {
+  int link = kBaseLink;
+  Transformd to_start;  // world at rest -> world in the start posture
+  bool carries = true;  // the node stands where the link takes it, or on its parent
+};
+
+// The driver of each mapped bone, or nothing where the body has no such bone.
+std::optional<Driver> driver_of(Bone bone, const BodyModel& body, const Rig& rig,
+                                const HumanFrames& rest, const HumanFrames& start) {
+  const Transformd to_start =
+      segment(bone, rig.start, start) * inverse(segment(bone, rig.rest, rest));
+  std::string name(humanoid_bone_name(bone));
+  constexpr std::string_view kLeft = "left_";
+  const bool left_leg = name == "left_upper_leg" || name == "left_lower_leg" ||
+                        name == "left_foot" || name == "left_toes";
+  // a half body's left leg goes as its right one
+  const bool half = left_leg && find_node(body, "left_lower_leg") == nullptr;
+  if (half) name = "right_" + name.substr(kLeft.size());
+  const BodyNode* node = find_node(body, name);
+  if (node == nullptr) return std::nullopt;
+  return Driver{node->link, to_start, !half};
+}
+
+// The rotation nearest to a matrix whose columns are all but orthogonal.
+Mat3d orthonormal(const Mat3d& m) {
+  const Vec3d x = normalized(m.cx, {1, 0, 0});
+  const Vec3d z = normalized(cross(x, m.cy), {0, 0, 1});
+  return {x, cross(z, x), z};
+}
+
+// To rounding; q and -q are the same.
+bool same_rotation(const Quatd& a, const Quatd& b) {
+  constexpr double kSame = 1e-9;  // half the angle between them (rad)
+  const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0.0 ? -1.0 : 1.0;
+  return max(max(abs(a.x - sign * b.x), abs(a.y - sign * b.y)),
+             max(abs(a.z - sign * b.z), abs(a.w - sign * b.w))) < kSame;
+}
+
+// Of a matrix with three columns that are no plane.
+std::optional<Mat3d> inverse_of(const Mat3d& m) {
+  const Vec3d a = cross(m.cy, m.cz);
+  const Vec3d b = cross(m.cz, m.cx);
+  const Vec3d c = cross(m.cx, m.cy);
+  const double determinant = dot(m.cx, a);
+  const double size = norm(m.cx) * norm(m.cy) * norm(m.cz);
+  constexpr double kFlat = 1e-9;
+  if (!(abs(determinant) > kFlat * size)) return std::nullopt;
+  const double over = 1.0 / determinant;
+  return transpose(Mat3d{a * over, b * over, c * over});
+}
+
+class RigMover {
+ public:
+  RigMover(const BodyModel& body, const Rig& rig)
+      : body_(body), rig_(rig), start_(body), now_(body), driver_(rig.nodes.size(), -1) {
+    forward_kinematics<double>(body, body.start(), start_);
+    const HumanFrames rest = human_frames(rig.rest);
+    const HumanFrames start = human_frames(rig.start);
+    for (int b = 0; b < kHumanoidBoneCount; ++b) {
+      const int node = rig.bones.node[static_cast<std::size_t>(b)];
+      if (node < 0) continue;
+      const auto driver = driver_of(static_cast<Bone>(b), body, rig, rest, start);
+      if (!driver) continue;
+      drive(node, *driver);
+    }
+    for (const Side side : {Side::left, Side::right}) {
+      // one that a hand's other node is goes with the hand, and is where goals are to be
+      const int grip = rig.grips[static_cast<std::size_t>(side)];
+      const auto hand = side == Side::left ? Bone::left_hand : Bone::right_hand;
+      if (grip < 0 || driver_[static_cast<std::size_t>(grip)] >= 0) continue;
+      if (const auto driver = driver_of(hand, body, rig, rest, start)) drive(grip, *driver);
+    }
+    find_places();
+  }
+
+  RigMotion play(const Clip& clip) {
+    const std::size_t nodes = rig_.nodes.size();
+    RigMotion motion{clip.frame_time, clip.frames, {}, {}, {}};
+    motion.turns.resize(nodes);
+    motion.moves.resize(nodes);
+    motion.local.reserve(static_cast<std::size_t>(clip.frames) * nodes);
+    for (int f = 0; f < clip.frames; ++f) {
+      forward_kinematics<double>(body_, clip.frame(f), now_);
+      for (std::size_t i = 0; i < nodes; ++i) motion.local.push_back(place(i, motion));
+    }
+    return motion;
+  }
+
+ private:
+  void drive(int node, const Driver& driver) {
+    driver_[static_cast<std::size_t>(node)] = static_cast<int>(drivers_.size());
+    drivers_.push_back(driver);
+  }
+
+  // of nodes at rest, and who moves those that are no bones
+  void find_places() {
+    for (std::size_t i = 0; i < rig_.nodes.size(); ++i) {
+      const RigNode& node = rig_.nodes[i];
+      SHG_CHECK(node.parent < static_cast<int>(i), "parents come before their children");
+      const Mat3d turn = to_matrix(node.rotation);
+      const Affine local{{turn.cx * node.scale.x, turn.cy * node.scale.y, turn.cz * node.scale.z},
+                         node.translation};
+      if (node.parent < 0) {
+        rest_.push_back(local);
+        continue;
+      }
+      const auto parent = static_cast<std::size_t>(node.parent);
+      rest_.push_back(rest_[parent] * local);
+      if (driver_[i] < 0) driver_[i] = driver_[parent];
+    }
+    placed_ = rest_;
+  }
+
+  // Where a driver takes what stands at rest at p, in the file's units: of all maps the rotation
+  // alone has a linear part, as the units cancel.
+  [[nodiscard]] Affine moved(const Driver& driver, const Affine& rest) const {
+    const Transformd from{start_.link_rotation(driver.link), start_.link_origin(driver.link)};
+    const Transformd to{now_.link_rotation(driver.link), now_.link_origin(driver.link)};
+    const Transformd move = to * inverse(from) * driver.to_start;
+    const Placement& file = rig_.placement;
+    const Mat3d axes = transpose(Mat3d{file.left, file.up, file.ahead});
+    const Vec3d at = move * file.to_world(rest.translation);
+    if (!file.mirrored()) return {move.rotation * (axes * rest.rotation), at * (1.0 / file.unit)};
+    return {transpose(axes) * (move.rotation * (axes * rest.rotation)),
+            transpose_times(axes, at) * (1.0 / file.unit) + file.origin};
+  }
+
+  // A node in its parent, whose place in this frame is known.
+  LocalTransform place(std::size_t i, RigMotion& motion) {
+    const RigNode& node = rig_.nodes[i];
+    LocalTransform local{node.translation, node.rotation};
+    const auto parent = static_cast<std::size_t>(node.parent);
+    const Affine above = node.parent < 0 ? Affine{} : placed_[parent];
+    const bool changes = driver_[i] >= 0 && (node.parent < 0 || driver_[i] != driver_[parent]);
+    const std::optional<Mat3d> to_parent = changes ? inverse_of(above.rotation) : std::nullopt;
+    if (to_parent) turn(i, above, *to_parent, local, motion);
+    const Mat3d r = to_matrix(local.rotation);
+    placed_[i] = above * Affine{{r.cx * node.scale.x, r.cy * node.scale.y, r.cz * node.scale.z},
+                                local.translation};
+    return local;
+  }
+
+  void turn(std::size_t i, const Affine& above, const Mat3d& to_parent, LocalTransform& local,
+            RigMotion& motion) const {
+    const RigNode& node = rig_.nodes[i];
+    const Driver& driver = drivers_[static_cast<std::size_t>(driver_[i])];
+    const Affine goal = moved(driver, rest_[i]);
+    Mat3d m = to_parent * goal.rotation;
+    const Vec3d& s = node.scale;
+    if (s.x != 0.0 && s.y != 0.0 && s.z != 0.0) {
+      m = orthonormal({m.cx * (1.0 / s.x), m.cy * (1.0 / s.y), m.cz * (1.0 / s.z)});
+      const Quatd turned = to_quat(m);
+      if (!same_rotation(turned, node.rotation)) {
+        local.rotation = turned;
+        motion.turns[i] = true;
+      }
+    }
+    if (!driver.carries) return;
+    const Vec3d at = to_parent * (goal.translation - above.translation);
+    // what rounding alone moves stays
+    constexpr double kStill = 1e-6;  // m
+    const double off = norm(above.rotation * (at - node.translation)) * rig_.placement.unit;
+    if (node.parent >= 0 && driver_[static_cast<std::size_t>(node.parent)] >= 0 && off < kStill) {
+      return;
+    }
+    local.translation = at;
+    motion.moves[i] = true;
+  }
+
+  const BodyModel& body_;
+  const Rig& rig_;
+  Kinematics<double> start_;
+  Kinematics<double> now_;
+  std::vector<Driver> drivers_;
+  std::vector<int> driver_;     // (nodes) index in drivers_, or -1
+  std::vector<Affine> rest_;    // (nodes) in the file's world
+  std::vector<Affine> placed_;  // (nodes) the same in this frame
+};
+
+}  // namespace
+
+RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig) {
+  return RigMover(body, rig).play(clip);
+}
+
+}  // namespace shigusa
