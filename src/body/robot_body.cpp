@@ -141,10 +141,14 @@ class RobotBuilder {
     still_.resize(robot_.joints.size(), 0.0);
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       Robot::Joint& joint = robot_.joints[j];
-      if (!joint.turns || of_joint_[j] >= 0 || still_[j] != 0.0) continue;
+      if (!joint.moves || of_joint_[j] >= 0 || still_[j] != 0.0) continue;
       still_[j] = clamp(0.0, joint.lower, joint.upper);
       if (still_[j] == 0.0) continue;
-      joint.origin.rotation = joint.origin.rotation * rotation_about(joint.axis, still_[j]);
+      if (joint.slides) {
+        joint.origin.translation += joint.origin.rotation * (joint.axis * still_[j]);
+      } else {
+        joint.origin.rotation = joint.origin.rotation * rotation_about(joint.axis, still_[j]);
+      }
       any = true;
     }
     return any;
@@ -519,6 +523,7 @@ class RobotBuilder {
       RobotJoint& to = frame.joints.emplace_back();
       to.name = joint.name;
       to.angle = still_[j];
+      to.slides = joint.slides;
       if (of_joint_[j] < 0) {
         if (joint.turns) still_names_.push_back(joint.name);
         continue;

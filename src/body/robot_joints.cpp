@@ -85,6 +85,15 @@ constexpr Freedoms kWrist{{{"flexion", Axis::z, -1, true, &kWristBend},
                            {"deviation", Axis::x, -1, false, &kWristBend},
                            {"rotation", Axis::y, 1, true, &kHardly}}};
 
+// Whether a link is part of a gripper or a finger, by its name.
+bool is_digit(std::string name) {
+  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const char* word : {"grip", "finger", "thumb", "jaw"}) {
+    if (name.find(word) != name.npos) return true;
+  }
+  return false;
+}
+
 // The rotation that takes the direction `from` to `to` by the shortest way.
 Mat3d shortest_turn(const Vec3d& from, const Vec3d& to) {
   const Vec3d v = cross(from, to);
@@ -160,7 +169,7 @@ class JointFinder {
   }
 
   // The outermost link beyond `link` that further joints of the same ankle or wrist move: fingers
-  // leave by several joints at once, toes far away.
+  // leave by several joints at once or are called so, toes are far away.
   [[nodiscard]] int end_of_joint(int link, double near) const {
     const Vec3d start = at(link);
     int end = link;
@@ -170,7 +179,7 @@ class JointFinder {
       for (std::size_t i = 0; i < rigid.size(); ++i) {
         for (const int j : placed_.below[index(rigid[i])]) {
           if (joint(j).turns) {
-            next.push_back(joint(j).child);
+            if (!is_digit(robot_.links[index(joint(j).child)].name)) next.push_back(joint(j).child);
           } else {
             rigid.push_back(joint(j).child);
           }

@@ -253,39 +253,40 @@ class RobotReader {
       return wrong("the origin of joint '{}' has numbers beyond {:g}", joint.name, kUrdfMaxValue);
     }
     const bool revolute = joint.type == urdf::Joint::REVOLUTE;
-    to.moves = joint.type != urdf::Joint::FIXED;
-    to.turns = (revolute || joint.type == urdf::Joint::CONTINUOUS) && !joint.mimic;
+    to.slides = joint.type == urdf::Joint::PRISMATIC;
+    to.moves = revolute || to.slides || joint.type == urdf::Joint::CONTINUOUS;
+    to.turns = to.moves && !to.slides && !joint.mimic;
     if (joint.mimic) {
       mimics_.push_back(joint.name);
-    } else if (to.moves && !to.turns) {
+    } else if (!to.turns && joint.type != urdf::Joint::FIXED) {
       sliding_.push_back(joint.name);
     }
-    if (to.turns) {
+    if (to.moves) {
       const Vec3d axis = vector(joint.axis);
       if (!is_tame(axis) || !(norm(axis) > 1e-6)) {
         return wrong("the axis of joint '{}' is {} {} {}; it needs a direction", joint.name, axis.x,
                      axis.y, axis.z);
       }
       to.axis = normalized(axis);
-      if (const auto done = take_limits(joint, revolute, to); !done) return done;
+      if (const auto done = take_limits(joint, revolute || to.slides, to); !done) return done;
     }
     robot_.joints.push_back(to);
     return {};
   }
 
-  Result<void> take_limits(const urdf::Joint& joint, bool revolute, Robot::Joint& to) const {
+  Result<void> take_limits(const urdf::Joint& joint, bool ends, Robot::Joint& to) const {
     if (!joint.limits) return {};
     const urdf::JointLimits& limits = *joint.limits;
     if (!is_tame(limits.effort) || !is_tame(limits.lower) || !is_tame(limits.upper)) {
       return wrong("the limits of joint '{}' have numbers beyond {:g}", joint.name, kUrdfMaxValue);
     }
     to.effort = max(limits.effort, 0.0);
-    if (!revolute) return {};
+    if (!ends) return {};
     if (limits.lower > limits.upper) {
-      return wrong("joint '{}' has the limits {} to {} rad; the lower one comes first", joint.name,
+      return wrong("joint '{}' has the limits {} to {}; the lower one comes first", joint.name,
                    limits.lower, limits.upper);
     }
-    to.limited = limits.upper - limits.lower < 2.0 * kPi;
+    to.limited = to.slides || limits.upper - limits.lower < 2.0 * kPi;
     if (!to.limited) return {};
     to.lower = limits.lower;
     to.upper = limits.upper;

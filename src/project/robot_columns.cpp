@@ -56,9 +56,9 @@ void add_robot_columns(const BodyModel& body, const Motion& motion,
   };
   const auto frames = static_cast<std::size_t>(clip.frames);
   for (const RobotJoint& joint : body.robot()->joints) {
-    columns.push_back({joint.name + " [rad]", joint.dof < 0
-                                                  ? std::vector<double>(frames, joint.angle)
-                                                  : of_dof(joint, clip.angles)});
+    columns.push_back(
+        {joint.name + (joint.slides ? " [m]" : " [rad]"),
+         joint.dof < 0 ? std::vector<double>(frames, joint.angle) : of_dof(joint, clip.angles)});
   }
   for (const RobotJoint& joint : body.robot()->joints) {
     if (joint.dof < 0) continue;

@@ -87,8 +87,9 @@ struct BodyNode {
 struct RobotJoint {
   std::string name;
   int dof = -1;        // the freedom that is this joint; -1 where it keeps one angle …
-  double angle = 0.0;  // rad, … this one
+  double angle = 0.0;  // rad, … this one; m where it slides
   double sign = 1.0;   // the file's angle is sign · q
+  bool slides = false;
 };
 
 // What a body from a robot's file needs to tell where that robot is. The robot's world has z up and

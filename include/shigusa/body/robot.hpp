@@ -26,9 +26,10 @@ struct Robot {
     Transformd origin;     // the child's frame in the parent's, at the angle 0
     Vec3d axis{1, 0, 0};   // unit vector, child's frame
     bool turns = false;    // revolute or continuous; what slides or follows another stays fixed
-    bool moves = false;    // as the file has it
-    double lower = -kPi;   // rad
-    double upper = kPi;    // rad
+    bool moves = false;    // as the file has it, by one number
+    bool slides = false;   // that number is a length (m)
+    double lower = -kPi;   // rad, or m
+    double upper = kPi;    // rad, or m
     bool limited = false;  // by the file, to less than a whole turn
     double effort = 0.0;   // N·m; 0 where the file has none
   };
