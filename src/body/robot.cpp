@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/body/robot.hpp>
 
+#include "humanoid_names.hpp"
+
 namespace shigusa {
+namespace {
+
+bool is_toe(std::string_view link) { return read_bone_name(link).part == BonePart::toes; }
+
+}  // namespace
 
 std::vector<Transformd> robot_places(const Robot& robot) {
   std::vector<const Robot::Joint*> carrier(robot.links.size(), nullptr);
@@ -34,8 +41,12 @@ Result<HumanoidMap> find_humanoid(const Robot& robot) {
     world.push_back({Mat3d{}, at});
   }
   Result<HumanoidMap> map = find_humanoid(skeleton, world);
-  // feet of robots have no toes to find
+  // few robots have toes: what hangs on a foot is a sensor or a sole
   if (map) {
+    for (const HumanoidBone toes : {HumanoidBone::left_toes, HumanoidBone::right_toes}) {
+      const int node = (*map)[toes];
+      if (node >= 0 && !is_toe(robot.links[static_cast<std::size_t>(node)].name)) (*map)[toes] = -1;
+    }
     std::erase_if(map->doubts, [](const std::string& doubt) {
       return doubt.starts_with("no left_toes") || doubt.starts_with("no right_toes");
     });

@@ -19,9 +19,10 @@ constexpr std::array<std::array<Bone, 3>, 2> kArms{
      {Bone::right_upper_arm, Bone::right_lower_arm, Bone::right_hand}}};
 constexpr std::array<const char*, 2> kSideWords{"left_", "right_"};
 
-// Joints of one ankle or wrist are no further apart than this share of the limb's last segment.
+// The next joint of an ankle or wrist is no further away than this share of the limb's last
+// segment.
 constexpr double kOneAnkle = 0.15;
-constexpr double kOneWrist = 0.5;
+constexpr double kOneWrist = 0.6;
 constexpr double kOneNeck = 0.15;  // … of the way from the chest
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -171,7 +172,6 @@ class JointFinder {
   // The outermost link beyond `link` that further joints of the same ankle or wrist move: fingers
   // leave by several joints at once or are called so, toes are far away.
   [[nodiscard]] int end_of_joint(int link, double near) const {
-    const Vec3d start = at(link);
     int end = link;
     for (;;) {
       std::vector<int> rigid{end};
@@ -185,7 +185,7 @@ class JointFinder {
           }
         }
       }
-      if (next.size() != 1 || norm(at(next[0]) - start) > near) return end;
+      if (next.size() != 1 || norm(at(next[0]) - at(end)) > near) return end;
       end = next[0];
     }
   }
