@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/anthropometry.hpp>
+#include <utility>
+
+#include "robot_freedoms.hpp"
 
 namespace shigusa {
 namespace {
@@ -39,53 +41,6 @@ Vec3d snapped(const Vec3d& v) {
   return v;
 }
 
-// A freedom of a person's joint: positive angles turn the outer side about sign · axis.
-struct Freedom {
-  const char* name;
-  Axis axis;
-  double sign;               // on the left side
-  bool sided;                // the other way round on the right
-  const JointLimits* usual;  // nullptr: hardly any
-};
-
-constexpr JointLimits kHardly{radians(-10), radians(10), 1, 1};
-constexpr JointLimits kTrunkBend{radians(-25), radians(40), 1, 1};
-constexpr JointLimits kTrunkTurn{radians(-20), radians(20), 1, 1};
-constexpr JointLimits kHeadBend{radians(-45), radians(45), 1, 1};
-constexpr JointLimits kCollar{radians(-15), radians(30), 1, 1};
-constexpr JointLimits kTwist{radians(-80), radians(80), 1, 1};
-constexpr JointLimits kWristBend{radians(-70), radians(70), 1, 1};
-constexpr JointLimits kInversion{radians(-15), radians(35), 1, 1};
-
-using Freedoms = std::array<Freedom, 3>;
-constexpr Freedoms kHip{{{"flexion", Axis::x, -1, false, &kHipFlexion},
-                         {"abduction", Axis::z, 1, true, &kHipAbduction},
-                         {"rotation", Axis::y, 1, true, &kHipRotation}}};
-constexpr Freedoms kKnee{{{"flexion", Axis::x, 1, false, &kKneeFlexion},
-                          {"abduction", Axis::z, 1, true, &kHardly},
-                          {"rotation", Axis::y, 1, true, &kHardly}}};
-constexpr Freedoms kAnkle{{{"flexion", Axis::x, -1, false, &kAnkleFlexion},
-                           {"inversion", Axis::z, -1, true, &kInversion},
-                           {"rotation", Axis::y, 1, true, &kHardly}}};
-constexpr Freedoms kTrunk{{{"flexion", Axis::x, 1, false, &kTrunkBend},
-                           {"lateral", Axis::z, -1, false, &kTrunkTurn},
-                           {"rotation", Axis::y, 1, false, &kTrunkTurn}}};
-constexpr Freedoms kNeck{{{"flexion", Axis::x, 1, false, &kHeadBend},
-                          {"lateral", Axis::z, -1, false, &kHeadBend},
-                          {"rotation", Axis::y, 1, false, &kHeadBend}}};
-constexpr Freedoms kClavicle{{{"rotation", Axis::x, -1, false, &kHardly},
-                              {"elevation", Axis::z, 1, true, &kCollar},
-                              {"protraction", Axis::y, -1, true, &kCollar}}};
-constexpr Freedoms kShoulder{{{"flexion", Axis::x, -1, false, &kShoulderFlexion},
-                              {"abduction", Axis::z, 1, true, &kShoulderAbduction},
-                              {"rotation", Axis::y, 1, true, &kShoulderRotation}}};
-constexpr Freedoms kElbow{{{"flexion", Axis::x, -1, false, &kElbowFlexion},
-                           {"abduction", Axis::z, 1, true, &kHardly},
-                           {"rotation", Axis::y, 1, true, &kTwist}}};
-constexpr Freedoms kWrist{{{"flexion", Axis::z, -1, true, &kWristBend},
-                           {"deviation", Axis::x, -1, false, &kWristBend},
-                           {"rotation", Axis::y, 1, true, &kHardly}}};
-
 // Whether a link is part of a gripper or a finger, by its name.
 bool is_digit(std::string name) {
   for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -95,20 +50,10 @@ bool is_digit(std::string name) {
   return false;
 }
 
-// The rotation that takes the direction `from` to `to` by the shortest way.
-Mat3d shortest_turn(const Vec3d& from, const Vec3d& to) {
-  const Vec3d v = cross(from, to);
-  const double c = dot(from, to);
-  if (c < -0.999999) return {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-  const double k = 1.0 / (1.0 + c);
-  const auto column = [&](const Vec3d& e) { return e + cross(v, e) + cross(v, cross(v, e)) * k; };
-  return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};
-}
-
 class JointFinder {
  public:
   JointFinder(const Robot& robot, const HumanoidMap& map, const PlacedRobot& placed)
-      : robot_(robot), map_(map), placed_(placed) {}
+      : robot_(robot), map_(map), placed_(placed), namer_(robot, placed) {}
 
   Result<PersonJoints> find() {
     found_.pelvis = map_[Bone::hips];
@@ -122,13 +67,13 @@ class JointFinder {
       if (const auto done = find_arm(side); !done) return tl::unexpected(done.error());
     }
     found_.spine = turning(found_.pelvis, found_.chest);
-    name_trunk(found_.spine, {"spine", "chest", "upper_chest"}, kTrunk);
+    namer_.name_spine(found_.spine);
     const int head = map_[Bone::head] >= 0 ? map_[Bone::head] : map_[Bone::neck];
     if (head >= 0) {
       const double neck = norm(at(head) - at(found_.chest));
       found_.neck = turning(found_.chest, end_of_joint(head, kOneNeck * neck));
     }
-    name_trunk(found_.neck, {"neck", "head"}, kNeck);
+    namer_.name_neck(found_.neck);
     return std::move(found_);
   }
 
@@ -242,10 +187,7 @@ class JointFinder {
     if (const auto done = check(leg, kSideWords[side], {"hip", "knee", "ankle"}); !done) {
       return done;
     }
-    // legs that stand point down, and their frames are the world's
-    name_part(leg.joints, 0, to_knee, side, "hip", kHip, Mat3d{});
-    name_part(leg.joints, to_knee, to_ankle, side, "knee", kKnee, Mat3d{});
-    name_part(leg.joints, to_ankle, leg.joints.size(), side, "ankle", kAnkle, Mat3d{});
+    namer_.name_leg(leg, side);
     return {};
   }
 
@@ -271,107 +213,14 @@ class JointFinder {
         !done) {
       return done;
     }
-    const Vec3d down{0, -1, 0};
-    const Mat3d upper_frame = shortest_turn(down, normalized(upper_arm));
-    // from a hanging arm the forearm is lifted by the elbow, not turned with the upper arm
-    const Vec3d fore_in_upper = transpose_times(upper_frame, normalized(forearm));
-    const Mat3d fore_frame = upper_frame * shortest_turn(down, fore_in_upper);
-    name_part(arm.joints, 0, to_shoulder, side, "clavicle", kClavicle, Mat3d{});
-    name_part(arm.joints, to_shoulder, to_elbow, side, "shoulder", kShoulder, upper_frame);
-    name_part(arm.joints, to_elbow, to_wrist, side, "elbow", kElbow, fore_frame);
-    bend_by_hinge(arm.joints, to_elbow, to_wrist);
-    name_part(arm.joints, to_wrist, arm.joints.size(), side, "wrist", kWrist, fore_frame);
-    // the T of a file has some of the abduction already
-    const double out = abs(upper_arm.x) / norm(upper_arm);
-    for (PersonJoint& j : arm.joints) {
-      if (!j.part.ends_with("shoulder") || j.freedom != "abduction" || !j.usual) continue;
-      for (double& limit : *j.usual) limit -= asin(clamp(out, 0.0, 1.0));
-    }
+    namer_.name_arm(arm, side, upper_arm, forearm);
     return {};
-  }
-
-  // Gives joints first … last (less one) the freedoms that their axes are nearest to, the clearest
-  // first; axes are seen in `frame`.
-  void name_part(std::vector<PersonJoint>& joints, std::size_t first, std::size_t last,
-                 std::size_t side, const std::string& part, const Freedoms& freedoms,
-                 const Mat3d& frame) const {
-    const std::string name = side < kSideWords.size() ? std::string(kSideWords[side]) + part : part;
-    for (std::size_t i = first; i < last; ++i) {
-      joints[i].part = name;
-      joints[i].freedom = joint(joints[i].joint).name;
-    }
-    std::array<bool, 3> taken{};
-    std::vector<bool> named(last - first, false);
-    for (std::size_t round = 0; round < freedoms.size(); ++round) {
-      constexpr double kLike = 0.6;
-      double best = kLike;
-      std::size_t which = 0;
-      std::size_t freedom = freedoms.size();
-      double turn = 1.0;
-      for (std::size_t i = first; i < last; ++i) {
-        const double outward = joints[i].outward ? 1.0 : -1.0;
-        const Vec3d axis = transpose_times(frame, placed_.axis[index(joints[i].joint)]) * outward;
-        for (std::size_t f = 0; f < freedoms.size(); ++f) {
-          const double along = axis[static_cast<int>(freedoms[f].axis)];
-          if (taken[f] || named[i - first] || abs(along) <= best) continue;
-          best = abs(along);
-          which = i;
-          freedom = f;
-          turn = along;
-        }
-      }
-      if (freedom == freedoms.size()) return;
-      taken[freedom] = true;
-      named[which - first] = true;
-      const Freedom& f = freedoms[freedom];
-      joints[which].freedom = f.name;
-      joints[which].sign = (turn < 0.0 ? -1.0 : 1.0) * f.sign * (f.sided && side == 1 ? -1.0 : 1.0);
-      joints[which].usual = {f.usual->lower, f.usual->upper};
-    }
-  }
-
-  // An elbow that has one axis across the arm bends about it, however the arm lies; which way, its
-  // limits tell.
-  void bend_by_hinge(std::vector<PersonJoint>& joints, std::size_t first, std::size_t last) const {
-    PersonJoint* across = nullptr;
-    for (std::size_t i = first; i < last; ++i) {
-      if (joints[i].freedom == "flexion") return;
-      if (joints[i].freedom == "abduction") across = &joints[i];
-    }
-    if (across == nullptr) return;
-    const Robot::Joint& hinge = joint(across->joint);
-    across->freedom = "flexion";
-    across->sign = hinge.limited && hinge.upper < -hinge.lower ? -1.0 : 1.0;
-    across->usual = {kElbowFlexion.lower, kElbowFlexion.upper};
-  }
-
-  // Spine and neck: up to three joints of different freedoms are one part.
-  void name_trunk(std::vector<PersonJoint>& joints, const std::vector<std::string>& parts,
-                  const Freedoms& freedoms) const {
-    std::size_t first = 0;
-    std::size_t part = 0;
-    while (first < joints.size()) {
-      std::array<bool, 3> seen{};
-      std::size_t last = first;
-      for (; last < joints.size(); ++last) {
-        const Vec3d& axis = placed_.axis[index(joints[last].joint)];
-        const std::size_t along = abs(axis.x) >= abs(axis.y) && abs(axis.x) >= abs(axis.z) ? 0
-                                  : abs(axis.y) >= abs(axis.z)                             ? 1
-                                                                                           : 2;
-        if (seen[along]) break;
-        seen[along] = true;
-      }
-      const std::string name =
-          part < parts.size() ? parts[part] : fmt::format("{}_{}", parts.back(), part + 1);
-      name_part(joints, first, last, kSideWords.size(), name, freedoms, Mat3d{});
-      first = last;
-      ++part;
-    }
   }
 
   const Robot& robot_;
   const HumanoidMap& map_;
   const PlacedRobot& placed_;
+  JointNamer namer_;
   std::vector<int> depth_;  // (links)
   PersonJoints found_;
 };

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/urdf.hpp>
+#include <utility>
+#include <vector>
 
 namespace shigusa {
 namespace {
@@ -57,6 +59,7 @@ class Scanner {
     }
     if (!open_.empty()) return wrong("<{}> is never closed", shortened(open_.back().name));
     if (roots_ == 0) return wrong("no element <robot>: this is no URDF file");
+    if (const auto done = check_tree(); !done) return tl::unexpected(done.error());
     return std::move(out_);
   }
 
@@ -114,6 +117,38 @@ class Scanner {
     return done;
   }
 
+  // The value of a tag's attribute, as it is written.
+  static std::string_view attribute(std::string_view tag, std::string_view name) {
+    std::size_t at = tag.find(name);
+    if (at == tag.npos) return {};
+    at = tag.find_first_of("\"'", at);
+    if (at == tag.npos) return {};
+    const std::size_t end = tag.find(tag[at], at + 1);
+    return end == tag.npos ? std::string_view{} : tag.substr(at + 1, end - at - 1);
+  }
+
+  // Links that hang in a circle would never leave urdfdom's memory.
+  [[nodiscard]] Result<void> check_tree() const {
+    std::map<std::string_view, std::string_view> above;
+    for (const auto& [parent, child] : hung_) {
+      if (!above.emplace(child, parent).second) {
+        return fail(ErrorCode::parse,
+                    fmt::format("link '{}' hangs on two joints; one is allowed", shortened(child)),
+                    std::string(name_));
+      }
+    }
+    for (const auto& [child, parent] : above) {
+      std::size_t steps = 0;
+      for (auto at = above.find(parent); at != above.end(); at = above.find(at->second)) {
+        if (++steps <= above.size()) continue;
+        return fail(ErrorCode::parse,
+                    fmt::format("link '{}' hangs in a circle of joints", shortened(child)),
+                    std::string(name_));
+      }
+    }
+    return {};
+  }
+
   static std::string_view name_of(std::string_view tag) {
     std::size_t length = 0;
     while (length < tag.size() && !is_space(tag[length]) && tag[length] != '/') ++length;
@@ -148,6 +183,9 @@ class Scanner {
       ((out_ += '<') += tag) += '>';
       const bool shape = name == "box" || name == "sphere" || name == "cylinder";
       if (shape) open_[open_.size() - 2].shape = true;
+      if (name == "joint") hung_.emplace_back();
+      if (name == "parent") hung_.back().first = attribute(tag, "link");
+      if (name == "child") hung_.back().second = attribute(tag, "link");
     }
     open_.push_back(element);
     return empty ? finish(false) : Result<void>{};
@@ -177,6 +215,7 @@ class Scanner {
   std::size_t at_ = 0;
   std::vector<Element> open_;
   std::string out_;
+  std::vector<std::pair<std::string_view, std::string_view>> hung_;  // parent and child of joints
   int roots_ = 0;
   int links_ = 0;
   int joints_ = 0;

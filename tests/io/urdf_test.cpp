@@ -120,7 +120,7 @@ TEST(Urdf, RefusesLinksThatHangTwiceOrInACircle) {
               HasSubstr("hangs on two joints"));
   EXPECT_THAT(
       error_of("<robot name=\"r\">" + links + fixed("b", "c") + fixed("c", "b") + "</robot>"),
-      HasSubstr("a circle"));
+      HasSubstr("in a circle"));
 }
 
 TEST(Urdf, HugeAndDeepFilesEndAtOnce) {

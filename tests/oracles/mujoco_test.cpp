@@ -215,8 +215,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, MujocoOracle,
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Bodies, MujocoOracleOnTwoFeet,
                          testing::Values(kFullBody, kSmallWoman, kCharacter, kHuman,
-                                         kWholeCharacter,
-                                         kSlanting, kRobot),
+                                         kWholeCharacter, kSlanting, kRobot),
                          name_of);
 
 }  // namespace

@@ -42,7 +42,8 @@ struct Robot {
 // Places of the links (links) where all angles are 0, in the root's frame.
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);
 
-// The humanoid bones among a robot's links (see find_humanoid).
+// The humanoid bones among a robot's links (see find_humanoid). Where neither names nor feet tell
+// left from right, +y of a robot with z up is left. Toes are only what is called so.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Robot& robot);
 
 // The robot as a body that stands on its right foot, the left one planted beside it. Its start
@@ -61,8 +62,9 @@ struct Robot {
 // - Hands end at the frame of a gripper, palm or hand that is fixed beyond the wrist, else at the
 //   wrist's link.
 // - Stature is that of a person with such legs and trunk.
+// - Links without mass weigh nothing, with a doubt.
 //
-// Fails where the map's bones are no chain of turning joints, or masses are missing altogether.
+// Fails where the map's bones are no chain of turning joints, or no link has a mass.
 [[nodiscard]] Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map);
 
 }  // namespace shigusa
