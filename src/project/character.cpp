@@ -184,7 +184,8 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   const std::string name = path.filename().string();
   const Result<CharacterFile> file = read_character(path);
   if (!file) return tl::unexpected(file.error());
-  const auto& [skeleton, clip] = file->motion;
+  const Skeleton& skeleton = file->motion.skeleton;
+  const SkeletonClip& clip = file->motion.clip;
   if (spec.frame < 0 || spec.frame >= clip.frames) {
     const std::string has =
         clip.frames == 1 ? "only frame 0" : fmt::format("the frames 0 to {}", clip.frames - 1);
