@@ -13,8 +13,16 @@ namespace {
 using F = StatureFractions;
 
 constexpr double kGravity = 9.80665;  // m/s²
-// Of a joint without effort, as a share of the weight times the stature: an adult's shoulder.
-constexpr double kUsualStrength = 0.06;
+
+// Strength of a joint without effort, as a share of the weight times the stature: an adult's.
+double usual_strength(const std::string& part) {
+  const auto is_one_of = [&](std::initializer_list<const char*> names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const char* name) { return part.find(name) != part.npos; });
+  };
+  if (is_one_of({"hip", "knee", "ankle", "spine", "chest"})) return 0.18;
+  return is_one_of({"wrist", "neck", "head"}) ? 0.02 : 0.06;
+}
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -276,11 +284,10 @@ Result<void> RobotBuilder::add_masses() {
   }
   // no joint holds all the weight at an arm as long as the robot: such an effort stands for none
   const double most = body_.mass * kGravity * body_.stature;
-  usual_strength_ = kUsualStrength * most;
   for (Dof& dof : body_.dofs) {
     if (dof.torque_positive > 0.0 && dof.torque_positive <= most) continue;
     weak_.push_back(dof.name);
-    dof.torque_positive = dof.torque_negative = usual_strength_;
+    dof.torque_positive = dof.torque_negative = usual_strength(dof.joint) * most;
   }
   return {};
 }

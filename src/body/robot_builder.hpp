@@ -115,8 +115,7 @@ class RobotBuilder {
   std::vector<int> node_of_;          // (groups)
   std::vector<std::string> unlimited_;
   std::vector<std::string> still_names_;
-  std::vector<std::string> weak_;      // freedoms without effort …
-  double usual_strength_ = 0.0;        // N·m, … which get this
+  std::vector<std::string> weak_;      // freedoms without effort
   std::vector<std::string> massless_;  // links
   BodyDefinition body_;
 };

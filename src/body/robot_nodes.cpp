@@ -234,8 +234,8 @@ void RobotBuilder::tell() {
   if (!weak_.empty()) {
     body_.doubts.push_back(
         fmt::format("the file has no effort, or an impossible one, for {} of the freedoms, {} the "
-                    "first: each gets {:.0f} N m",
-                    weak_.size(), weak_[0], usual_strength_));
+                    "first: they get a person's, by the weight",
+                    weak_.size(), weak_[0]));
   }
   doubt("link", massless_, "has no mass in the file, nor what is fixed to it: it weighs nothing");
   if (soles_[0].guessed || soles_[1].guessed) {

@@ -33,7 +33,7 @@ TEST_F(RobotCommands, BodyTellsWhichJointOfTheFileAFreedomIs) {
   EXPECT_THAT(text.out, testing::ContainsRegex("right_knee.flexion.*  right_knee\n"));
   EXPECT_THAT(text.out, HasSubstr("note: joint 'drawer' slides"));
   const Json json = Json::parse(run({"body", "small.urdf", "--json"}).out);
-  EXPECT_EQ(json.at("humanoid").at("right_upper_arm"), "right_shoulder_1");
+  EXPECT_EQ(json.at("humanoid").at("right_lower_leg"), "right_shank");
   EXPECT_TRUE(json.at("joints")[0].contains("file_joint"));
 }
 

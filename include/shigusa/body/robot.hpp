@@ -56,7 +56,8 @@ struct Robot {
 // - Freedoms are named as a person's, where the map and the axis tell: "right_knee.flexion"; the
 //   sign is the anatomical one. In `robot()` stands which joint of the file each is.
 // - Limits and strengths are the file's. A joint that may turn all the way round has a person's
-//   limits where it is a person's joint; one without effort gets a strength by the robot's weight.
+//   limits where it is a person's joint; one without effort gets a person's strength, by the
+//   robot's weight.
 // - The sole is what the foot collides with, else the lowest frame that is fixed to it, else a
 //   person's.
 // - Hands end at the frame of a gripper, palm or hand that is fixed beyond the wrist, else at the
