@@ -150,7 +150,6 @@ class BodyModel {
   [[nodiscard]] std::span<const double> start() const { return definition_.start; }
   [[nodiscard]] std::span<const std::string> doubts() const { return definition_.doubts; }
   [[nodiscard]] const std::optional<RobotFrame>& robot() const { return definition_.robot; }
-  [[nodiscard]] const BodyDefinition& definition() const { return definition_; }
 
   // The dofs that move a link, from the base on; none move kBaseLink.
   [[nodiscard]] std::span<const int> chain(int link) const {
