@@ -23,6 +23,15 @@ Json placement_to_json(const Placement& p) {
           {"ahead", to_json(p.ahead)}};
 }
 
+// The file's joint that a freedom of a robot is; empty of a person's.
+std::string file_joint(const BodyModel& body, int dof) {
+  if (!body.robot()) return {};
+  for (const RobotJoint& joint : body.robot()->joints) {
+    if (joint.dof == dof) return joint.name;
+  }
+  return {};
+}
+
 Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
   Json json{{"name", body.name()},
             {"stature_m", body.stature()},
@@ -38,6 +47,7 @@ Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
          {"limits_rad", {dof.lower, dof.upper}},
          {"strength_nm", {-dof.torque_negative, dof.torque_positive}},
          {"start_rad", body.start()[static_cast<std::size_t>(d)]}});
+    if (body.robot()) json["joints"].back()["file_joint"] = file_joint(body, d);
   }
   json["effectors"] = Json::array();
   for (const Effector& effector : body.effectors()) json["effectors"].push_back(effector.name);
@@ -60,10 +70,11 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
   fmt::print("{:<26} {:>8} {:>16} {:>18}\n", "freedom", "start °", "limits °", "strength N m");
   for (int d = 0; d < body.dof_count(); ++d) {
     const Dof& dof = body.dof(d);
-    fmt::print("{:<26} {:>8.1f} {:>7.0f} to {:>5.0f} {:>8.0f} to {:>5.0f}\n", dof.name,
+    const std::string source = printable(file_joint(body, d));
+    fmt::print("{:<26} {:>8.1f} {:>7.0f} to {:>5.0f} {:>8.0f} to {:>5.0f}{}{}\n", dof.name,
                tenths(degrees(body.start()[static_cast<std::size_t>(d)])),
                tenths(degrees(dof.lower)), tenths(degrees(dof.upper)), -dof.torque_negative,
-               dof.torque_positive);
+               dof.torque_positive, source.empty() ? "" : "  ", source);
   }
   for (const auto& [bone, node] : spec.humanoid) fmt::print("{:<18} {}\n", bone, node);
   for (const std::string& doubt : body.doubts()) fmt::print("note: {}\n", printable(doubt));

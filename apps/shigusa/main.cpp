@@ -38,8 +38,9 @@ void add_export_options(CLI::App* c, Options& o) {
 void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("reach", "Find natural motions that bring hands to their goals");
   c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
-  c->add_option("--character", o.character,
-                "half_body, full_body, human, or a person's BVH, GLB, glTF or VRM file");
+  c->add_option(
+      "--character", o.character,
+      "half_body, full_body, human, a person's BVH, GLB, glTF or VRM file, or a robot's URDF");
   add_character_options(*c, o.person);
   c->add_option("--goal", o.goals,
                 "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X; repeatable")
@@ -142,7 +143,8 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
 
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
-  c->add_option("source", o.source, "half_body, full_body, human, or a BVH, GLB, glTF or VRM file")
+  c->add_option("source", o.source,
+                "half_body, full_body, human, or a BVH, GLB, glTF, VRM or URDF file")
       ->required();
   add_character_options(*c, o.person);
   c->add_flag("--json", o.json, "Print JSON");

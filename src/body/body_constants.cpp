@@ -40,6 +40,8 @@ bool carries(const BodyDefinition& body, int link) {
 bool continues_joint(const BodyDefinition& body, int dof) {
   const Dof& own = body.dofs[static_cast<std::size_t>(dof)];
   if (own.parent == kBaseLink || own.parent != dof - 1 || own.offset != Vec3d{}) return false;
+  // a slanting axis is a joint of its own
+  if (own.turn || body.dofs[static_cast<std::size_t>(own.parent)].turn) return false;
   if (carries(body, own.parent)) return false;
   int children = 0;
   for (const Dof& other : body.dofs) children += other.parent == own.parent ? 1 : 0;
@@ -65,6 +67,8 @@ BodyConstants<T>::BodyConstants(const BodyDefinition& body)
       const int parent =
           dof.parent == kBaseLink ? -1 : joint_of[static_cast<std::size_t>(dof.parent)];
       joints.push_back({.first = link, .parent = parent, .hangs = is_upright(dof.offset)});
+      joints.back().slants = dof.turn.has_value();
+      turns.push_back(matrix<T>(dof.turn.value_or(Mat3d{})));
     }
     joint_of[i] = static_cast<int>(joints.size()) - 1;
     const MassProperties& mass = body.masses[i];

@@ -6,6 +6,12 @@
 namespace shigusa {
 namespace {
 
+bool is_rotation(const Mat3d& r) {
+  constexpr double kRounding = 1e-9;
+  return rotation_chord(r * transpose(r), Mat3d{}) < kRounding &&
+         dot(cross(r.cx, r.cy), r.cz) > 0.0;
+}
+
 BodyDefinition checked(BodyDefinition body) {
   const int count = static_cast<int>(body.dofs.size());
   SHG_CHECK(count > 0, "a body needs at least one dof");
@@ -16,6 +22,7 @@ BodyDefinition checked(BodyDefinition body) {
     SHG_CHECK(dof.parent >= kBaseLink && dof.parent < i, "parent of " + dof.name);
     SHG_CHECK(dof.lower < dof.upper, "limits of " + dof.name);
     SHG_CHECK(dof.sign == 1.0 || dof.sign == -1.0, "sign of " + dof.name);
+    SHG_CHECK(!dof.turn || is_rotation(*dof.turn), "turn of " + dof.name);
     SHG_CHECK(dof.torque_positive > 0.0 && dof.torque_negative > 0.0, "strength of " + dof.name);
   }
   const auto is_link = [count](int link) { return link >= kBaseLink && link < count; };
@@ -30,6 +37,12 @@ BodyDefinition checked(BodyDefinition body) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     SHG_CHECK(is_link(body.nodes[i].link), body.nodes[i].name);
     SHG_CHECK(body.nodes[i].parent < static_cast<int>(i), body.nodes[i].name);
+  }
+  if (body.robot) {
+    SHG_CHECK(is_link(body.robot->link), body.robot->root);
+    for (const RobotJoint& joint : body.robot->joints) {
+      SHG_CHECK(joint.dof >= -1 && joint.dof < count, joint.name);
+    }
   }
   for (const LimitCoupling& coupling : body.couplings) {
     SHG_CHECK(coupling.dof >= 0 && coupling.dof < count, "limit coupling");

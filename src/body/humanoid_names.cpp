@@ -26,12 +26,15 @@ constexpr Word kWords[] = {
     {"lowerleg", BonePart::lower_leg},
     {"lowleg", BonePart::lower_leg},
     {"loleg", BonePart::lower_leg},
+    {"uleg", BonePart::upper_leg},
+    {"lleg", BonePart::lower_leg},
     {"shin", BonePart::lower_leg},
     {"shank", BonePart::lower_leg},
     {"calf", BonePart::lower_leg},
     {"tibia", BonePart::lower_leg},
     {"knee", BonePart::lower_leg},
     {"ankle", BonePart::ankle},
+    {"talus", BonePart::ankle},
     {"foot", BonePart::foot},
     {"toe", BonePart::toes},
     {"toes", BonePart::toes},
@@ -52,6 +55,7 @@ constexpr Word kWords[] = {
     {"lowerarm", BonePart::lower_arm},
     {"lowarm", BonePart::lower_arm},
     {"loarm", BonePart::lower_arm},
+    {"larm", BonePart::lower_arm},
     {"farm", BonePart::lower_arm},
     {"elbow", BonePart::lower_arm},
     {"radius", BonePart::lower_arm},
@@ -167,14 +171,18 @@ BoneName read_bone_name(std::string_view name) {
     if (contains(kThumbs, word)) return {BonePart::thumb};
     if (contains(kTips, word)) return {BonePart::tip};
   }
+  // a robot's roll is an axis, not a twist bone
+  const bool robot = contains(words, "link");
   for (const std::string& word : words) {
-    if (contains(kOthers, word)) return {};
+    if (contains(kOthers, word) && !(robot && word == "roll")) return {};
   }
   BoneName result;
   std::vector<std::string> rest;
   for (std::string& word : words) {
     const bool left = contains(kLeftWords, word);
     if (left || contains(kRightWords, word)) {
+      // the first one: L_HIP_R is a left hip's roll
+      if (result.side != NameSide::none) continue;
       result.side = left ? NameSide::left : NameSide::right;
     } else {
       rest.push_back(std::move(word));

@@ -33,17 +33,25 @@ class ModeBuilder {
 
 // A spine bends by its joints' shares of the range, and turns before the hips do.
 void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
+  constexpr double kSpine = 0.6;
+  constexpr double kHips = 1.0 - kSpine;
   if (!body.find_dof("spine.rotation")) {
     modes.add("twist", radians(-40.0), radians(40.0),
               {{"right_hip.rotation", 1.0}, {"left_hip.rotation", -1.0}});
+    return;
+  }
+  // a robot's waist is one joint
+  if (!body.find_dof("chest.rotation")) {
+    modes.add("round", radians(-15.0), radians(70.0), {{"spine.flexion", 1.0}});
+    modes.add(
+        "twist", radians(-65.0), radians(65.0),
+        {{"right_hip.rotation", kHips}, {"left_hip.rotation", -kHips}, {"spine.rotation", kSpine}});
     return;
   }
   modes.add("round", radians(-15.0), radians(70.0),
             {{"spine.flexion", kSpineRanges[0].flexion},
              {"chest.flexion", kSpineRanges[1].flexion},
              {"upper_chest.flexion", kSpineRanges[2].flexion}});
-  constexpr double kSpine = 0.6;
-  constexpr double kHips = 1.0 - kSpine;
   modes.add("twist", radians(-65.0), radians(65.0),
             {{"right_hip.rotation", kHips},
              {"left_hip.rotation", -kHips},

@@ -17,6 +17,10 @@ Mat3d point_inertia(double mass, const Vec3d& p) {
 
 }  // namespace
 
+LinkMass LinkMass::of(double mass, const Vec3d& com, const Mat3d& inertia) {
+  return {mass, com * mass, inertia + point_inertia(mass, com)};
+}
+
 void LinkMass::add(const LinkMass& other) {
   mass += other.mass;
   moment += other.moment;

@@ -16,6 +16,9 @@ struct LinkMass {
   Vec3d moment{};                                       // kg·m, mass × com
   Mat3d about_origin{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the world's origin
 
+  // `inertia`: kg·m², about the centre of mass `com` (m)
+  [[nodiscard]] static LinkMass of(double mass, const Vec3d& com, const Mat3d& inertia);
+
   void add(const LinkMass& other);
   // the same mass moved by a translation
   [[nodiscard]] LinkMass shifted(const Vec3d& by) const;

@@ -100,6 +100,7 @@ Result<BodyLimbs> find_limbs(const BodyModel& body) {
     return tl::unexpected(unlike_a_person(body, what));
   };
   BodyLimbs limbs;
+  if (body.robot()) return refuse("a robot has others");
   if (body.effectors().empty()) return refuse("it has no hand");
   limbs.trunk = body.dof(body.effectors()[0].limb_root).parent;
   const auto trunk_chain = body.chain(limbs.trunk);

@@ -7,7 +7,9 @@
 #include <shigusa/core/names.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/gltf_write.hpp>
+#include <shigusa/io/urdf.hpp>
 #include <shigusa/project/character.hpp>
+#include <shigusa/rollout/settled_posture.hpp>
 
 namespace shigusa {
 namespace {
@@ -27,13 +29,14 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
       "character");
 }
 
-enum class FileKind { none, bvh, gltf };
+enum class FileKind { none, bvh, gltf, urdf };
 
 // By the name's ending, in any case.
 FileKind file_kind(const std::string& source) {
   std::string ending = std::filesystem::path(source).extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (ending == ".bvh") return FileKind::bvh;
+  if (ending == ".urdf") return FileKind::urdf;
   for (const char* each : {".glb", ".gltf", ".vrm"}) {
     if (ending == each) return FileKind::gltf;
   }
@@ -124,7 +127,81 @@ double apart(const Landmarks& a, const Landmarks& b) {
   return most;
 }
 
+struct ReadRobot {
+  Robot robot;
+  HumanoidMap map;
+};
+
+Result<ReadRobot> read_robot(std::string_view urdf, const std::string& name) {
+  Result<Robot> robot = parse_urdf(urdf, name);
+  if (!robot) return tl::unexpected(robot.error());
+  robot->name = name;
+  Result<HumanoidMap> map = find_humanoid(*robot);
+  if (!map) {
+    return fail(map.error().code, "no humanoid robot: " + map.error().to_string(), name);
+  }
+  return ReadRobot{std::move(*robot), std::move(*map)};
+}
+
+void tell_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
+  for (int b = 0; b < kHumanoidBoneCount; ++b) {
+    const auto bone = static_cast<HumanoidBone>(b);
+    if (map[bone] < 0) continue;
+    spec.humanoid.emplace_back(humanoid_bone_name(bone),
+                               name_of(static_cast<std::size_t>(map[bone])));
+  }
+}
+
+Result<void> check_robot_options(const CharacterSpec& spec) {
+  const struct {
+    const char* what;
+    bool given;
+  } persons[] = {{"stature", spec.stature.has_value()},
+                 {"mass", spec.mass.has_value()},
+                 {"extent", spec.extent != BodyExtent::full},
+                 {"frame", spec.frame != 0}};
+  for (const auto& option : persons) {
+    if (!option.given) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} is of a person, and {} is a robot, which has its own: leave it out",
+                            option.what, spec.source),
+                "character");
+  }
+  return {};
+}
+
+Result<void> read_robot_file(CharacterSpec& spec, const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  Result<std::string> text = read_urdf(path);
+  if (!text) return tl::unexpected(text.error());
+  const Result<ReadRobot> read = read_robot(*text, name);
+  if (!read) return tl::unexpected(read.error());
+  tell_bones(
+      read->map, [&](std::size_t link) { return read->robot.links[link].name; }, spec);
+  spec.source = name;
+  spec.urdf = std::move(*text);
+  return {};
+}
+
+Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
+  const Result<ReadRobot> read = read_robot(*spec.urdf, spec.source);
+  if (!read) return tl::unexpected(read.error());
+  const Result<BodyModel> body = build_robot(read->robot, read->map);
+  if (!body) return fail(body.error().code, body.error().to_string(), spec.source);
+  BodyDefinition standing = body->definition();
+  standing.start = settled_posture(*body, standing.doubts);
+  return BodyModel(std::move(standing));
+}
+
 }  // namespace
+
+bool is_complete(const CharacterSpec& spec) {
+  return spec.landmarks || spec.urdf || is_built_in(spec);
+}
+
+bool is_robot(const CharacterSpec& spec) {
+  return spec.urdf || (!spec.landmarks && file_kind(spec.source) == FileKind::urdf);
+}
 
 bool is_built_in(const CharacterSpec& spec) {
   return std::find(kBuiltIn.begin(), kBuiltIn.end(), spec.source) != kBuiltIn.end();
@@ -132,11 +209,11 @@ bool is_built_in(const CharacterSpec& spec) {
 
 Result<void> check_source(const CharacterSpec& spec) {
   const bool file = file_kind(spec.source) != FileKind::none;
-  if (spec.landmarks || is_built_in(spec) || file) return {};
+  if (is_complete(spec) || file) return {};
   const std::vector<std::string> names(kBuiltIn.begin(), kBuiltIn.end());
   return fail(ErrorCode::invalid_argument,
               unknown_name("character", spec.source, names) +
-                  ", or a file that ends in .bvh, .glb, .gltf or .vrm",
+                  ", or a file that ends in .bvh, .glb, .gltf, .vrm or .urdf",
               "character");
 }
 
@@ -144,13 +221,18 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
     return ok;
   }
-  if (spec.landmarks || is_built_in(spec)) return {};
+  if (is_robot(spec)) {
+    if (const auto ok = check_robot_options(spec); !ok) return ok;
+  }
+  if (is_complete(spec)) return {};
   if (const auto ok = check_source(spec); !ok) return ok;
   const std::filesystem::path path = folder / spec.source;
+  if (is_robot(spec)) return read_robot_file(spec, path);
   const std::string name = path.filename().string();
   Result<CharacterFile> file = read_character(path);
   if (!file) return tl::unexpected(file.error());
-  const auto& [skeleton, clip] = file->motion;
+  const Skeleton& skeleton = file->motion.skeleton;
+  const SkeletonClip& clip = file->motion.clip;
   if (spec.frame < 0 || spec.frame >= clip.frames) {
     const std::string has =
         clip.frames == 1 ? "only frame 0" : fmt::format("the frames 0 to {}", clip.frames - 1);
@@ -163,12 +245,8 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   const Result<MeasuredPerson> person =
       measure_person(skeleton, world, *map, {.stature = spec.stature});
   if (!person) return fail(person.error().code, person.error().to_string(), name);
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<HumanoidBone>(b);
-    if ((*map)[bone] < 0) continue;
-    spec.humanoid.emplace_back(humanoid_bone_name(bone),
-                               skeleton.nodes[static_cast<std::size_t>((*map)[bone])].name);
-  }
+  tell_bones(
+      *map, [&](std::size_t node) { return skeleton.nodes[node].name; }, spec);
   spec.source = name;
   spec.stature = person->stature;
   const bool posture = file->rig.format == CharacterFormat::bvh;
@@ -219,6 +297,7 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
 }
 
 Result<BodyModel> build_character(const CharacterSpec& spec) {
+  if (spec.urdf) return build_robot_character(spec);
   for (const auto& checked : {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
                               check_range("mass", spec.mass, kMassMin, kMassMax, "kg")}) {
     if (!checked) return tl::unexpected(checked.error());

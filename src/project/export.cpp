@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "character_export.hpp"
+#include "robot_columns.hpp"
 
 namespace shigusa {
 namespace {
@@ -47,6 +48,18 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
   std::vector<CsvColumn> columns{{"time [s]", {}}};
   for (int f = 0; f < motion.clip.frames; ++f) {
     columns[0].values.push_back(f * motion.clip.frame_time);
+  }
+  if (task.body.robot()) {
+    add_robot_columns(task.body, motion, columns);
+    const auto turned = [](std::vector<Vec3d> points) {
+      for (Vec3d& point : points) point = in_robot_world(point);
+      return points;
+    };
+    add_point_columns("centre_of_mass", turned(motion.centre_of_mass), columns);
+    for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
+      add_point_columns(candidate.goals[g].effector, turned(motion.effectors[g]), columns);
+    }
+    return format_csv(columns);
   }
   const auto dofs = static_cast<std::size_t>(motion.clip.dofs);
   const auto add = [&](std::size_t d, const char* unit, const std::vector<double>& values) {

@@ -68,6 +68,10 @@ std::string mirrored_name(std::string_view name) {
 }
 
 Result<TaskFile> mirrored(TaskFile task) {
+  if (is_robot(task.character)) {
+    return fail(ErrorCode::unsupported,
+                task.character.source + " is a robot, whose mirror image is another robot");
+  }
   const Result<BodyModel> body = build_character(task.character);
   if (!body) return tl::unexpected(body.error());
   for (const Dof& dof : body->dofs()) {

@@ -310,8 +310,11 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   if (!task) return tl::unexpected(task.error());
   StoredResult result{std::move(*task), {}, {}};
   const CharacterSpec& character = result.task.character;
-  if (!is_built_in(character) && !character.landmarks) {
-    return fail(ErrorCode::parse, "landmarks_m is missing: a result holds the person as measured",
+  if (!is_complete(character)) {
+    return fail(ErrorCode::parse,
+                is_robot(character)
+                    ? "urdf is missing: a result holds the robot as read"
+                    : "landmarks_m is missing: a result holds the person as measured",
                 place + ": task.character");
   }
   const Result<BodyModel> body = build_character(character);

@@ -69,6 +69,10 @@ Json character_to_json(const CharacterSpec& c) {
   json["source"] = c.source;
   if (c.stature) json["stature_m"] = *c.stature;
   if (c.mass) json["mass_kg"] = *c.mass;
+  if (c.urdf) {
+    json["urdf"] = *c.urdf;
+    return json;
+  }
   json["sex"] = c.sex == Sex::male ? "male" : "female";
   if (is_built_in(c)) return json;
   for (const auto& [name, extent] : kExtents) {
@@ -130,9 +134,11 @@ void read_landmarks(JsonReader& reader, CharacterSpec& c) {
 
 void check_character(JsonReader& reader, const CharacterSpec& c) {
   if (const auto known = check_source(c); !known) reader.wrong("source", known.error().message);
-  for (const char* key : {"extent", "frame", "doubts", "landmarks_m"}) {
+  if (c.urdf && c.landmarks) reader.wrong("urdf", "is of a robot, and landmarks_m of a person");
+  for (const char* key : {"extent", "frame", "doubts", "landmarks_m", "urdf"}) {
     if (!reader.has(key) || !is_built_in(c)) continue;
-    reader.wrong(key, "is of a person from a file, and " + c.source + " is built in: leave it out");
+    reader.wrong(key,
+                 "is of a character from a file, and " + c.source + " is built in: leave it out");
   }
 }
 
@@ -152,6 +158,7 @@ void read_character(JsonReader& task, CharacterSpec& c) {
   reader.choice<BodyExtent>("extent", c.extent, {kExtents.begin(), kExtents.end()});
   reader.integer("frame", c.frame, 0, kFrameMax);
   read_texts(reader, "doubts", c.doubts);
+  if (reader.has("urdf")) reader.text("urdf", c.urdf.emplace());
   read_landmarks(reader, c);
   check_character(reader, c);
   task.absorb(reader.finish());

@@ -210,7 +210,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{
             "Unknown", {"body", "half_bodi"}, {"'half_bodi'", "did you mean 'half_body'?", ".bvh"}},
-        Case{"OtherFormat", {"body", "hero.fbx"}, {"'hero.fbx'", ".bvh, .glb, .gltf or .vrm"}},
+        Case{"OtherFormat",
+             {"body", "hero.fbx"},
+             {"'hero.fbx'", ".bvh, .glb, .gltf, .vrm or .urdf"}},
         Case{"MissingVrm", {"body", "hero.vrm"}, {"hero.vrm", "No such file"}},
         Case{"EmptyGlb", {"body", "empty.glb"}, {"empty.glb", "empty"}},
         Case{"BinaryGlb", {"body", "binary.glb"}, {"binary.glb", "not glTF"}},

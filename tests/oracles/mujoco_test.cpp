@@ -4,9 +4,11 @@
 #include <cmath>
 #include <shigusa/dynamics/centre_of_mass.hpp>
 #include <shigusa/dynamics/contact_forces.hpp>
+#include <shigusa/io/urdf.hpp>
 
 #include "support/bodies.hpp"
 #include "support/mujoco_body.hpp"
+#include "support/robot_file.hpp"
 
 namespace shigusa {
 namespace {
@@ -24,6 +26,24 @@ BodyModel one_leg_up() {
   Landmarks person = asymmetric_person();
   lift_leg(person.right_leg, 1.2);
   return build_human(person, {"one_leg_up", BodyExtent::full, 1.6, 80.0, Sex::male});
+}
+
+// Every other freedom about an axis that is no coordinate axis, as robots have them.
+BodyModel slanting() {
+  BodyDefinition body = character().definition();
+  Random random(5);
+  for (std::size_t d = 0; d < body.dofs.size(); d += 2) {
+    body.dofs[d].turn = rotation(Axis::x, random.uniform(-2.0, 2.0)) *
+                        rotation(Axis::y, random.uniform(-2.0, 2.0)) *
+                        rotation(Axis::z, random.uniform(-2.0, 2.0));
+  }
+  body.name = "slanting";
+  return BodyModel(std::move(body));
+}
+
+BodyModel robot() {
+  const Robot robot = parse_urdf(RobotFile().text(), "small.urdf").value();
+  return build_robot(robot, find_humanoid(robot).value()).value();
 }
 
 // (dofs) each; angles go well beyond the limits
@@ -184,15 +204,18 @@ const NamedBody kSmallWoman{"small_woman", [] { return full_body({1.48, 44.0, Se
 const NamedBody kCharacter{"character", [] { return character(); }};
 const NamedBody kHuman{"human", [] { return human_body(); }};
 const NamedBody kWholeCharacter{"whole_character", [] { return character(BodyExtent::human); }};
+const NamedBody kSlanting{"slanting", slanting};
+const NamedBody kRobot{"robot", robot};
 
 INSTANTIATE_TEST_SUITE_P(Bodies, MujocoOracle,
                          testing::Values(NamedBody{"half_body", [] { return half_body(); }},
                                          NamedBody{"one_leg_up", one_leg_up}, kFullBody,
-                                         kSmallWoman, kCharacter, kHuman, kWholeCharacter),
+                                         kSmallWoman, kCharacter, kHuman, kWholeCharacter,
+                                         kSlanting, kRobot),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Bodies, MujocoOracleOnTwoFeet,
                          testing::Values(kFullBody, kSmallWoman, kCharacter, kHuman,
-                                         kWholeCharacter),
+                                         kWholeCharacter, kSlanting, kRobot),
                          name_of);
 
 }  // namespace

@@ -73,8 +73,7 @@ class MjcfWriter {
   void add_joint(int d) {
     const Dof& dof = body_.dof(d);
     const double s = dof.sign;
-    const Vec3d axis{dof.axis == Axis::x ? s : 0, dof.axis == Axis::y ? s : 0,
-                     dof.axis == Axis::z ? s : 0};
+    const Vec3d axis = dof.turn.value_or(Mat3d{}).column(static_cast<int>(dof.axis)) * s;
     text_ +=
         fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"{}\"/>", dof.name, numbers(axis));
   }

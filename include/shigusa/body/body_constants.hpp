@@ -31,6 +31,7 @@ struct BodyConstants {
     bool massive = false;    // the piece has mass
     bool upright = false;    // com has a y only, as has every joint that the piece carries
     bool principal = false;  // inertia has a diagonal only
+    bool slants = false;     // its one freedom turns about an axis of `turns`
     T mass{};                // kg
     Vec3<T> com{};           // m, in the link frame
     Mat3<T> inertia{};       // kg·m², about the com, link axes
@@ -44,6 +45,7 @@ struct BodyConstants {
   T total_mass{};           // kg
   std::vector<Dof> dofs;
   std::vector<Joint> joints;
+  std::vector<Mat3<T>> turns;  // (joints) R_LA, see Dof::turn; the identity where none slants
 
   explicit BodyConstants(const BodyDefinition& body);
 };

@@ -16,7 +16,8 @@ namespace shigusa {
 inline constexpr int kBaseLink = -1;
 
 // One rotational freedom and the link that it moves. Where all angles are 0 every link frame has
-// the orientation of the base's, so a joint's axis is one of the coordinate axes.
+// the orientation of the base's, so a joint's axis is one of the coordinate axes, or, in robots,
+// one of a frame that is turned against the link's.
 struct Dof {
   std::string joint;             // "right_hip"
   std::string name;              // "right_hip.flexion"
@@ -24,6 +25,7 @@ struct Dof {
   Vec3d offset{};                // m, the joint's centre in the parent's link frame
   Axis axis = Axis::x;           // rotation axis in the parent's link frame …
   double sign = 1.0;             // … and its direction: a positive angle is the anatomical one
+  std::optional<Mat3d> turn{};   // R_LA of a slanting axis: it is `axis` of the frame A
   double lower = -kPi;           // rad, hard limit
   double upper = kPi;            // rad, hard limit
   double torque_positive = 1.0;  // N·m, strength towards larger angles, > 0
@@ -81,6 +83,24 @@ struct BodyNode {
   bool end_site = false;
 };
 
+// A joint of the robot's file, for motions in the file's own terms.
+struct RobotJoint {
+  std::string name;
+  int dof = -1;        // the freedom that is this joint; -1 where it keeps one angle …
+  double angle = 0.0;  // rad, … this one; m where it slides
+  double sign = 1.0;   // the file's angle is sign · q
+  bool slides = false;
+};
+
+// What a body from a robot's file needs to tell where that robot is. The robot's world has z up and
+// x ahead; its origin is shigusa's.
+struct RobotFrame {
+  std::string root;                // the file's root link
+  int link = kBaseLink;            // the link that carries it
+  Transformd root_in_link;         // its frame, in that link's
+  std::vector<RobotJoint> joints;  // all that move, in the file's order
+};
+
 // Everything that makes a body; BodyModel checks it once and keeps it.
 struct BodyDefinition {
   std::string name;
@@ -96,6 +116,7 @@ struct BodyDefinition {
   std::vector<Capsule> capsules;
   std::vector<BodyNode> nodes;
   std::vector<double> start;        // (dofs) rad, the posture that motions start from
+  std::optional<RobotFrame> robot;  // of a body from a robot's file
   std::vector<std::string> doubts;  // what was guessed when the body was made, for a person
 };
 
@@ -128,6 +149,7 @@ class BodyModel {
   [[nodiscard]] std::span<const BodyNode> nodes() const { return definition_.nodes; }
   [[nodiscard]] std::span<const double> start() const { return definition_.start; }
   [[nodiscard]] std::span<const std::string> doubts() const { return definition_.doubts; }
+  [[nodiscard]] const std::optional<RobotFrame>& robot() const { return definition_.robot; }
 
   // The dofs that move a link, from the base on; none move kBaseLink.
   [[nodiscard]] std::span<const int> chain(int link) const {

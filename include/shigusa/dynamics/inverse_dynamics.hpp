@@ -106,6 +106,13 @@ template <class S>
   return {w, r, a};
 }
 
+// the movement seen from a frame that is turned against the one before by the inverse of `to`
+template <class S, class T>
+[[nodiscard]] Movement<S> seen_from(const Movement<S>& m, const Mat3<T>& to) {
+  const Mat3<S> r = to_scalar<S>(to);
+  return {r * m.spin, r * m.spin_rate, r * m.acceleration};
+}
+
 // moment that turning the piece takes, about its centre of mass: I α + ω × I ω
 template <class S, class Joint>
 [[nodiscard]] Vec3<S> spinning_moment(const Joint& joint, const Vec3<S>& spin,
@@ -149,11 +156,13 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
            parent.acceleration +
                times_place(parent.turning, constants.dofs[first].offset, joint.hangs)};
     }
+    if (joint.slants) m = seen_from(m, transpose(constants.turns[i]));
     for (std::size_t d = first; d <= static_cast<std::size_t>(joint.link); ++d) {
       const auto& dof = constants.dofs[d];
       m = turned_on(m, dof.axis, kinematics.turn[d], dof.negative ? -qd[d] : qd[d],
                     dof.negative ? -qdd[d] : qdd[d]);
     }
+    if (joint.slants) m = seen_from(m, constants.turns[i]);
     piece.spin = m.spin;
     piece.spin_rate = m.spin_rate;
     piece.acceleration = m.acceleration;
@@ -190,12 +199,22 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
     const auto first = static_cast<std::size_t>(joint.first);
     Vec3<S> force = work.pieces[i].carried.force + passed_force;
     Vec3<S> moment = work.pieces[i].carried.moment + passed_moment;
+    if (joint.slants) {
+      const Mat3<S> turn = to_scalar<S>(constants.turns[i]);
+      force = transpose_times(turn, force);
+      moment = transpose_times(turn, moment);
+    }
     for (std::size_t d = static_cast<std::size_t>(joint.link) + 1; d-- > first;) {
       const auto& dof = constants.dofs[d];
       const S along = component(moment, dof.axis);
       tau[d] = dof.negative ? -along : along;
       force = turned(force, dof.axis, kinematics.turn[d]);
       moment = turned(moment, dof.axis, kinematics.turn[d]);
+    }
+    if (joint.slants) {
+      const Mat3<S> turn = to_scalar<S>(constants.turns[i]);
+      force = turn * force;
+      moment = turn * moment;
     }
     const bool at_base = joint.parent < 0;
     const auto p = static_cast<std::size_t>(at_base ? 0 : joint.parent);

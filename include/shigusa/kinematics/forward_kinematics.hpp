@@ -44,6 +44,23 @@ template <class S, class T>
   return upright ? rotation.cy * S(place.y) : rotation * to_scalar<S>(place);
 }
 
+// Places the link of a joint whose one axis is no coordinate axis: R_WL = R_WP T R(q) Tᵀ. The turn
+// must be known.
+template <class S>
+void turn_slanting(const BodyConstants<Element<S>>& constants, std::size_t joint,
+                   const Mat3<S>& carrier, Kinematics<S>& kinematics) {
+  const auto d = static_cast<std::size_t>(constants.joints[joint].link);
+  const auto& dof = constants.dofs[d];
+  const Mat3<S> turn = to_scalar<S>(constants.turns[joint]);
+  const Mat3<S> before = carrier * turn;
+  const Vec3<S> axis = dof.axis == Axis::x   ? before.cx
+                       : dof.axis == Axis::y ? before.cy
+                                             : before.cz;
+  kinematics.origin[d] = kinematics.link_origin(dof.parent) + carrier * to_scalar<S>(dof.offset);
+  kinematics.axis[d] = dof.negative ? -axis : axis;
+  kinematics.rotation[d] = rotated(before, dof.axis, kinematics.turn[d]) * transpose(turn);
+}
+
 // Places all links for the joint angles q (dofs, rad).
 template <class S>
 void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<S>& kinematics) {
@@ -54,11 +71,16 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
   for (std::size_t i = 0; i < constants.dofs.size(); ++i) {
     kinematics.turn[i] = sin_cos(constants.dofs[i].negative ? -q[i] : q[i]);
   }
-  for (const auto& joint : constants.joints) {
+  for (std::size_t j = 0; j < constants.joints.size(); ++j) {
+    const auto& joint = constants.joints[j];
     const auto first = static_cast<std::size_t>(joint.first);
     const auto link = static_cast<std::size_t>(joint.link);
     const int parent = constants.dofs[first].parent;
     const Mat3<S>& carrier = kinematics.link_rotation(parent);
+    if (joint.slants) {
+      turn_slanting(constants, j, carrier, kinematics);
+      continue;
+    }
     // by columns, each in registers
     Vec3<S> x = carrier.cx;
     Vec3<S> y = carrier.cy;

@@ -31,8 +31,8 @@ struct CharacterRig {
 
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
-  // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB or VRM file; for a person who
-  // was measured before (landmarks below), only a name
+  // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM or URDF file; for a
+  // person or a robot read before (landmarks, urdf below), only a name
   std::string source = "full_body";
   std::optional<double> stature{};  // m, 0.5..2.5
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
@@ -41,6 +41,7 @@ struct CharacterSpec {
   int frame = 0;                         // of the file: the start posture; glTF has 0 alone
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
+  std::optional<std::string> urdf{};  // the robot as read (reduced_urdf), in landmarks' place
   std::vector<std::string> doubts{};  // what was guessed in measuring
   // what measuring found: humanoid bone and the file's node for it; not kept in files
   std::vector<std::pair<std::string, std::string>> humanoid{};
@@ -51,6 +52,12 @@ struct CharacterSpec {
 // -1 where it is none, or the spec has no rig.
 [[nodiscard]] int rig_node(const CharacterSpec& spec, std::string_view body_node);
 
+// True where the file that `source` names, if it does, is not needed: built in, or read before.
+[[nodiscard]] bool is_complete(const CharacterSpec& spec);
+
+// True for a robot, by its file's name or read before.
+[[nodiscard]] bool is_robot(const CharacterSpec& spec);
+
 // True for "half_body", "full_body" and "human", which need no file.
 [[nodiscard]] bool is_built_in(const CharacterSpec& spec);
 
@@ -59,9 +66,10 @@ struct CharacterSpec {
 [[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
 
 // Reads and measures the file that `source` names, if it does and has not been measured yet: fills
-// stature, landmarks, doubts and rig, and leaves the file's bare name as the source. glTF has a
-// rest pose in place of a posture, mostly a T: the person stands at_ease then. A relative path
-// starts at `folder`. Errors name the file and the place.
+// stature, landmarks, doubts and rig, of a robot urdf, and leaves the file's bare name as the
+// source. glTF has a rest pose in place of a posture, mostly a T: the person stands at_ease then. A
+// robot has its own stature and mass. A relative path starts at `folder`. Errors name the file and
+// the place.
 [[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
                                              const std::filesystem::path& folder);
 

@@ -45,8 +45,9 @@ struct ExportSettings {
                                                const ExportSettings& settings);
 
 // One candidate on the body's own skeleton as a file's bytes. BVH: body_skeleton in centimetres.
-// CSV: joint angles, torques, centre of mass and hand path against time. SVG, PNG, PDF: the strip
-// figure.
+// CSV: joint angles, torques, centre of mass and hand path against time; of a robot its file's
+// joints, its root link's place, and all of it in the robot's world, z up and x ahead. SVG, PNG,
+// PDF: the strip figure.
 [[nodiscard]] Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
                                                    ExportFormat format);
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "robot_feet.hpp"
+
+#include <algorithm>
+#include <shigusa/body/anthropometry.hpp>
+
+namespace shigusa {
+namespace {
+
+using F = StatureFractions;
+
+// What is this near (m) to the lowest corner touches the floor as well.
+constexpr double kSoleSlack = 0.01;
+// Shapes that leave a sole smaller than this (share of the stature) are no foot's.
+constexpr double kLeastSole = 0.02;
+
+struct Bounds {
+  double left = 0.0;
+  double right = 0.0;
+  double front = 0.0;
+  double back = 0.0;
+};
+
+RobotSole rectangle(const Bounds& b, double y, bool guessed) {
+  return {{Vec3d{b.left, y, b.front}, Vec3d{b.left, y, b.back}, Vec3d{b.right, y, b.back},
+           Vec3d{b.right, y, b.front}},
+          guessed};
+}
+
+}  // namespace
+
+RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed, const std::vector<int>& links,
+                     const Vec3d& ankle, double stature) {
+  std::vector<Vec3d> corners;
+  double lowest_frame = ankle.y;
+  for (const int link : links) {
+    const auto i = static_cast<std::size_t>(link);
+    for (const Vec3d& corner : robot.links[i].corners) corners.push_back(placed.links[i] * corner);
+    lowest_frame = min(lowest_frame, placed.links[i].translation.y);
+  }
+  if (!corners.empty()) {
+    double y = corners[0].y;
+    for (const Vec3d& c : corners) y = min(y, c.y);
+    std::erase_if(corners, [y](const Vec3d& c) { return c.y > y + kSoleSlack; });
+    Bounds b{corners[0].x, corners[0].x, corners[0].z, corners[0].z};
+    for (const Vec3d& c : corners) {
+      b = {max(b.left, c.x), min(b.right, c.x), max(b.front, c.z), min(b.back, c.z)};
+    }
+    const double least = kLeastSole * stature;
+    if (b.left - b.right > least && b.front - b.back > least) return rectangle(b, y, false);
+  }
+  const double length = F::kFootLength * stature;
+  const double half = 0.5 * F::kFootBreadth * stature;
+  const Bounds person{ankle.x + half, ankle.x - half, ankle.z + (1.0 - kHeelShare) * length,
+                      ankle.z - kHeelShare * length};
+  const double drop = ankle.y - lowest_frame;
+  const bool has_frame = drop > 0.01 * stature && drop < 0.15 * stature;
+  return rectangle(person, has_frame ? lowest_frame : ankle.y - F::kAnkleHeight * stature, true);
+}
+
+}  // namespace shigusa
