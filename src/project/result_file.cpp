@@ -165,7 +165,10 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   json["files"] = Json::object();
   if (files != nullptr) {
     for (const auto& [format, name] : *files) json["files"][format] = name;
-    if (files->contains("glb")) json["glb_animation"] = animation_name(index + 1);
+    if (files->contains("glb")) {
+      json["glb_animation"] = animation_name(index + 1);
+      json["glb_unit_m"] = character.rig->rig.placement.unit;
+    }
   }
   json["bvh_unit_m"] = bvh_unit(character);
   return json;
