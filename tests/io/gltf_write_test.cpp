@@ -34,8 +34,8 @@ Result<std::string> added(const std::string& bytes, const std::vector<GltfAnimat
 }
 
 TEST(AddAnimations, KeepsAllElseByteForByte) {
-  const std::string binary = "0123456789abcdefg\0\0";
-  std::string file = glb(kOdd, std::string(binary.data(), 20));
+  const std::string binary("0123456789abcdefg\0\0\0", 20);
+  std::string file = glb(kOdd, binary);
   const std::string further = word_bytes(4) + "XTRAdata";
   file += further;
   file.replace(8, 4, word_bytes(static_cast<std::uint32_t>(file.size())));
@@ -43,7 +43,7 @@ TEST(AddAnimations, KeepsAllElseByteForByte) {
   EXPECT_TRUE(out.ends_with(further));
   EXPECT_EQ(out.substr(8, 4), word_bytes(static_cast<std::uint32_t>(out.size())));
   const ExportedGlb exported(out);
-  EXPECT_EQ(exported.binary().substr(0, 20), std::string(binary.data(), 20));
+  EXPECT_EQ(exported.binary().substr(0, 20), binary);
   EXPECT_EQ(exported.json().at("buffers").at(0).at("byteLength"), exported.binary().size());
   // what was added taken out again leaves the old text
   std::string text = exported.text();
