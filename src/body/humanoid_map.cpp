@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <optional>
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/body/humanoid_map.hpp>
 #include <shigusa/core/check.hpp>
 
@@ -25,6 +27,9 @@ constexpr std::array<std::array<Bone, 3>, 4> kLimbs{{
 }};
 constexpr std::array<std::string_view, 4> kLimbNames{"left leg", "right leg", "left arm",
                                                      "right arm"};
+
+// A spine's lowest joint stands at least this share of the way to the neck above the hip joints.
+constexpr double kLeastSpine = 0.03;
 
 class BoneFinder {
  public:
@@ -57,6 +62,9 @@ class BoneFinder {
       return fail(ErrorCode::invalid_argument, "no hips: the limbs hang on several roots");
     }
     find_neck_and_head();
+    find_spine();
+    find_shoulder(Bone::left_shoulder, Bone::left_upper_arm);
+    find_shoulder(Bone::right_shoulder, Bone::right_upper_arm);
     find_toes(NameSide::left, Bone::left_foot, Bone::left_toes);
     find_toes(NameSide::right, Bone::right_foot, Bone::right_toes);
     if (feet_point_backwards(tree_, map_)) {
@@ -308,6 +316,75 @@ class BoneFinder {
     return neck;
   }
 
+  // The joints on the way down from `end` to `top`, that not included, that stand apart from it and
+  // from one another, from above.
+  [[nodiscard]] std::vector<int> joints_between(int top, int end) const {
+    std::vector<int> joints;
+    for (int i = end; i >= 0 && i != top; i = tree_.node(i).parent) {
+      if (!tree_.apart(i, top)) continue;
+      // of several at one point the bone is the first
+      if (!joints.empty() && !tree_.apart(i, joints.front())) joints.erase(joints.begin());
+      joints.insert(joints.begin(), i);
+    }
+    return joints;
+  }
+
+  void find_spine() {
+    constexpr std::array kSpine{Bone::spine, Bone::chest, Bone::upper_chest};
+    const int hips = map_[Bone::hips];
+    if (chest_ == hips || !tree_.below(chest_, hips)) return;
+    std::vector<int> joints = joints_between(hips, chest_);
+    if (take_given_spine(joints)) return;
+    const Vec3d from = (at(Bone::left_upper_leg) + at(Bone::right_upper_leg)) * 0.5;
+    const Vec3d to = map_[Bone::neck] >= 0
+                         ? at(Bone::neck)
+                         : (at(Bone::left_upper_arm) + at(Bone::right_upper_arm)) * 0.5;
+    const Vec3d way = to - from;
+    const auto share = [&](int i) { return dot(tree_.at(i) - from, way) / dot(way, way); };
+    // hips at the place of the lowest joint are that joint
+    std::erase_if(joints, [&](int i) { return !(share(i) > kLeastSpine) || share(i) >= 1.0; });
+    while (joints.size() > kSpine.size()) {
+      const auto off = [&](int i) {
+        double nearest = 1.0;
+        for (const double wanted : kSpineShares) nearest = min(nearest, abs(share(i) - wanted));
+        return nearest;
+      };
+      joints.erase(std::max_element(joints.begin(), joints.end(),
+                                    [&](int a, int b) { return off(a) < off(b); }));
+    }
+    for (std::size_t j = 0; j < joints.size(); ++j) map_[kSpine[j]] = joints[j];
+  }
+
+  // The file's own spine, where it tells one and it lies on the way; bones that it leaves out are
+  // left out.
+  bool take_given_spine(const std::vector<int>& joints) {
+    const int given[] = {given_[Bone::spine], given_[Bone::chest], given_[Bone::upper_chest]};
+    std::vector<int> taken;
+    for (const int node : given) {
+      if (node < 0) continue;
+      if (std::find(joints.begin(), joints.end(), node) == joints.end()) return false;
+      if (!taken.empty() && !strictly_below(node, taken.back())) return false;
+      taken.push_back(node);
+    }
+    constexpr std::array kSpine{Bone::spine, Bone::chest, Bone::upper_chest};
+    for (std::size_t j = 0; j < taken.size(); ++j) map_[kSpine[j]] = taken[j];
+    return !taken.empty();
+  }
+
+  void find_shoulder(Bone shoulder, Bone upper_arm) {
+    const int arm = map_[upper_arm];
+    const int given = given_[shoulder];
+    if (strictly_below(given, chest_) && strictly_below(arm, given)) {
+      map_[shoulder] = given;
+      return;
+    }
+    if (!strictly_below(arm, chest_)) return;
+    const std::vector<int> joints = joints_between(chest_, tree_.node(arm).parent);
+    if (!joints.empty() && tree_.apart(joints.front(), arm)) map_[shoulder] = joints.front();
+  }
+
+  [[nodiscard]] const Vec3d& at(Bone bone) const { return tree_.at(map_[bone]); }
+
   void find_toes(NameSide side, Bone foot, Bone toes) {
     if (strictly_below(given_[toes], map_[foot])) {
       map_[toes] = given_[toes];
@@ -356,6 +433,11 @@ std::string_view humanoid_bone_name(HumanoidBone bone) {
       "right_upper_arm",
       "right_lower_arm",
       "right_hand",
+      "spine",
+      "chest",
+      "upper_chest",
+      "left_shoulder",
+      "right_shoulder",
   };
   return kNames[static_cast<std::size_t>(bone)];
 }

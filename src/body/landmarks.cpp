@@ -119,8 +119,8 @@ class Measurer {
     for (int bone = 0; bone < kHumanoidBoneCount; ++bone) {
       const int node = map.node[static_cast<std::size_t>(bone)];
       const Bone b = static_cast<Bone>(bone);
-      const bool optional =
-          b == Bone::neck || b == Bone::head || b == Bone::left_toes || b == Bone::right_toes;
+      const bool optional = b == Bone::neck || b == Bone::head || b == Bone::left_toes ||
+                            b == Bone::right_toes || b >= Bone::spine;
       SHG_CHECK((node >= 0 || optional) && node < tree_.size(),
                 "a mapped node for " + std::string(humanoid_bone_name(b)));
     }
@@ -241,6 +241,7 @@ class Measurer {
     neck_ = map_[Bone::neck];
     head_ = map_[Bone::head];
     body().neck = neck_ >= 0 ? tree_.at(neck_) : mid_shoulder_;
+    read_further_joints();
     if (head_ < 0) {
       head_tip_ = neck_ >= 0 && tree_.farthest(neck_) != neck_ ? tree_.farthest(neck_) : -1;
       return;
@@ -249,6 +250,16 @@ class Measurer {
       const bool tip = tree_.node(child).end_site || part(child) == BonePart::tip;
       if (tip && head_tip_ < 0 && tree_.apart(child, head_)) head_tip_ = child;
     }
+  }
+
+  // Those of the extent human, as far as the file has them.
+  void read_further_joints() {
+    for (const Bone bone : {Bone::spine, Bone::chest, Bone::upper_chest}) {
+      if (map_[bone] >= 0) body().spine.push_back(at(bone));
+    }
+    if (neck_ >= 0 && head_ >= 0 && tree_.apart(neck_, head_)) body().head = tree_.at(head_);
+    if (map_[Bone::left_shoulder] >= 0) arm(Side::left).clavicle = at(Bone::left_shoulder);
+    if (map_[Bone::right_shoulder] >= 0) arm(Side::right).clavicle = at(Bone::right_shoulder);
   }
 
   // Length of the way along the bones between two nodes.
@@ -416,7 +427,10 @@ class Measurer {
           action(*p);
         }
         action(*arm(side).grip);
+        if (arm(side).clavicle) action(*arm(side).clavicle);
       }
+      for (Vec3d& joint : body().spine) action(joint);
+      if (body().head) action(*body().head);
       action(body().neck);
       action(body().head_top);
     };

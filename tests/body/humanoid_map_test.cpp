@@ -8,6 +8,7 @@
 #include <body/stick_figure.hpp>
 #include <filesystem>
 #include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/body/landmarks.hpp>
 #include <shigusa/io/bvh.hpp>
 
 namespace shigusa {
@@ -20,10 +21,17 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 // Names of the mapped nodes in the order of HumanoidBone; "-" where there is none.
+// The bones that every body has, by the names of their nodes: up to the hands.
+constexpr int kLimbBones = static_cast<int>(HumanoidBone::spine);
+
+std::string node_name(const Skeleton& skeleton, int node) {
+  return node < 0 ? "-" : skeleton.nodes[static_cast<std::size_t>(node)].name;
+}
+
 std::vector<std::string> mapped(const Skeleton& skeleton, const HumanoidMap& map) {
   std::vector<std::string> names;
-  for (const int i : map.node) {
-    names.push_back(i < 0 ? "-" : skeleton.nodes[static_cast<std::size_t>(i)].name);
+  for (int b = 0; b < kLimbBones; ++b) {
+    names.push_back(node_name(skeleton, map[static_cast<HumanoidBone>(b)]));
   }
   return names;
 }
@@ -250,7 +258,7 @@ TEST(HumanoidMap, GivenBonesGoBeforeNames) {
   figure["LeftUpLeg"].name = "a";
   const auto map = find_humanoid(figure.skeleton(), figure.world(), given);
   ASSERT_TRUE(map);
-  EXPECT_EQ(map->node, given.node);
+  EXPECT_EQ(mapped(figure.skeleton(), *map), mapped(figure.skeleton(), given));
   EXPECT_THAT(map->doubts, IsEmpty());
 }
 
@@ -428,7 +436,7 @@ class RealBodies : public ::testing::TestWithParam<RealBody> {
   }
   // the patterns also name the collar bones
   [[nodiscard]] static std::vector<std::string> expected() {
-    return {GetParam().names.begin(), GetParam().names.begin() + kHumanoidBoneCount};
+    return {GetParam().names.begin(), GetParam().names.begin() + kLimbBones};
   }
   SkeletonMotion motion_;
 };
@@ -487,6 +495,79 @@ INSTANTIATE_TEST_SUITE_P(
           name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
       return name;
     });
+
+std::vector<std::string> spine_of(const StickFigure& figure, const HumanoidMap& given = {}) {
+  const auto map = find_humanoid(figure.skeleton(), figure.world(), given);
+  EXPECT_TRUE(map);
+  std::vector<std::string> names;
+  for (const Bone bone : {Bone::spine, Bone::chest, Bone::upper_chest}) {
+    names.push_back(node_name(figure.skeleton(), (*map)[bone]));
+  }
+  return names;
+}
+
+// The standing figure with joints at these heights (m) above its hips in the place of its one.
+StickFigure with_spine(const std::vector<double>& heights) {
+  const StickFigure one = standing_figure();
+  StickFigure figure;
+  for (const StickFigure::Point& point : one.points) {
+    if (point.name != "Spine") {
+      const std::string parent =
+          point.parent < 0 ? "" : one.points[static_cast<std::size_t>(point.parent)].name;
+      figure.add(point.name, parent == "Spine" ? "S" + std::to_string(heights.size()) : parent,
+                 point.at);
+      continue;
+    }
+    for (std::size_t j = 0; j < heights.size(); ++j) {
+      const Vec3d at = one.points[0].at + Vec3d{0.0, heights[j], 0.0};
+      figure.add("S" + std::to_string(j + 1), j == 0 ? "Hips" : "S" + std::to_string(j), at);
+    }
+  }
+  return figure;
+}
+
+TEST(SpineBones, AreTheJointsBetweenHipsAndArmsFromBelow) {
+  using testing::ElementsAre;
+  EXPECT_THAT(spine_of(with_spine({0.2})), ElementsAre("S1", "-", "-"));
+  EXPECT_THAT(spine_of(with_spine({0.1, 0.3})), ElementsAre("S1", "S2", "-"));
+  EXPECT_THAT(spine_of(with_spine({0.1, 0.2, 0.3})), ElementsAre("S1", "S2", "S3"));
+}
+
+TEST(SpineBones, OfManyAreThoseAtThePlacesOfThree) {
+  // the way to the neck is 0.56 m: the shares 0.17, 0.47 and 0.72 are at 0.10, 0.26 and 0.40 m
+  EXPECT_THAT(spine_of(with_spine({0.02, 0.11, 0.21, 0.33, 0.41, 0.48})),
+              testing::ElementsAre("S2", "S3", "S5"));
+}
+
+TEST(SpineBones, GoByTheFilesOwnMapWhereItIsAChain) {
+  const StickFigure figure = with_spine({0.1, 0.2, 0.3});
+  HumanoidMap given;
+  given[Bone::spine] = figure.find("S1");
+  given[Bone::chest] = figure.find("S3");
+  EXPECT_THAT(spine_of(figure, given), testing::ElementsAre("S1", "S3", "-"));
+  std::swap(given[Bone::spine], given[Bone::chest]);
+  EXPECT_THAT(spine_of(figure, given), testing::ElementsAre("S1", "S2", "S3"));
+}
+
+TEST(SpineBones, ShouldersAreTheJointsBeforeTheUpperArms) {
+  const StickFigure figure = standing_figure();
+  const HumanoidMap map = find(figure).value();
+  EXPECT_EQ(map[Bone::left_shoulder], figure.find("LeftShoulder"));
+  EXPECT_EQ(map[Bone::right_shoulder], figure.find("RightShoulder"));
+}
+
+TEST(SpineBones, AreMeasuredAsJointsOfThePerson) {
+  const StickFigure figure = with_spine({0.1, 0.3});
+  const HumanoidMap map = find(figure).value();
+  const Landmarks person = measure_person(figure.skeleton(), figure.world(), map)->landmarks;
+  ASSERT_EQ(person.spine.size(), 2u);
+  const double hips = person.left_leg.hip.y;
+  EXPECT_NEAR(person.spine[0].y - hips, 0.1, 1e-9);
+  EXPECT_NEAR(person.spine[1].y - hips, 0.3, 1e-9);
+  ASSERT_TRUE(person.head && person.left_arm.clavicle && person.right_arm.clavicle);
+  EXPECT_NEAR(person.left_arm.clavicle->x, 0.02, 1e-9);
+  EXPECT_NEAR(person.head->y - person.neck.y, 0.1, 1e-9);
+}
 
 }  // namespace
 }  // namespace shigusa

@@ -29,8 +29,14 @@ enum class HumanoidBone {
   right_upper_arm,
   right_lower_arm,
   right_hand,
+  // what a skeleton may lack: joints between hips and arms, from below, and the clavicles'
+  spine,
+  chest,
+  upper_chest,
+  left_shoulder,
+  right_shoulder,
 };
-inline constexpr int kHumanoidBoneCount = 17;
+inline constexpr int kHumanoidBoneCount = 22;
 
 // "right_upper_leg".
 [[nodiscard]] std::string_view humanoid_bone_name(HumanoidBone bone);
@@ -59,7 +65,10 @@ struct HumanoidMap {
 // stands in. Of joints at one point the bone is the first; but a hip or neck joint at the very
 // place of its parent is a helper, and the next one is the bone. If the limbs' names are
 // incomplete, all limbs are found by shape, and the names tell only the sides; without those the
-// feet do. Hips are where legs and spine meet, or what is called so just above.
+// feet do. Hips are where legs and spine meet, or what is called so just above. Spine, chest and
+// upper chest are the joints from there to where the arms part, of more than three those that stand
+// nearest to kSpineShares of the way to the neck; a shoulder is the first joint from there to the
+// upper arm. A skeleton without them has no doubt about it.
 //
 // `given`: what the file itself tells of its bones (VRM). It goes before names where it makes
 // sense: a limb with all its joints, each below the one before, hips above the legs, a neck and a
