@@ -1,9 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "commands.hpp"
 
 namespace shigusa::app {
+namespace {
+
+Result<double> parse_stature(const std::string& text, Sex sex) {
+  if (const auto percentile = stature_percentile(text, sex)) return *percentile;
+  double stature = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, stature);
+  if (error == std::errc{} && rest == end) return stature;
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("is '{}'; allowed are metres, p5, p50 and p95", text.substr(0, 80)),
+              "--stature");
+}
+
+// BONE=NODE, or a JSON file
+Result<void> add_bones(const std::string& text, CharacterSpec& spec) {
+  const std::size_t sign = text.find('=');
+  if (sign != std::string::npos) {
+    spec.map.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+    return {};
+  }
+  Result<BoneRequest> bones = read_bone_request(text);
+  if (!bones) return tl::unexpected(bones.error());
+  spec.map.insert(spec.map.end(), bones->begin(), bones->end());
+  return {};
+}
+
+}  // namespace
 
 Result<void> apply_character_options(const CharacterOptions& options, CharacterSpec& spec) {
   const struct {
@@ -12,6 +41,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
     bool measures;  // told before the person in the file is measured
   } of_a_file[] = {{"--extent", options.extent.has_value(), false},
                    {"--frame", options.frame.has_value(), true},
+                   {"--map", !options.map.empty(), true},
                    {"--stature", options.stature.has_value() && !is_built_in(spec), true}};
   for (const auto& option : of_a_file) {
     if (option.given && is_built_in(spec)) {
@@ -31,9 +61,16 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
                                               : BodyExtent::human;
   }
   if (options.frame) spec.frame = *options.frame;
-  if (options.stature) spec.stature = *options.stature;
   if (options.mass) spec.mass = *options.mass;
   if (options.sex) spec.sex = *options.sex == "female" ? Sex::female : Sex::male;
+  if (options.stature) {
+    const Result<double> stature = parse_stature(*options.stature, spec.sex);
+    if (!stature) return tl::unexpected(stature.error());
+    spec.stature = *stature;
+  }
+  for (const std::string& text : options.map) {
+    if (const auto mapped = add_bones(text, spec); !mapped) return mapped;
+  }
   return {};
 }
 

@@ -22,9 +22,10 @@ inline constexpr int kUnreachable = 3;  // a goal is out of reach; the closest m
 struct CharacterOptions {
   std::optional<std::string> extent;
   std::optional<int> frame;
-  std::optional<double> stature;  // m
-  std::optional<double> mass;     // kg
+  std::optional<std::string> stature;  // m, or p5, p50, p95
+  std::optional<double> mass;          // kg
   std::optional<std::string> sex;
+  std::vector<std::string> map;  // BONE=NODE, or a JSON file of them
 };
 
 struct ReachOptions {

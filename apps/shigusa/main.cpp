@@ -19,10 +19,18 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
       ->check(CLI::IsMember({"human", "full", "half"}));
   c.add_option("--frame", o.frame, "Frame of the file that is the start posture (from 0)")
       ->check(whole_number(0, 1'000'000));
-  c.add_option("--stature", o.stature, "Standing height in metres");
+  c.add_option(
+      "--stature", o.stature,
+      "Standing height in metres, or p5, p50, p95: that of 5, 50 or 95 of 100 people of the "
+      "sex at most");
   c.add_option("--mass", o.mass, "Mass in kilograms");
   c.add_option("--sex", o.sex, "male or female: mass distribution and strength")
       ->check(CLI::IsMember({"male", "female"}));
+  c.add_option(
+       "--map", o.map,
+       "BONE=NODE: which node of the file a bone is (right_hand=Bone_17), or a JSON file of "
+       "them; repeatable")
+      ->allow_extra_args(false);
 }
 
 template <class Options>

@@ -62,6 +62,14 @@ double default_mass(double stature, Sex sex) {
   return table.mean_mass * ratio * ratio;
 }
 
+std::optional<double> stature_percentile(std::string_view name, Sex sex) {
+  const bool male = sex == Sex::male;
+  if (name == "p5") return male ? 1.647 : 1.528;
+  if (name == "p50") return male ? 1.755 : 1.627;
+  if (name == "p95") return male ? 1.867 : 1.737;
+  return std::nullopt;
+}
+
 Landmarks standing_landmarks(double stature, double toe_out) {
   const double h = stature;
   Landmarks person;

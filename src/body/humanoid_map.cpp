@@ -33,13 +33,23 @@ constexpr double kLeastSpine = 0.03;
 
 class BoneFinder {
  public:
-  BoneFinder(const SkeletonTree& tree, const HumanoidMap& given) : tree_(tree), given_(given) {
-    for (const int node : given.node) {
-      SHG_CHECK(node < tree.size(), "a given node of the skeleton");
-      any_given_ = any_given_ || node >= 0;
-    }
+  BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const HumanoidMap& asked)
+      : tree_(tree), given_(given), asked_(asked) {
     for (int i = 0; i < tree.size(); ++i) {
       names_.push_back(tree.node(i).end_site ? BoneName{} : read_bone_name(tree.node(i).name));
+    }
+    for (std::size_t b = 0; b < given.node.size(); ++b) {
+      SHG_CHECK(given.node[b] < tree.size() && asked.node[b] < tree.size(),
+                "a given node of the skeleton");
+      any_given_ = any_given_ || given.node[b] >= 0;
+      if (asked.node[b] < 0) continue;
+      given_.node[b] = asked.node[b];
+      // whatever its own name says
+      const std::string_view bone = humanoid_bone_name(static_cast<Bone>(b));
+      const NameSide side = bone.starts_with("left_")    ? NameSide::left
+                            : bone.starts_with("right_") ? NameSide::right
+                                                         : NameSide::none;
+      names_[static_cast<std::size_t>(asked.node[b])] = {BonePart::none, side};
     }
   }
 
@@ -57,6 +67,9 @@ class BoneFinder {
       if (!find_by_shape()) return fail(ErrorCode::invalid_argument, missing(gap));
       doubt("the names do not tell the {}: all limbs were found by the skeleton's shape",
             kLimbNames[gap]);
+      for (const auto& limb : kLimbs) {
+        for (const Bone bone : limb) map_[bone] = asked_[bone] >= 0 ? asked_[bone] : map_[bone];
+      }
     }
     if (!find_hips()) {
       return fail(ErrorCode::invalid_argument, "no hips: the limbs hang on several roots");
@@ -67,6 +80,7 @@ class BoneFinder {
     find_shoulder(Bone::right_shoulder, Bone::right_upper_arm);
     find_toes(NameSide::left, Bone::left_foot, Bone::left_toes);
     find_toes(NameSide::right, Bone::right_foot, Bone::right_toes);
+    if (const auto obeyed = check_asked(); !obeyed) return tl::unexpected(obeyed.error());
     if (feet_point_backwards(tree_, map_)) {
       doubt(
           "the feet point backwards, seen from the left and right of the names: the file is "
@@ -111,12 +125,36 @@ class BoneFinder {
     return i >= 0 && ancestor >= 0 && i != ancestor && tree_.below(i, ancestor);
   }
 
-  // A limb as the file tells it; false where it tells none, or no chain.
+  // What a person asked for stands, or is refused.
+  [[nodiscard]] Result<void> check_asked() const {
+    const auto refuse = [this](Bone bone) {
+      const int found = map_[bone];
+      return fail(
+          ErrorCode::invalid_argument,
+          fmt::format(
+              "{} cannot be {}: it does not hang where that bone does{}",
+              tree_.described(asked_[bone]), humanoid_bone_name(bone),
+              found < 0 || found == asked_[bone] ? "" : "; found is " + tree_.described(found)));
+    };
+    for (int b = 0; b < kHumanoidBoneCount; ++b) {
+      const auto bone = static_cast<Bone>(b);
+      if (asked_[bone] >= 0 && map_[bone] != asked_[bone]) return refuse(bone);
+    }
+    for (const auto& limb : kLimbs) {
+      for (std::size_t k = 1; k < limb.size(); ++k) {
+        if (strictly_below(map_[limb[k]], map_[limb[k - 1]])) continue;
+        return refuse(asked_[limb[k]] >= 0 ? limb[k] : limb[k - 1]);
+      }
+    }
+    return {};
+  }
+
+  // A limb as the file or a person tells it; false where they tell none, or no chain.
   bool take_given(std::size_t limb) {
-    if (!any_given_) return false;
     const auto& [upper, lower, end] = kLimbs[limb];
     if (!strictly_below(given_[lower], given_[upper]) ||
         !strictly_below(given_[end], given_[lower])) {
+      if (!any_given_) return false;
       doubt("the file's own map has no whole {}: it was looked for by names", kLimbNames[limb]);
       return false;
     }
@@ -130,11 +168,15 @@ class BoneFinder {
     using P = BonePart;
     const NameSide side = limb % 2 == 0 ? NameSide::left : NameSide::right;
     const bool leg = limb < 2;
-    const std::vector<int> uppers = leg ? named(side, {P::upper_leg, P::hip, P::leg})
-                                        : named(side, {P::upper_arm, P::arm, P::shoulder});
-    const std::vector<int> lowers =
-        leg ? named(side, {P::lower_leg, P::leg}) : named(side, {P::lower_arm});
-    const std::vector<int> ends = leg ? named(side, {P::ankle, P::foot}) : named(side, {P::hand});
+    const auto called = [&](std::size_t k, std::initializer_list<P> of_leg,
+                            std::initializer_list<P> of_arm) {
+      const int asked = asked_[kLimbs[limb][k]];
+      return asked >= 0 ? std::vector<int>{asked} : named(side, leg ? of_leg : of_arm);
+    };
+    const std::vector<int> uppers =
+        called(0, {P::upper_leg, P::hip, P::leg}, {P::upper_arm, P::arm, P::shoulder});
+    const std::vector<int> lowers = called(1, {P::lower_leg, P::leg}, {P::lower_arm});
+    const std::vector<int> ends = called(2, {P::ankle, P::foot}, {P::hand});
     LimbNodes best{-1, -1, -1};
     for (const int upper : uppers) {
       // a hip at the very place of its parent only carries the leg (CMU's LHipJoint)
@@ -195,13 +237,16 @@ class BoneFinder {
     return dot(tree_.at(limbs[0][0]) - tree_.at(limbs[1][0]), left) >= 0.0 ? 0 : 1;
   }
 
-  // 1 where more names of a branch say left, -1 where more say right.
+  // 1 where more names of a branch say left, -1 where more say right; what is asked for outweighs
+  // all names.
   [[nodiscard]] int side_by_names(int branch) const {
     int balance = 0;
     for (int i = branch; i < tree_.size(); ++i) {
       if (!tree_.below(i, branch)) continue;
-      if (name(i).side == NameSide::left) ++balance;
-      if (name(i).side == NameSide::right) --balance;
+      const bool asked = std::find(asked_.node.begin(), asked_.node.end(), i) != asked_.node.end();
+      const int weight = asked ? tree_.size() : 1;
+      if (name(i).side == NameSide::left) balance += weight;
+      if (name(i).side == NameSide::right) balance -= weight;
     }
     return balance > 0 ? 1 : balance < 0 ? -1 : 0;
   }
@@ -405,8 +450,9 @@ class BoneFinder {
   }
 
   const SkeletonTree& tree_;
-  const HumanoidMap& given_;
-  bool any_given_ = false;
+  HumanoidMap given_;            // by the file or, before it, by a person …
+  const HumanoidMap& asked_;     // … and these by a person
+  bool any_given_ = false;       // by the file
   std::vector<BoneName> names_;  // (nodes)
   HumanoidMap map_;
   int chest_ = -1;  // where the arms meet
@@ -443,9 +489,9 @@ std::string_view humanoid_bone_name(HumanoidBone bone) {
 }
 
 Result<HumanoidMap> find_humanoid(const Skeleton& skeleton, const std::vector<Transformd>& world,
-                                  const HumanoidMap& given) {
+                                  const HumanoidMap& given, const HumanoidMap& asked) {
   const SkeletonTree tree(skeleton, world);
-  return BoneFinder(tree, given).find();
+  return BoneFinder(tree, given, asked).find();
 }
 
 }  // namespace shigusa

@@ -70,16 +70,6 @@ ArmBones arm_bones(Side side) {
 
 constexpr std::array kSides{Side::left, Side::right};
 
-// Origins of the nodes with all rotations zero.
-std::vector<Vec3d> rest_origins(const Skeleton& skeleton) {
-  std::vector<Vec3d> at;
-  for (const SkeletonNode& node : skeleton.nodes) {
-    at.push_back(node.parent < 0 ? node.offset
-                                 : at[static_cast<std::size_t>(node.parent)] + node.offset);
-  }
-  return at;
-}
-
 // The coordinate axis nearest to a direction, as a unit vector.
 Vec3d nearest_axis(const Vec3d& v) {
   int axis = 0;

@@ -30,7 +30,8 @@ void tell_sides(const Robot& robot, const std::vector<Transformd>& places, Human
         std::pair(Bone::left_foot, Bone::right_foot), std::pair(Bone::left_toes, Bone::right_toes),
         std::pair(Bone::left_upper_arm, Bone::right_upper_arm),
         std::pair(Bone::left_lower_arm, Bone::right_lower_arm),
-        std::pair(Bone::left_hand, Bone::right_hand)}) {
+        std::pair(Bone::left_hand, Bone::right_hand),
+        std::pair(Bone::left_shoulder, Bone::right_shoulder)}) {
     std::swap(map[left], map[right]);
   }
 }
@@ -53,7 +54,7 @@ std::vector<Transformd> robot_places(const Robot& robot) {
   return places;
 }
 
-Result<HumanoidMap> find_humanoid(const Robot& robot) {
+Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) {
   const std::vector<Transformd> places = robot_places(robot);
   std::vector<int> parent(robot.links.size(), -1);
   for (const Robot::Joint& joint : robot.joints) {
@@ -69,13 +70,16 @@ Result<HumanoidMap> find_humanoid(const Robot& robot) {
     skeleton.nodes.push_back({robot.links[i].name, parent[i], at - from});
     world.push_back({Mat3d{}, at});
   }
-  Result<HumanoidMap> map = find_humanoid(skeleton, world);
+  Result<HumanoidMap> map = find_humanoid(skeleton, world, {}, asked);
   if (map) tell_sides(robot, places, *map);
   // few robots have toes: what hangs on a foot is a sensor or a sole
   if (map) {
     for (const HumanoidBone toes : {HumanoidBone::left_toes, HumanoidBone::right_toes}) {
       const int node = (*map)[toes];
-      if (node >= 0 && !is_toe(robot.links[static_cast<std::size_t>(node)].name)) (*map)[toes] = -1;
+      if (node >= 0 && asked[toes] < 0 &&
+          !is_toe(robot.links[static_cast<std::size_t>(node)].name)) {
+        (*map)[toes] = -1;
+      }
     }
     std::erase_if(map->doubts, [](const std::string& doubt) {
       return doubt.starts_with("no left_toes") || doubt.starts_with("no right_toes");

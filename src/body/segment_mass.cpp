@@ -34,6 +34,7 @@ LinkMass LinkMass::shifted(const Vec3d& by) const {
 }
 
 MassProperties LinkMass::in_frame(const Mat3d& frame, const Vec3d& origin) const {
+  if (!(mass > 0.0)) return {};
   const Vec3d com = moment * (1.0 / mass);
   const Mat3d about_com = about_origin + scaled(point_inertia(mass, com), -1.0);
   return {mass, transpose_times(frame, com - origin), transpose(frame) * about_com * frame};

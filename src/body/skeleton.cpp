@@ -11,6 +11,15 @@ int Skeleton::find(std::string_view name) const {
   return -1;
 }
 
+std::vector<Vec3d> rest_origins(const Skeleton& skeleton) {
+  std::vector<Vec3d> at;
+  for (const SkeletonNode& node : skeleton.nodes) {
+    at.push_back(node.parent < 0 ? node.offset
+                                 : at[static_cast<std::size_t>(node.parent)] + node.offset);
+  }
+  return at;
+}
+
 std::vector<Transformd> world_transforms(const Skeleton& skeleton, const SkeletonClip& clip,
                                          int frame) {
   SHG_CHECK(frame >= 0 && frame < clip.frames,

@@ -30,6 +30,9 @@ CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& s
       pairs.obstacles.push_back({c, o});
     }
   }
+  for (const Obstacle& obstacle : settings.obstacles) {
+    pairs.axes.push_back(to_matrix(obstacle.rotation));
+  }
   Kinematics<double> start(body);
   forward_kinematics<double>(body, body.start(), start);
   std::vector<PlacedCapsule<double>> placed(body.capsules().size());

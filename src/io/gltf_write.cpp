@@ -134,12 +134,9 @@ class Layout {
   void add_rotations(const GltfTrack& track) {
     add_channel(track.node, "rotation", add_accessor(track.rotations.size(), "VEC4"));
     Quatd before = track.rest.rotation;
-    for (Quatd q : track.rotations) {
-      if (q.x * before.x + q.y * before.y + q.z * before.z + q.w * before.w < 0.0) {
-        q = {-q.x, -q.y, -q.z, -q.w};
-      }
+    for (const Quatd& rotation : track.rotations) {
+      const Quatd q = before = nearer(rotation, before);
       for (const double value : {q.x, q.y, q.z, q.w}) append_float(data, value);
-      before = q;
     }
   }
 

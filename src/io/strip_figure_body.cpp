@@ -106,11 +106,7 @@ void FigureBody::find_trunk() {
 
 void FigureBody::measure_rest(const Upright& upright) {
   upright_ = upright;
-  rest_.resize(skeleton_.nodes.size());
-  for (std::size_t i = 0; i < rest_.size(); ++i) {
-    const SkeletonNode& node = skeleton_.nodes[i];
-    rest_[i] = node.offset + (node.parent < 0 ? Vec3d{} : rest_[at(node.parent)]);
-  }
+  rest_ = rest_origins(skeleton_);
   measure_stature();
   if (!has_trunk()) return;
   // the axis that leads up the trunk most: a rest posture may lean, its axes do not

@@ -7,9 +7,11 @@
 #include <shigusa/core/names.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/gltf_write.hpp>
-#include <shigusa/io/urdf.hpp>
 #include <shigusa/project/character.hpp>
-#include <shigusa/rollout/settled_posture.hpp>
+
+#include "character_robot.hpp"
+#include "humanoid_request.hpp"
+#include "landmarks_json.hpp"
 
 namespace shigusa {
 namespace {
@@ -104,93 +106,23 @@ CharacterRig make_rig(CharacterFile&& file, int frame, const HumanoidMap& map,
   return result;
 }
 
+std::vector<Vec3d> joints_of(const Landmarks& person) {
+  std::vector<Vec3d> joints = person.spine;
+  for_each_landmark(person, [&](const char*, const Vec3d& p) { joints.push_back(p); });
+  for_each_further_landmark(person, [&](const char*, const std::optional<Vec3d>& p) {
+    if (p) joints.push_back(*p);
+  });
+  return joints;
+}
+
 // The farthest that a joint of one person stands from the other's (m).
 double apart(const Landmarks& a, const Landmarks& b) {
-  double most = max(norm(a.neck - b.neck), norm(a.head_top - b.head_top));
-  for (const Side side : {Side::left, Side::right}) {
-    const Landmarks::Leg& la = a.leg(side);
-    const Landmarks::Leg& lb = b.leg(side);
-    const Landmarks::Arm& aa = a.arm(side);
-    const Landmarks::Arm& ab = b.arm(side);
-    for (const auto& [p, q] : {std::pair{la.hip, lb.hip},
-                               {la.knee, lb.knee},
-                               {la.ankle, lb.ankle},
-                               {la.toe, lb.toe},
-                               {aa.shoulder, ab.shoulder},
-                               {aa.elbow, ab.elbow},
-                               {aa.wrist, ab.wrist},
-                               {aa.fingertip, ab.fingertip},
-                               {grip_of(aa), grip_of(ab)}}) {
-      most = max(most, norm(p - q));
-    }
-  }
+  const std::vector<Vec3d> ours = joints_of(a);
+  const std::vector<Vec3d> theirs = joints_of(b);
+  if (ours.size() != theirs.size()) return 1e9;
+  double most = 0.0;
+  for (std::size_t i = 0; i < ours.size(); ++i) most = max(most, norm(ours[i] - theirs[i]));
   return most;
-}
-
-struct ReadRobot {
-  Robot robot;
-  HumanoidMap map;
-};
-
-Result<ReadRobot> read_robot(std::string_view urdf, const std::string& name) {
-  Result<Robot> robot = parse_urdf(urdf, name);
-  if (!robot) return tl::unexpected(robot.error());
-  robot->name = name;
-  Result<HumanoidMap> map = find_humanoid(*robot);
-  if (!map) {
-    return fail(map.error().code, "no humanoid robot: " + map.error().to_string(), name);
-  }
-  return ReadRobot{std::move(*robot), std::move(*map)};
-}
-
-void tell_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<HumanoidBone>(b);
-    if (map[bone] < 0) continue;
-    spec.humanoid.emplace_back(humanoid_bone_name(bone),
-                               name_of(static_cast<std::size_t>(map[bone])));
-  }
-}
-
-Result<void> check_robot_options(const CharacterSpec& spec) {
-  const struct {
-    const char* what;
-    bool given;
-  } persons[] = {{"stature", spec.stature.has_value()},
-                 {"mass", spec.mass.has_value()},
-                 {"extent", spec.extent != BodyExtent::full},
-                 {"frame", spec.frame != 0}};
-  for (const auto& option : persons) {
-    if (!option.given) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} is of a person, and {} is a robot, which has its own: leave it out",
-                            option.what, spec.source),
-                "character");
-  }
-  return {};
-}
-
-Result<void> read_robot_file(CharacterSpec& spec, const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
-  Result<std::string> text = read_urdf(path);
-  if (!text) return tl::unexpected(text.error());
-  const Result<ReadRobot> read = read_robot(*text, name);
-  if (!read) return tl::unexpected(read.error());
-  tell_bones(
-      read->map, [&](std::size_t link) { return read->robot.links[link].name; }, spec);
-  spec.source = name;
-  spec.urdf = std::move(*text);
-  return {};
-}
-
-Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
-  const Result<ReadRobot> read = read_robot(*spec.urdf, spec.source);
-  if (!read) return tl::unexpected(read.error());
-  const Result<BodyModel> body = build_robot(read->robot, read->map);
-  if (!body) return fail(body.error().code, body.error().to_string(), spec.source);
-  BodyDefinition standing = body->definition();
-  standing.start = settled_posture(*body, standing.doubts);
-  return BodyModel(std::move(standing));
 }
 
 }  // namespace
@@ -240,7 +172,11 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
                 fmt::format("frame {} does not exist; the file has {}", spec.frame, has), name);
   }
   const std::vector<Transformd> world = world_transforms(skeleton, clip, spec.frame);
-  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file->given);
+  std::vector<std::string> nodes;
+  for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
+  const Result<HumanoidMap> asked = requested_bones(spec.map, nodes, name);
+  if (!asked) return tl::unexpected(asked.error());
+  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file->given, *asked);
   if (!map) return fail(map.error().code, map.error().to_string(), name);
   const Result<MeasuredPerson> person =
       measure_person(skeleton, world, *map, {.stature = spec.stature});
@@ -279,7 +215,8 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
   constexpr double kSame = 1e-6;  // m
   // the stature stands in a result whether it was given or measured
   for (const std::optional<double>& stature : {std::optional<double>{}, spec.stature}) {
-    CharacterSpec fresh{.source = path.string(), .stature = stature, .frame = spec.frame};
+    CharacterSpec fresh{
+        .source = path.string(), .stature = stature, .frame = spec.frame, .map = spec.map};
     if (const auto measured = measure_character(fresh, {}); !measured) {
       if (stature) return measured;
       continue;
@@ -305,7 +242,8 @@ Result<BodyModel> build_character(const CharacterSpec& spec) {
   const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);
   const double mass = spec.mass.value_or(default_mass(stature, spec.sex));
   if (spec.landmarks) {
-    return build_human(*spec.landmarks, {spec.source, spec.extent, stature, mass, spec.sex},
+    const BodyExtent extent = spec.extent.value_or(BodyExtent::human);
+    return build_human(*spec.landmarks, {spec.source, extent, stature, mass, spec.sex},
                        spec.doubts);
   }
   const Stature person{stature, mass, spec.sex};

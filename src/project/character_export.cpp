@@ -50,23 +50,13 @@ Rig unturned(const Rig& rig, const Skeleton& skeleton) {
   return result;
 }
 
-// Where unturned nodes stand.
-std::vector<Vec3d> places(const Skeleton& skeleton) {
-  std::vector<Vec3d> at;
-  for (const SkeletonNode& node : skeleton.nodes) {
-    at.push_back(node.parent < 0 ? node.offset
-                                 : at[static_cast<std::size_t>(node.parent)] + node.offset);
-  }
-  return at;
-}
-
 // The character's VRM bones as a skeleton of their own, parents first.
 class VrmSkeleton {
  public:
   explicit VrmSkeleton(const CharacterRig& character) : character_(character) {
     rig = character.rig;
     rig.nodes.clear();
-    const std::vector<Vec3d> at = places(character.skeleton);
+    const std::vector<Vec3d> at = rest_origins(character.skeleton);
     std::vector<int> ours(character.skeleton.nodes.size(), -1);
     // by the file's order: bones of a file may hang together otherwise than VRM wants them
     for (std::size_t i = 0; i < ours.size(); ++i) {

@@ -26,12 +26,7 @@ void add_root(const BodyModel& body, const Clip& clip, std::vector<CsvColumn>& c
     const Mat3d r = kinematics.link_rotation(robot.link) * robot.root_in_link.rotation;
     const Mat3d turned{in_robot_world(r.cx), in_robot_world(r.cy), in_robot_world(r.cz)};
     const Vec3d at = in_robot_world(kinematics.point(robot.link, robot.root_in_link.translation));
-    Quatd q = to_quat(turned);
-    // of the two that are the same rotation, the one nearer to that of the frame before
-    if (q.x * before.x + q.y * before.y + q.z * before.z + q.w * before.w < 0.0) {
-      q = {-q.x, -q.y, -q.z, -q.w};
-    }
-    before = q;
+    const Quatd q = before = nearer(to_quat(turned), before);
     const double values[] = {at.x, at.y, at.z, q.x, q.y, q.z, q.w};
     for (std::size_t k = 0; k < pose.size(); ++k) pose[k].values.push_back(values[k]);
   }

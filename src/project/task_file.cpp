@@ -5,12 +5,13 @@
 #include <shigusa/project/result_file.hpp>
 #include <shigusa/project/task_file.hpp>
 
+#include "humanoid_request.hpp"
+#include "landmarks_json.hpp"
 #include "task_json.hpp"
 
 namespace shigusa {
 namespace {
 
-constexpr double kLengthRange = 100.0;  // m, of landmarks
 constexpr double kCriteriaRange = 1e6;  // weights and reference scales
 constexpr double kCriteriaTiny = 1e-9;  // reference scales are above 0
 constexpr std::size_t kGoalsMax = 64;   // far more than any body has effectors
@@ -18,57 +19,15 @@ constexpr std::uint64_t kFrameMax = 1'000'000;
 constexpr std::uint64_t kCandidatesMax = 1000;
 constexpr std::uint64_t kEvaluationsMax = 1'000'000'000;
 
-// Landmarks by name, in the order in which files hold them.
-template <class Person, class Visit>
-void for_each_landmark(Person& p, Visit&& visit) {
-  visit("left_hip", p.left_leg.hip);
-  visit("left_knee", p.left_leg.knee);
-  visit("left_ankle", p.left_leg.ankle);
-  visit("left_toe", p.left_leg.toe);
-  visit("right_hip", p.right_leg.hip);
-  visit("right_knee", p.right_leg.knee);
-  visit("right_ankle", p.right_leg.ankle);
-  visit("right_toe", p.right_leg.toe);
-  visit("left_shoulder", p.left_arm.shoulder);
-  visit("left_elbow", p.left_arm.elbow);
-  visit("left_wrist", p.left_arm.wrist);
-  visit("left_fingertip", p.left_arm.fingertip);
-  visit("right_shoulder", p.right_arm.shoulder);
-  visit("right_elbow", p.right_arm.elbow);
-  visit("right_wrist", p.right_arm.wrist);
-  visit("right_fingertip", p.right_arm.fingertip);
-  visit("neck", p.neck);
-  visit("head_top", p.head_top);
-}
-
-// Points that a person may lack.
-template <class Person, class Visit>
-void for_each_further_landmark(Person& p, Visit&& visit) {
-  visit("head", p.head);
-  visit("left_clavicle", p.left_arm.clavicle);
-  visit("right_clavicle", p.right_arm.clavicle);
-  visit("left_grip", p.left_arm.grip);
-  visit("right_grip", p.right_arm.grip);
-}
-
 constexpr std::array<std::pair<const char*, BodyExtent>, 3> kExtents{
     {{"half", BodyExtent::half}, {"full", BodyExtent::full}, {"human", BodyExtent::human}}};
-
-Json landmarks_to_json(const Landmarks& person) {
-  Json json;
-  for_each_landmark(person, [&](const char* name, const Vec3d& p) { json[name] = to_json(p); });
-  for (const Vec3d& p : person.spine) json["spine"].push_back(to_json(p));
-  for_each_further_landmark(person, [&](const char* name, const std::optional<Vec3d>& p) {
-    if (p) json[name] = to_json(*p);
-  });
-  return json;
-}
 
 Json character_to_json(const CharacterSpec& c) {
   Json json;
   json["source"] = c.source;
   if (c.stature) json["stature_m"] = *c.stature;
   if (c.mass) json["mass_kg"] = *c.mass;
+  for (const auto& [bone, node] : c.map) json["map"][bone] = node;
   if (c.urdf) {
     json["urdf"] = *c.urdf;
     return json;
@@ -76,7 +35,7 @@ Json character_to_json(const CharacterSpec& c) {
   json["sex"] = c.sex == Sex::male ? "male" : "female";
   if (is_built_in(c)) return json;
   for (const auto& [name, extent] : kExtents) {
-    if (extent == c.extent) json["extent"] = name;
+    if (c.extent == extent) json["extent"] = name;
   }
   json["frame"] = c.frame;
   if (!c.doubts.empty()) json["doubts"] = c.doubts;
@@ -100,42 +59,16 @@ void read_texts(JsonReader& reader, const char* key, std::vector<std::string>& t
   }
 }
 
-// Coinciding joints would leave a body without lengths.
-void check_segments(JsonReader& reader, const Landmarks& p) {
-  constexpr double kShortest = 1e-3;  // m
-  for (const Side side : {Side::left, Side::right}) {
-    const auto& leg = p.leg(side);
-    const auto& arm = p.arm(side);
-    for (const double length : {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle),
-                                norm(arm.shoulder - arm.elbow), norm(arm.elbow - arm.wrist),
-                                norm(leg.toe - leg.ankle), norm(arm.fingertip - arm.wrist)}) {
-      if (length < kShortest) reader.wrong("landmarks_m", "two joints of a limb coincide");
-    }
-  }
-}
-
-void read_landmarks(JsonReader& reader, CharacterSpec& c) {
-  if (!reader.has("landmarks_m")) return;
-  JsonReader landmarks = reader.object("landmarks_m");
-  Landmarks person;
-  for_each_landmark(person, [&](const char* name, Vec3d& p) {
-    landmarks.require(name);
-    landmarks.vector(name, p, kLengthRange);
-  });
-  landmarks.vectors("spine", person.spine, kSpineJoints, kLengthRange);
-  for_each_further_landmark(person, [&](const char* name, std::optional<Vec3d>& p) {
-    if (landmarks.has(name)) landmarks.vector(name, p.emplace(), kLengthRange);
-  });
-  reader.absorb(landmarks.finish());
-  reader.require("stature_m");
-  check_segments(reader, person);
-  c.landmarks = person;
+// The freedoms of a person from a file where nothing is said: all, but the published method and the
+// layers are of bodies like the paper's.
+BodyExtent usual_extent(Preset preset) {
+  return preset == Preset::flat ? BodyExtent::human : BodyExtent::full;
 }
 
 void check_character(JsonReader& reader, const CharacterSpec& c) {
   if (const auto known = check_source(c); !known) reader.wrong("source", known.error().message);
   if (c.urdf && c.landmarks) reader.wrong("urdf", "is of a robot, and landmarks_m of a person");
-  for (const char* key : {"extent", "frame", "doubts", "landmarks_m", "urdf"}) {
+  for (const char* key : {"extent", "frame", "map", "doubts", "landmarks_m", "urdf"}) {
     if (!reader.has(key) || !is_built_in(c)) continue;
     reader.wrong(key,
                  "is of a character from a file, and " + c.source + " is built in: leave it out");
@@ -155,11 +88,20 @@ void read_character(JsonReader& task, CharacterSpec& c) {
   reader.number("stature_m", c.stature, 0.5, 2.5);
   reader.number("mass_kg", c.mass, 2.0, 300.0);
   reader.choice<Sex>("sex", c.sex, {{"male", Sex::male}, {"female", Sex::female}});
-  reader.choice<BodyExtent>("extent", c.extent, {kExtents.begin(), kExtents.end()});
+  if (reader.has("extent")) {
+    reader.choice<BodyExtent>("extent", c.extent.emplace(), {kExtents.begin(), kExtents.end()});
+  }
   reader.integer("frame", c.frame, 0, kFrameMax);
   read_texts(reader, "doubts", c.doubts);
   if (reader.has("urdf")) reader.text("urdf", c.urdf.emplace());
-  read_landmarks(reader, c);
+  if (reader.has("map")) {
+    if (Result<BoneRequest> map = bone_request(reader.value("map")); map) {
+      c.map = std::move(*map);
+    } else {
+      reader.wrong("map", map.error().message);
+    }
+  }
+  c.landmarks = read_landmarks(reader);
   check_character(reader, c);
   task.absorb(reader.finish());
 }
@@ -354,6 +296,9 @@ std::string format_task(const TaskFile& task) {
 Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
   if (const auto measured = measure_character(file.character, folder); !measured) {
     return tl::unexpected(measured.error());
+  }
+  if (file.character.landmarks && !file.character.extent) {
+    file.character.extent = usual_extent(file.preset);
   }
   Result<BodyModel> body = build_character(file.character);
   if (!body) return tl::unexpected(body.error());

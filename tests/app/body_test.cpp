@@ -63,6 +63,33 @@ TEST_F(Body, HumanoidMapNamesTheFilesNodes) {
   EXPECT_EQ(humanoid.at("hips"), "hips");
 }
 
+TEST_F(Body, MapOfTheCallerGoesBeforeNames) {
+  work_.put("map.json", R"({"head": "neck", "neck": "chest"})");
+  EXPECT_EQ(json({"person.bvh", "--map", "neck=head"}).at("humanoid").at("neck"), "head");
+  const ProgramRun unknown = body({"person.bvh", "--map", "right_hnad=right_hand"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("did you mean 'right_hand'?"));
+  const ProgramRun no_node = body({"person.bvh", "--map", "right_hand=right_hnad"});
+  EXPECT_EQ(no_node.exit_code, 2);
+  EXPECT_THAT(no_node.err, HasSubstr("person.bvh has no 'right_hnad' for right_hand; did you mean "
+                                     "'right_hand'?"));
+  EXPECT_EQ(body({"person.bvh", "--map", "map.json"}).exit_code, 2);  // the neck's arms are above
+  work_.put("map.json", R"({"neck": "head"})");
+  EXPECT_EQ(json({"person.bvh", "--map", "map.json"}).at("humanoid").at("neck"), "head");
+  work_.put("map.json", R"({"neck": 3})");
+  EXPECT_THAT(body({"person.bvh", "--map", "map.json"}).err, HasSubstr("an object of bones"));
+  EXPECT_THAT(body({"human", "--map", "neck=head"}).err, HasSubstr("is built in"));
+  EXPECT_EQ(body({"person.bvh", "--map", "neck=head", "--map", "neck=neck"}).exit_code, 2);
+}
+
+TEST_F(Body, StatureMayBeAPercentile) {
+  EXPECT_EQ(json({"human", "--stature", "p5", "--sex", "female"}).at("stature_m"), 1.528);
+  EXPECT_EQ(json({"human", "--stature", "p95"}).at("stature_m"), 1.867);
+  EXPECT_EQ(json({"human", "--stature", "1.6"}).at("stature_m"), 1.6);
+  EXPECT_EQ(body({"human", "--stature", "p42"}).exit_code, 2);
+  EXPECT_EQ(body({"human", "--stature", "1.6m"}).exit_code, 2);
+}
+
 TEST_F(Body, PlacementTellsWhereGoalsAreInTheFile) {
   const Json placement = json({"person.bvh"}).at("placement");
   EXPECT_NEAR(placement.at("unit_m").get<double>(), 0.01, 1e-12);

@@ -279,6 +279,73 @@ TEST(HumanoidMap, GivenBonesThatAreNoLimbAreLookedForByNames) {
   EXPECT_THAT(map->doubts, Contains(HasSubstr("map has no hips above the legs")));
 }
 
+// The standing figure with names that tell nothing, "0", "1", …
+StickFigure nameless_figure() {
+  StickFigure figure = standing_figure();
+  for (std::size_t i = 0; i < kCaptureNames.size(); ++i) {
+    figure[kCaptureNames[i]].name = std::to_string(i);
+  }
+  return figure;
+}
+
+HumanoidMap asking(const StickFigure& figure,
+                   std::initializer_list<std::pair<Bone, const char*>> of) {
+  HumanoidMap asked;
+  for (const auto& [bone, name] : of) asked[bone] = figure.skeleton().find(name);
+  return asked;
+}
+
+TEST(HumanoidMap, AskedBonesGoBeforeNamesAndTheFilesOwnMap) {
+  StickFigure figure = standing_figure();
+  const Skeleton skeleton = figure.skeleton();
+  const HumanoidMap given = given_map(figure);
+  for (const HumanoidMap& file : {given, HumanoidMap{}}) {
+    // a hand that is not where the names say, and the toes' name on a foot
+    const HumanoidMap asked = asking(figure, {{Bone::neck, "Head"}});
+    const auto map = find_humanoid(skeleton, figure.world(), file, asked);
+    ASSERT_TRUE(map) << map.error().to_string();
+    EXPECT_EQ(node_name(skeleton, (*map)[Bone::neck]), "Head");
+    EXPECT_EQ(node_name(skeleton, (*map)[Bone::left_hand]), "LeftHand");
+  }
+}
+
+TEST(HumanoidMap, AskedBoneCompletesALimbWhoseNamesDoNot) {
+  StickFigure figure = standing_figure();
+  figure["RightHand"].name = "Bone_17";
+  const HumanoidMap asked = asking(figure, {{Bone::right_hand, "Bone_17"}});
+  const auto map = find_humanoid(figure.skeleton(), figure.world(), {}, asked);
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ(node_name(figure.skeleton(), (*map)[Bone::right_hand]), "Bone_17");
+  EXPECT_THAT(map->doubts, IsEmpty());
+}
+
+TEST(HumanoidMap, AskedBoneTellsTheSidesOfAFigureWithoutNames) {
+  const StickFigure figure = nameless_figure();
+  const auto as_found = find(figure);
+  ASSERT_TRUE(as_found);
+  HumanoidMap asked;
+  asked[Bone::left_foot] = (*as_found)[Bone::right_foot];
+  asked[Bone::left_hand] = (*as_found)[Bone::right_hand];
+  const auto map = find_humanoid(figure.skeleton(), figure.world(), {}, asked);
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ((*map)[Bone::left_upper_leg], (*as_found)[Bone::right_upper_leg]);
+  EXPECT_EQ((*map)[Bone::right_lower_arm], (*as_found)[Bone::left_lower_arm]);
+}
+
+TEST(HumanoidMap, AskedBoneThatDoesNotHangThereIsRefused) {
+  const StickFigure figure = standing_figure();
+  for (const auto& [bone, name] : {std::pair(Bone::right_hand, "LeftHand"),
+                                   {Bone::left_lower_leg, "Hips"},
+                                   {Bone::head, "LeftFoot"},
+                                   {Bone::hips, "Head"}}) {
+    const auto map =
+        find_humanoid(figure.skeleton(), figure.world(), {}, asking(figure, {{bone, name}}));
+    ASSERT_FALSE(map) << name;
+    EXPECT_THAT(map.error().message, HasSubstr(name));
+    EXPECT_THAT(map.error().message, HasSubstr("does not hang where that bone does"));
+  }
+}
+
 TEST(HumanoidMap, RootInTheChestIsFollowedToTheHips) {
   // the standing figure with its root at the chest: hips hang below the spine
   const StickFigure upright = standing_figure();

@@ -56,6 +56,23 @@ TEST(WholeHuman, StandsWithTheLandmarksOfThePerson) {
   expect_at("left_foot", person.left_leg.ankle);
 }
 
+// A slice of the trunk between two of them has no length, and no mass.
+TEST(WholeHuman, SpineJointsThatDoNotRiseLeaveAWholeBody) {
+  Landmarks person = standing_landmarks(1.7, kStandingToeOut);
+  const Vec3d hips = (person.left_leg.hip + person.right_leg.hip) * 0.5;
+  for (const double rise : {-0.05, 0.0}) {
+    person.spine = {hips + Vec3d{0, rise, 0}, hips + Vec3d{0, rise, 0}, person.neck};
+    const BodyModel body = build_human(person, {"human", BodyExtent::human, 1.7, 70.0, Sex::male});
+    double mass = body.link_mass(kBaseLink).mass;
+    for (int d = 0; d < body.dof_count(); ++d) {
+      const MassProperties& link = body.link_mass(d);
+      EXPECT_TRUE(std::isfinite(norm(link.com)) && std::isfinite(link.inertia.cx.x)) << d;
+      mass += link.mass;
+    }
+    EXPECT_NEAR(mass, 70.0, 1e-9);
+  }
+}
+
 TEST(WholeHuman, WeighsWhatIsAskedWhateverItsJoints) {
   for (const std::size_t joints : {0u, 1u, 2u, 3u}) {
     EXPECT_NEAR(with_spine(joints).mass(), 70.0, 1e-10) << joints;

@@ -78,13 +78,23 @@ TEST(Collision, DepthInABallIsThatOfTheirRadii) {
 
 TEST(Collision, DistanceFromABoxIsSignedAndTurnsWithIt) {
   Obstacle box{.name = "box", .position = {1, 0, 0}, .size = {2, 4, 6}};
-  EXPECT_NEAR(obstacle_distance(box, Vec3d{3, 0, 0}), 1.0, 1e-12);
-  EXPECT_NEAR(obstacle_distance(box, Vec3d{1, 1.5, 0}), -0.5, 1e-12);
-  EXPECT_NEAR(obstacle_distance(box, Vec3d{5, 6, 0}), 5.0, 1e-12);  // 3, 4, 5 from the edge
+  const auto distance = [&box](const Vec3d& at) {
+    return obstacle_distance(box, to_matrix(box.rotation), at);
+  };
+  EXPECT_NEAR(distance({3, 0, 0}), 1.0, 1e-12);
+  EXPECT_NEAR(distance({1, 1.5, 0}), -0.5, 1e-12);
+  EXPECT_NEAR(distance({5, 6, 0}), 5.0, 1e-12);  // 3, 4, 5 from the edge
   box.rotation = axis_rotation(Axis::z, radians(90));
-  EXPECT_NEAR(obstacle_distance(box, Vec3d{3, 0, 0}), 0.0, 1e-12);
+  EXPECT_NEAR(distance({3, 0, 0}), 0.0, 1e-12);
   box.radius = 0.25;
-  EXPECT_NEAR(obstacle_distance(box, Vec3d{4, 0, 0}), 0.75, 1e-12);
+  EXPECT_NEAR(distance({4, 0, 0}), 0.75, 1e-12);
+}
+
+TEST(Collision, SegmentsWithoutLengthArePoints) {
+  EXPECT_NEAR(square_distance<double>({{0, 0, 0}, {0, 0, 0}}, {{3, 4, 0}, {3, 4, 0}}), 25.0, 1e-9);
+  EXPECT_NEAR(square_distance<double>({{0, 0, 0}, {0, 0, 0}}, {{-1, 2, 0}, {1, 2, 0}}), 4.0, 1e-9);
+  EXPECT_NEAR(square_distance<double>({{-1, 2, 0}, {1, 2, 0}}, {{0.5, 0, 0}, {0.5, 0, 0}}), 4.0,
+              1e-9);
 }
 
 // Against the pair of nearest points, which is tested by itself.

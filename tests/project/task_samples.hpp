@@ -34,6 +34,7 @@ inline CharacterSpec any_character() {
   if (is_built_in(spec)) return spec;
   spec.extent = *rc::gen::element(BodyExtent::full, BodyExtent::half);
   spec.frame = *rc::gen::inRange(0, 1'000'001);
+  if (*rc::gen::arbitrary<bool>()) spec.map = {{"right_hand", "Bone \"17\""}, {"hips", "腰"}};
   if (!*rc::gen::arbitrary<bool>()) return spec;
   spec.stature = any_number(0.5, 2.5);
   spec.doubts = *rc::gen::container<std::vector<std::string>>(
@@ -84,7 +85,8 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
     add(optional.value_or(0.0));
   }
   all.insert(all.end(),
-             {static_cast<std::uint64_t>(c.sex), static_cast<std::uint64_t>(c.extent),
+             {static_cast<std::uint64_t>(c.sex),
+              static_cast<std::uint64_t>(c.extent.value_or(BodyExtent::half)),
               static_cast<std::uint64_t>(c.frame), c.landmarks.has_value(), task.seed, task.pareto,
               static_cast<std::uint64_t>(task.generator), static_cast<std::uint64_t>(task.phases),
               static_cast<std::uint64_t>(task.candidates),
@@ -106,6 +108,7 @@ inline std::vector<std::string> words(const TaskFile& task) {
   std::vector<std::string> all{task.character.source, std::string(preset_name(task.preset)),
                                std::string(layer_reading_name(task.layer_reading))};
   all.insert(all.end(), task.character.doubts.begin(), task.character.doubts.end());
+  for (const auto& [bone, node] : task.character.map) all.insert(all.end(), {bone, node});
   for (const Goal& goal : task.goals) all.push_back(goal.effector);
   all.insert(all.end(), task.fixed.begin(), task.fixed.end());
   return all;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <shigusa/body/landmarks.hpp>
 #include <shigusa/math/scalar.hpp>
+#include <string_view>
 
 namespace shigusa {
 
@@ -37,7 +39,7 @@ struct SegmentTable {
   SegmentParameters thigh;      // hip – knee
   SegmentParameters shank;      // knee – ankle
   SegmentParameters foot;       // heel – toe tip
-  // the trunk's thirds from below: mid-hips – navel – xiphoid – C7
+  // the trunk's three parts from below: mid-hips – navel – xiphoid – C7
   std::array<TrunkPart, 3> trunk_parts;
   double mean_stature = 0.0;  // m, of the measured group
   double mean_mass = 0.0;     // kg
@@ -162,6 +164,11 @@ struct Stature {
 
 // Mass in kg of a person of that stature with the body-mass index of the group's mean.
 [[nodiscard]] double default_mass(double stature, Sex sex);
+
+// Standing height (m) that 5, 50 or 95 of a hundred people do not exceed, by the names "p5", "p50"
+// and "p95"; nothing for other names. Source: C. Gordon et al., 1988 Anthropometric Survey of U.S.
+// Army Personnel, Natick TR-89/044 (1989), stature.
+[[nodiscard]] std::optional<double> stature_percentile(std::string_view name, Sex sex);
 
 // Landmarks of a person standing upright at ease: knees bent by 5°, elbows by 10°, arms hanging,
 // each foot turned out by `toe_out` (rad).

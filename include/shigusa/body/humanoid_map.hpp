@@ -74,8 +74,13 @@ struct HumanoidMap {
 // sense: a limb with all its joints, each below the one before, hips above the legs, a neck and a
 // head above the arms, toes below the foot. What it leaves out or contradicts is found as above;
 // for a limb or the hips that is a doubt.
+//
+// `asked`: what a person says of some bones. It goes before all else; names and shape find the
+// rest, but of the spine only what is asked is taken where any of it is. Fails where such a node
+// does not hang where its bone does.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Skeleton& skeleton,
                                                 const std::vector<Transformd>& world,
-                                                const HumanoidMap& given = {});
+                                                const HumanoidMap& given = {},
+                                                const HumanoidMap& asked = {});
 
 }  // namespace shigusa

@@ -43,8 +43,8 @@ struct Robot {
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);
 
 // The humanoid bones among a robot's links (see find_humanoid). Where neither names nor feet tell
-// left from right, +y of a robot with z up is left. Toes are only what is called so.
-[[nodiscard]] Result<HumanoidMap> find_humanoid(const Robot& robot);
+// left from right, +y of a robot with z up is left. Toes are only what is called so, or asked for.
+[[nodiscard]] Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked = {});
 
 // The robot as a body that stands on its right foot, the left one planted beside it. Its start
 // posture has every angle at 0, or as near to that as limits allow, and may leave the left foot in

@@ -49,6 +49,9 @@ struct SkeletonMotion {
   SkeletonClip clip;
 };
 
+// Origins of all nodes at rest: (nodes), in the file's world, metres.
+[[nodiscard]] std::vector<Vec3d> rest_origins(const Skeleton& skeleton);
+
 // World transforms of all nodes at one frame: (nodes), in the file's world, metres.
 [[nodiscard]] std::vector<Transformd> world_transforms(const Skeleton& skeleton,
                                                        const SkeletonClip& clip, int frame);

@@ -31,6 +31,7 @@ struct CollisionPairs {
   std::vector<Pair> parts;      // limbs and parts of the body
   std::vector<Pair> obstacles;  // any capsule and an obstacle
   std::vector<Pair> floor;      // capsules of arms that have a wrist; `other` is not used
+  std::vector<Mat3d> axes;      // (obstacles) R_WO
 };
 [[nodiscard]] CollisionPairs collision_pairs(const BodyModel& body,
                                              const CollisionSettings& settings);
@@ -56,9 +57,11 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obsta
   for (auto& pair : pairs.obstacles) {
     const Obstacle& obstacle = obstacles[index(pair.other)];
     const PlacedCapsule<S>& limb = placed[index(pair.limb)];
-    const S ends =
-        min(obstacle_distance(obstacle, limb.from), obstacle_distance(obstacle, limb.to));
-    const S apart = min(ends, obstacle_distance(obstacle, (limb.from + limb.to) * S(0.5)));
+    const auto distance = [&](const Vec3<S>& point) {
+      return obstacle_distance(obstacle, pairs.axes[index(pair.other)], point);
+    };
+    const S ends = min(distance(limb.from), distance(limb.to));
+    const S apart = min(ends, distance((limb.from + limb.to) * S(0.5)));
     visit(pair, CollisionKind::obstacle, S(radius(pair.limb) - pair.allowed) - apart);
   }
   for (auto& pair : pairs.floor) {

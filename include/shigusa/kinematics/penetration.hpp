@@ -54,15 +54,16 @@ template <class S>
           kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.to))};
 }
 
-// Squared distance (m²) of two segments whose lengths are not 0. Of parallel ones, that at some
-// point which both have beside each other.
+// Squared distance (m²) of two segments, which may be points. Of parallel ones, that at some point
+// which both have beside each other.
 template <class S>
 [[nodiscard]] S square_distance(const PlacedCapsule<S>& a, const PlacedCapsule<S>& b) {
   const Vec3<S> along_a = a.to - a.from;
   const Vec3<S> along_b = b.to - b.from;
   const Vec3<S> between = a.from - b.from;
-  const S aa = dot(along_a, along_a);
-  const S bb = dot(along_b, along_b);
+  constexpr double kPoint = 1e-12;  // m², so that a point is divided by something
+  const S aa = max(dot(along_a, along_a), S(kPoint));
+  const S bb = max(dot(along_b, along_b), S(kPoint));
   const S ab = dot(along_a, along_b);
   const S a_between = dot(along_a, between);
   const S b_between = dot(along_b, between);
@@ -74,11 +75,11 @@ template <class S>
   return dot(apart, apart);
 }
 
-// Signed distance (m) of a point from an obstacle, less than 0 inside.
+// Signed distance (m) of a point from an obstacle, less than 0 inside. axes: R_WO of its rotation.
 template <class S>
-[[nodiscard]] S obstacle_distance(const Obstacle& obstacle, const Vec3<S>& point) {
-  const Mat3<S> axes = to_scalar<S>(to_matrix(obstacle.rotation));
-  const Vec3<S> p = transpose_times(axes, point - to_scalar<S>(obstacle.position));
+[[nodiscard]] S obstacle_distance(const Obstacle& obstacle, const Mat3d& axes,
+                                  const Vec3<S>& point) {
+  const Vec3<S> p = transpose_times(to_scalar<S>(axes), point - to_scalar<S>(obstacle.position));
   const Vec3d half = obstacle.size * 0.5;
   const Vec3<S> over{abs(p.x) - S(half.x), abs(p.y) - S(half.y), abs(p.z) - S(half.z)};
   const Vec3<S> outside{max(over.x, S(0)), max(over.y, S(0)), max(over.z, S(0))};

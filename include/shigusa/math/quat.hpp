@@ -24,6 +24,12 @@ struct Quat {
 
 using Quatd = Quat<double>;
 
+// Of q and -q, which are the same rotation, the one nearer to `near`.
+[[nodiscard]] inline Quatd nearer(const Quatd& q, const Quatd& near) {
+  const bool other = q.x * near.x + q.y * near.y + q.z * near.z + q.w * near.w < 0.0;
+  return other ? Quatd{-q.x, -q.y, -q.z, -q.w} : q;
+}
+
 // Rotation about a coordinate axis by an angle in radians.
 [[nodiscard]] inline Quatd axis_rotation(Axis axis, double angle) {
   const SinCos<double> half = sin_cos(0.5 * angle);

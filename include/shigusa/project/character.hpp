@@ -29,6 +29,12 @@ struct CharacterRig {
   std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
 };
 
+// Humanoid bones ("right_hand") and the nodes of a file that they are, as a person tells them.
+using BoneRequest = std::vector<std::pair<std::string, std::string>>;
+
+// Reads such a list from a JSON file: {"right_hand": "Bone_17", …}.
+[[nodiscard]] Result<BoneRequest> read_bone_request(const std::filesystem::path& path);
+
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
   // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM or URDF file; for a
@@ -37,8 +43,9 @@ struct CharacterSpec {
   std::optional<double> stature{};  // m, 0.5..2.5
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
   Sex sex = Sex::male;
-  BodyExtent extent = BodyExtent::full;  // of a person from a file
-  int frame = 0;                         // of the file: the start posture; glTF has 0 alone
+  std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
+  int frame = 0;                       // of the file: the start posture; glTF has 0 alone
+  BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
   std::optional<std::string> urdf{};  // the robot as read (reduced_urdf), in landmarks' place

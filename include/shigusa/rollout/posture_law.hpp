@@ -82,7 +82,6 @@ class PostureLaw {
     looks_ = true;
     target_ = to_scalar<S>(*problem.gaze);
     chest_ = body.dof(*neck).parent;
-    head_ = *neck;
     const bool two = body.find_dof("head.flexion").has_value();
     for (const char* joint : {"neck", "head"}) {
       const auto nod = body.find_dof(std::string(joint) + ".flexion");

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "character_robot.hpp"
+
+#include <fmt/format.h>
+
+#include <shigusa/io/urdf.hpp>
+#include <shigusa/rollout/settled_posture.hpp>
+
+#include "humanoid_request.hpp"
+
+namespace shigusa {
+namespace {
+
+struct ReadRobot {
+  Robot robot;
+  HumanoidMap map;
+};
+
+Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
+  const std::string name = std::filesystem::path(spec.source).filename().string();
+  Result<Robot> robot = parse_urdf(urdf, name);
+  if (!robot) return tl::unexpected(robot.error());
+  robot->name = name;
+  std::vector<std::string> links;
+  for (const Robot::Link& link : robot->links) links.push_back(link.name);
+  const Result<HumanoidMap> asked = requested_bones(spec.map, links, name);
+  if (!asked) return tl::unexpected(asked.error());
+  Result<HumanoidMap> map = find_humanoid(*robot, *asked);
+  if (!map) {
+    return fail(map.error().code, "no humanoid robot: " + map.error().to_string(), name);
+  }
+  return ReadRobot{std::move(*robot), std::move(*map)};
+}
+
+}  // namespace
+
+Result<void> check_robot_options(const CharacterSpec& spec) {
+  const struct {
+    const char* what;
+    bool given;
+  } persons[] = {{"stature", spec.stature.has_value()},
+                 {"mass", spec.mass.has_value()},
+                 {"extent", spec.extent.has_value()},
+                 {"frame", spec.frame != 0}};
+  for (const auto& option : persons) {
+    if (!option.given) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} is of a person, and {} is a robot, which has its own: leave it out",
+                            option.what, spec.source),
+                "character");
+  }
+  return {};
+}
+
+Result<void> read_robot_file(CharacterSpec& spec, const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  Result<std::string> text = read_urdf(path);
+  if (!text) return tl::unexpected(text.error());
+  const Result<ReadRobot> read = read_robot(*text, spec);
+  if (!read) return tl::unexpected(read.error());
+  tell_bones(
+      read->map, [&](std::size_t link) { return read->robot.links[link].name; }, spec);
+  spec.source = name;
+  spec.urdf = std::move(*text);
+  return {};
+}
+
+Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
+  const Result<ReadRobot> read = read_robot(*spec.urdf, spec);
+  if (!read) return tl::unexpected(read.error());
+  const Result<BodyModel> body = build_robot(read->robot, read->map);
+  if (!body) return fail(body.error().code, body.error().to_string(), spec.source);
+  BodyDefinition standing = body->definition();
+  standing.start = settled_posture(*body, standing.doubts);
+  return BodyModel(std::move(standing));
+}
+
+}  // namespace shigusa

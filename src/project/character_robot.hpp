@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/project/character.hpp>
+
+namespace shigusa {
+
+// Fails on what is of a person alone.
+[[nodiscard]] Result<void> check_robot_options(const CharacterSpec& spec);
+
+// Reads a URDF file: fills urdf and humanoid, and leaves the bare name as the source.
+[[nodiscard]] Result<void> read_robot_file(CharacterSpec& spec, const std::filesystem::path& path);
+
+// The body of a robot that was read, on settled feet.
+[[nodiscard]] Result<BodyModel> build_robot_character(const CharacterSpec& spec);
+
+// Tells the mapped bones by the names of their nodes, which name_of(index) gives.
+inline void tell_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
+  for (int b = 0; b < kHumanoidBoneCount; ++b) {
+    const auto bone = static_cast<HumanoidBone>(b);
+    if (map[bone] < 0) continue;
+    spec.humanoid.emplace_back(humanoid_bone_name(bone),
+                               name_of(static_cast<std::size_t>(map[bone])));
+  }
+}
+
+}  // namespace shigusa

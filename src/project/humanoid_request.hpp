@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/project/character.hpp>
+
+#include "json_text.hpp"
+
+namespace shigusa {
+
+// The nodes that a person says some bones are, by the names of the nodes. Fails on an unknown bone
+// or node with the nearest name, on a bone that is told twice, and on a node for two bones. `file`:
+// where the nodes are, for messages.
+[[nodiscard]] Result<HumanoidMap> requested_bones(const BoneRequest& request,
+                                                  const std::vector<std::string>& nodes,
+                                                  const std::string& file);
+
+// {"right_hand": "Bone_17", …}; fails on anything but an object of texts.
+[[nodiscard]] Result<BoneRequest> bone_request(const Json& json);
+
+}  // namespace shigusa
