@@ -14,7 +14,13 @@ constexpr int kStarts = 8;
 }  // namespace
 
 Plan quick_plan() {
-  return {.quick = true, .goals = 3, .seeds = 2, .few_seeds = 1, .slow_seeds = 1, .motions = 40};
+  return {.quick = true,
+          .goals = 3,
+          .seeds = 2,
+          .few_seeds = 1,
+          .slow_seeds = 1,
+          .motions = 40,
+          .human_goals = 40};
 }
 
 std::vector<Place> named_places() {

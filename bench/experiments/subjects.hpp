@@ -18,7 +18,8 @@ struct Plan {
   int seeds = 32;               // of searches, where nothing else is said
   int few_seeds = 8;            // where there are many of them
   int slow_seeds = 2;           // where a motion takes long
-  int motions = 5000;           // delivered for each body, of the experiment on limits
+  int motions = 5000;           // delivered for each body, of the experiment on limits …
+  int human_goals = 1000;       // … which draws so many for the body human
 };
 [[nodiscard]] Plan quick_plan();
 

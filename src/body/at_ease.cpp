@@ -46,44 +46,105 @@ void lower_hip(Landmarks::Leg& leg, double drop, const Vec3d& axis) {
   leg.knee = leg.hip + down * along + normalized(cross(down, axis)) * ahead;
 }
 
-void hang(Landmarks::Arm& arm, const Landmarks::Arm& like) {
-  const double upper_arm = norm(arm.elbow - arm.shoulder);
-  const double forearm = norm(arm.wrist - arm.elbow);
-  arm.elbow = arm.shoulder + normalized(like.elbow - like.shoulder) * upper_arm;
-  arm.wrist = arm.elbow + normalized(like.wrist - like.elbow) * forearm;
+Landmarks::Leg& leg_of(Landmarks& person, Side side) {
+  return side == Side::left ? person.left_leg : person.right_leg;
+}
+
+Landmarks::Arm& arm_of(Landmarks& person, Side side) {
+  return side == Side::left ? person.left_arm : person.right_arm;
+}
+
+// What stands on the hips, arms included.
+void move_upper_body(Landmarks& person, const Vec3d& by) {
+  person.neck += by;
+  person.head_top += by;
+  for (Vec3d& joint : person.spine) joint += by;
+  if (person.head) *person.head += by;
+  for (const Side side : kSides) {
+    Landmarks::Arm& arm = arm_of(person, side);
+    for (Vec3d* p : {&arm.shoulder, &arm.elbow, &arm.wrist, &arm.fingertip}) *p += by;
+    if (arm.clavicle) *arm.clavicle += by;
+    if (arm.grip) *arm.grip += by;
+  }
+}
+
+// The arms in these directions, each hand with its forearm as it was in `before`.
+void lay_arms(Landmarks& person, const Landmarks& before, const Vec3d& upper_arm,
+              const Vec3d& forearm) {
+  const HumanFrames frames = human_frames(before);
+  for (const Side side : kSides) {
+    const Landmarks::Arm& was = before.arm(side);
+    Landmarks::Arm& arm = arm_of(person, side);
+    arm.elbow = arm.shoulder + upper_arm * norm(was.elbow - was.shoulder);
+    arm.wrist = arm.elbow + forearm * norm(was.wrist - was.elbow);
+  }
+  const HumanFrames after = human_frames(person);
+  for (const Side side : kSides) {
+    const Landmarks::Arm& was = before.arm(side);
+    Landmarks::Arm& arm = arm_of(person, side);
+    const Mat3d turn = along_segment(after.arm(side).forearm, arm.elbow, arm.wrist) *
+                       transpose(along_segment(frames.arm(side).forearm, was.elbow, was.wrist));
+    arm.fingertip = arm.wrist + turn * (was.fingertip - was.wrist);
+    if (was.grip) arm.grip = arm.wrist + turn * (*was.grip - was.wrist);
+  }
+}
+
+// The leg from a lowered hip: shank upright over a flat foot, thigh ahead of the hip to where the
+// knee is then. A thigh that would slope too much for that has its limit instead: from a high seat
+// the foot hangs, at a low one it stands farther ahead.
+void bend_over_seat(Landmarks::Leg& leg, const Vec3d& hip) {
+  constexpr double kDown = 0.5;  // of the thigh's length, from hip to knee
+  constexpr double kUp = 0.8;
+  const LegLengths length(leg);
+  const Vec3d sole = leg.toe - leg.ankle;
+  const Vec3d ahead = normalized(Vec3d{sole.x, 0.0, sole.z}, {0, 0, 1});
+  const double wanted = leg.ankle.y + length.shank - hip.y;
+  const double rise = clamp(wanted, -kDown * length.thigh, kUp * length.thigh);
+  const double forwards = sqrt(length.thigh * length.thigh - rise * rise);
+  const double foot = min(hip.y + rise - leg.ankle.y, length.shank);  // height of the knee above it
+  const double on = sqrt(max(length.shank * length.shank - foot * foot, 0.0));
+  leg.hip = hip;
+  leg.knee = hip + ahead * forwards + Vec3d{0, rise, 0};
+  leg.ankle = leg.knee + ahead * on - Vec3d{0, foot, 0};
+  leg.toe = leg.ankle + sole;
 }
 
 }  // namespace
 
 Landmarks at_ease(const Landmarks& person, double stature) {
   const HumanFrames before = human_frames(person);
-  const Landmarks like = standing_landmarks(stature, 0.0);
+  const Landmarks::Arm like = standing_landmarks(stature, 0.0).right_arm;
   Landmarks result = person;
   const double drop = max(drop_for(person.left_leg), drop_for(person.right_leg));
-  const Vec3d down{0.0, -drop, 0.0};
-  result.neck += down;
-  result.head_top += down;
-  for (Vec3d& joint : result.spine) joint += down;
-  if (result.head) *result.head += down;
   for (const Side side : kSides) {
-    if (drop > 0.0) {
-      lower_hip(side == Side::left ? result.left_leg : result.right_leg, drop,
-                before.leg(side).thigh.cx);
-    }
-    Landmarks::Arm& arm = side == Side::left ? result.left_arm : result.right_arm;
-    for (Vec3d* p : {&arm.shoulder, &arm.elbow, &arm.wrist}) *p += down;
-    if (arm.clavicle) *arm.clavicle += down;
-    hang(arm, like.arm(side));
+    if (drop > 0.0) lower_hip(leg_of(result, side), drop, before.leg(side).thigh.cx);
   }
-  const HumanFrames after = human_frames(result);
+  move_upper_body(result, {0.0, -drop, 0.0});
+  lay_arms(result, person, normalized(like.elbow - like.shoulder),
+           normalized(like.wrist - like.elbow));
+  return result;
+}
+
+Landmarks seated(const Landmarks& person, double stature, double seat) {
+  Landmarks result = person;
+  const double middle = 0.5 * (person.left_leg.hip.y + person.right_leg.hip.y);
+  const double drop = middle - (seat + kSeatedHip * stature);
+  const auto between_feet = [](const Landmarks& p) {
+    const Vec3d sum = p.left_leg.ankle + p.right_leg.ankle;
+    return Vec3d{0.5 * sum.x, 0.0, 0.5 * sum.z};
+  };
   for (const Side side : kSides) {
-    const Landmarks::Arm& was = person.arm(side);
-    Landmarks::Arm& arm = side == Side::left ? result.left_arm : result.right_arm;
-    // the hand goes with its forearm
-    const Mat3d turn = along_segment(after.arm(side).forearm, arm.elbow, arm.wrist) *
-                       transpose(along_segment(before.arm(side).forearm, was.elbow, was.wrist));
-    arm.fingertip = arm.wrist + turn * (was.fingertip - was.wrist);
-    if (was.grip) arm.grip = arm.wrist + turn * (*was.grip - was.wrist);
+    bend_over_seat(leg_of(result, side), person.leg(side).hip - Vec3d{0.0, drop, 0.0});
+  }
+  move_upper_body(result, {0.0, -drop, 0.0});
+  const SinCos<double> slope = sin_cos(kSeatedForearms);
+  lay_arms(result, person, {0, -1, 0}, {0.0, -slope.sin, slope.cos});
+  // the feet stay where they stood
+  const Vec3d back = between_feet(person) - between_feet(result);
+  move_upper_body(result, back);
+  for (const Side side : kSides) {
+    Landmarks::Leg& leg = leg_of(result, side);
+    for (Vec3d* p : {&leg.hip, &leg.knee, &leg.ankle, &leg.toe}) *p += back;
   }
   return result;
 }

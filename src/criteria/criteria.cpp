@@ -17,6 +17,7 @@ CriteriaSettings default_criteria() {
   settings.joint_acceleration_weight = 0.22;
   settings.low_back_weight = 0.06;
   settings.collision_weight = 0.5;
+  settings.pressure_weight = 0.5;
   return settings;
 }
 
@@ -43,7 +44,8 @@ double worst_score(const CriteriaSettings& settings) {
 Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings) {
   Score score;
   BuiltInCriteria<double> built_in(body, settings);
-  const bool placed = settings.head_weight > 0.0 || settings.collision_weight > 0.0;
+  const bool placed = settings.head_weight > 0.0 || settings.collision_weight > 0.0 ||
+                      settings.pressure_weight > 0.0;
   show_motion(body, motion, placed, built_in);
   built_in.visit_penalties([&score](const char* name, double weight, double penalty) {
     score.terms.push_back({name, weight, penalty});

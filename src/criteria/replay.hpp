@@ -2,19 +2,22 @@
 #pragma once
 
 #include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/dynamics/contact_forces.hpp>
 #include <shigusa/motion/motion.hpp>
 
 namespace shigusa {
 
 // Shows a stored motion to criteria as a rollout shows it while it makes it: frame by frame, with
-// speeds and accelerations by the same central differences. `placed`: with the body's placement,
-// for criteria that look at it.
+// speeds and accelerations by the same central differences. `placed`: with the body's placement and
+// centre of pressure, for criteria that look at these.
 template <class Criteria>
 void show_motion(const BodyModel& body, const Motion& motion, bool placed, Criteria& criteria) {
   const Clip& clip = motion.clip;
   const auto dofs = static_cast<std::size_t>(clip.dofs);
   const double rate = 1.0 / clip.frame_time;
   Kinematics<double> kinematics(body);
+  DynamicsWorkspace<double> dynamics(body);
+  std::vector<double> torques(dofs);
   std::vector<double> speeds(dofs);
   std::vector<double> accelerations(dofs);
   for (int f = 0; f < clip.frames; ++f) {
@@ -27,11 +30,17 @@ void show_motion(const BodyModel& body, const Motion& motion, bool placed, Crite
       speeds[d] = (after[d] - before[d]) * (0.5 * rate);
       accelerations[d] = ((after[d] - now[d]) - (now[d] - before[d])) * (rate * rate);
     }
-    if (placed) forward_kinematics<double>(body, now, kinematics);
+    Vec3d pressed{};
+    if (placed) {
+      forward_kinematics<double>(body, now, kinematics);
+      const Wrench<double> ground =
+          inverse_dynamics<double>(body, kinematics, speeds, accelerations, dynamics, torques);
+      pressed = centre_of_pressure(ground, floor_height(body));
+    }
     criteria.add(
         MotionFrame<double>{now, std::span<const double>(motion.torques).subspan(k * dofs, dofs),
                             motion.centre_of_mass[k], speeds, accelerations,
-                            placed ? &kinematics : nullptr, clip.frame_time});
+                            placed ? &kinematics : nullptr, clip.frame_time, pressed});
   }
 }
 

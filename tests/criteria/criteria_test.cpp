@@ -131,7 +131,8 @@ TEST(CriteriaPresets, OfThePaperAreItsThree) {
 TEST(CriteriaPresets, DefaultIsTheMixtureOfTheFindings) {
   const CriteriaSettings settings = default_criteria();
   // a motion that passes through nothing is scored by the findings alone
-  EXPECT_DOUBLE_EQ(worst_score(settings) - settings.collision_weight, 1.0);
+  EXPECT_DOUBLE_EQ(worst_score(settings) - settings.collision_weight - settings.pressure_weight,
+                   1.0);
   EXPECT_EQ(settings.joint_range_weight, 0.25);
   EXPECT_EQ(settings.balance_zone_weight, 0.20);
   EXPECT_EQ(settings.discomfort_weight, 0.27);
@@ -158,14 +159,14 @@ TEST(Score, LeavesOutWhatHasNoWeight) {
     names.push_back(term.name);
   }
   EXPECT_EQ(names, (std::vector<std::string>{"balance_zone", "discomfort", "joint_acceleration",
-                                             "low_back", "collision"}));
+                                             "low_back", "collision", "centre_of_pressure"}));
 }
 
 TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
   const BodyModel body = full_body();
   const Motion motion = wild_motion(body);
   const Score score = score_motion(body, motion, every_criterion());
-  ASSERT_EQ(score.terms.size(), 10u);
+  ASSERT_EQ(score.terms.size(), 11u);
   EXPECT_EQ(score.terms[3].penalty, balance_zone_penalty(body, motion));
   EXPECT_EQ(score.terms[4].penalty, discomfort_penalty(body, motion));
   EXPECT_EQ(score.terms[5].penalty, joint_acceleration_penalty(body, motion));
@@ -173,6 +174,7 @@ TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
   EXPECT_EQ(score.terms[7].penalty, low_back_penalty(body, motion));
   EXPECT_EQ(score.terms[8].penalty, head_penalty(body, motion, {.gaze_target = kGoal}));
   EXPECT_EQ(score.terms[9].penalty, collision_penalty(body, motion));
+  EXPECT_EQ(score.terms[10].penalty, pressure_penalty(body, motion));
 }
 
 TEST(Score, PenaltiesStayWithinZeroAndOneForAnyMotion) {

@@ -17,21 +17,31 @@
 // benchmark.
 namespace shigusa::testing_support {
 
+inline constexpr double kMujocoStep = 1e-3;  // s, of forward simulation
+
 // For a clavicle, which moves and has no mass of its own: far below what the oracle tells apart.
 inline const MassProperties kNextToNothing{
     1e-12, {}, {{1e-13, 0, 0}, {0, 1e-13, 0}, {0, 0, 1e-13}}};
+
+// Whether the body's base is fixed to the world, or stands on its feet on a floor at y = 0.
+enum class MujocoBase { fixed, on_the_floor };
 
 // Writes the body as MJCF. MuJoCo wants mass on each moving body, so dofs of one joint, which share
 // a point and have no mass but the last one's, become the hinges of one MuJoCo body.
 class MjcfWriter {
  public:
-  explicit MjcfWriter(const BodyModel& body) : body_(body) {
+  explicit MjcfWriter(const BodyModel& body, MujocoBase base = MujocoBase::fixed)
+      : body_(body), free_(base == MujocoBase::on_the_floor) {
     text_ = "<mujoco><compiler angle=\"radian\" inertiafromgeom=\"false\"/>";
-    text_ += fmt::format("<option gravity=\"0 {:.17g} 0\"/><worldbody>", -kGravity);
+    text_ += fmt::format("<option gravity=\"0 {:.17g} 0\" timestep=\"{}\"/><worldbody>", -kGravity,
+                         kMujocoStep);
+    if (free_) text_ += "<geom type=\"plane\" zaxis=\"0 1 0\" size=\"5 5 0.1\"/>";
     const Mat3d& r = body.base().rotation;
     text_ += fmt::format("<body name=\"base\" pos=\"{}\" xyaxes=\"{} {}\">",
                          numbers(body.base().translation), numbers(r.cx), numbers(r.cy));
+    if (free_) text_ += "<freejoint/>";
     add_inertial(body.link_mass(kBaseLink));
+    add_soles(kBaseLink);
     add_children(kBaseLink);
     text_ += "</body></worldbody></mujoco>";
   }
@@ -70,6 +80,20 @@ class MjcfWriter {
         axes(1, 1), axes(2, 1));
   }
 
+  // A foot touches the floor with a ball at each corner of its sole.
+  void add_soles(int link) {
+    constexpr double kBall = 0.01;  // m
+    if (!free_) return;
+    for (const Foot& foot : body_.feet()) {
+      if (foot.link != link) continue;
+      for (const Vec3d& corner : foot.outline) {
+        // inwards: up, from the sole's middle towards the ankle
+        text_ += fmt::format("<geom type=\"sphere\" size=\"{}\" pos=\"{}\"/>", kBall,
+                             numbers(corner + Vec3d{0, kBall, 0}));
+      }
+    }
+  }
+
   void add_joint(int d) {
     const Dof& dof = body_.dof(d);
     const double s = dof.sign;
@@ -90,19 +114,21 @@ class MjcfWriter {
         add_joint(d);
       }
       add_inertial(body_.link_mass(d).mass > 0.0 ? body_.link_mass(d) : kNextToNothing);
+      add_soles(d);
       add_children(d);
       text_ += "</body>";
     }
   }
 
   const BodyModel& body_;
+  bool free_;
   std::string text_;
 };
 
 class MujocoBody {
  public:
-  explicit MujocoBody(const BodyModel& body) {
-    const std::string xml = MjcfWriter(body).text();
+  explicit MujocoBody(const BodyModel& body, MujocoBase base = MujocoBase::fixed) {
+    const std::string xml = MjcfWriter(body, base).text();
     const auto files = std::make_unique<mjVFS>();  // too large for the stack
     mj_defaultVFS(files.get());
     const int size = static_cast<int>(xml.size());
@@ -120,9 +146,11 @@ class MujocoBody {
 
   // MuJoCo's own.
   [[nodiscard]] const mjModel* model() const { return model_.get(); }
+  [[nodiscard]] mjModel* model() { return model_.get(); }
   [[nodiscard]] mjData* data() const { return data_.get(); }
-  // Where a dof stands in MuJoCo's vectors; on this fixed base positions and speeds are alike.
+  // Where a dof stands in MuJoCo's vectors of speeds and forces, and of positions.
   [[nodiscard]] int address(std::size_t dof) const { return model_->jnt_dofadr[joints_[dof]]; }
+  [[nodiscard]] int place(std::size_t dof) const { return model_->jnt_qposadr[joints_[dof]]; }
   // The MuJoCo body of a link that has mass, or of the base.
   [[nodiscard]] int body_of(int link) const {
     return link == kBaseLink ? mj_name2id(model_.get(), mjOBJ_BODY, "base")
@@ -133,7 +161,7 @@ class MujocoBody {
   void set_state(std::span<const double> q, std::span<const double> qd,
                  std::span<const double> qdd) {
     for (std::size_t d = 0; d < joints_.size(); ++d) {
-      data_->qpos[model_->jnt_qposadr[joints_[d]]] = q[d];
+      data_->qpos[place(d)] = q[d];
       data_->qvel[address(d)] = qd[d];
       data_->qacc[address(d)] = qdd[d];
     }

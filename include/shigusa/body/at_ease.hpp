@@ -15,4 +15,14 @@ inline constexpr double kKneesAtEase = radians(5.0);
 // modelled in a T with straight legs, and nobody reaches from that.
 [[nodiscard]] Landmarks at_ease(const Landmarks& person, double stature);
 
+// Height of the hip joints over the seat, as a share of the stature: some 9 cm, an estimate. How
+// far the forearms of who sits point down, to lay the hands on the thighs.
+inline constexpr double kSeatedHip = 0.05;
+inline constexpr double kSeatedForearms = radians(20.0);
+
+// The person sitting upright on a seat of that height (m, of its surface), in their own lengths:
+// thighs ahead, shanks upright on flat feet that are where they were, hands on the thighs. From a
+// seat too high for that the feet hang.
+[[nodiscard]] Landmarks seated(const Landmarks& person, double stature, double seat);
+
 }  // namespace shigusa

@@ -4,6 +4,7 @@
 #include <functional>
 #include <shigusa/criteria/balance.hpp>
 #include <shigusa/criteria/balance_zone.hpp>
+#include <shigusa/criteria/centre_of_pressure.hpp>
 #include <shigusa/criteria/collision.hpp>
 #include <shigusa/criteria/discomfort.hpp>
 #include <shigusa/criteria/head.hpp>
@@ -47,6 +48,7 @@ struct CriteriaSettings {
   double low_back_weight = 0.0;
   double head_weight = 0.0;
   double collision_weight = 0.0;
+  double pressure_weight = 0.0;
   JointRangeSettings joint_range{};
   BalanceSettings balance{};
   TorqueSettings torque{};
@@ -57,6 +59,7 @@ struct CriteriaSettings {
   LowBackSettings low_back{};
   HeadSettings head{};
   CollisionSettings collision{};
+  PressureSettings pressure{};
   std::vector<UserCriterion> user{};
 };
 
@@ -119,6 +122,9 @@ inline constexpr std::tuple kCriteria{
     CriterionEntry<Collision, CollisionSettings>{"collision", &CriteriaSettings::collision_weight,
                                                  &CriteriaSettings::collision, "depth_m",
                                                  &CollisionSettings::full},
+    CriterionEntry<PressureZone, PressureSettings>{
+        "centre_of_pressure", &CriteriaSettings::pressure_weight, &CriteriaSettings::pressure,
+        "outside_m", &PressureSettings::outside},
 };
 
 // Calls visit(entry) for each built-in criterion in the table's order.
@@ -132,7 +138,8 @@ void for_each_criterion(Visitor&& visit) {
 
 // The mixture that came nearest to a recorded man's reaches to the floor among those tried
 // (docs/criteria.md): joint range 0.25, balance zone 0.20, discomfort 0.27, joint acceleration
-// 0.22, low back 0.06; and, of no weight against what is free, collision 0.5.
+// 0.22, low back 0.06; and, of no weight against what is free and stands, collision 0.5 and
+// centre of pressure 0.5.
 [[nodiscard]] CriteriaSettings default_criteria();
 
 // What a Pareto view weighs against each other: joint range, as discomfort near its ends (no motion

@@ -15,6 +15,14 @@ template <class S>
   return {(wrench.moment.z + f.x * floor) / up, floor, (f.z * floor - wrench.moment.x) / up};
 }
 
+// Height (m) of the floor that bears the body: of the base's sole, or of the base without one.
+[[nodiscard]] inline double floor_height(const BodyModel& body) {
+  for (const Foot& foot : body.feet()) {
+    if (foot.link == kBaseLink) return (body.base() * foot.centre).y;
+  }
+  return body.base().translation.y;
+}
+
 // The second foot's part of the ground wrench: its share of the force through the foot, moved by
 // as much as the centre of pressure lies off the line between the feet, and its share of what
 // moment is left about the centre of pressure.

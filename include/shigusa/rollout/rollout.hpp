@@ -275,7 +275,7 @@ class Rollout {
       share_ground_wrench<S>(body, now(), ground, body.feet()[0], body.feet()[1], torques_);
     }
     visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_), speeds_,
-                         accelerations_, &now(), 1.0 / rate},
+                         accelerations_, &now(), 1.0 / rate, centre_of_pressure(ground, S(floor_))},
           now());
   }
 
@@ -285,10 +285,11 @@ class Rollout {
   };
 
   const ReachProblem* problem_;
-  std::size_t contacts_from_;            // index of the first contact among the targets
-  std::vector<IkTarget<S>> targets_;     // the goals, then the contacts
-  std::vector<Lead> leads_;              // put aside while a frame is corrected
-  std::vector<Vec3<Element<S>>> paths_;  // (frames × goals) m, world
+  double floor_ = floor_height(*problem_->body);  // m
+  std::size_t contacts_from_;                     // index of the first contact among the targets
+  std::vector<IkTarget<S>> targets_;              // the goals, then the contacts
+  std::vector<Lead> leads_;                       // put aside while a frame is corrected
+  std::vector<Vec3<Element<S>>> paths_;           // (frames × goals) m, world
   IkWorkspace<S> ik_;
   DynamicsWorkspace<S> dynamics_;
   std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, taking turns …

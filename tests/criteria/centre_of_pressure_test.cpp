@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/criteria/centre_of_pressure.hpp>
+#include <shigusa/dynamics/inverse_dynamics.hpp>
+
+#include "support/motions.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+// A mass on a rod of 1 m about x, on a sole that ends 0.15 m ahead and 0.05 m behind.
+BodyModel on_a_foot() {
+  BodyDefinition body = chain_definition({{Axis::x, 1.0, 1.0}});
+  body.feet.push_back(
+      {.name = "foot",
+       .node = "foot",
+       .outline = {{.06, 0, .15}, {-.04, 0, .15}, {-.04, 0, -.05}, {.06, 0, -.05}}});
+  return BodyModel(body);
+}
+
+double penalty_of(const std::vector<double>& angles, double outside = kPressureOutside) {
+  const BodyModel body = on_a_foot();
+  std::vector<std::vector<double>> frames;
+  for (const double q : angles) frames.push_back({q});
+  return pressure_penalty(body, motion_through(body, frames), {.outside = outside});
+}
+
+// Where nothing moves the floor presses under the centre of mass.
+TEST(CentreOfPressure, OfAStillBodyIsUnderItsCentreOfMass) {
+  const auto leaning = [](double ahead) { return penalty_of({std::asin(ahead)}); };
+  EXPECT_EQ(leaning(0.0), 0.0);
+  EXPECT_EQ(leaning(0.149), 0.0);
+  EXPECT_NEAR(leaning(0.225), 0.5, 1e-9);
+  EXPECT_NEAR(leaning(-0.125), 0.5, 1e-9);
+  EXPECT_EQ(leaning(0.8), 1.0);
+}
+
+// h a / g behind a mass that is pushed ahead by a: the mass swings by e and back, so that it is
+// pushed by a = e f² at the ends and by -2 a in the middle.
+TEST(CentreOfPressure, IsMovedByWhatTheMassIsPushedBy) {
+  const double e = 1e-4;
+  const double frame_rate = 1.0 / Clip{}.frame_time;
+  const double a = e * frame_rate * frame_rate;
+  const double at_ends = a / kGravity - 0.05;
+  const double in_the_middle = 2.0 * a / kGravity + e - 0.15;
+  ASSERT_GT(at_ends, -0.05);
+  const double outside = 1.0;
+  const double ends = std::fmax(at_ends, 0.0);
+  const double middle = std::fmax(in_the_middle, 0.0);
+  EXPECT_NEAR(penalty_of({0.0, e, 0.0}, outside),
+              0.5 * (2 * ends + middle) / 3 + 0.5 * std::fmax(ends, middle), 1e-4);
+  // ten times as fast, it leaves the foot
+  EXPECT_GT(penalty_of({0.0, 10 * e, 0.0}), 0.5);
+}
+
+TEST(CentreOfPressure, DoesNotMatterToABodyWithoutFeet) {
+  const BodyModel body = chain({{Axis::x, 1.0, 1.0}});
+  EXPECT_EQ(pressure_penalty(body, motion_through(body, {{1.0}, {-1.0}})), 0.0);
+}
+
+TEST(CentreOfPressure, ForgetsWhatItSaw) {
+  MotionFrame<double> frame;
+  frame.centre_of_pressure = {0, 0, 0.2};
+  PressureZone<double> zone(on_a_foot());
+  zone.add(frame);
+  EXPECT_GT(zone.penalty(), 0.0);
+  zone.reset();
+  EXPECT_EQ(zone.penalty(), 0.0);
+}
+
+}  // namespace
+}  // namespace shigusa
