@@ -3,6 +3,8 @@
 #include <shigusa/core/check.hpp>
 #include <utility>
 
+#include "further_effectors.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -64,6 +66,7 @@ std::optional<int> find_named(const Items& items, std::string_view name) {
 
 BodyModel::BodyModel(BodyDefinition definition)
     : definition_(checked(std::move(definition))),
+      further_(further_effectors(definition_)),
       constants_(definition_),
       constants_float_(definition_) {
   const std::size_t count = definition_.dofs.size();
@@ -82,7 +85,11 @@ BodyModel::BodyModel(BodyDefinition definition)
 }
 
 std::optional<int> BodyModel::find_effector(std::string_view name) const {
-  return find_named(definition_.effectors, name);
+  const std::string word = joint_word(name);
+  for (int i = 0; i < effector_count(); ++i) {
+    if (effector(i).name == name || effector(i).name == word) return i;
+  }
+  return std::nullopt;
 }
 
 std::optional<int> BodyModel::find_dof(std::string_view name) const {

@@ -169,8 +169,18 @@ class BodyModel {
     }
   }
 
-  // Index of the effector or dof of that name, or nothing.
+  // What goals can be given for: the effectors, then the body's named nodes that can move (see
+  // further_effectors). Index of one by its name, or by its node's, or nothing.
   [[nodiscard]] std::optional<int> find_effector(std::string_view name) const;
+  [[nodiscard]] const Effector& effector(int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    const std::size_t hands = definition_.effectors.size();
+    return k < hands ? definition_.effectors[k] : further_[k - hands];
+  }
+  [[nodiscard]] int effector_count() const {
+    return static_cast<int>(definition_.effectors.size() + further_.size());
+  }
+  // Index of the dof of that name, or nothing.
   [[nodiscard]] std::optional<int> find_dof(std::string_view name) const;
   // True when moving the dof moves the link.
   [[nodiscard]] bool moves(int dof, int link) const {
@@ -180,6 +190,7 @@ class BodyModel {
 
  private:
   BodyDefinition definition_;
+  std::vector<Effector> further_;
   std::vector<char> ancestry_;            // (links × dofs) 1 where the dof moves the link
   std::vector<int> chains_;               // of all links, one after the other
   std::vector<std::size_t> chain_begin_;  // (links + 1) where each begins

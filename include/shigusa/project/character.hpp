@@ -85,6 +85,7 @@ struct CharacterSpec {
 [[nodiscard]] Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path);
 
 // Makes the body. The spec must have been measured. Fails on a stature or mass out of range.
-[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec);
+// `base`: the foot that bears the body, of people who stand on both.
+[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec, Side base = Side::right);
 
 }  // namespace shigusa

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "further_effectors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+struct Words {
+  std::string_view node;
+  std::string_view joint;
+};
+// of one side
+constexpr std::array<Words, 6> kLimbWords{{{"upper_arm", "shoulder"},
+                                           {"lower_arm", "elbow"},
+                                           {"upper_leg", "hip"},
+                                           {"lower_leg", "knee"},
+                                           {"ankle", "foot"},
+                                           {"hand", "wrist"}}};
+
+// "left_", "right_" or nothing
+std::string_view side_of(std::string_view name) {
+  for (const std::string_view side : {"left_", "right_"}) {
+    if (name.substr(0, side.size()) == side) return side;
+  }
+  return {};
+}
+
+bool moves(const BodyDefinition& body, int dof, int link) {
+  for (; link != kBaseLink; link = body.dofs[static_cast<std::size_t>(link)].parent) {
+    if (link == dof) return true;
+  }
+  return false;
+}
+
+// The first freedom of the limb that a node is part of: shoulder or hip, or the neck; of the trunk
+// and the leg that it stands on, the base's.
+int limb_root(const BodyDefinition& body, const std::string& name, int link) {
+  const std::string side(side_of(name));
+  const int count = static_cast<int>(body.dofs.size());
+  for (const std::string& joint : {side + "shoulder", side + "hip", std::string("neck")}) {
+    for (int d = 0; d < count; ++d) {
+      if (body.dofs[static_cast<std::size_t>(d)].joint == joint && moves(body, d, link)) return d;
+    }
+  }
+  int first = link;
+  while (body.dofs[static_cast<std::size_t>(first)].parent != kBaseLink) {
+    first = body.dofs[static_cast<std::size_t>(first)].parent;
+  }
+  return first;
+}
+
+// The goal's name of a node.
+std::string word_of_node(const std::string& node) {
+  const std::string side(side_of(node));
+  if (!side.empty() && node.substr(side.size()) == "shoulder") return side + "clavicle";
+  return joint_word(node);
+}
+
+}  // namespace
+
+std::string joint_word(std::string_view name) {
+  if (name == "pelvis") return "hips";
+  const std::string_view side = side_of(name);
+  for (const Words& words : kLimbWords) {
+    if (side.empty() || name.substr(side.size()) != words.node) continue;
+    return std::string(side) + std::string(words.joint);
+  }
+  return std::string(name);
+}
+
+std::vector<Effector> further_effectors(const BodyDefinition& body) {
+  std::vector<Effector> further;
+  const auto known = [&](const std::string& name, const std::string& node) {
+    const auto same = [&](const Effector& e) { return e.name == name || e.node == node; };
+    return std::any_of(body.effectors.begin(), body.effectors.end(), same) ||
+           std::any_of(further.begin(), further.end(), same);
+  };
+  for (const BodyNode& node : body.nodes) {
+    if (node.name.empty() || node.end_site || node.link == kBaseLink) continue;
+    const std::string name = word_of_node(node.name);
+    if (known(name, node.name)) continue;
+    further.push_back({name, node.name, node.link, node.point, limb_root(body, name, node.link)});
+  }
+  return further;
+}
+
+}  // namespace shigusa
