@@ -84,6 +84,12 @@ BodyModel::BodyModel(BodyDefinition definition)
   chain_begin_.push_back(chains_.size());
 }
 
+BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places) {
+  BodyDefinition placed = body.definition();
+  placed.places = std::move(places);
+  return BodyModel(std::move(placed));
+}
+
 std::optional<int> BodyModel::find_effector(std::string_view name) const {
   const std::string word = joint_word(name);
   for (int i = 0; i < effector_count(); ++i) {

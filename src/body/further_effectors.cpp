@@ -83,6 +83,9 @@ std::vector<Effector> further_effectors(const BodyDefinition& body) {
     const std::string name = word_of_node(node.name);
     if (known(name, node.name)) continue;
     further.push_back({name, node.name, node.link, node.point, limb_root(body, name, node.link)});
+    for (const NodePlace& place : body.places) {
+      if (place.node == node.name) further.back().point = place.point;
+    }
   }
   return further;
 }

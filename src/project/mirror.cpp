@@ -82,6 +82,10 @@ Result<TaskFile> mirrored(TaskFile task) {
                             mirrored_name(dof.name)));
   }
   if (task.character.landmarks) mirror(*task.character.landmarks);
+  for (auto& [node, at] : task.character.places) {
+    node = mirrored_name(node);
+    at = across(at);
+  }
   for (Goal& goal : task.goals) {
     goal.effector = mirrored_name(goal.effector);
     goal.position = across(goal.position);

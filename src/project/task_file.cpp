@@ -4,6 +4,7 @@
 #include <shigusa/project/result_file.hpp>
 #include <shigusa/project/task_file.hpp>
 
+#include "character_places.hpp"
 #include "goal_json.hpp"
 #include "humanoid_request.hpp"
 #include "landmarks_json.hpp"
@@ -38,6 +39,7 @@ Json character_to_json(const CharacterSpec& c) {
   }
   json["frame"] = c.frame;
   if (!c.doubts.empty()) json["doubts"] = c.doubts;
+  add_places(c, json);
   if (c.landmarks) json["landmarks_m"] = landmarks_to_json(*c.landmarks);
   return json;
 }
@@ -67,7 +69,7 @@ BodyExtent usual_extent(Preset preset) {
 void check_character(JsonReader& reader, const CharacterSpec& c) {
   if (const auto known = check_source(c); !known) reader.wrong("source", known.error().message);
   if (c.urdf && c.landmarks) reader.wrong("urdf", "is of a robot, and landmarks_m of a person");
-  for (const char* key : {"extent", "frame", "map", "doubts", "landmarks_m", "urdf"}) {
+  for (const char* key : {"extent", "frame", "map", "doubts", "landmarks_m", "places_m", "urdf"}) {
     if (!reader.has(key) || !is_built_in(c)) continue;
     reader.wrong(key,
                  "is of a character from a file, and " + c.source + " is built in: leave it out");
@@ -101,6 +103,7 @@ void read_character(JsonReader& task, CharacterSpec& c) {
     }
   }
   c.landmarks = read_landmarks(reader);
+  if (c.landmarks) read_places(reader, c);
   check_character(reader, c);
   task.absorb(reader.finish());
 }

@@ -101,6 +101,12 @@ struct RobotFrame {
   std::vector<RobotJoint> joints;  // all that move, in the file's order
 };
 
+// Where a character's file has a node that the body has elsewhere: goals for it are for this point.
+struct NodePlace {
+  std::string node;  // one of the body's
+  Vec3d point{};     // m, in the frame of that node's link
+};
+
 // Everything that makes a body; BodyModel checks it once and keeps it.
 struct BodyDefinition {
   std::string name;
@@ -118,6 +124,7 @@ struct BodyDefinition {
   std::vector<double> start;        // (dofs) rad, the posture that motions start from
   std::optional<RobotFrame> robot;  // of a body from a robot's file
   std::vector<std::string> doubts;  // what was guessed when the body was made, for a person
+  std::vector<NodePlace> places;    // of nodes that are no effectors' own
 };
 
 // An articulated body on a fixed base: immutable after construction, shared by all threads.
@@ -197,5 +204,8 @@ class BodyModel {
   BodyConstants<double> constants_;
   BodyConstants<float> constants_float_;
 };
+
+// The body with these places in the places of its own.
+[[nodiscard]] BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places);
 
 }  // namespace shigusa

@@ -49,6 +49,9 @@ struct CharacterSpec {
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
   std::optional<std::string> urdf{};  // the robot as read (reduced_urdf), in landmarks' place
+  // of a person: nodes of the file that are not where the body has those of their names, hips and
+  // chest mostly (m, world, in the start posture): goals are for the file's
+  std::vector<std::pair<std::string, Vec3d>> places{};
   std::vector<std::string> doubts{};  // what was guessed in measuring
   // what measuring found: humanoid bone and the file's node for it; not kept in files
   std::vector<std::pair<std::string, std::string>> humanoid{};
