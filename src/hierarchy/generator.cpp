@@ -190,6 +190,11 @@ Result<void> check_choices(const Task& task) {
   if (!preset_layers(task.preset)) return {};
   if (task.generator != MotionGenerator::weighted_ik) return wrong("knows weighted IK only");
   if (task.own_search) return wrong("takes no search of one's own");
+  for (const Goal& goal : task.goals) {
+    const auto index = task.body.find_effector(goal.effector);
+    if (!index || *index < static_cast<int>(task.body.effectors().size())) continue;
+    return wrong("brings hands to their goals; flat takes other joints too");
+  }
   if (task.contacts) return wrong("keeps all feet where they are; flat lets one go");
   return {};
 }

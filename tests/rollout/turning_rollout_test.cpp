@@ -86,12 +86,15 @@ TEST(TurningReach, CountsTheRotation) {
   const ClosestReach reach = closest_reach(problem);
   EXPECT_TRUE(reach.reached());
   EXPECT_LT(degrees(problem.goals[0].turn.miss(reach.turns[0])), 0.5);
-  // the place alone would do, but not with fingers that point back at the body
-  problem.goals[0].path.goal = {-0.95, 1.3, 0.0};
-  problem.goals[0].turn.goal = {{0, -1, 0}, {-1, 0, 0}, {0, 0, -1}};
-  const ClosestReach far = closest_reach(problem, {.starts = 4});
+  // a pelvis can be lowered, but not be upside down above planted feet
+  ReachProblem lower = reach_with(body, "hips", {0.0, 0.8, 0.0});
+  lower.hold_limits = true;
+  EXPECT_TRUE(closest_reach(lower).reached());
+  lower.goals[0].turn.kind = Turning::whole;
+  lower.goals[0].turn.goal = rotation(Axis::x, kPi);
+  const ClosestReach far = closest_reach(lower, {.starts = 4});
   EXPECT_FALSE(far.reached());
-  EXPECT_GT(degrees(problem.goals[0].turn.miss(far.turns[0])), 0.5);
+  EXPECT_GT(degrees(lower.goals[0].turn.miss(far.turns[0])), 0.5);
 }
 
 TEST(BoxedReach, EndsInTheBoxAtItsNearSide) {
