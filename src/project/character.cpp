@@ -246,9 +246,8 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base) {
   if (spec.landmarks) {
     const BodyExtent extent = spec.extent.value_or(BodyExtent::human);
     return placed_body(
-        spec,
-        build_human(*spec.landmarks, {spec.source, extent, stature, mass, spec.sex, base},
-                    spec.doubts));
+        spec, build_human(*spec.landmarks, {spec.source, extent, stature, mass, spec.sex, base},
+                          spec.doubts));
   }
   const Stature person{stature, mass, spec.sex, base};
   if (spec.source == "half_body") return half_body(person);

@@ -8,7 +8,7 @@ namespace shigusa {
 namespace {
 
 constexpr double kSame = 1e-6;          // m
-constexpr double kPlaceRange = 100.0;  // m
+constexpr double kPlaceRange = 100.0;   // m
 constexpr std::size_t kPlacesMax = 64;  // more than any body has nodes
 
 // (nodes) m, world: where the rig's nodes are in the body's start posture.
@@ -76,8 +76,8 @@ void read_places(JsonReader& character, CharacterSpec& spec) {
   JsonReader places = character.object("places_m");
   const Json& points = character.value("places_m");
   if (!points.is_object() || points.size() > kPlacesMax) {
-    return character.wrong("places_m", fmt::format("must be an object {{ … }} of at most {} points",
-                                                   kPlacesMax));
+    return character.wrong(
+        "places_m", fmt::format("must be an object {{ … }} of at most {} points", kPlacesMax));
   }
   for (const auto& item : points.items()) {
     auto& place = spec.places.emplace_back(item.key(), Vec3d{});
