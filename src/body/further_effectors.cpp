@@ -35,15 +35,18 @@ bool moves(const BodyDefinition& body, int dof, int link) {
   return false;
 }
 
-// The first freedom of the limb that a node is part of: shoulder or hip, or the neck; of the trunk
+// The first freedom of the limb that a link is part of: shoulder or hip, or the neck; of the trunk
 // and the leg that it stands on, the base's.
-int limb_root(const BodyDefinition& body, const std::string& name, int link) {
-  const std::string side(side_of(name));
+int limb_root(const BodyDefinition& body, int link) {
+  int pelvis = kBaseLink;
+  for (const BodyNode& node : body.nodes) {
+    if (node.name == "hips") pelvis = node.link;
+  }
   const int count = static_cast<int>(body.dofs.size());
-  for (const std::string& joint : {side + "shoulder", side + "hip", std::string("neck")}) {
-    for (int d = 0; d < count; ++d) {
-      if (body.dofs[static_cast<std::size_t>(d)].joint == joint && moves(body, d, link)) return d;
-    }
+  for (int d = 0; d < count; ++d) {
+    const std::string& joint = body.dofs[static_cast<std::size_t>(d)].joint;
+    const bool root = joint.ends_with("_shoulder") || joint.ends_with("_hip") || joint == "neck";
+    if (root && moves(body, d, link) && !moves(body, d, pelvis)) return d;
   }
   int first = link;
   while (body.dofs[static_cast<std::size_t>(first)].parent != kBaseLink) {
@@ -82,7 +85,7 @@ std::vector<Effector> further_effectors(const BodyDefinition& body) {
     if (node.name.empty() || node.end_site || node.link == kBaseLink) continue;
     const std::string name = word_of_node(node.name);
     if (known(name, node.name)) continue;
-    further.push_back({name, node.name, node.link, node.point, limb_root(body, name, node.link)});
+    further.push_back({name, node.name, node.link, node.point, limb_root(body, node.link)});
     for (const NodePlace& place : body.places) {
       if (place.node == node.name) further.back().point = place.point;
     }

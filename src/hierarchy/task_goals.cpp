@@ -23,13 +23,16 @@ Error goal_error(const Goal& goal, std::string message) {
   return {ErrorCode::invalid_argument, std::move(message), "goal of " + goal.effector};
 }
 
+Error base_moves(const std::string& foot) {
+  return {ErrorCode::invalid_argument,
+          foot + " bears this body and cannot move: only the other foot can", "goal"};
+}
+
 Result<int> effector_index(const BodyModel& body, const Goal& goal) {
   if (const auto index = body.find_effector(goal.effector)) return *index;
   const Foot* base = base_foot(body);
   if (base != nullptr && base->name == goal.effector) {
-    return fail(ErrorCode::invalid_argument,
-                goal.effector + " bears this body and cannot move: only the other foot can",
-                "goal");
+    return tl::unexpected(base_moves(goal.effector));
   }
   std::vector<std::string> names;
   for (int i = 0; i < body.effector_count(); ++i) names.push_back(body.effector(i).name);
@@ -112,19 +115,38 @@ double limb_length(const BodyModel& body, const Effector& effector) {
   return length;
 }
 
+// Whether it is the sole's link of a leg that hangs from the pelvis: what its ankle moves.
 bool is_foot(const BodyModel& body, int effector) {
-  const auto is_of = [&](const char* name) {
-    const auto foot = body.find_effector(name);
-    return foot && body.effector(*foot).link == body.effector(effector).link;
-  };
-  return is_of("left_foot") || is_of("right_foot");
+  const Effector& e = body.effector(effector);
+  const std::string& root = body.dof(e.limb_root).joint;
+  const std::string& joint = body.dof(e.link).joint;
+  return root.ends_with("_hip") && joint.ends_with("_ankle");
+}
+
+// Whether the goal is for the foot: for its link, or, of robots whose ankle has links of its own,
+// for what goes by the foot's name.
+bool is_for(const BodyModel& body, const Goal& goal, const Foot& foot) {
+  const auto index = body.find_effector(goal.effector);
+  return index &&
+         (body.effector(*index).link == foot.link || body.effector(*index).name == foot.name);
 }
 
 bool moves_foot(const Task& task, const Foot& foot) {
-  return std::any_of(task.goals.begin(), task.goals.end(), [&](const Goal& goal) {
-    const auto index = task.body.find_effector(goal.effector);
-    return index && task.body.effector(*index).link == foot.link;
-  });
+  return std::any_of(task.goals.begin(), task.goals.end(),
+                     [&](const Goal& goal) { return is_for(task.body, goal, foot); });
+}
+
+// Goals by a foot's name become goals of its sole's node, where that is another.
+void name_soles(Task& task) {
+  for (const Foot& foot : task.body.feet()) {
+    for (Goal& goal : task.goals) {
+      if (!is_for(task.body, goal, foot)) continue;
+      const auto sole = task.body.find_effector(foot.node);
+      const bool other =
+          task.body.effector(*task.body.find_effector(goal.effector)).link != foot.link;
+      if (other && sole) goal.effector = foot.node;
+    }
+  }
 }
 
 Result<void> check_contacts(const Task& task) {
@@ -148,12 +170,14 @@ Result<void> stand(Task& task) {
   if (task.contacts) {
     if (const auto checked = check_contacts(task); !checked) return checked;
   }
+  name_soles(task);
   Kinematics<double> start(task.body);
   forward_kinematics<double>(task.body, task.body.start(), start);
   std::vector<std::string> standing;
   std::vector<Goal> lifts;
   for (const Foot& foot : task.body.feet()) {
     const bool moves = moves_foot(task, foot);
+    if (moves && foot.link == kBaseLink) return tl::unexpected(base_moves(foot.name));
     const bool kept = !task.contacts || std::find(task.contacts->begin(), task.contacts->end(),
                                                   foot.name) != task.contacts->end();
     if (task.contacts && kept && moves) {
@@ -161,10 +185,10 @@ Result<void> stand(Task& task) {
                   "contacts");
     }
     if (kept && !moves) standing.push_back(foot.name);
-    const auto effector = task.body.find_effector(foot.name);
+    const auto effector = task.body.find_effector(foot.node);
     if (kept || moves || !effector) continue;
     const Effector& ankle = task.body.effector(*effector);
-    lifts.push_back({.effector = foot.name,
+    lifts.push_back({.effector = foot.node,
                      .position = start.point(ankle.link, ankle.point) + Vec3d{0, kFootLift, 0}});
   }
   if (standing.size() < task.body.feet().size()) task.body = standing_on(task.body, standing);
