@@ -91,9 +91,13 @@ BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places) {
 }
 
 std::optional<int> BodyModel::find_effector(std::string_view name) const {
-  const std::string word = joint_word(name);
+  for (const std::string& word : {std::string(name), joint_word(name)}) {
+    for (int i = 0; i < effector_count(); ++i) {
+      if (effector(i).name == word) return i;
+    }
+  }
   for (int i = 0; i < effector_count(); ++i) {
-    if (effector(i).name == name || effector(i).name == word) return i;
+    if (effector(i).node == name) return i;
   }
   return std::nullopt;
 }

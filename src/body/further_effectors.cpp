@@ -55,10 +55,15 @@ int limb_root(const BodyDefinition& body, int link) {
   return first;
 }
 
-// The goal's name of a node.
-std::string word_of_node(const std::string& node) {
+// The goal's name of a node. A foot is its sole's node: where that hangs on an ankle of several
+// links, as robots' do, the node of its name is the ankle's.
+std::string word_of_node(const BodyDefinition& body, const std::string& node) {
   const std::string side(side_of(node));
   if (!side.empty() && node.substr(side.size()) == "shoulder") return side + "clavicle";
+  for (const Foot& foot : body.feet) {
+    if (foot.node == node) return foot.name;
+    if (foot.name == node) return side + "ankle";
+  }
   return joint_word(node);
 }
 
@@ -83,7 +88,7 @@ std::vector<Effector> further_effectors(const BodyDefinition& body) {
   };
   for (const BodyNode& node : body.nodes) {
     if (node.name.empty() || node.end_site || node.link == kBaseLink) continue;
-    const std::string name = word_of_node(node.name);
+    const std::string name = word_of_node(body, node.name);
     if (known(name, node.name)) continue;
     further.push_back({name, node.name, node.link, node.point, limb_root(body, node.link)});
     for (const NodePlace& place : body.places) {

@@ -123,28 +123,26 @@ bool is_foot(const BodyModel& body, int effector) {
   return root.ends_with("_hip") && joint.ends_with("_ankle");
 }
 
-// Whether the goal is for the foot: for its link, or, of robots whose ankle has links of its own,
-// for what goes by the foot's name.
-bool is_for(const BodyModel& body, const Goal& goal, const Foot& foot) {
+// The goal's effector, where the body has it.
+const Effector* effector_of(const BodyModel& body, const Goal& goal) {
   const auto index = body.find_effector(goal.effector);
-  return index &&
-         (body.effector(*index).link == foot.link || body.effector(*index).name == foot.name);
+  return index ? &body.effector(*index) : nullptr;
 }
 
 bool moves_foot(const Task& task, const Foot& foot) {
-  return std::any_of(task.goals.begin(), task.goals.end(),
-                     [&](const Goal& goal) { return is_for(task.body, goal, foot); });
+  return std::any_of(task.goals.begin(), task.goals.end(), [&](const Goal& goal) {
+    const Effector* effector = effector_of(task.body, goal);
+    return effector != nullptr && effector->link == foot.link;
+  });
 }
 
-// Goals by a foot's name become goals of its sole's node, where that is another.
+// Goals by a foot's name become goals of its sole's node, which has the name no longer once the
+// foot does not stand.
 void name_soles(Task& task) {
   for (const Foot& foot : task.body.feet()) {
     for (Goal& goal : task.goals) {
-      if (!is_for(task.body, goal, foot)) continue;
-      const auto sole = task.body.find_effector(foot.node);
-      const bool other =
-          task.body.effector(*task.body.find_effector(goal.effector)).link != foot.link;
-      if (other && sole) goal.effector = foot.node;
+      const Effector* effector = effector_of(task.body, goal);
+      if (effector != nullptr && effector->name == foot.name) goal.effector = effector->node;
     }
   }
 }
@@ -177,7 +175,6 @@ Result<void> stand(Task& task) {
   std::vector<Goal> lifts;
   for (const Foot& foot : task.body.feet()) {
     const bool moves = moves_foot(task, foot);
-    if (moves && foot.link == kBaseLink) return tl::unexpected(base_moves(foot.name));
     const bool kept = !task.contacts || std::find(task.contacts->begin(), task.contacts->end(),
                                                   foot.name) != task.contacts->end();
     if (task.contacts && kept && moves) {
