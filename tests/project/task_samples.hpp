@@ -119,7 +119,8 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
   for (const Goal& goal : task.goals) {
     add_point(goal.position);
     add_point(goal.tolerance);
-    all.push_back(goal.rotation.has_value() + 2 * goal.axis.has_value());
+    all.push_back(goal.rotation.has_value());
+    all.push_back(goal.axis.has_value());
     const Quatd q = goal.rotation.value_or(Quatd{});
     for (const double part : {q.x, q.y, q.z, q.w}) add(part);
     const GoalAxis axis = goal.axis.value_or(GoalAxis{});
