@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/project/character.hpp>
 
 #include "commands.hpp"
@@ -21,6 +22,18 @@ Json placement_to_json(const Placement& p) {
           {"left", to_json(p.left)},
           {"up", to_json(p.up)},
           {"ahead", to_json(p.ahead)}};
+}
+
+// (effectors) m, world: where goals can be given for, in the start posture.
+std::vector<Vec3d> start_places(const BodyModel& body) {
+  Kinematics<double> start(body);
+  forward_kinematics<double>(body, body.start(), start);
+  std::vector<Vec3d> places;
+  for (int i = 0; i < body.effector_count(); ++i) {
+    const Effector& effector = body.effector(i);
+    places.push_back(start.point(effector.link, effector.point));
+  }
+  return places;
 }
 
 // The file's joint that a freedom of a robot is; empty of a person's.
@@ -50,7 +63,17 @@ Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
     if (body.robot()) json["joints"].back()["file_joint"] = file_joint(body, d);
   }
   json["effectors"] = Json::array();
-  for (const Effector& effector : body.effectors()) json["effectors"].push_back(effector.name);
+  json["places"] = Json::array();
+  const std::vector<Vec3d> places = start_places(body);
+  for (int i = 0; i < body.effector_count(); ++i) {
+    const Effector& effector = body.effector(i);
+    if (i < static_cast<int>(body.effectors().size())) {
+      json["effectors"].push_back(effector.name);
+    }
+    json["places"].push_back({{"effector", effector.name},
+                              {"node", effector.node},
+                              {"start_m", to_json(places[static_cast<std::size_t>(i)])}});
+  }
   json["humanoid"] = Json::object();
   for (const auto& [bone, node] : spec.humanoid) json["humanoid"][bone] = node;
   if (spec.rig) json["placement"] = placement_to_json(spec.rig->rig.placement);
@@ -59,10 +82,12 @@ Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
 }
 
 // rounded, so that nothing is printed as -0
-double tenths(double degrees) {
-  const double rounded = std::round(10.0 * degrees) / 10.0;
+double rounded_to(double parts, double x) {
+  const double rounded = std::round(parts * x) / parts;
   return rounded == 0.0 ? 0.0 : rounded;
 }
+double tenths(double degrees) { return rounded_to(10.0, degrees); }
+double thousandths(double metres) { return rounded_to(1000.0, metres); }
 
 void print_body(const BodyModel& body, const CharacterSpec& spec) {
   fmt::print("{}: {:.3f} m, {:.1f} kg, {} dof\n", printable(body.name()), body.stature(),
@@ -75,6 +100,13 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
                tenths(degrees(body.start()[static_cast<std::size_t>(d)])),
                tenths(degrees(dof.lower)), tenths(degrees(dof.upper)), -dof.torque_negative,
                dof.torque_positive, source.empty() ? "" : "  ", source);
+  }
+  const std::vector<Vec3d> places = start_places(body);
+  fmt::print("{:<26} {:>24}\n", "goals can be given for", "start x y z m");
+  for (int i = 0; i < body.effector_count(); ++i) {
+    const Vec3d& at = places[static_cast<std::size_t>(i)];
+    fmt::print("{:<26} {:>8.3f}{:>8.3f}{:>8.3f}\n", printable(body.effector(i).name),
+               thousandths(at.x), thousandths(at.y), thousandths(at.z));
   }
   for (const auto& [bone, node] : spec.humanoid) fmt::print("{:<18} {}\n", bone, node);
   for (const std::string& doubt : body.doubts()) fmt::print("note: {}\n", printable(doubt));

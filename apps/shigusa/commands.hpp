@@ -28,14 +28,26 @@ struct CharacterOptions {
   std::vector<std::string> map;  // BONE=NODE, or a JSON file of them
 };
 
+// What is asked of the body, as it is typed.
+struct GoalOptions {
+  std::vector<std::string> goals;      // EFFECTOR=X,Y,Z
+  std::vector<std::string> loads;      // EFFECTOR=KG
+  std::vector<std::string> rotations;  // EFFECTOR=X,Y,Z,W
+  std::vector<std::string> palms;      // HAND=DIRECTION, and so …
+  std::vector<std::string> thumbs;     // … these
+  std::vector<std::string> fingers;
+  std::vector<std::string> tolerances;  // EFFECTOR=X,Y,Z
+  std::optional<std::string> look_at;   // X,Y,Z
+  std::optional<std::string> contacts;  // FOOT,FOOT
+  std::vector<std::string> obstacles;   // NAME=X,Y,Z,SX,SY,SZ
+};
+
 struct ReachOptions {
   std::string task;  // file, or empty
   std::optional<std::string> character;
   CharacterOptions person;
-  std::vector<std::string> goals;      // EFFECTOR=X,Y,Z
-  std::vector<std::string> loads;      // EFFECTOR=KG
-  std::vector<std::string> obstacles;  // NAME=X,Y,Z,SX,SY,SZ
-  std::optional<double> duration;      // s
+  GoalOptions goals;
+  std::optional<double> duration;  // s
   std::optional<std::string> preset;
   std::optional<std::string> layer_reading;
   std::optional<std::string> criteria;
@@ -90,6 +102,10 @@ int body(const BodyOptions& options);
 // Fails on what a built-in body, or a person who was measured before, cannot be told.
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,
                                                    CharacterSpec& spec);
+
+// Puts goals, and what is said of them, into the task; goals take the place of those there. Fails
+// on what cannot be read and on what is of an effector without a goal.
+[[nodiscard]] Result<void> apply_goal_options(const GoalOptions& options, TaskFile& file);
 
 // What to write: the formats asked for, or those that are usual for this character.
 [[nodiscard]] Result<ExportSettings> export_settings(const std::optional<std::string>& formats,

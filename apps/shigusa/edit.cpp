@@ -45,12 +45,16 @@ Result<void> assign_all(const EditOptions& options, const Names& of, Edited& par
 
 // The result's mirror image: task and parameters on the other side.
 Result<void> mirror(StoredResult& stored) {
+  const Result<BodyModel> body = build_body(stored.task);
+  if (!body) return tl::unexpected(body.error());
   Result<TaskFile> image = mirrored(std::move(stored.task));
   if (!image) return tl::unexpected(image.error());
   stored.task = std::move(*image);
   const Result<Task> task = make_task(stored.task, {});
   if (!task) return tl::unexpected(task.error());
-  for (Parameters& parameters : stored.candidates) parameters = mirrored(task->body, parameters);
+  for (Parameters& parameters : stored.candidates) {
+    parameters = mirrored(*body, task->body, parameters);
+  }
   for (LayeredParameters& parameters : stored.layered) {
     Result<LayeredParameters> other = mirrored(*task, parameters);
     if (!other) return tl::unexpected(other.error());

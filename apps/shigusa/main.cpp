@@ -43,22 +43,50 @@ void add_export_options(CLI::App* c, Options& o) {
               "All candidates in one candidates.glb in place of a GLB for each");
 }
 
+void add_goal_options(CLI::App& c, GoalOptions& o) {
+  const auto repeatable = [&](const char* name, std::vector<std::string>& into, const char* help) {
+    c.add_option(name, into, std::string(help) + "; repeatable")->allow_extra_args(false);
+  };
+  repeatable(
+      "--goal", o.goals,
+      "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X. Effectors: "
+      "right_hand, head, hips, left_elbow, right_knee, left_foot, or any joint that `shigusa "
+      "body` names");
+  repeatable("--load", o.loads, "EFFECTOR=KG held all the way by a hand with a goal");
+  repeatable("--rotation", o.rotations,
+             "EFFECTOR=X,Y,Z,W: how it is turned at the end, from standing upright with arms "
+             "hanging and thumbs ahead");
+  repeatable("--palm", o.palms,
+             "HAND=DIRECTION the palm faces at the end: up, down, left, right, ahead, back, or "
+             "X,Y,Z; the hand may turn about it");
+  repeatable(
+      "--thumb", o.thumbs,
+      "The same of the thumb's side, along what the hand grips; with --palm or --fingers the "
+      "whole rotation");
+  repeatable("--fingers", o.fingers, "The same of where the fingers point");
+  repeatable(
+      "--tolerance", o.tolerances,
+      "EFFECTOR=X,Y,Z: anywhere within so many metres of its goal will do, to either side of "
+      "each axis");
+  c.add_option("--look-at", o.look_at, "X,Y,Z that the eyes are on (default: the first goal)");
+  c.add_option(
+      "--contacts", o.contacts,
+      "Feet that stay on the floor, as left_foot,right_foot (default: all without a goal); "
+      "another lifts");
+  repeatable("--obstacle", o.obstacles,
+             "NAME=X,Y,Z,SX,SY,SZ: a box, its middle and size in metres; task files know turned "
+             "boxes, spheres and capsules too");
+}
+
 void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
-  CLI::App* c = app.add_subcommand("reach", "Find natural motions that bring hands to their goals");
+  CLI::App* c = app.add_subcommand(
+      "reach", "Find natural motions that bring hands, feet or other joints to their goals");
   c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
   c->add_option(
       "--character", o.character,
       "half_body, full_body, human, a person's BVH, GLB, glTF or VRM file, or a robot's URDF");
   add_character_options(*c, o.person);
-  c->add_option("--goal", o.goals,
-                "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X; repeatable")
-      ->allow_extra_args(false);
-  c->add_option("--load", o.loads, "EFFECTOR=KG held all the way by a hand with a goal; repeatable")
-      ->allow_extra_args(false);
-  c->add_option("--obstacle", o.obstacles,
-                "NAME=X,Y,Z,SX,SY,SZ: a box, its middle and size in metres; repeatable; task files "
-                "know turned boxes, spheres and capsules too")
-      ->allow_extra_args(false);
+  add_goal_options(*c, o.goals);
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
   c->add_option(
       "--preset", o.preset,

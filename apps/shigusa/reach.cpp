@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <shigusa/core/names.hpp>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/project/limb_cache.hpp>
@@ -13,67 +11,6 @@
 
 namespace shigusa::app {
 namespace {
-
-// "NAME=1,2.5,-3": a name with so many numbers.
-struct Named {
-  std::string name;
-  std::vector<double> numbers;
-};
-std::optional<Named> parse_named(const std::string& text, std::size_t count) {
-  const std::size_t equals = text.find('=');
-  if (equals == text.npos || equals == 0) return std::nullopt;
-  Named named{text.substr(0, equals), {}};
-  const char* at = text.data() + equals + 1;
-  const char* end = text.data() + text.size();
-  while (named.numbers.size() < count) {
-    double& number = named.numbers.emplace_back();
-    if (at < end && *at == '+') ++at;
-    const auto [next, code] = std::from_chars(at, end, number);
-    if (code == std::errc::invalid_argument || next == at) return std::nullopt;
-    // too large or too small for a double: infinity or 0, and ranges are told where they are known
-    if (code == std::errc::result_out_of_range) {
-      number = std::strtod(std::string(at, next).c_str(), nullptr);
-    }
-    const bool last = named.numbers.size() == count;
-    if (last ? next != end : next == end || *next != ',') return std::nullopt;
-    at = next + 1;
-  }
-  return named;
-}
-
-tl::unexpected<Error> misread(const char* option, const std::string& text, const char* form) {
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("{} '{}' is not {}", option, text.substr(0, 80), form));
-}
-
-Result<Goal> parse_goal(const std::string& text) {
-  const auto goal = parse_named(text, 3);
-  if (!goal) return misread("--goal", text, "EFFECTOR=X,Y,Z with three numbers in metres");
-  return Goal{goal->name, {goal->numbers[0], goal->numbers[1], goal->numbers[2]}};
-}
-
-// The load goes to the effector's goal, wherever that was given.
-Result<void> apply_load(const std::string& text, TaskFile& file) {
-  const auto load = parse_named(text, 1);
-  if (!load) return misread("--load", text, "EFFECTOR=KILOGRAMS");
-  for (Goal& goal : file.goals) {
-    if (goal.effector != load->name) continue;
-    goal.load = load->numbers[0];
-    return {};
-  }
-  return fail(ErrorCode::invalid_argument,
-              "--load is for an effector with a goal, and " + load->name + " has none");
-}
-
-Result<Obstacle> parse_obstacle(const std::string& text) {
-  const auto box = parse_named(text, 6);
-  if (!box) {
-    return misread("--obstacle", text,
-                   "NAME=X,Y,Z,SX,SY,SZ: a box's middle and its size in metres");
-  }
-  const std::vector<double>& n = box->numbers;
-  return Obstacle{.name = box->name, .position = {n[0], n[1], n[2]}, .size = {n[3], n[4], n[5]}};
-}
 
 // One of the words that are allowed, or an error that names them.
 Result<std::size_t> pick(const char* what, const std::string& word,
@@ -168,26 +105,13 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
   if (options.phases) file.phases = *options.phases;
   if (options.evaluations) file.evaluations = *options.evaluations;
   for (const std::string& assignment : options.fixed) file.fixed.push_back(assignment);
-  if (!options.goals.empty()) file.goals.clear();
-  for (const std::string& text : options.goals) {
-    Result<Goal> goal = parse_goal(text);
-    if (!goal) return tl::unexpected(goal.error());
-    file.goals.push_back(std::move(*goal));
-  }
-  for (const std::string& text : options.loads) {
-    if (const auto applied = apply_load(text, file); !applied) return applied;
-  }
-  for (const std::string& text : options.obstacles) {
-    Result<Obstacle> obstacle = parse_obstacle(text);
-    if (!obstacle) return tl::unexpected(obstacle.error());
-    file.obstacles.push_back(std::move(*obstacle));
-  }
+  if (const auto applied = apply_goal_options(options.goals, file); !applied) return applied;
   return apply_words(options, file);
 }
 
 // Where the goals stand in the task file, an error about them names it.
 Error in_task(const Error& error, const ReachOptions& options) {
-  if (options.task.empty() || !options.goals.empty()) return error;
+  if (options.task.empty() || !options.goals.goals.empty()) return error;
   return {error.code, error.to_string(), std::filesystem::path(options.task).filename().string()};
 }
 
@@ -224,8 +148,8 @@ int reach(const ReachOptions& options) {
   if (!settings) return report(settings.error());
   task->batch = *batch;
   task->layers.store = limb_store();
-  if (const auto problem = make_problem(*task); !problem) {
-    return report(in_task(problem.error(), options));
+  if (const auto checked = check_task(*task); !checked) {
+    return report(in_task(checked.error(), options));
   }
   note_goals_below_floor(*task);
   if (const auto ready = prepare_folder(options.out); !ready) return report(ready.error());

@@ -84,8 +84,13 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
   const bool reached = generation.status == ReachStatus::reached;
   if (reached && !generation.fewer.empty()) note("candidates", generation.fewer);
   if (!reached) {
-    fmt::print(stderr, "shigusa: out of reach: the closest motion ends {:.1f} mm from the goal{}\n",
-               1e3 * generation.remaining_distance, task.goals.size() > 1 ? "s" : "");
+    const std::string turn =
+        generation.remaining_turn > 0.0
+            ? fmt::format(", turned {:.1f}° from what is asked", degrees(generation.remaining_turn))
+            : "";
+    fmt::print(stderr,
+               "shigusa: out of reach: the closest motion ends {:.1f} mm from the goal{}{}\n",
+               1e3 * generation.remaining_distance, task.goals.size() > 1 ? "s" : "", turn);
   }
   if (json) {
     fmt::print("{}", *summary);

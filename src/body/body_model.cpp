@@ -3,6 +3,8 @@
 #include <shigusa/core/check.hpp>
 #include <utility>
 
+#include "further_effectors.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -64,6 +66,7 @@ std::optional<int> find_named(const Items& items, std::string_view name) {
 
 BodyModel::BodyModel(BodyDefinition definition)
     : definition_(checked(std::move(definition))),
+      further_(further_effectors(definition_)),
       constants_(definition_),
       constants_float_(definition_) {
   const std::size_t count = definition_.dofs.size();
@@ -81,8 +84,22 @@ BodyModel::BodyModel(BodyDefinition definition)
   chain_begin_.push_back(chains_.size());
 }
 
+BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places) {
+  BodyDefinition placed = body.definition();
+  placed.places = std::move(places);
+  return BodyModel(std::move(placed));
+}
+
 std::optional<int> BodyModel::find_effector(std::string_view name) const {
-  return find_named(definition_.effectors, name);
+  for (const std::string& word : {std::string(name), joint_word(name)}) {
+    for (int i = 0; i < effector_count(); ++i) {
+      if (effector(i).name == word) return i;
+    }
+  }
+  for (int i = 0; i < effector_count(); ++i) {
+    if (effector(i).node == name) return i;
+  }
+  return std::nullopt;
 }
 
 std::optional<int> BodyModel::find_dof(std::string_view name) const {

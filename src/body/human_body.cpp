@@ -30,6 +30,7 @@ HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& setting
   const double right_above = person.right_leg.ankle.y - person.left_leg.ankle.y;
   const bool both = settings.extent != BodyExtent::half;
   base_side_ = both && right_above > kLiftedFoot ? Side::left : Side::right;
+  if (both && abs(right_above) <= kLiftedFoot) base_side_ = settings.base;
   other_stands_ = both && (right_above < 0 ? -right_above : right_above) <= kLiftedFoot;
   strength_ =
       settings_.mass / table_.mean_mass * (settings_.sex == Sex::female ? kFemaleStrength : 1.0);
@@ -273,12 +274,12 @@ BodyModel half_body(const Stature& s) {
 
 BodyModel full_body(const Stature& s) {
   return build_human(standing_landmarks(s.stature, kStandingToeOut),
-                     {"full_body", BodyExtent::full, s.stature, s.mass, s.sex});
+                     {"full_body", BodyExtent::full, s.stature, s.mass, s.sex, s.base});
 }
 
 BodyModel human_body(const Stature& s) {
   return build_human(standing_landmarks(s.stature, kStandingToeOut),
-                     {"human", BodyExtent::human, s.stature, s.mass, s.sex});
+                     {"human", BodyExtent::human, s.stature, s.mass, s.sex, s.base});
 }
 
 }  // namespace shigusa

@@ -8,7 +8,7 @@ namespace shigusa {
 
 BodyModel with_load(const BodyModel& body, int effector, double load) {
   SHG_CHECK(load >= 0.0 && load <= kLoadMax, "a load within its range");
-  const Effector& hand = body.effectors()[static_cast<std::size_t>(effector)];
+  const Effector& hand = body.effector(effector);
   SHG_CHECK(hand.link != kBaseLink, "a load on a link that moves");
   BodyDefinition loaded = body.definition();
   MassProperties& link = loaded.masses[static_cast<std::size_t>(hand.link)];

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "task_goals.hpp"
+
 namespace shigusa {
 
 std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
@@ -35,6 +37,39 @@ PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
                                                                          : PathKind::bowed;
 }
 
+// What the motion ends with of what the task asks for, whatever way it took.
+void add_goal_results(const Task& task, const ReachProblem& problem, const Motion& motion,
+                      Candidate& candidate) {
+  const BodyModel& body = task.body;
+  const Clip& clip = motion.clip;
+  Kinematics<double> start(body);
+  Kinematics<double> end(body);
+  forward_kinematics<double>(body, clip.frame(0), start);
+  forward_kinematics<double>(body, clip.frame(clip.frames - 1), end);
+  for (std::size_t g = 0; g < task.goals.size(); ++g) {
+    const Goal& asked = task.goals[g];
+    const ReachGoal& way = problem.goals[g];
+    const Effector& effector = body.effector(way.effector);
+    const Vec3d reached = motion.effectors[g].back();
+    ReachGoal box;
+    box.path.goal = asked.position;
+    box.tolerance = asked.tolerance;
+    GoalResult& result = candidate.goals.emplace_back();
+    result.effector = asked.effector;
+    result.node = effector.node;
+    result.goal = asked.position;
+    result.tolerance = asked.tolerance;
+    result.reached = reached;
+    result.error = norm(box.nearest(reached) - reached);
+    result.path = path_kind(problem, way.path, candidate.parameters);
+    const EffectorTurn turn = goal_turn(body, asked, way.effector, start);
+    if (turn.kind == Turning::free) continue;
+    result.turn = TurnResult{to_quat(start.link_rotation(effector.link)),
+                             to_quat(end.link_rotation(effector.link)),
+                             turn.miss(end.link_rotation(effector.link))};
+  }
+}
+
 double frame_distance(const Clip& a, const Clip& b, int frame) {
   double squares = 0.0;
   for (int d = 0; d < a.dofs; ++d) {
@@ -53,14 +88,7 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
   Candidate candidate;
   candidate.parameters = parameters;
   candidate.score = score_motion(body, rolled.motion, task_criteria(task));
-  for (std::size_t g = 0; g < task.goals.size(); ++g) {
-    const auto index = static_cast<std::size_t>(problem.goals[g].effector);
-    const Effector& effector = body.effectors()[index];
-    const Vec3d reached = rolled.motion.effectors[g].back();
-    const Vec3d goal = task.goals[g].position;
-    candidate.goals.push_back({effector.name, effector.node, goal, reached, norm(goal - reached),
-                               path_kind(problem, problem.goals[g].path, parameters)});
-  }
+  add_goal_results(task, problem, rolled.motion, candidate);
   candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
     // the base cannot move; what another foot does was measured in every frame
@@ -78,7 +106,11 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
 
 double miss_of(const Candidate& candidate) {
   double squares = 0.0;
-  for (const GoalResult& goal : candidate.goals) squares += goal.error * goal.error;
+  for (const GoalResult& goal : candidate.goals) {
+    squares += goal.error * goal.error;
+    const double turn = goal.turn ? kTurnLength * goal.turn->error : 0.0;
+    squares += turn * turn;
+  }
   return sqrt(squares);
 }
 

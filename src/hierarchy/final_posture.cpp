@@ -67,7 +67,7 @@ double PostureMeter::heading() const {
 }
 
 double PostureMeter::elbow_swivel(int effector) const {
-  const std::string& hand = body_.effectors()[static_cast<std::size_t>(effector)].name;
+  const std::string& hand = body_.effector(effector).name;
   const std::size_t right = hand == "left_hand" ? 0 : 1;
   if (right == 1 && hand != "right_hand") return 0.0;
   const std::size_t needed[] = {kLeftShoulder + right, kRightShoulder - right, kLeftElbow + right,

@@ -118,7 +118,13 @@ void finish(const ClosestReach& reach, Generation& generation) {
   const double miss = miss_of(generation.candidates.front());
   const bool met = reach.reached() && miss <= kReachTolerance;
   generation.status = met ? ReachStatus::reached : ReachStatus::unreachable;
-  generation.remaining_distance = met ? 0.0 : miss;
+  if (met) return;
+  double squares = 0.0;
+  for (const GoalResult& goal : generation.candidates.front().goals) {
+    squares += goal.error * goal.error;
+    if (goal.turn) generation.remaining_turn = max(generation.remaining_turn, goal.turn->error);
+  }
+  generation.remaining_distance = sqrt(squares);
 }
 
 // No modes, or all of the body's.
@@ -184,6 +190,12 @@ Result<void> check_choices(const Task& task) {
   if (!preset_layers(task.preset)) return {};
   if (task.generator != MotionGenerator::weighted_ik) return wrong("knows weighted IK only");
   if (task.own_search) return wrong("takes no search of one's own");
+  for (const Goal& goal : task.goals) {
+    const auto index = task.body.find_effector(goal.effector);
+    if (!index || *index < static_cast<int>(task.body.effectors().size())) continue;
+    return wrong("brings hands to their goals; flat takes other joints too");
+  }
+  if (task.contacts) return wrong("keeps all feet where they are; flat lets one go");
   return {};
 }
 
@@ -221,19 +233,14 @@ bool goes_on(const ClosestReach& reach, const Generation& generation) {
   return reach.reached() && generation.candidates.empty() && generation.end != SearchEnd::cancelled;
 }
 
-bool is_loaded(const Task& task) {
-  return std::any_of(task.goals.begin(), task.goals.end(),
-                     [](const Goal& goal) { return goal.load != 0.0; });
-}
-
 }  // namespace
 
 Result<Generation> generate(const Task& task, const Progress& progress) {
-  if (is_loaded(task)) {
-    const Result<Task> loaded = with_loads(task);
-    return loaded ? generate(*loaded, progress) : tl::unexpected(loaded.error());
-  }
   if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
+  if (needs_preparing(task)) {
+    const Result<Task> ready = prepared(task);
+    return ready ? generate(*ready, progress) : tl::unexpected(ready.error());
+  }
   if (preset_layers(task.preset)) return generate_layered(task, progress);
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
@@ -258,9 +265,9 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
 }
 
 Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
-  if (is_loaded(task)) {
-    const Result<Task> loaded = with_loads(task);
-    return loaded ? regenerate(*loaded, parameters) : tl::unexpected(loaded.error());
+  if (needs_preparing(task)) {
+    const Result<Task> ready = prepared(task);
+    return ready ? regenerate(*ready, parameters) : tl::unexpected(ready.error());
   }
   if (preset_layers(task.preset)) {
     return fail(ErrorCode::invalid_argument,
@@ -290,9 +297,9 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
 }
 
 Result<Generation> regenerate(const Task& task, const LayeredParameters& parameters) {
-  if (is_loaded(task)) {
-    const Result<Task> loaded = with_loads(task);
-    return loaded ? regenerate(*loaded, parameters) : tl::unexpected(loaded.error());
+  if (needs_preparing(task)) {
+    const Result<Task> ready = prepared(task);
+    return ready ? regenerate(*ready, parameters) : tl::unexpected(ready.error());
   }
   return regenerate_layered(task, parameters);
 }

@@ -1,39 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <shigusa/body/load.hpp>
-#include <shigusa/core/names.hpp>
 #include <shigusa/hierarchy/task.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
+#include <utility>
+
+#include "task_goals.hpp"
 
 namespace shigusa {
 namespace {
-
-Result<int> effector_index(const BodyModel& body, const Goal& goal) {
-  if (const auto index = body.find_effector(goal.effector)) return *index;
-  std::vector<std::string> names;
-  for (const Effector& effector : body.effectors()) names.push_back(effector.name);
-  return fail(ErrorCode::not_found, unknown_name("effector", goal.effector, names), "goal");
-}
-
-Result<void> check_goal(const Goal& goal) {
-  if (!(goal.load >= 0.0 && goal.load <= kLoadMax)) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("load is {} kg; allowed are 0 to {:g} kg", goal.load, kLoadMax),
-                "goal of " + goal.effector);
-  }
-  for (int k = 0; k < 3; ++k) {
-    const double x = goal.position[k];
-    if (is_finite(x) && x >= -kGoalRange && x <= kGoalRange) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} coordinate is {}; allowed are finite numbers from -{:g} to {:g} m",
-                            "xyz"[k], x, kGoalRange, kGoalRange),
-                "goal of " + goal.effector);
-  }
-  return {};
-}
 
 bool within(const Vec3d& v, double low, double high) {
   for (int k = 0; k < 3; ++k) {
@@ -98,6 +74,12 @@ Result<void> check_settings(const Task& task) {
                 fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
   }
   if (const auto checked = check_phases(task); !checked) return checked;
+  if (task.look_at && !within(*task.look_at, -kGoalRange, kGoalRange)) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("allowed are finite numbers from -{:g} to {:g} m", kGoalRange, kGoalRange),
+        "look_at");
+  }
   if (const auto checked = check_obstacles(task); !checked) return checked;
   const CriteriaSettings& c = task.criteria;
   double sum = 0.0;
@@ -123,35 +105,6 @@ Result<void> check_settings(const Task& task) {
 // back that has left its path by more than this.
 constexpr int kLimitCorrections = 2;
 constexpr double kPathSlack = 3e-4;  // m
-
-// Which way a path over `way` bows out, and how far (m): forwards, square to the way; a way that
-// leads forwards bows upwards.
-Vec3d bow_of(const Vec3d& way) {
-  const double length = norm(way);
-  const Vec3d along = normalized(way);
-  for (const Vec3d& out : {Vec3d{0, 0, 1}, Vec3d{0, 1, 0}}) {
-    const Vec3d square = out - along * dot(along, out);
-    if (norm(square) > 0.5) return normalized(square) * length;
-  }
-  return {};
-}
-
-// Which way a path over `way` sways, and how far (m): square to way and bow, outwards on the
-// effector's side; a way that leads sideways sways upwards.
-Vec3d sway_of(const Vec3d& way, const Vec3d& bow, const std::string& effector) {
-  const Vec3d out{effector.rfind("left_", 0) == 0 ? 1.0 : -1.0, 0.1, 0.0};
-  const Vec3d sway = cross(normalized(way), bow);
-  return dot(sway, out) < 0.0 ? -sway : sway;
-}
-
-// Length of a limb: the distances along its chain, stretched out.
-double limb_length(const BodyModel& body, const Effector& effector) {
-  double length = norm(effector.point);
-  for (int d = effector.link; d != effector.limb_root && d != kBaseLink; d = body.dof(d).parent) {
-    length += norm(body.dof(d).offset);
-  }
-  return length;
-}
 
 }  // namespace
 
@@ -211,23 +164,10 @@ Task with_preset(Task task, Preset preset) {
 
 CriteriaSettings task_criteria(const Task& task) {
   CriteriaSettings criteria = task.criteria;
-  if (!criteria.head.gaze_target && !task.goals.empty()) {
-    criteria.head.gaze_target = task.goals.front().position;
-  }
+  if (task.look_at) criteria.head.gaze_target = task.look_at;
+  if (!criteria.head.gaze_target) criteria.head.gaze_target = gaze_of(task.body, task.goals);
   criteria.collision.obstacles = task.obstacles;
   return criteria;
-}
-
-Result<Task> with_loads(const Task& task) {
-  Task loaded = task;
-  for (Goal& goal : loaded.goals) {
-    const Result<int> index = effector_index(task.body, goal);
-    if (!index) return tl::unexpected(index.error());
-    if (const auto checked = check_goal(goal); !checked) return tl::unexpected(checked.error());
-    if (goal.load > 0.0) loaded.body = with_load(loaded.body, *index, goal.load);
-    goal.load = 0.0;
-  }
-  return loaded;
 }
 
 Result<ReachProblem> make_problem(const Task& task) {
@@ -244,25 +184,16 @@ Result<ReachProblem> make_problem(const Task& task) {
   problem.body = &body;
   problem.duration = 0.0;
   for (const Goal& goal : task.goals) {
-    const Result<int> index = effector_index(body, goal);
-    if (!index) return tl::unexpected(index.error());
-    if (const auto checked = check_goal(goal); !checked) {
-      return tl::unexpected(checked.error());
-    }
+    Result<ReachGoal> reach = make_reach_goal(body, kinematics, goal);
+    if (!reach) return tl::unexpected(reach.error());
     for (const ReachGoal& earlier : problem.goals) {
-      if (earlier.effector != *index) continue;
+      if (earlier.effector != reach->effector) continue;
       return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
     }
-    const Effector& effector = body.effectors()[static_cast<std::size_t>(*index)];
-    const Vec3d from = kinematics.point(effector.link, effector.point);
-    const Vec3d shoulder = kinematics.origin[static_cast<std::size_t>(effector.limb_root)];
-    const bool beyond_arm = norm(goal.position - shoulder) > limb_length(body, effector);
-    const Vec3d way = goal.position - from;
-    const Vec3d bow = bow_of(way);
-    problem.goals.push_back({*index, {from, goal.position}, bow, sway_of(way, bow, goal.effector)});
-    problem.duration =
-        max(problem.duration, reach_duration(norm(goal.position - from), beyond_arm));
+    problem.duration = max(problem.duration, goal_duration(body, kinematics, *reach));
+    problem.goals.push_back(std::move(*reach));
   }
+  if (const auto checked = check_rows(problem); !checked) return tl::unexpected(checked.error());
   if (task.duration) problem.duration = *task.duration;
   problem.hold_limits = problem.posture_law = preset_tells_ends(task.preset);
   problem.gaze = task_criteria(task).head.gaze_target;

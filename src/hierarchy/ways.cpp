@@ -51,6 +51,14 @@ bool jolts(const Clip& clip) {
 }
 
 std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
+  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+    // of a box the way ends where the posture that is known to arrive has the effector
+    ReachGoal& goal = problem.goals[g];
+    if (reach.reached() && goal.tolerance != Vec3d{}) {
+      goal.path.goal = goal.nearest(reach.positions[g], kBoxInset);
+      goal.tolerance = {};
+    }
+  }
   if (reach.reached()) add_detours(problem);
   ReachProblem guided = problem;
   guided.guide = reach.angles;
@@ -63,6 +71,8 @@ std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach&
   guided.corrections = posture.corrections = kEdgeCorrections;
   for (std::size_t g = 0; g < problem.goals.size(); ++g) {
     guided.goals[g].path.goal = posture.goals[g].path.goal = reach.positions[g];
+    const EffectorTurn turn = problem.goals[g].turn.ending_at(reach.turns[g]);
+    guided.goals[g].turn = posture.goals[g].turn = turn;
   }
   return {guided, posture};
 }

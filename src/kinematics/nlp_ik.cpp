@@ -251,9 +251,13 @@ void NlpIk::set_curvature() {
     const Vec3d at = kinematics_.point(target.link, target.point);
     const double scale = target.contact ? sqrt(stiffness_) : 1.0;
     add_rows(target.link, scale, [&](int d) { return position_column(kinematics_, d, at); });
-    if (!target.contact) continue;
-    add_rows(target.link, scale * kContactLength,
-             [&](int d) { return kinematics_.axis[static_cast<std::size_t>(d)]; });
+    if (!target.turns()) continue;
+    const Vec3d along = kinematics_.link_rotation(target.link) * target.axis;
+    const bool one_axis = target.turning == Turning::axis;
+    add_rows(target.link, scale * kContactLength, [&](int d) {
+      const Vec3d& axis = kinematics_.axis[static_cast<std::size_t>(d)];
+      return one_axis ? axis - along * dot(along, axis) : axis;
+    });
   }
   metric_.set_curvature(epsilon_, rows_);
 }
@@ -316,6 +320,10 @@ double NlpIk::load_links() {
     load.force += miss;
     load.moment += cross(at, miss);
     value += 0.5 * dot(miss, miss);
+    if (!target.turns()) continue;
+    const Vec3d turn = turn_error(kinematics_, target) * kContactLength;
+    load.moment += -turn * kContactLength;
+    value += 0.5 * dot(turn, turn);
   }
   return value;
 }

@@ -9,6 +9,7 @@
 #include <shigusa/io/gltf_write.hpp>
 #include <shigusa/project/character.hpp>
 
+#include "character_places.hpp"
 #include "character_robot.hpp"
 #include "humanoid_request.hpp"
 #include "landmarks_json.hpp"
@@ -197,6 +198,7 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
         "stand in them");
   }
   spec.rig = make_rig(std::move(*file), spec.frame, *map, *person, *spec.landmarks);
+  if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
   return {};
 }
 
@@ -233,7 +235,7 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
       path.filename().string());
 }
 
-Result<BodyModel> build_character(const CharacterSpec& spec) {
+Result<BodyModel> build_character(const CharacterSpec& spec, Side base) {
   if (spec.urdf) return build_robot_character(spec);
   for (const auto& checked : {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
                               check_range("mass", spec.mass, kMassMin, kMassMax, "kg")}) {
@@ -243,10 +245,11 @@ Result<BodyModel> build_character(const CharacterSpec& spec) {
   const double mass = spec.mass.value_or(default_mass(stature, spec.sex));
   if (spec.landmarks) {
     const BodyExtent extent = spec.extent.value_or(BodyExtent::human);
-    return build_human(*spec.landmarks, {spec.source, extent, stature, mass, spec.sex},
-                       spec.doubts);
+    return placed_body(
+        spec, build_human(*spec.landmarks, {spec.source, extent, stature, mass, spec.sex, base},
+                          spec.doubts));
   }
-  const Stature person{stature, mass, spec.sex};
+  const Stature person{stature, mass, spec.sex, base};
   if (spec.source == "half_body") return half_body(person);
   return spec.source == "human" ? human_body(person) : full_body(person);
 }

@@ -193,5 +193,6 @@ class JsonReader {
 };
 
 [[nodiscard]] inline Json to_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
+[[nodiscard]] inline Json to_json(const Quatd& q) { return Json::array({q.x, q.y, q.z, q.w}); }
 
 }  // namespace shigusa

@@ -13,6 +13,7 @@ namespace {
 bool turns(std::string_view name) { return name_within_phase(name).starts_with("twist"); }
 
 Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
+Quatd across(const Quatd& q) { return {q.x, -q.y, -q.z, q.w}; }
 
 void mirror(Landmarks& person) {
   std::swap(person.left_leg, person.right_leg);
@@ -41,11 +42,11 @@ std::string mirrored_assignment(const std::string& assignment) {
   return negative ? text.erase(equals + 1, 1) : text.insert(equals + 1, "-");
 }
 
-std::vector<JointWeight> mirrored_joints(const BodyModel& body,
+std::vector<JointWeight> mirrored_joints(const BodyModel& from, const BodyModel& to,
                                          const std::vector<JointWeight>& joints) {
   std::vector<JointWeight> image = joints;
   for (std::size_t d = 0; d < joints.size(); ++d) {
-    const auto other = body.find_dof(mirrored_name(body.dofs()[d].name));
+    const auto other = to.find_dof(mirrored_name(from.dofs()[d].name));
     if (other) image[static_cast<std::size_t>(*other)] = joints[d];
   }
   return image;
@@ -81,28 +82,37 @@ Result<TaskFile> mirrored(TaskFile task) {
                             mirrored_name(dof.name)));
   }
   if (task.character.landmarks) mirror(*task.character.landmarks);
+  for (auto& [node, at] : task.character.places) {
+    node = mirrored_name(node);
+    at = across(at);
+  }
   for (Goal& goal : task.goals) {
     goal.effector = mirrored_name(goal.effector);
     goal.position = across(goal.position);
+    if (goal.rotation) *goal.rotation = across(*goal.rotation);
+    if (goal.axis) goal.axis = {across(goal.axis->axis), across(goal.axis->direction)};
+  }
+  if (task.look_at) task.look_at = across(*task.look_at);
+  if (task.contacts) {
+    for (std::string& foot : *task.contacts) foot = mirrored_name(foot);
   }
   for (Obstacle& obstacle : task.obstacles) {
     obstacle.position = across(obstacle.position);
-    obstacle.rotation.y = -obstacle.rotation.y;
-    obstacle.rotation.z = -obstacle.rotation.z;
+    obstacle.rotation = across(obstacle.rotation);
   }
   for (std::string& assignment : task.fixed) assignment = mirrored_assignment(assignment);
   return task;
 }
 
-Parameters mirrored(const BodyModel& body, const Parameters& parameters) {
+Parameters mirrored(const BodyModel& from, const BodyModel& to, const Parameters& parameters) {
   Parameters image = parameters;
-  image.joints = mirrored_joints(body, parameters.joints);
-  if (image.later) image.later->joints = mirrored_joints(body, parameters.later->joints);
+  image.joints = mirrored_joints(from, to, parameters.joints);
+  if (image.later) image.later->joints = mirrored_joints(from, to, parameters.later->joints);
   const bool later_modes = image.later && !image.later->modes.empty();
   if (parameters.posture.modes.empty() && !later_modes) return image;
-  Parameters from = parameters;
-  const std::vector<PostureMember> of_image = posture_members(body, image);
-  for (const PostureMember& member : posture_members(body, from)) {
+  Parameters source = parameters;
+  const std::vector<PostureMember> of_image = posture_members(to, image);
+  for (const PostureMember& member : posture_members(from, source)) {
     for (const PostureMember& other : of_image) {
       if (other.name != mirrored_name(member.name)) continue;
       *other.value = turns(member.name) ? -*member.value : *member.value;

@@ -97,6 +97,12 @@ Json goals_to_json(const CharacterSpec& character, const Candidate& candidate) {
                     {"goal_m", to_json(goal.goal)},
                     {"reached_m", to_json(goal.reached)},
                     {"error_mm", goal.error * kMillimetres}});
+    if (goal.tolerance != Vec3d{}) list.back()["tolerance_m"] = to_json(goal.tolerance);
+    if (goal.turn) {
+      list.back()["start_rotation_xyzw"] = to_json(goal.turn->start);
+      list.back()["rotation_xyzw"] = to_json(goal.turn->reached);
+      list.back()["rotation_error_deg"] = degrees(goal.turn->error);
+    }
     add_gltf_node(character, goal.node, list.back());
   }
   return list;
@@ -273,6 +279,7 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   json["version"] = kResultVersion;
   json["status"] = reached ? "reached" : "unreachable";
   json["remaining_mm"] = generation.remaining_distance * kMillimetres;
+  if (generation.remaining_turn > 0.0) json["remaining_deg"] = degrees(generation.remaining_turn);
   json["seed"] = file.seed;
   json["evaluations"] = generation.evaluations;
   json["elapsed_ms"] = info.elapsed_ms;
@@ -320,7 +327,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
                     : "landmarks_m is missing: a result holds the person as measured",
                 place + ": task.character");
   }
-  const Result<BodyModel> body = build_character(character);
+  const Result<BodyModel> body = build_body(result.task);
   if (!body) return tl::unexpected(body.error());
   const Json& candidates = (*json)["candidates"];
   if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/body/load.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/result_file.hpp>
 #include <shigusa/project/task_file.hpp>
 
+#include "character_places.hpp"
+#include "goal_json.hpp"
 #include "humanoid_request.hpp"
 #include "landmarks_json.hpp"
 #include "task_json.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kCriteriaRange = 1e6;  // weights and reference scales
 constexpr double kCriteriaTiny = 1e-9;  // reference scales are above 0
-constexpr std::size_t kGoalsMax = 64;   // far more than any body has effectors
 constexpr std::uint64_t kFrameMax = 1'000'000;
 constexpr std::uint64_t kCandidatesMax = 1000;
 constexpr std::uint64_t kEvaluationsMax = 1'000'000'000;
@@ -39,6 +39,7 @@ Json character_to_json(const CharacterSpec& c) {
   }
   json["frame"] = c.frame;
   if (!c.doubts.empty()) json["doubts"] = c.doubts;
+  add_places(c, json);
   if (c.landmarks) json["landmarks_m"] = landmarks_to_json(*c.landmarks);
   return json;
 }
@@ -68,7 +69,7 @@ BodyExtent usual_extent(Preset preset) {
 void check_character(JsonReader& reader, const CharacterSpec& c) {
   if (const auto known = check_source(c); !known) reader.wrong("source", known.error().message);
   if (c.urdf && c.landmarks) reader.wrong("urdf", "is of a robot, and landmarks_m of a person");
-  for (const char* key : {"extent", "frame", "map", "doubts", "landmarks_m", "urdf"}) {
+  for (const char* key : {"extent", "frame", "map", "doubts", "landmarks_m", "places_m", "urdf"}) {
     if (!reader.has(key) || !is_built_in(c)) continue;
     reader.wrong(key,
                  "is of a character from a file, and " + c.source + " is built in: leave it out");
@@ -102,36 +103,9 @@ void read_character(JsonReader& task, CharacterSpec& c) {
     }
   }
   c.landmarks = read_landmarks(reader);
+  if (c.landmarks) read_places(reader, c);
   check_character(reader, c);
   task.absorb(reader.finish());
-}
-
-void read_goals(JsonReader& task, std::vector<Goal>& goals) {
-  if (!task.has("goals")) return;
-  const Json& list = task.value("goals");
-  if (!list.is_array()) return task.wrong("goals", "must be a list [ … ] of goals");
-  if (list.size() > kGoalsMax) {
-    return task.wrong("goals", "are " + std::to_string(list.size()) + "; allowed are " +
-                                   std::to_string(kGoalsMax) + " at most");
-  }
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    JsonReader reader(list[i], task.place_of("goals[" + std::to_string(i) + "]"));
-    Goal goal;
-    reader.require("effector");
-    reader.text("effector", goal.effector);
-    reader.require("position_m");
-    reader.vector("position_m", goal.position, kGoalRange);
-    std::optional<double> load;
-    reader.number("load_kg", load, 0.0, kLoadMax);
-    goal.load = load.value_or(0.0);
-    for (const Goal& earlier : goals) {
-      if (earlier.effector != goal.effector) continue;
-      reader.wrong("effector", "is a second goal for '" + goal.effector.substr(0, 80) +
-                                   "'; allowed is one for each effector");
-    }
-    task.absorb(reader.finish());
-    goals.push_back(std::move(goal));
-  }
 }
 
 void read_obstacles(JsonReader& task, std::vector<Obstacle>& obstacles) {
@@ -163,7 +137,7 @@ Json obstacle_to_json(const Obstacle& obstacle) {
           {"position_m", to_json(obstacle.position)},
           {"size_m", to_json(obstacle.size)},
           {"radius_m", obstacle.radius},
-          {"rotation_xyzw", {q.x, q.y, q.z, q.w}}};
+          {"rotation_xyzw", to_json(q)}};
 }
 
 // A mixture by its name, or weights and reference scales; what is not given stays as it is.
@@ -202,9 +176,10 @@ Json task_to_json(const TaskFile& task) {
   json["character"] = character_to_json(task.character);
   json["goals"] = Json::array();
   for (const Goal& goal : task.goals) {
-    json["goals"].push_back({{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
-    if (goal.load > 0.0) json["goals"].back()["load_kg"] = goal.load;
+    json["goals"].push_back(goal_to_json(goal));
   }
+  if (task.look_at) json["look_at_m"] = to_json(*task.look_at);
+  if (task.contacts) json["contacts"] = *task.contacts;
   for (const Obstacle& obstacle : task.obstacles) {
     json["obstacles"].push_back(obstacle_to_json(obstacle));
   }
@@ -236,6 +211,8 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   read_character(reader, task.character);
   read_goals(reader, task.goals);
   read_obstacles(reader, task.obstacles);
+  if (reader.has("look_at_m")) reader.vector("look_at_m", task.look_at.emplace(), kGoalRange);
+  if (reader.has("contacts")) read_texts(reader, "contacts", task.contacts.emplace());
   reader.number("duration_s", task.duration, kTaskDurationMin, kTaskDurationMax);
   std::vector<std::pair<std::string, Preset>> known_presets;
   for (const Preset preset : presets()) known_presets.emplace_back(preset_name(preset), preset);
@@ -293,6 +270,18 @@ std::string format_task(const TaskFile& task) {
   return task_to_json(task).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Result<BodyModel> build_body(const TaskFile& file) {
+  constexpr std::array<std::string_view, 3> kRightFoot{"right_foot", "right_ankle", "right_toes"};
+  const auto is_right_foot = [&](const std::string& name) {
+    return std::find(kRightFoot.begin(), kRightFoot.end(), name) != kRightFoot.end();
+  };
+  const bool kept =
+      !file.contacts || std::any_of(file.contacts->begin(), file.contacts->end(), is_right_foot);
+  const bool moved = std::any_of(file.goals.begin(), file.goals.end(),
+                                 [&](const Goal& goal) { return is_right_foot(goal.effector); });
+  return build_character(file.character, kept && !moved ? Side::right : Side::left);
+}
+
 Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
   if (const auto measured = measure_character(file.character, folder); !measured) {
     return tl::unexpected(measured.error());
@@ -300,7 +289,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
   if (file.character.landmarks && !file.character.extent) {
     file.character.extent = usual_extent(file.preset);
   }
-  Result<BodyModel> body = build_character(file.character);
+  Result<BodyModel> body = build_body(file);
   if (!body) return tl::unexpected(body.error());
   Task task{.body = std::move(*body),
             .goals = file.goals,
@@ -312,6 +301,8 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .candidates = file.candidates,
             .evaluations = file.evaluations};
   task.obstacles = file.obstacles;
+  task.look_at = file.look_at;
+  task.contacts = file.contacts;
   task.pareto = file.pareto;
   task.generator = file.generator;
   task.phases = file.phases;

@@ -15,8 +15,7 @@ struct DeepestMoment {
 };
 
 DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
-  const auto index = static_cast<std::size_t>(problem.goals[goal].effector);
-  const Effector& effector = problem.body->effectors()[index];
+  const Effector& effector = problem.body->effector(problem.goals[goal].effector);
   const std::vector<double> uniform = inverse_weights(uniform_parameters(*problem.body));
   DeepestMoment moment;
   int frame = 0;

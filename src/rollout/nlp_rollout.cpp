@@ -79,6 +79,9 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
     const ReachGoal& goal = problem_->goals[g];
     targets_[g].position = goal.path.at(tau);
     if (!input.posture.empty()) targets_[g].position += goal.bow * off + goal.sway * aside;
+    if (!targets_[g].turns()) continue;
+    targets_[g].orientation = goal.turn.at(tau);
+    targets_[g].direction = targets_[g].orientation.cx;
   }
 }
 
@@ -114,8 +117,12 @@ void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOu
   const auto worse = [](double before, double now) { return max(now, before) + (before - before); };
   double missed = 0.0;
   for (IkTarget<double>& target : targets) {
-    const double miss = norm(position_error(next_, target));
+    double miss = norm(position_error(next_, target));
     if (!target.contact) {
+      if (target.turns()) {
+        const double turn = norm(turn_error(next_, target)) * kTurnLength;
+        miss = worse(miss, turn * (last ? 1.0 : kTurnOnWay));
+      }
       target.lag = miss;
       missed = worse(missed, miss);
       continue;

@@ -91,7 +91,12 @@ class Descent {
       if (stalled > kStallSteps) break;
     }
     if (contact_error(kinematics_) > kContactSlack) cost = std::numeric_limits<double>::infinity();
-    return {angles, positions(), cost};
+    ClosestReach reach{angles, {}, {}, cost};
+    for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
+      reach.positions.push_back(place(kinematics_, g));
+      reach.turns.push_back(kinematics_.link_rotation(targets_[g].link));
+    }
+    return reach;
   }
 
  private:
@@ -109,6 +114,9 @@ class Descent {
   void propose(const std::vector<double>& angles, const IkSettings& ik) {
     trial_ = angles;
     trial_kinematics_ = kinematics_;
+    for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
+      targets_[g].position = problem_.goals[g].nearest(place(kinematics_, g), kBoxInset);
+    }
     advance(targets_, ik, {});
     hold_contacts(ik);
   }
@@ -142,8 +150,12 @@ class Descent {
   [[nodiscard]] double distance(const Kinematics<double>& kinematics) const {
     double squares = 0.0;
     for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
-      const Vec3d miss = position_error(kinematics, targets_[g]);
+      const Vec3d at = place(kinematics, g);
+      const Vec3d miss = problem_.goals[g].nearest(at, kBoxInset) - at;
       squares += dot(miss, miss);
+      if (!targets_[g].turns()) continue;
+      const Vec3d turn = turn_error(kinematics, targets_[g]) * kTurnLength;
+      squares += dot(turn, turn);
     }
     return sqrt(squares);
   }
@@ -158,12 +170,8 @@ class Descent {
     return worst;
   }
 
-  [[nodiscard]] std::vector<Vec3d> positions() const {
-    std::vector<Vec3d> result;
-    for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
-      result.push_back(kinematics_.point(targets_[g].link, targets_[g].point));
-    }
-    return result;
+  [[nodiscard]] Vec3d place(const Kinematics<double>& kinematics, std::size_t goal) const {
+    return kinematics.point(targets_[goal].link, targets_[goal].point);
   }
 
   const ReachProblem& problem_;

@@ -23,8 +23,7 @@ template <class Player>
     motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
     motion.centre_of_mass.push_back(frame.centre_of_mass);
     for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-      const auto index = static_cast<std::size_t>(problem.goals[g].effector);
-      const Effector& effector = body.effectors()[index];
+      const Effector& effector = body.effector(problem.goals[g].effector);
       motion.effectors[g].push_back(kinematics.point(effector.link, effector.point));
     }
   });

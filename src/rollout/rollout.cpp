@@ -5,14 +5,29 @@
 
 namespace shigusa {
 
+Vec3d ReachGoal::nearest(const Vec3d& at, double inset) const {
+  Vec3d place{};
+  for (int k = 0; k < 3; ++k) {
+    const double half = max(tolerance[k] - inset, 0.0);
+    place[k] = clamp(at[k], path.goal[k] - half, path.goal[k] + half);
+  }
+  return place;
+}
+
 std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
   Kinematics<double> kinematics(body);
   forward_kinematics<double>(body, body.start(), kinematics);
   std::vector<IkTarget<double>> targets;
   for (const ReachGoal& goal : problem.goals) {
-    const Effector& effector = body.effectors()[static_cast<std::size_t>(goal.effector)];
-    targets.push_back({.link = effector.link, .point = effector.point, .position = goal.path.goal});
+    const Effector& effector = body.effector(goal.effector);
+    targets.push_back({.link = effector.link,
+                       .point = effector.point,
+                       .position = goal.path.goal,
+                       .orientation = goal.turn.goal,
+                       .turning = goal.turn.kind,
+                       .axis = goal.turn.axis,
+                       .direction = goal.turn.direction});
   }
   for (const Foot& foot : body.feet()) {
     if (foot.link == kBaseLink) continue;

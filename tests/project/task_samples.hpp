@@ -24,6 +24,11 @@ inline Vec3d any_point(double range) {
   return {any_number(-range, range), any_number(-range, range), any_number(-range, range)};
 }
 
+// Without -0: a box of no size is left out of files.
+inline Vec3d any_tolerance() {
+  return {any_number(0.0, 10.0) + 0.0, any_number(0.0, 10.0) + 0.0, any_number(0.0, 10.0) + 0.0};
+}
+
 inline CharacterSpec any_character() {
   CharacterSpec spec;
   spec.source =
@@ -56,6 +61,22 @@ inline TaskFile any_task() {
   for (const char* name : {"right_hand", "left_hand", "", "目"}) {
     if (*rc::gen::arbitrary<bool>()) task.goals.push_back({name, any_point(kGoalRange)});
   }
+  for (Goal& goal : task.goals) {
+    if (*rc::gen::arbitrary<bool>()) goal.load = any_number(0.0, 500.0);
+    if (*rc::gen::arbitrary<bool>()) goal.tolerance = any_tolerance();
+    switch (*rc::gen::inRange(0, 3)) {
+      case 0:
+        goal.rotation = Quatd{0.6, -0.0, 0.0, -0.8};
+        break;
+      case 1:
+        goal.axis = GoalAxis{any_point(kGoalRange), any_point(kGoalRange)};
+        break;
+      default:
+        break;
+    }
+  }
+  if (*rc::gen::arbitrary<bool>()) task.look_at = any_point(kGoalRange);
+  if (*rc::gen::arbitrary<bool>()) task.contacts = {"right_foot", "", "目"};
   if (*rc::gen::arbitrary<bool>()) task.duration = any_number(0.05, 60.0);
   for_each_criterion([&](const auto& criterion) {
     criterion.weight(task.criteria) = any_number(0.0, 1e6);
@@ -95,7 +116,19 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
     Landmarks person = *c.landmarks;
     for (const Vec3d* point : all_points(person)) add_point(*point);
   }
-  for (const Goal& goal : task.goals) add_point(goal.position);
+  for (const Goal& goal : task.goals) {
+    add_point(goal.position);
+    add_point(goal.tolerance);
+    all.push_back(goal.rotation.has_value());
+    all.push_back(goal.axis.has_value());
+    const Quatd q = goal.rotation.value_or(Quatd{});
+    for (const double part : {q.x, q.y, q.z, q.w}) add(part);
+    const GoalAxis axis = goal.axis.value_or(GoalAxis{});
+    add_point(axis.axis);
+    add_point(axis.direction);
+  }
+  all.push_back(task.look_at.has_value());
+  add_point(task.look_at.value_or(Vec3d{}));
   for_each_criterion([&](const auto& criterion) {
     add(criterion.weight(task.criteria));
     add(criterion.scale(task.criteria));
@@ -111,6 +144,10 @@ inline std::vector<std::string> words(const TaskFile& task) {
   for (const auto& [bone, node] : task.character.map) all.insert(all.end(), {bone, node});
   for (const Goal& goal : task.goals) all.push_back(goal.effector);
   all.insert(all.end(), task.fixed.begin(), task.fixed.end());
+  if (task.contacts) {
+    all.emplace_back("contacts");
+    all.insert(all.end(), task.contacts->begin(), task.contacts->end());
+  }
   return all;
 }
 

@@ -82,8 +82,7 @@ inline Kinematics<double> placed(const BodyModel& body, std::span<const double> 
 // World position (m) of an effector by its name.
 inline Vec3d effector_position(const BodyModel& body, std::span<const double> angles,
                                const char* name) {
-  const Effector& effector =
-      body.effectors()[static_cast<std::size_t>(body.find_effector(name).value())];
+  const Effector& effector = body.effector(body.find_effector(name).value());
   return placed(body, angles).point(effector.link, effector.point);
 }
 

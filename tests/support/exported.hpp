@@ -31,6 +31,14 @@ class ExportedMotion {
   }
   [[nodiscard]] Vec3d at_end(const std::string& node) const { return at(node, frames() - 1); }
 
+  // How a node is turned in the world.
+  [[nodiscard]] const Mat3d& rotation(const std::string& node, int frame) const {
+    return transform(node, frame).rotation;
+  }
+  [[nodiscard]] const Mat3d& rotation_at_end(const std::string& node) const {
+    return rotation(node, frames() - 1);
+  }
+
   // The largest distance (m) of a node from its place in the first frame.
   [[nodiscard]] double slide(const std::string& node) const {
     double most = 0.0;

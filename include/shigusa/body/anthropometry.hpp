@@ -160,6 +160,7 @@ struct Stature {
   double stature = 1.741;  // m, 0.5..2.5
   double mass = 73.0;      // kg, 2..300
   Sex sex = Sex::male;
+  Side base = Side::right;  // the foot that bears the body
 };
 
 // Mass in kg of a person of that stature with the body-mass index of the group's mean.

@@ -101,6 +101,12 @@ struct RobotFrame {
   std::vector<RobotJoint> joints;  // all that move, in the file's order
 };
 
+// Where a character's file has a node that the body has elsewhere: goals for it are for this point.
+struct NodePlace {
+  std::string node;  // one of the body's
+  Vec3d point{};     // m, in the frame of that node's link
+};
+
 // Everything that makes a body; BodyModel checks it once and keeps it.
 struct BodyDefinition {
   std::string name;
@@ -118,6 +124,7 @@ struct BodyDefinition {
   std::vector<double> start;        // (dofs) rad, the posture that motions start from
   std::optional<RobotFrame> robot;  // of a body from a robot's file
   std::vector<std::string> doubts;  // what was guessed when the body was made, for a person
+  std::vector<NodePlace> places;    // of nodes that are no effectors' own
 };
 
 // An articulated body on a fixed base: immutable after construction, shared by all threads.
@@ -169,8 +176,18 @@ class BodyModel {
     }
   }
 
-  // Index of the effector or dof of that name, or nothing.
+  // What goals can be given for: the effectors, then the body's named nodes that can move (see
+  // further_effectors). Index of one by its name, or by its node's, or nothing.
   [[nodiscard]] std::optional<int> find_effector(std::string_view name) const;
+  [[nodiscard]] const Effector& effector(int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    const std::size_t hands = definition_.effectors.size();
+    return k < hands ? definition_.effectors[k] : further_[k - hands];
+  }
+  [[nodiscard]] int effector_count() const {
+    return static_cast<int>(definition_.effectors.size() + further_.size());
+  }
+  // Index of the dof of that name, or nothing.
   [[nodiscard]] std::optional<int> find_dof(std::string_view name) const;
   // True when moving the dof moves the link.
   [[nodiscard]] bool moves(int dof, int link) const {
@@ -180,11 +197,15 @@ class BodyModel {
 
  private:
   BodyDefinition definition_;
+  std::vector<Effector> further_;
   std::vector<char> ancestry_;            // (links × dofs) 1 where the dof moves the link
   std::vector<int> chains_;               // of all links, one after the other
   std::vector<std::size_t> chain_begin_;  // (links + 1) where each begins
   BodyConstants<double> constants_;
   BodyConstants<float> constants_float_;
 };
+
+// The body with these places in the places of its own.
+[[nodiscard]] BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places);
 
 }  // namespace shigusa

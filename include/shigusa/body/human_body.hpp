@@ -24,6 +24,7 @@ struct HumanSettings {
   double stature = 1.741;  // m
   double mass = 73.0;      // kg
   Sex sex = Sex::male;
+  Side base = Side::right;  // the foot that bears the body where both stand
 };
 
 // A lifted foot: its sole is more than this above the other's (m).
@@ -31,11 +32,11 @@ inline constexpr double kLiftedFoot = 0.05;
 
 // The body whose start posture has exactly these landmarks: their distances become the segment
 // lengths, masses come from the anthropometric tables by `mass` and `sex`. The trunk is rigid in
-// the shape of the start posture. The base is the right foot, or the left where only that one
-// stands (full extent). Where the start posture lies outside a joint limit, that limit is widened
-// to hold it, with a doubt. Half extent: the left leg's mass moves as the right leg's translation,
-// the left arm's with the trunk, and leg strengths count for both legs (paper, section 3.1; each
-// number in docs/paper_map.md).
+// the shape of the start posture. The base is the foot of
+// settings.base, or the one that stands where the other does not (not of half extent). Where the
+// start posture lies outside a joint limit, that limit is widened to hold it, with a doubt. Half
+// extent: the left leg's mass moves as the right leg's translation, the left arm's with the trunk,
+// and leg strengths count for both legs (paper, section 3.1; each number in docs/paper_map.md).
 [[nodiscard]] BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
                                     std::vector<std::string> doubts = {});
 

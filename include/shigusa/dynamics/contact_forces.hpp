@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/body/stance.hpp>
 #include <shigusa/dynamics/inverse_dynamics.hpp>
 
 namespace shigusa {
@@ -17,10 +18,8 @@ template <class S>
 
 // Height (m) of the floor that bears the body: of the base's sole, or of the base without one.
 [[nodiscard]] inline double floor_height(const BodyModel& body) {
-  for (const Foot& foot : body.feet()) {
-    if (foot.link == kBaseLink) return (body.base() * foot.centre).y;
-  }
-  return body.base().translation.y;
+  const Foot* foot = base_foot(body);
+  return foot == nullptr ? body.base().translation.y : (body.base() * foot->centre).y;
 }
 
 // The second foot's part of the ground wrench: its share of the force through the foot, moved by

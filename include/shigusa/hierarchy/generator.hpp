@@ -14,7 +14,7 @@
 namespace shigusa {
 
 enum class ReachStatus {
-  reached,      // every candidate meets every goal within kReachTolerance
+  reached,      // every candidate meets every goal within kReachTolerance and kTurnTolerance
   unreachable,  // the body cannot; candidates end at the closest point
 };
 
@@ -26,14 +26,23 @@ enum class PathKind {
   free,      // as the posture takes it: no path leads there with these parameters
 };
 
+// How a goal's effector is turned, of goals that say how.
+struct TurnResult {
+  Quatd start{};       // R_WE in the start posture, see GoalAxis
+  Quatd reached{};     // … and at the end
+  double error = 0.0;  // rad, from the rotation or between the axis and its direction
+};
+
 // Where a goal's effector ends.
 struct GoalResult {
   std::string effector;
   std::string node;    // node of the exported skeleton whose origin it is
   Vec3d goal{};        // m, world
   Vec3d reached{};     // m, world
-  double error = 0.0;  // m
+  double error = 0.0;  // m, from the goal or its box
   PathKind path = PathKind::straight;
+  Vec3d tolerance{};  // m, see Goal
+  std::optional<TurnResult> turn{};
 };
 
 // How well a planted foot stood.
@@ -71,6 +80,7 @@ struct Candidate {
 struct Generation {
   ReachStatus status = ReachStatus::reached;
   double remaining_distance = 0.0;    // m, of the best candidate to its goals; 0 when reached
+  double remaining_turn = 0.0;        // rad, the largest that is left of a goal's turn; the same
   std::vector<Candidate> candidates;  // lowest score first; at least one
   std::string fewer;                  // why there are fewer than asked for; else empty
   double duration = 0.0;              // s

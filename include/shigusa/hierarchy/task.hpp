@@ -53,12 +53,31 @@ inline constexpr int kHumanEvaluations = 600;
 // lanes.
 inline constexpr int kNlpEvaluations = 300;
 
+// An axis of an effector and where it is to point. The effector's frame is the world's where the
+// body stands with every angle at 0, facing +Z, arms hanging with the thumbs ahead: of a hand
+// fingers point to -y, the thumb's side is +z, and the palm faces the body, +x of the right one.
+struct GoalAxis {
+  Vec3d axis{0, 0, 1};       // in the effector's frame; of any length but 0
+  Vec3d direction{0, 1, 0};  // in the world; of any length but 0
+  friend bool operator==(const GoalAxis&, const GoalAxis&) = default;
+};
+
 // The final state of one effector.
 struct Goal {
-  std::string effector = "right_hand";  // name in the body's effectors
+  std::string effector = "right_hand";  // see BodyModel::find_effector
   Vec3d position{};                     // m, shigusa's world
   double load = 0.0;                    // kg, 0..kLoadMax, held all the way
+  // How it is turned from the world's axes to its frame (see GoalAxis), a unit quaternion to within
+  // kUnitSlack; or one axis, about which it may turn. At most one of both.
+  std::optional<Quatd> rotation{};
+  std::optional<GoalAxis> axis{};
+  Vec3d tolerance{};  // m, ≥ 0: half the sides of the box about `position` where any place will do
+  friend bool operator==(const Goal&, const Goal&) = default;
 };
+inline constexpr double kUnitSlack = 1e-3;     // of a quaternion's squared length
+inline constexpr double kToleranceMax = 10.0;  // m
+// A foot that neither stands nor has a goal lifts by this (m).
+inline constexpr double kFootLift = 0.10;
 
 // A goal's coordinates may not exceed this (m): nobody reaches so far, and numbers stay harmless.
 inline constexpr double kGoalRange = 100.0;
@@ -104,26 +123,36 @@ struct Task {
   // of them: it starts again, with other random numbers, until they are used up. When not, the
   // paper's genetic algorithm runs once, and the others score preset_evaluations.
   std::optional<int> evaluations{};
-  LayeredSettings layers{};  // of layered presets
-  BatchSettings batch{};     // SIMD set and threads; change no result
+  LayeredSettings layers{};        // of layered presets
+  BatchSettings batch{};           // SIMD set and threads; change no result
+  std::optional<Vec3d> look_at{};  // m, world: what the eyes are on; else the first goal of a limb
+  // Feet that stay on the floor, the base among them; when not given all without a goal. A foot
+  // that is neither among them nor has a goal lifts by kFootLift.
+  std::optional<std::vector<std::string>> contacts{};
 };
 
 // The task by a preset, with its criteria and number of candidates.
 [[nodiscard]] Task with_preset(Task task, Preset preset);
 
-// What the task's motions are scored by: its criteria, with the eyes on the first goal where
-// nothing else is said.
+// What the task's motions are scored by: its criteria, with the eyes on look_at, or on the first
+// goal of a limb where nothing else is said.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
 
-// The task with its goals' loads in the body's hands; fails as make_problem does.
-[[nodiscard]] Result<Task> with_loads(const Task& task);
+// The task with its goals' loads in the body's hands, standing on its contacts; fails as
+// make_problem does, and where a foot has no way to be what is asked of it.
+[[nodiscard]] Result<Task> prepared(const Task& task);
+// Whether that is another task.
+[[nodiscard]] bool needs_preparing(const Task& task);
+
+// Fails as prepared and make_problem do.
+[[nodiscard]] Result<void> check_task(const Task& task);
 
 // The problem that a task poses to the search: paths from the start posture to the goals, and the
 // time for them. Fails with a message that names the goal and what is allowed: unknown effector
 // (with the nearest name), two goals for one effector, coordinates that are not finite or beyond
 // kGoalRange, no goal at all, a duration outside 0.05 to 60 s, criteria weights below 0 or all 0,
-// phases that the preset does not know or that a fixed parameter is not of, a load or an obstacle
-// out of range.
+// phases that the preset does not know or that a fixed parameter is not of, a load, an obstacle, a
+// rotation, an axis or a box out of range, more goals than kMaxIkRows allows.
 // The problem points into the task.
 [[nodiscard]] Result<ReachProblem> make_problem(const Task& task);
 

@@ -42,7 +42,8 @@ struct NlpIkOutcome {
 
 // Inverse kinematics by nonlinear programming: one posture of a motion is
 //
-//   min  ½ Σ_goals |p_g - x_g(q)|² + ½ ε Σ w_i (q_i - q_i,from - Δq_ref,i)²
+//   min  ½ Σ_goals |p_g - x_g(q)|² + ½ ε Σ w_i (q_i - q_i,from - Δq_ref,i)²,
+//   and ½ |kContactLength · angle|² of each goal that turns,
 //   s.t. planted feet stand, joints keep their limits,
 //
 // the same sum as weighted_ik_step's, but with the kinematics as they are instead of linear ones,
@@ -68,7 +69,7 @@ struct NlpIkOutcome {
 // Source: J. Zhao and N. Badler, ACM Trans. Graphics 13 (1994) 313-336. Multipliers as shifts of
 // the constraints: M. Powell, in Optimization, R. Fletcher (ed.), 1969. A share of the room: B.
 // Faverjon and P. Tournassoud, IEEE Int. Conf. Robotics and Automation (1987) 1152-1159. Left out:
-// goals of orientation, aiming and half spaces, which the project's reaches do not have.
+// goals of half spaces, which the project's reaches do not have.
 class NlpIk : private SmoothFunction {
  public:
   // Settings outside their ranges throw PreconditionError, as does a body of more than

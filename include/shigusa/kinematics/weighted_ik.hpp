@@ -4,24 +4,30 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/math/ldlt.hpp>
+#include <shigusa/motion/effector_turn.hpp>
 #include <span>
 #include <vector>
 
 namespace shigusa {
 
-// Where one point of the body is to be. A contact is met exactly and also keeps its orientation; a
-// goal gives way (is damped) where it cannot be met.
+// Where one point of the body is to be, and how its link is to be turned. A contact is met exactly
+// and also keeps its orientation; a goal gives way (is damped) where it cannot be met.
 template <class S>
 struct IkTarget {
   int link = 0;
   Vec3<Element<S>> point{};  // m, in the link frame
   Vec3<S> position{};        // m, world: where the point is to be
   bool contact = false;      // a planted foot: position and orientation
-  Mat3<S> orientation{};     // R_WL wanted of the link; read for contacts only
+  Mat3<S> orientation{};     // R_WL wanted of the link; of contacts and Turning::whole
   S lag{};                   // m, how far the goal was missed before: raises its damping
   // What the step is known to fall short by, as joints move on arcs; added to the way that is left.
-  Vec3<S> lead{};       // m
-  Vec3<S> tilt_lead{};  // rad; read for contacts only
+  Vec3<S> lead{};                   // m
+  Vec3<S> tilt_lead{};              // rad; read where turns() is true
+  Turning turning = Turning::free;  // of a goal
+  Vec3<Element<S>> axis{};          // of Turning::axis: unit vector in the link's frame …
+  Vec3<S> direction{};              // … and where it is to point, unit vector in the world
+
+  [[nodiscard]] bool turns() const { return contact || turning != Turning::free; }
 };
 
 struct IkSettings {
@@ -35,7 +41,7 @@ struct IkSettings {
   double max_step = 0.25;  // rad, no angle changes by more in one step
 };
 
-// Size of the largest system: 2 hands × 3 rows, 2 feet × 6 rows, and room for more goals.
+// Size of the largest system: a foot and two hands that turn × 6 rows, head and hips × 3 rows.
 inline constexpr int kMaxIkRows = 24;
 // Pivots below this share of the diagonal are rounding: their rows depend on others.
 template <class T>
@@ -48,14 +54,14 @@ inline constexpr double kContactLength = 0.1;
 // Scratch of weighted_ik_step; make one per thread.
 template <class S>
 struct IkWorkspace {
-  // A target has a block of three rows for its position, and a contact one more for its tilt. Of a
+  // A target has a block of three rows for its position, and one that turns another for that. Of a
   // block's columns only those along the chain of dofs that move the target are not 0.
   struct Block {
     std::span<const int> chain;
     const Vec3<S>* columns = nullptr;  // (dofs), of those in the chain: m/rad, or a tilt's axis
     Element<S> scale{1};               // m/rad that a tilt counts as; 1 of a position
   };
-  std::vector<Vec3<S>> columns;  // of positions, (targets × dofs)
+  std::vector<Vec3<S>> columns;  // of positions, and of turns about two axes, (blocks × dofs)
   Block blocks[kMaxIkRows / 3];
   std::vector<S> pull;  // (dofs) Jᵀ y: times the inverse weight, the step of the last solve
   SmallSymmetric<S, kMaxIkRows> system;
@@ -84,12 +90,30 @@ template <class S>
   return rotation_chord(kinematics.link_rotation(target.link), target.orientation);
 }
 
+// How the link must turn to have what the target wants of its orientation (rotation vector, rad,
+// world); of contacts as tilt_error.
+template <class S>
+[[nodiscard]] Vec3<S> turn_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
+  const Mat3<S>& now = kinematics.link_rotation(target.link);
+  if (target.contact) return tilt_error(kinematics, target);
+  if (target.turning == Turning::axis) {
+    return turn_between(now * to_scalar<S>(target.axis), target.direction);
+  }
+  return rotation_vector(target.orientation * transpose(now));
+}
+
+// Rows that a target takes in the IK.
+template <class S>
+[[nodiscard]] int row_count(const IkTarget<S>& target) {
+  return target.turns() ? 6 : 3;
+}
+
 namespace ik_detail {
 
 template <class S>
 [[nodiscard]] int row_count(std::span<const IkTarget<S>> targets) {
   int rows = 0;
-  for (const IkTarget<S>& target : targets) rows += target.contact ? 6 : 3;
+  for (const IkTarget<S>& target : targets) rows += shigusa::row_count(target);
   return rows;
 }
 
@@ -119,11 +143,21 @@ void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
       columns[k] = cross(kinematics.axis[k], arm);
     }
     columns += dofs.size();
-    if (!target.contact) continue;
-    const Vec3<S> tilt = tilt_error(kinematics, target) + target.tilt_lead;
+    if (!target.turns()) continue;
+    const Vec3<S> tilt = turn_error(kinematics, target) + target.tilt_lead;
     put(workspace.residual + 3 * b, tilt * S(kContactLength));
-    workspace.blocks[b++] = {chain, kinematics.axis.data(),
-                             static_cast<Element<S>>(kContactLength)};
+    const Vec3<S>* axes = kinematics.axis.data();
+    if (target.turning == Turning::axis) {
+      // a turn about the axis itself changes nothing: of each joint's only what is square to it
+      const Vec3<S> along = kinematics.link_rotation(target.link) * to_scalar<S>(target.axis);
+      for (const int d : chain) {
+        const auto k = static_cast<std::size_t>(d);
+        columns[k] = axes[k] - along * dot(along, axes[k]);
+      }
+      axes = columns;
+      columns += dofs.size();
+    }
+    workspace.blocks[b++] = {chain, axes, static_cast<Element<S>>(kContactLength)};
   }
 }
 
@@ -238,7 +272,7 @@ S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
   int row = 0;
   S largest(0);
   for (const IkTarget<S>& target : targets) {
-    const int count = target.contact ? 6 : 3;
+    const int count = shigusa::row_count(target);
     S trace(0);
     for (int i = row; i < row + count; ++i) trace = trace + workspace.system(i, i);
     const S mean = trace * S(1.0 / count);

@@ -49,6 +49,9 @@ struct CharacterSpec {
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
   std::optional<std::string> urdf{};  // the robot as read (reduced_urdf), in landmarks' place
+  // of a person: nodes of the file that are not where the body has those of their names, hips and
+  // chest mostly (m, world, in the start posture): goals are for the file's
+  std::vector<std::pair<std::string, Vec3d>> places{};
   std::vector<std::string> doubts{};  // what was guessed in measuring
   // what measuring found: humanoid bone and the file's node for it; not kept in files
   std::vector<std::pair<std::string, std::string>> humanoid{};
@@ -85,6 +88,7 @@ struct CharacterSpec {
 [[nodiscard]] Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path);
 
 // Makes the body. The spec must have been measured. Fails on a stature or mass out of range.
-[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec);
+// `base`: the foot that bears the body, of people who stand on both.
+[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec, Side base = Side::right);
 
 }  // namespace shigusa

@@ -15,7 +15,9 @@ namespace shigusa {
 [[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
 
 // Parameters of a motion for those of its mirror image: weights change sides, and turns their sign.
-[[nodiscard]] Parameters mirrored(const BodyModel& body, const Parameters& parameters);
+// `from` and `to`: the bodies of both tasks, which may stand on either foot.
+[[nodiscard]] Parameters mirrored(const BodyModel& from, const BodyModel& to,
+                                  const Parameters& parameters);
 // The same of layered presets; `task` is the mirrored one. Fails where its layers cannot be made.
 [[nodiscard]] Result<LayeredParameters> mirrored(const Task& task,
                                                  const LayeredParameters& parameters);

@@ -34,6 +34,8 @@ struct TaskFile {
   std::uint64_t seed = 0;
   int candidates = preset_candidates(Preset::flat);  // 1..1000
   std::optional<int> evaluations;  // motions the search may score, 8..1e9; see Task
+  std::optional<Vec3d> look_at{};  // m, world; see Task
+  std::optional<std::vector<std::string>> contacts{};  // see Task
 };
 
 // Parses a task. Errors name the place ("task.json: goals[0].position_m"), the value seen and what
@@ -44,6 +46,10 @@ struct TaskFile {
 // The task as JSON text: parse_task of it gives the same task, bit for bit (names that are not
 // UTF-8 and what a built-in body does not use excepted).
 [[nodiscard]] std::string format_task(const TaskFile& task);
+
+// The task's body, standing on a foot that no goal moves where its character has two to stand on.
+// The character must have been measured; fails as build_character.
+[[nodiscard]] Result<BodyModel> build_body(const TaskFile& file);
 
 // Measures the character where needed (see measure_character) and makes the task to be generated.
 [[nodiscard]] Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder);

@@ -103,7 +103,7 @@ class PostureLaw {
     Arm arm;
     arm.free = true;
     for (const ReachGoal& goal : problem.goals) {
-      const int link = body.effectors()[static_cast<std::size_t>(goal.effector)].link;
+      const int link = body.effector(goal.effector).link;
       arm.free = arm.free && !body.moves(*flexion, link);
     }
     arm.side = static_cast<T>(side == "left_" ? 1.0 : -1.0);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/kinematics/weighted_ik.hpp>
+#include <shigusa/motion/effector_turn.hpp>
 #include <shigusa/motion/minimum_jerk.hpp>
 #include <vector>
 
@@ -12,6 +13,14 @@ namespace shigusa {
 inline constexpr int kMotionSteps = 60;          // IK steps per motion (rule R6)
 inline constexpr double kReachTolerance = 1e-3;  // m: what counts as met, of goals and planted feet
 inline constexpr double kTiltTolerance = radians(0.1);  // rad: what a planted foot may turn
+inline constexpr double kTurnTolerance = radians(0.5);  // rad: what counts as met, of goals' turns
+// m/rad: a goal's turn counts as the distance that has the same share of its tolerance …
+inline constexpr double kTurnLength = kReachTolerance / kTurnTolerance;
+// … and by this share of it on the way, where nobody asks for it.
+inline constexpr double kTurnOnWay = 0.1;
+// A goal's box is aimed at this far within its sides (m), so that what is left of the way at the
+// end is inside.
+inline constexpr double kBoxInset = 1e-4;
 
 // What counts as met.
 struct ReachTolerance {
@@ -21,11 +30,17 @@ struct ReachTolerance {
 
 // One effector with its way to the goal.
 struct ReachGoal {
-  int effector = 0;  // index in the body's effectors
+  int effector = 0;  // see BodyModel::effector
   EffectorPath path;
   // m, world: how far the path leaves its line at mid-way for a bow of 1 (see path_bow)
   Vec3d bow{};
-  Vec3d sway{};  // m, world: the same for a sway of 1
+  Vec3d sway{};         // m, world: the same for a sway of 1
+  EffectorTurn turn{};  // what it also turns to
+  // m, world axes: half the sides of the box about the path's goal of which any place will do
+  Vec3d tolerance{};
+
+  // The place of the box that is nearest to `at` (m, world), its sides moved inwards by `inset`.
+  [[nodiscard]] Vec3d nearest(const Vec3d& at, double inset = 0.0) const;
 };
 
 // Everything that is the same for all motions of one search.
@@ -66,7 +81,7 @@ struct ReachProblem {
 // What a motion must keep whatever its score: met goals, effectors on their paths, planted feet.
 template <class S>
 struct BasicReachOutcome {
-  S goal_error{};     // m, largest distance of an effector from its path's end
+  S goal_error{};     // m, largest distance of an effector from its path's end, turns included
   S path_error{};     // m, largest distance from the path at any frame that follows it
   S contact_slide{};  // m, largest displacement of a planted foot at any frame
   S contact_tilt{};   // rad (see rotation_chord), largest rotation of a planted foot at any frame

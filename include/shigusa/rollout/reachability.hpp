@@ -16,8 +16,11 @@ struct ReachabilitySettings {
 // planted feet, whatever the path.
 struct ClosestReach {
   std::vector<double> angles;    // (dofs) rad
-  std::vector<Vec3d> positions;  // (goals) m, world: where the effectors are then
-  double distance = 0.0;         // m, the root of the summed squared distances to the goals
+  std::vector<Vec3d> positions;  // (goals) m, world: where the effectors are then …
+  std::vector<Mat3d> turns;      // … and how they are turned, R_WL
+  // m, the root of the summed squared distances to the goals or their boxes; turns count by
+  // kTurnLength
+  double distance = 0.0;
 
   [[nodiscard]] bool reached(double tolerance = kReachTolerance) const {
     return distance <= tolerance;

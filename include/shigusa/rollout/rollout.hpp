@@ -44,13 +44,18 @@ class Rollout {
                           .point = to_scalar<Element<S>>(target.point),
                           .position = to_scalar<S>(target.position),
                           .contact = target.contact,
-                          .orientation = to_scalar<S>(target.orientation)});
+                          .orientation = to_scalar<S>(target.orientation),
+                          .turning = target.turning,
+                          .axis = to_scalar<Element<S>>(target.axis),
+                          .direction = to_scalar<S>(target.direction)});
+      turning_ = turning_ || target.turning != Turning::free;
     }
     leads_.reserve(targets_.size());
     for (int frame = 0; frame <= problem.steps; ++frame) {
       const double tau = static_cast<double>(frame) / problem.steps;
       for (const ReachGoal& goal : problem.goals) {
         paths_.push_back(to_scalar<Element<S>>(goal.path.at(tau)));
+        if (turning_) turns_.push_back(to_scalar<Element<S>>(goal.turn.at(tau)));
       }
     }
   }
@@ -103,7 +108,8 @@ class Rollout {
     const auto contacts = std::span<IkTarget<S>>(targets_).subspan(contacts_from_);
     draw_null_space(frame, input);
     step(targets, inverse_weights);
-    BasicReachOutcome<S> missed = measure(targets, true);
+    const double turn_share = last ? 1.0 : kTurnOnWay;
+    BasicReachOutcome<S> missed = measure(targets, turn_share, true);
     const int corrections = last ? problem_->goal_corrections : problem_->corrections;
     const S slack(last ? problem_->goal_tolerance : problem_->path_slack);
     for (int k = 0; k < corrections; ++k) {
@@ -111,7 +117,7 @@ class Rollout {
       const auto off = (worst > slack) & (worst < S(problem_->rescue_limit));
       if (!any(off)) break;
       correct(targets, inverse_weights, off);
-      missed = measure(targets, false);
+      missed = measure(targets, turn_share, false);
     }
     // a goal out of reach, or weights that are far apart, do not take a planted foot along
     for (int k = 0; k < problem_->contact_corrections; ++k) {
@@ -119,7 +125,7 @@ class Rollout {
       const auto off = max(missed.contact_slide, tilt_as_slide) > S(problem_->contact_slack);
       if (!any(off)) break;
       correct(contacts, unlocked_, off);
-      missed = measure(targets, false);
+      missed = measure(targets, turn_share, false);
     }
     outcome.path_error = worse(outcome.path_error, missed.path_error);
     outcome.contact_slide = worse(outcome.contact_slide, missed.contact_slide);
@@ -190,6 +196,10 @@ class Rollout {
     for (std::size_t g = 0; g < contacts_from_; ++g) {
       const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
       targets_[g].position = to_scalar<S>(paths_[k]);
+      if (turning_) {
+        targets_[g].orientation = to_scalar<S>(turns_[k]);
+        targets_[g].direction = targets_[g].orientation.cx;
+      }
       if (input.posture.empty()) continue;
       targets_[g].position += to_scalar<S>(problem_->goals[g].bow) * off;
       targets_[g].position += to_scalar<S>(problem_->goals[g].sway) * aside;
@@ -227,8 +237,9 @@ class Rollout {
     }
   }
 
-  // how far the targets are missed now; `learn`: adds that to the leads
-  BasicReachOutcome<S> measure(std::span<IkTarget<S>> targets, bool learn) {
+  // how far the targets are missed now, goals' turns by a share of theirs; `learn`: adds that to
+  // the leads
+  BasicReachOutcome<S> measure(std::span<IkTarget<S>> targets, double turn_share, bool learn) {
     BasicReachOutcome<S> missed;
     const S limit(problem_->lead_limit);
     for (IkTarget<S>& target : targets) {
@@ -238,7 +249,8 @@ class Rollout {
       const auto follows = miss < limit;
       if (learn) target.lead = select(follows, target.lead + error, Vec3<S>{});
       if (!target.contact) {
-        missed.path_error = worse(missed.path_error, miss);
+        const S off = target.turns() ? turn_miss(target, miss, turn_share, learn) : miss;
+        missed.path_error = worse(missed.path_error, off);
         continue;
       }
       const Vec3<S> error_tilt = tilt_error(next(), target);
@@ -247,6 +259,18 @@ class Rollout {
       missed.contact_tilt = worse(missed.contact_tilt, tilt(next(), target));
     }
     return missed;
+  }
+
+  // of a goal that turns: the larger of its distance and its turn
+  S turn_miss(IkTarget<S>& target, const S& miss, double turn_share, bool learn) {
+    const Vec3<S> error = turn_error(next(), target);
+    const S turn = norm(error) * S(kTurnLength);
+    if (learn) {
+      const auto follows = turn < S(problem_->lead_limit);
+      target.tilt_lead = select(follows, target.tilt_lead + error, Vec3<S>{});
+    }
+    target.lag = max(target.lag, turn);
+    return worse(miss, turn * S(turn_share));
   }
 
   // the larger of both, and NaN once either was
@@ -290,6 +314,8 @@ class Rollout {
   std::vector<IkTarget<S>> targets_;              // the goals, then the contacts
   std::vector<Lead> leads_;                       // put aside while a frame is corrected
   std::vector<Vec3<Element<S>>> paths_;           // (frames × goals) m, world
+  bool turning_ = false;                          // some goal turns, as …
+  std::vector<Mat3<Element<S>>> turns_;           // … (frames × goals) R_WL, or empty
   IkWorkspace<S> ik_;
   DynamicsWorkspace<S> dynamics_;
   std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, taking turns …

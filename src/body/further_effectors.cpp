@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "further_effectors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+struct Words {
+  std::string_view node;
+  std::string_view joint;
+};
+// of one side
+constexpr std::array<Words, 6> kLimbWords{{{"upper_arm", "shoulder"},
+                                           {"lower_arm", "elbow"},
+                                           {"upper_leg", "hip"},
+                                           {"lower_leg", "knee"},
+                                           {"ankle", "foot"},
+                                           {"hand", "wrist"}}};
+
+// "left_", "right_" or nothing
+std::string_view side_of(std::string_view name) {
+  for (const std::string_view side : {"left_", "right_"}) {
+    if (name.substr(0, side.size()) == side) return side;
+  }
+  return {};
+}
+
+bool moves(const BodyDefinition& body, int dof, int link) {
+  for (; link != kBaseLink; link = body.dofs[static_cast<std::size_t>(link)].parent) {
+    if (link == dof) return true;
+  }
+  return false;
+}
+
+// The first freedom of the limb that a link is part of: shoulder or hip, or the neck; of the trunk
+// and the leg that it stands on, the base's.
+int limb_root(const BodyDefinition& body, int link) {
+  int pelvis = kBaseLink;
+  for (const BodyNode& node : body.nodes) {
+    if (node.name == "hips") pelvis = node.link;
+  }
+  const int count = static_cast<int>(body.dofs.size());
+  for (int d = 0; d < count; ++d) {
+    const std::string& joint = body.dofs[static_cast<std::size_t>(d)].joint;
+    const bool root = joint.ends_with("_shoulder") || joint.ends_with("_hip") || joint == "neck";
+    if (root && moves(body, d, link) && !moves(body, d, pelvis)) return d;
+  }
+  int first = link;
+  while (body.dofs[static_cast<std::size_t>(first)].parent != kBaseLink) {
+    first = body.dofs[static_cast<std::size_t>(first)].parent;
+  }
+  return first;
+}
+
+// The goal's name of a node. A foot is its sole's node: where that hangs on an ankle of several
+// links, as robots' do, the node of its name is the ankle's.
+std::string word_of_node(const BodyDefinition& body, const std::string& node) {
+  const std::string side(side_of(node));
+  if (!side.empty() && node.substr(side.size()) == "shoulder") return side + "clavicle";
+  for (const Foot& foot : body.feet) {
+    if (foot.node == node) return foot.name;
+    if (foot.name == node) return side + "ankle";
+  }
+  return joint_word(node);
+}
+
+}  // namespace
+
+std::string joint_word(std::string_view name) {
+  if (name == "pelvis") return "hips";
+  const std::string_view side = side_of(name);
+  for (const Words& words : kLimbWords) {
+    if (side.empty() || name.substr(side.size()) != words.node) continue;
+    return std::string(side) + std::string(words.joint);
+  }
+  return std::string(name);
+}
+
+std::vector<Effector> further_effectors(const BodyDefinition& body) {
+  std::vector<Effector> further;
+  const auto known = [&](const std::string& name, const std::string& node) {
+    const auto same = [&](const Effector& e) { return e.name == name || e.node == node; };
+    return std::any_of(body.effectors.begin(), body.effectors.end(), same) ||
+           std::any_of(further.begin(), further.end(), same);
+  };
+  for (const BodyNode& node : body.nodes) {
+    if (node.name.empty() || node.end_site || node.link == kBaseLink) continue;
+    const std::string name = word_of_node(body, node.name);
+    if (known(name, node.name)) continue;
+    further.push_back({name, node.name, node.link, node.point, limb_root(body, node.link)});
+    for (const NodePlace& place : body.places) {
+      if (place.node == node.name) further.back().point = place.point;
+    }
+  }
+  return further;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#include "task_goals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/body/load.hpp>
+#include <shigusa/body/stance.hpp>
+#include <shigusa/core/names.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+// A foot that steps lifts on its way by this (m), and this share of the way: toes clear the floor.
+constexpr double kStepLift = 0.05;
+constexpr double kStepLiftShare = 0.12;
+constexpr double kStepLiftMax = 0.15;
+// Less than this (m) along the floor is no step.
+constexpr double kLeastStep = 0.01;
+
+Error goal_error(const Goal& goal, std::string message) {
+  return {ErrorCode::invalid_argument, std::move(message), "goal of " + goal.effector};
+}
+
+Error base_moves(const std::string& foot) {
+  return {ErrorCode::invalid_argument,
+          foot + " bears this body and cannot move: only the other foot can", "goal"};
+}
+
+Result<int> effector_index(const BodyModel& body, const Goal& goal) {
+  if (const auto index = body.find_effector(goal.effector)) return *index;
+  const Foot* base = base_foot(body);
+  if (base != nullptr && base->name == goal.effector) {
+    return tl::unexpected(base_moves(goal.effector));
+  }
+  std::vector<std::string> names;
+  for (int i = 0; i < body.effector_count(); ++i) names.push_back(body.effector(i).name);
+  return fail(ErrorCode::not_found, unknown_name("effector", goal.effector, names), "goal");
+}
+
+Result<void> check_turn(const Goal& goal) {
+  if (goal.rotation && goal.axis) {
+    return tl::unexpected(goal_error(goal, "has a rotation and an axis; allowed is one of both"));
+  }
+  if (goal.rotation) {
+    const Quatd& q = *goal.rotation;
+    const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+    if (!(abs(square - 1.0) < kUnitSlack)) {
+      return tl::unexpected(goal_error(
+          goal, fmt::format("rotation is ({}, {}, {}, {}) of length {}; allowed is a unit "
+                            "quaternion x, y, z, w",
+                            q.x, q.y, q.z, q.w, sqrt(square))));
+    }
+  }
+  if (!goal.axis) return {};
+  for (const Vec3d& v : {goal.axis->axis, goal.axis->direction}) {
+    const double length = norm(v);
+    if (length > 1e-6 && length <= kGoalRange) continue;
+    return tl::unexpected(goal_error(
+        goal, fmt::format("axis or direction is ({}, {}, {}); allowed is a finite vector that is "
+                          "not 0",
+                          v.x, v.y, v.z)));
+  }
+  return {};
+}
+
+Result<void> check_goal(const Goal& goal) {
+  if (!(goal.load >= 0.0 && goal.load <= kLoadMax)) {
+    return tl::unexpected(goal_error(
+        goal, fmt::format("load is {} kg; allowed are 0 to {:g} kg", goal.load, kLoadMax)));
+  }
+  for (int k = 0; k < 3; ++k) {
+    const double x = goal.position[k];
+    const double half = goal.tolerance[k];
+    if (!(x >= -kGoalRange && x <= kGoalRange)) {
+      return tl::unexpected(goal_error(
+          goal, fmt::format("{} coordinate is {}; allowed are finite numbers from -{:g} to {:g} m",
+                            "xyz"[k], x, kGoalRange, kGoalRange)));
+    }
+    if (half >= 0.0 && half <= kToleranceMax) continue;
+    return tl::unexpected(goal_error(
+        goal,
+        fmt::format("{} tolerance is {}; allowed are 0 to {:g} m", "xyz"[k], half, kToleranceMax)));
+  }
+  return check_turn(goal);
+}
+
+// Which way a path over `way` bows out, and how far (m): forwards, square to the way; a way that
+// leads forwards bows upwards.
+Vec3d bow_of(const Vec3d& way) {
+  const double length = norm(way);
+  const Vec3d along = normalized(way);
+  for (const Vec3d& out : {Vec3d{0, 0, 1}, Vec3d{0, 1, 0}}) {
+    const Vec3d square = out - along * dot(along, out);
+    if (norm(square) > 0.5) return normalized(square) * length;
+  }
+  return {};
+}
+
+// Which way a path over `way` sways, and how far (m): square to way and bow, outwards on the
+// effector's side; a way that leads sideways sways upwards.
+Vec3d sway_of(const Vec3d& way, const Vec3d& bow, const std::string& effector) {
+  const Vec3d out{effector.rfind("left_", 0) == 0 ? 1.0 : -1.0, 0.1, 0.0};
+  const Vec3d sway = cross(normalized(way), bow);
+  return dot(sway, out) < 0.0 ? -sway : sway;
+}
+
+// Length of a limb: the distances along its chain, stretched out.
+double limb_length(const BodyModel& body, const Effector& effector) {
+  double length = norm(effector.point);
+  for (int d = effector.link; d != effector.limb_root && d != kBaseLink; d = body.dof(d).parent) {
+    length += norm(body.dof(d).offset);
+  }
+  return length;
+}
+
+// Whether it is the sole's link of a leg that hangs from the pelvis: what its ankle moves.
+bool is_foot(const BodyModel& body, int effector) {
+  const Effector& e = body.effector(effector);
+  const std::string& root = body.dof(e.limb_root).joint;
+  const std::string& joint = body.dof(e.link).joint;
+  return root.ends_with("_hip") && joint.ends_with("_ankle");
+}
+
+// The goal's effector, where the body has it.
+const Effector* effector_of(const BodyModel& body, const Goal& goal) {
+  const auto index = body.find_effector(goal.effector);
+  return index ? &body.effector(*index) : nullptr;
+}
+
+bool moves_foot(const Task& task, const Foot& foot) {
+  return std::any_of(task.goals.begin(), task.goals.end(), [&](const Goal& goal) {
+    const Effector* effector = effector_of(task.body, goal);
+    return effector != nullptr && effector->link == foot.link;
+  });
+}
+
+// Goals by a foot's name become goals of its sole's node, which has the name no longer once the
+// foot does not stand.
+void name_soles(Task& task) {
+  for (const Foot& foot : task.body.feet()) {
+    for (Goal& goal : task.goals) {
+      const Effector* effector = effector_of(task.body, goal);
+      if (effector != nullptr && effector->name == foot.name) goal.effector = effector->node;
+    }
+  }
+}
+
+Result<void> check_contacts(const Task& task) {
+  std::vector<std::string> feet;
+  for (const Foot& foot : task.body.feet()) feet.push_back(foot.name);
+  for (const std::string& name : *task.contacts) {
+    if (std::find(feet.begin(), feet.end(), name) != feet.end()) continue;
+    return fail(ErrorCode::not_found, unknown_name("contact", name, feet), "contacts");
+  }
+  const Foot* base = base_foot(task.body);
+  if (base == nullptr) return {};
+  const auto& kept = *task.contacts;
+  if (std::find(kept.begin(), kept.end(), base->name) != kept.end()) return {};
+  return fail(ErrorCode::invalid_argument,
+              base->name + " bears this body and is not among them: only the other foot can move",
+              "contacts");
+}
+
+// Frees the feet that do not stand.
+Result<void> stand(Task& task) {
+  if (task.contacts) {
+    if (const auto checked = check_contacts(task); !checked) return checked;
+  }
+  name_soles(task);
+  Kinematics<double> start(task.body);
+  forward_kinematics<double>(task.body, task.body.start(), start);
+  std::vector<std::string> standing;
+  std::vector<Goal> lifts;
+  for (const Foot& foot : task.body.feet()) {
+    const bool moves = moves_foot(task, foot);
+    const bool kept = !task.contacts || std::find(task.contacts->begin(), task.contacts->end(),
+                                                  foot.name) != task.contacts->end();
+    if (task.contacts && kept && moves) {
+      return fail(ErrorCode::invalid_argument, foot.name + " is to stand and has a goal",
+                  "contacts");
+    }
+    if (kept && !moves) standing.push_back(foot.name);
+    const auto effector = task.body.find_effector(foot.node);
+    if (kept || moves || !effector) continue;
+    const Effector& ankle = task.body.effector(*effector);
+    lifts.push_back({.effector = foot.node,
+                     .position = start.point(ankle.link, ankle.point) + Vec3d{0, kFootLift, 0}});
+  }
+  if (standing.size() < task.body.feet().size()) task.body = standing_on(task.body, standing);
+  task.goals.insert(task.goals.end(), lifts.begin(), lifts.end());
+  task.contacts.reset();
+  return {};
+}
+
+}  // namespace
+
+EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
+                       const Kinematics<double>& start) {
+  EffectorTurn turn;
+  turn.start = turn.goal = start.link_rotation(body.effector(effector).link);
+  if (goal.rotation) {
+    const Quatd& q = *goal.rotation;
+    const double scale = 1.0 / sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+    turn.goal = to_matrix(Quatd{q.x * scale, q.y * scale, q.z * scale, q.w * scale});
+    turn.kind = Turning::whole;
+  } else if (goal.axis) {
+    turn.axis = normalized(goal.axis->axis);
+    turn.direction = normalized(goal.axis->direction);
+    turn.kind = Turning::axis;
+  } else if (is_foot(body, effector)) {
+    turn.kind = Turning::whole;
+  }
+  return turn;
+}
+
+Result<ReachGoal> make_reach_goal(const BodyModel& body, const Kinematics<double>& start,
+                                  const Goal& goal) {
+  const Result<int> index = effector_index(body, goal);
+  if (!index) return tl::unexpected(index.error());
+  if (const auto checked = check_goal(goal); !checked) return tl::unexpected(checked.error());
+  const Effector& effector = body.effector(*index);
+  const Vec3d from = start.point(effector.link, effector.point);
+  const Vec3d way = goal.position - from;
+  ReachGoal reach;
+  reach.effector = *index;
+  reach.path = {from, goal.position};
+  reach.turn = goal_turn(body, goal, *index, start);
+  reach.tolerance = goal.tolerance;
+  if (is_foot(body, *index)) {
+    // neither through the floor nor far above it
+    const double length = norm(Vec3d{way.x, 0.0, way.z});
+    if (length > kLeastStep) {
+      reach.path.detour.y = min(kStepLift + kStepLiftShare * length, kStepLiftMax);
+    }
+    return reach;
+  }
+  reach.bow = bow_of(way);
+  reach.sway = sway_of(way, reach.bow, effector.name);
+  return reach;
+}
+
+double goal_duration(const BodyModel& body, const Kinematics<double>& start,
+                     const ReachGoal& goal) {
+  const Effector& effector = body.effector(goal.effector);
+  const Vec3d root = start.origin[static_cast<std::size_t>(effector.limb_root)];
+  const bool beyond_limb = norm(goal.path.goal - root) > limb_length(body, effector);
+  return reach_duration(norm(goal.path.goal - goal.path.start), beyond_limb);
+}
+
+Result<void> check_rows(const ReachProblem& problem) {
+  int rows = 0;
+  for (const IkTarget<double>& target : ik_targets(problem)) rows += row_count(target);
+  if (rows <= kMaxIkRows) return {};
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("goals and contacts take {} rows of the IK; allowed are {}: 3 for a "
+                          "position, 3 for a rotation or an axis, 6 for a foot that is not the "
+                          "base",
+                          rows, kMaxIkRows),
+              "goals");
+}
+
+std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals) {
+  for (const Goal& goal : goals) {
+    const auto index = body.find_effector(goal.effector);
+    const bool limb = !index || *index < static_cast<int>(body.effectors().size()) ||
+                      body.effector(*index).name.starts_with("left_") ||
+                      body.effector(*index).name.starts_with("right_");
+    if (limb) return goal.position;
+  }
+  return std::nullopt;
+}
+
+bool needs_preparing(const Task& task) {
+  const auto loaded = [](const Goal& goal) { return goal.load != 0.0; };
+  const auto feet = task.body.feet();
+  return task.contacts || std::any_of(task.goals.begin(), task.goals.end(), loaded) ||
+         std::any_of(feet.begin(), feet.end(),
+                     [&](const Foot& foot) { return moves_foot(task, foot); });
+}
+
+Result<Task> prepared(const Task& task) {
+  Task ready = task;
+  for (Goal& goal : ready.goals) {
+    const Result<int> index = effector_index(task.body, goal);
+    if (!index) return tl::unexpected(index.error());
+    if (const auto checked = check_goal(goal); !checked) return tl::unexpected(checked.error());
+    if (goal.load > 0.0) ready.body = with_load(ready.body, *index, goal.load);
+    goal.load = 0.0;
+  }
+  if (const auto standing = stand(ready); !standing) return tl::unexpected(standing.error());
+  return ready;
+}
+
+Result<void> check_task(const Task& task) {
+  if (needs_preparing(task)) {
+    const Result<Task> ready = prepared(task);
+    if (!ready) return tl::unexpected(ready.error());
+    return check_task(*ready);
+  }
+  if (const auto problem = make_problem(task); !problem) return tl::unexpected(problem.error());
+  return {};
+}
+
+}  // namespace shigusa

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/motion/effector_turn.hpp>
+#include <shigusa/motion/minimum_jerk.hpp>
+
+namespace shigusa {
+namespace {
+
+// a turn with x along a direction
+Mat3d pointing(const Vec3d& direction) {
+  const Vec3d beside = abs(direction.x) > 0.7 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+  const Vec3d z = normalized(cross(direction, beside));
+  return {direction, cross(z, direction), z};
+}
+
+}  // namespace
+
+Mat3d rotation_by(const Vec3d& vector) {
+  const double angle = norm(vector);
+  if (!(angle > 0.0)) return {};
+  const Vec3d a = vector * (1.0 / angle);
+  const SinCos<double> turn = sin_cos(angle);
+  // v cos + a × v sin + a (a · v) (1 - cos)
+  const auto turned = [&](const Vec3d& v) {
+    return v * turn.cos + cross(a, v) * turn.sin + a * (dot(a, v) * (1.0 - turn.cos));
+  };
+  return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
+}
+
+Mat3d EffectorTurn::at(double tau) const {
+  const double share = minimum_jerk(tau);
+  if (kind == Turning::whole) {
+    const Vec3d way = rotation_vector(goal * transpose(start));
+    return share < 1.0 ? rotation_by(way * share) * start : goal;
+  }
+  if (kind == Turning::free) return start;
+  const Vec3d from = start * axis;
+  return pointing(share < 1.0 ? rotation_by(turn_between(from, direction) * share) * from
+                              : direction);
+}
+
+double EffectorTurn::miss(const Mat3d& orientation) const {
+  switch (kind) {
+    case Turning::whole:
+      return norm(rotation_vector(goal * transpose(orientation)));
+    case Turning::axis:
+      return norm(turn_between(orientation * axis, direction));
+    case Turning::free:
+      break;
+  }
+  return 0.0;
+}
+
+EffectorTurn EffectorTurn::ending_at(const Mat3d& orientation) const {
+  EffectorTurn turn = *this;
+  turn.goal = orientation;
+  turn.direction = normalized(orientation * axis);
+  return turn;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "character_places.hpp"
+
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+constexpr double kSame = 1e-6;          // m
+constexpr double kPlaceRange = 100.0;   // m
+constexpr std::size_t kPlacesMax = 64;  // more than any body has nodes
+
+// (nodes) m, world: where the rig's nodes are in the body's start posture.
+std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
+  Clip clip;
+  clip.dofs = body.dof_count();
+  clip.frames = 1;
+  clip.angles.assign(body.start().begin(), body.start().end());
+  const RigMotion motion = rig_motion(body, clip, rig);
+  std::vector<Transformd> placed;
+  std::vector<Vec3d> places;
+  for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
+    const RigNode& node = rig.nodes[i];
+    const Mat3d r = to_matrix(motion.local[i].rotation);
+    // a scale goes along, so it is no rigid transform
+    const Transformd local{{r.cx * node.scale.x, r.cy * node.scale.y, r.cz * node.scale.z},
+                           motion.local[i].translation};
+    placed.push_back(node.parent < 0 ? local
+                                     : placed[static_cast<std::size_t>(node.parent)] * local);
+    const Vec3d& at = placed.back().translation;
+    places.push_back(rig.placement.mirrored() ? rig.placement.to_world(at)
+                                              : at * rig.placement.unit);
+  }
+  return places;
+}
+
+}  // namespace
+
+void find_places(const BodyModel& body, CharacterSpec& spec) {
+  if (!spec.rig) return;
+  const std::vector<Vec3d> places = start_places(body, spec.rig->rig);
+  Kinematics<double> start(body);
+  forward_kinematics<double>(body, body.start(), start);
+  spec.places.clear();
+  for (const BodyNode& node : body.nodes()) {
+    const int of_file = node.name.empty() ? -1 : rig_node(spec, node.name);
+    if (of_file < 0) continue;
+    const Vec3d& place = places[static_cast<std::size_t>(of_file)];
+    if (norm(place - start.point(node.link, node.point)) <= kSame) continue;
+    spec.places.emplace_back(node.name, place);
+  }
+}
+
+BodyModel placed_body(const CharacterSpec& spec, const BodyModel& body) {
+  if (spec.places.empty()) return body;
+  Kinematics<double> start(body);
+  forward_kinematics<double>(body, body.start(), start);
+  std::vector<NodePlace> places;
+  for (const auto& [name, at] : spec.places) {
+    for (const BodyNode& node : body.nodes()) {
+      if (node.name != name) continue;
+      places.push_back({name, transpose_times(start.link_rotation(node.link),
+                                              at - start.link_origin(node.link))});
+    }
+  }
+  return with_places(body, std::move(places));
+}
+
+void add_places(const CharacterSpec& spec, Json& character) {
+  for (const auto& [node, at] : spec.places) character["places_m"][node] = to_json(at);
+}
+
+void read_places(JsonReader& character, CharacterSpec& spec) {
+  if (!character.has("places_m")) return;
+  JsonReader places = character.object("places_m");
+  const Json& points = character.value("places_m");
+  if (!points.is_object() || points.size() > kPlacesMax) {
+    return character.wrong(
+        "places_m", fmt::format("must be an object {{ … }} of at most {} points", kPlacesMax));
+  }
+  for (const auto& item : points.items()) {
+    auto& place = spec.places.emplace_back(item.key(), Vec3d{});
+    places.vector(item.key().c_str(), place.second, kPlaceRange);
+  }
+  character.absorb(places.finish());
+}
+
+}  // namespace shigusa

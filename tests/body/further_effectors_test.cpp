@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/body/stance.hpp>
+
+#include "support/bodies.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+TEST(FurtherEffectors, HandsComeFirstAndAreTheOnlyOnesOfTheTable) {
+  const BodyModel body = human_body();
+  EXPECT_EQ(body.effectors().size(), 2u);
+  EXPECT_EQ(body.find_effector("right_hand"), 0);
+  EXPECT_EQ(body.find_effector("left_hand"), 1);
+  EXPECT_GT(body.effector_count(), 18);
+}
+
+TEST(FurtherEffectors, JointsHaveTheWordsOfTheirFreedoms) {
+  const BodyModel body = human_body();
+  for (const char* joint : {"right_elbow", "left_knee", "left_hip", "right_shoulder", "right_wrist",
+                            "left_clavicle", "neck", "head"}) {
+    const auto index = body.find_effector(joint);
+    ASSERT_TRUE(index) << joint;
+    const Effector& effector = body.effector(*index);
+    bool found = false;
+    for (int d = 0; d < body.dof_count(); ++d) {
+      if (body.dof(d).joint != joint) continue;
+      found = true;
+      const Vec3d centre = placed(body, body.start()).origin[static_cast<std::size_t>(d)];
+      EXPECT_LT(norm(effector_position(body, body.start(), joint) - centre), 1e-9) << joint;
+    }
+    EXPECT_TRUE(found) << joint;
+    EXPECT_TRUE(body.moves(effector.limb_root, effector.link)) << joint;
+  }
+}
+
+TEST(FurtherEffectors, NodesOfTheFileAreFoundByTheirOwnNames) {
+  const BodyModel body = human_body();
+  EXPECT_EQ(body.find_effector("right_lower_arm"), body.find_effector("right_elbow"));
+  EXPECT_EQ(body.find_effector("pelvis"), body.find_effector("hips"));
+  EXPECT_EQ(body.find_effector("left_ankle"), body.find_effector("left_foot"));
+  EXPECT_EQ(body.find_effector("nose"), std::nullopt);
+  EXPECT_EQ(body.find_effector(""), std::nullopt);
+}
+
+TEST(FurtherEffectors, FootThatBearsTheBodyIsNone) {
+  EXPECT_FALSE(human_body().find_effector("right_foot"));
+  EXPECT_TRUE(human_body().find_effector("left_foot"));
+  const BodyModel other = human_body({.base = Side::left});
+  EXPECT_FALSE(other.find_effector("left_foot"));
+  EXPECT_TRUE(other.find_effector("right_foot"));
+  EXPECT_EQ(base_foot(other)->name, "left_foot");
+}
+
+TEST(FurtherEffectors, BodyOnTheOtherFootIsTheSamePerson) {
+  const BodyModel right = human_body();
+  const BodyModel left = human_body({.base = Side::left});
+  EXPECT_NEAR(left.mass(), right.mass(), 1e-9);
+  ASSERT_EQ(left.nodes().size(), right.nodes().size());
+  for (std::size_t i = 0; i < left.nodes().size(); ++i) {
+    const BodyNode& a = left.nodes()[i];
+    const BodyNode& b = right.nodes()[i];
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_LT(norm(placed(left, left.start()).point(a.link, a.point) -
+                   placed(right, right.start()).point(b.link, b.point)),
+              1e-9);
+  }
+}
+
+TEST(FurtherEffectors, PlacesTakeThePlacesOfNodes) {
+  const BodyModel body = human_body();
+  const BodyModel moved = with_places(body, {{"hips", {0, 0.1, 0}}});
+  const int hips = body.find_effector("hips").value();
+  EXPECT_EQ(moved.effector(hips).point, (Vec3d{0, 0.1, 0}));
+  EXPECT_EQ(moved.nodes()[0].point, body.nodes()[0].point);
+}
+
+TEST(StandingOn, LeavesTheOtherFootFree) {
+  const std::vector<std::string> feet{"right_foot"};
+  const BodyModel one = standing_on(human_body(), feet);
+  ASSERT_EQ(one.feet().size(), 1u);
+  EXPECT_EQ(one.feet()[0].name, "right_foot");
+  EXPECT_EQ(one.dof_count(), human_body().dof_count());
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Targets that turn: in one step of weighted IK, and as NLP-IK's objective.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/kinematics/nlp_ik.hpp>
+
+#include "support/bodies.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using Vector = std::vector<double>;
+
+// The right hand is to stay where it is, and to turn.
+IkTarget<double> hand_target(const BodyModel& body, const Vector& q) {
+  const Effector& hand = body.effector(body.find_effector("right_hand").value());
+  const Kinematics<double> now = placed(body, q);
+  return {.link = hand.link, .point = hand.point, .position = now.point(hand.link, hand.point)};
+}
+
+IkTarget<double> turned_by(const BodyModel& body, const Vector& q, const Vec3d& vector) {
+  IkTarget<double> target = hand_target(body, q);
+  target.turning = Turning::whole;
+  target.orientation = rotation_by(vector) * placed(body, q).link_rotation(target.link);
+  return target;
+}
+
+IkTarget<double> pointing(const BodyModel& body, const Vector& q, const Vec3d& vector) {
+  IkTarget<double> target = hand_target(body, q);
+  target.turning = Turning::axis;
+  target.axis = {1, 0, 0};
+  target.direction = rotation_by(vector) * placed(body, q).link_rotation(target.link).cx;
+  return target;
+}
+
+Vector step_of(const BodyModel& body, const Vector& q, const IkTarget<double>& target,
+               const Vector& reference = {}) {
+  const Vector weights(q.size(), 1.0);
+  IkWorkspace<double> workspace(body);
+  Vector dq(q.size());
+  const std::vector<IkTarget<double>> targets{target};
+  weighted_ik_step<double>(body, placed(body, q), targets, weights, reference, IkSettings{},
+                           workspace, dq);
+  return dq;
+}
+
+Vector bent(const BodyModel& body) {
+  Vector q(body.start().begin(), body.start().end());
+  q[static_cast<std::size_t>(body.find_dof("right_elbow.flexion").value())] += 1.0;
+  q[static_cast<std::size_t>(body.find_dof("right_shoulder.abduction").value())] += 0.3;
+  return q;
+}
+
+Vector moved(const Vector& q, const Vector& dq) {
+  Vector sum(q);
+  for (std::size_t d = 0; d < q.size(); ++d) sum[d] += dq[d];
+  return sum;
+}
+
+TEST(TurningIk, StepMakesASmallTurnToTheSecondOrder) {
+  const BodyModel body = human_body();
+  const Vector q = bent(body);
+  for (const bool whole : {true, false}) {
+    const Vec3d small{0.01, -0.02, 0.015};
+    const IkTarget<double> target = whole ? turned_by(body, q, small) : pointing(body, q, small);
+    const Kinematics<double> before = placed(body, q);
+    const Kinematics<double> after = placed(body, moved(q, step_of(body, q, target)));
+    EXPECT_GT(norm(turn_error(before, target)), 0.01);
+    EXPECT_LT(norm(turn_error(after, target)), 1e-3);
+    EXPECT_LT(norm(position_error(after, target)), 1e-3);
+  }
+}
+
+TEST(TurningIk, StepsConvergeFromFarOff) {
+  const BodyModel body = human_body();
+  // beyond 90°, where the sine of an angle shrinks again
+  for (const IkTarget<double>& target :
+       {turned_by(body, bent(body), {0, 2.0, 0}), pointing(body, bent(body), {0, 2.4, 0})}) {
+    Vector q = bent(body);
+    for (int k = 0; k < 60; ++k) q = moved(q, step_of(body, q, target));
+    EXPECT_LT(norm(turn_error(placed(body, q), target)), 1e-6);
+    EXPECT_LT(norm(position_error(placed(body, q), target)), 1e-6);
+  }
+}
+
+TEST(TurningIk, AxisThatPointsWhereItShouldLetsTheHandTurnAboutIt) {
+  const BodyModel body = human_body();
+  const Vector q = bent(body);
+  Vector reference(q.size(), 0.0);
+  reference[static_cast<std::size_t>(body.find_dof("right_elbow.rotation").value())] = 0.02;
+  reference[static_cast<std::size_t>(body.find_dof("right_wrist.flexion").value())] = 0.01;
+  const auto hand = static_cast<int>(body.effector(0).link);
+  const auto spin = [&](const IkTarget<double>& target) {
+    const Vector to = moved(q, step_of(body, q, target, reference));
+    const Mat3d turn =
+        placed(body, to).link_rotation(hand) * transpose(placed(body, q).link_rotation(hand));
+    return rotation_vector(turn);
+  };
+  const Vec3d about = placed(body, q).link_rotation(hand).cx;
+  const Vec3d free = spin(pointing(body, q, {}));
+  const Vec3d held = spin(turned_by(body, q, {}));
+  EXPECT_LT(norm(held), 1e-3);
+  EXPECT_GT(std::fabs(dot(free, about)), 3e-3);
+  EXPECT_LT(norm(free - about * dot(free, about)), 1e-3);
+}
+
+TEST(TurningIk, GradientOfNlpIkIsThatOfItsObjective) {
+  const BodyModel body = human_body();
+  const Vector q = bent(body);
+  for (const IkTarget<double>& target :
+       {turned_by(body, q, {0.5, -0.3, 0.4}), pointing(body, q, {0.5, -0.3, 0.4})}) {
+    const std::vector<IkTarget<double>> targets{target};
+    NlpIk ik(body);
+    ik.begin(targets, Vector(q.size(), 1.0));
+    Vector gradient(q.size());
+    Vector ignored(q.size());
+    (void)ik.objective(targets, q, {}, q, gradient);
+    constexpr double kStep = 1e-5;
+    for (std::size_t d = 0; d < q.size(); ++d) {
+      Vector up(q);
+      Vector down(q);
+      up[d] += kStep;
+      down[d] -= kStep;
+      const double slope = (ik.objective(targets, q, {}, up, ignored) -
+                            ik.objective(targets, q, {}, down, ignored)) /
+                           (2 * kStep);
+      EXPECT_NEAR(gradient[d], slope, 1e-8) << body.dofs()[d].name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shigusa
