@@ -42,6 +42,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
   } of_a_file[] = {{"--extent", options.extent.has_value(), false},
                    {"--frame", options.frame.has_value(), true},
                    {"--map", !options.map.empty(), true},
+                   {"--seat", options.seat.has_value() && !is_built_in(spec), true},
                    {"--stature", options.stature.has_value() && !is_built_in(spec), true}};
   for (const auto& option : of_a_file) {
     if (option.given && is_built_in(spec)) {
@@ -62,6 +63,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
   }
   if (options.frame) spec.frame = *options.frame;
   if (options.mass) spec.mass = *options.mass;
+  if (options.seat) spec.seat = *options.seat;
   if (options.sex) spec.sex = *options.sex == "female" ? Sex::female : Sex::male;
   if (options.stature) {
     const Result<double> stature = parse_stature(*options.stature, spec.sex);

@@ -24,6 +24,7 @@ struct CharacterOptions {
   std::optional<int> frame;
   std::optional<std::string> stature;  // m, or p5, p50, p95
   std::optional<double> mass;          // kg
+  std::optional<double> seat;          // m
   std::optional<std::string> sex;
   std::vector<std::string> map;  // BONE=NODE, or a JSON file of them
 };

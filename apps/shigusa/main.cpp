@@ -26,6 +26,8 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
   c.add_option("--mass", o.mass, "Mass in kilograms");
   c.add_option("--sex", o.sex, "male or female: mass distribution and strength")
       ->check(CLI::IsMember({"male", "female"}));
+  c.add_option("--seat", o.seat,
+               "Sits on a seat of this height in metres, with the feet where they stand");
   c.add_option(
        "--map", o.map,
        "BONE=NODE: which node of the file a bone is (right_hand=Bone_17), or a JSON file of "

@@ -40,13 +40,13 @@ HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& setting
 BodyModel HumanBuilder::build() {
   body_.name = settings_.name;
   body_.stature = settings_.stature;
-  add_standing_leg();
+  settings_.sits ? add_seated_leg(base_side_) : add_standing_leg();
   add_trunk();
   add_arm(Side::right);
   if (settings_.extent != BodyExtent::half) {
     add_arm(Side::left);
-    add_hanging_leg(other(base_side_));
-    if (!other_stands_) {
+    settings_.sits ? add_seated_leg(other(base_side_)) : add_hanging_leg(other(base_side_));
+    if (!other_stands_ && !settings_.sits) {
       body_.doubts.push_back(
           fmt::format("the {}foot is lifted at the start: it carries nothing and keeps its angles",
                       base_side_ == Side::left ? "right " : "left "));

@@ -52,6 +52,8 @@ class HumanBuilder {
   void add_standing_leg();
   void add_standing_masses(Side side);
   void add_hanging_leg(Side side);
+  void add_seated_leg(Side side);
+  void add_seat(Side side, const Part& thigh);
   void add_arm(Side side);
   void couple_hip(int hip, int knee);
   void add_foot(Side side, const Part& foot);

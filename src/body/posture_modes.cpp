@@ -64,13 +64,15 @@ void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
 
 std::vector<PostureMode> posture_modes(const BodyModel& body) {
   ModeBuilder modes(body);
-  modes.add("squat", 0.0, radians(130.0),
-            {{"right_knee.flexion", 1.0},
-             {"left_knee.flexion", 1.0},
-             {"right_hip.flexion", 0.5},
-             {"left_hip.flexion", 0.5},
-             {"right_ankle.flexion", 0.5},
-             {"left_ankle.flexion", 0.5}});
+  if (body.find_dof("right_knee.flexion")) {
+    modes.add("squat", 0.0, radians(130.0),
+              {{"right_knee.flexion", 1.0},
+               {"left_knee.flexion", 1.0},
+               {"right_hip.flexion", 0.5},
+               {"left_hip.flexion", 0.5},
+               {"right_ankle.flexion", 0.5},
+               {"left_ankle.flexion", 0.5}});
+  }
   modes.add("lean", radians(-20.0), radians(110.0),
             {{"right_hip.flexion", 1.0}, {"left_hip.flexion", 1.0}});
   add_trunk_modes(body, modes);

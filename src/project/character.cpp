@@ -20,6 +20,8 @@ namespace {
 constexpr std::array<std::string_view, 3> kBuiltIn{"half_body", "full_body", "human"};
 constexpr double kStatureMin = 0.5;  // m
 constexpr double kStatureMax = 2.5;
+constexpr double kSeatMin = 0.1;  // m
+constexpr double kSeatMax = 1.2;
 constexpr double kMassMin = 2.0;  // kg
 constexpr double kMassMax = 300.0;
 
@@ -154,6 +156,7 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
     return ok;
   }
+  if (const auto ok = check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"); !ok) return ok;
   if (is_robot(spec)) {
     if (const auto ok = check_robot_options(spec); !ok) return ok;
   }
@@ -188,6 +191,7 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   spec.stature = person->stature;
   const bool posture = file->rig.format == CharacterFormat::bvh;
   spec.landmarks = posture ? person->landmarks : at_ease(person->landmarks, person->stature);
+  if (spec.seat) spec.landmarks = seated(*spec.landmarks, person->stature, *spec.seat);
   spec.doubts = file->doubts;
   for (const auto* more : {&map->doubts, &person->doubts}) {
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
@@ -217,8 +221,11 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
   constexpr double kSame = 1e-6;  // m
   // the stature stands in a result whether it was given or measured
   for (const std::optional<double>& stature : {std::optional<double>{}, spec.stature}) {
-    CharacterSpec fresh{
-        .source = path.string(), .stature = stature, .frame = spec.frame, .map = spec.map};
+    CharacterSpec fresh{.source = path.string(),
+                        .stature = stature,
+                        .frame = spec.frame,
+                        .seat = spec.seat,
+                        .map = spec.map};
     if (const auto measured = measure_character(fresh, {}); !measured) {
       if (stature) return measured;
       continue;
@@ -238,16 +245,32 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
 Result<BodyModel> build_character(const CharacterSpec& spec, Side base) {
   if (spec.urdf) return build_robot_character(spec);
   for (const auto& checked : {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
-                              check_range("mass", spec.mass, kMassMin, kMassMax, "kg")}) {
+                              check_range("mass", spec.mass, kMassMin, kMassMax, "kg"),
+                              check_range("seat", spec.seat, kSeatMin, kSeatMax, "m")}) {
     if (!checked) return tl::unexpected(checked.error());
   }
   const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);
   const double mass = spec.mass.value_or(default_mass(stature, spec.sex));
+  BodyExtent extent = spec.extent.value_or(BodyExtent::human);
+  if (!spec.landmarks && spec.source != "human") {
+    extent = spec.source == "half_body" ? BodyExtent::half : BodyExtent::full;
+  }
+  if (spec.seat && extent == BodyExtent::half) {
+    return fail(ErrorCode::invalid_argument, "a seat is not for a body of one side", "character");
+  }
+  const HumanSettings settings{.name = spec.source,
+                               .extent = extent,
+                               .stature = stature,
+                               .mass = mass,
+                               .sex = spec.sex,
+                               .base = base,
+                               .sits = spec.seat.has_value()};
   if (spec.landmarks) {
-    const BodyExtent extent = spec.extent.value_or(BodyExtent::human);
-    return placed_body(
-        spec, build_human(*spec.landmarks, {spec.source, extent, stature, mass, spec.sex, base},
-                          spec.doubts));
+    return placed_body(spec, build_human(*spec.landmarks, settings, spec.doubts));
+  }
+  if (spec.seat) {
+    return build_human(seated(standing_landmarks(stature, kStandingToeOut), stature, *spec.seat),
+                       settings);
   }
   const Stature person{stature, mass, spec.sex, base};
   if (spec.source == "half_body") return half_body(person);

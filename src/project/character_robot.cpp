@@ -41,6 +41,7 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
   } persons[] = {{"stature", spec.stature.has_value()},
                  {"mass", spec.mass.has_value()},
                  {"extent", spec.extent.has_value()},
+                 {"seat", spec.seat.has_value()},
                  {"frame", spec.frame != 0}};
   for (const auto& option : persons) {
     if (!option.given) continue;

@@ -33,6 +33,7 @@ Json character_to_json(const CharacterSpec& c) {
     return json;
   }
   json["sex"] = c.sex == Sex::male ? "male" : "female";
+  if (c.seat) json["seat_m"] = *c.seat;
   if (is_built_in(c)) return json;
   for (const auto& [name, extent] : kExtents) {
     if (c.extent == extent) json["extent"] = name;
@@ -93,6 +94,7 @@ void read_character(JsonReader& task, CharacterSpec& c) {
     reader.choice<BodyExtent>("extent", c.extent.emplace(), {kExtents.begin(), kExtents.end()});
   }
   reader.integer("frame", c.frame, 0, kFrameMax);
+  reader.number("seat_m", c.seat, 0.1, 1.2);
   read_texts(reader, "doubts", c.doubts);
   if (reader.has("urdf")) reader.text("urdf", c.urdf.emplace());
   if (reader.has("map")) {

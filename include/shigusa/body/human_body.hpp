@@ -25,6 +25,7 @@ struct HumanSettings {
   double mass = 73.0;      // kg
   Sex sex = Sex::male;
   Side base = Side::right;  // the foot that bears the body where both stand
+  bool sits = false;        // on both thighs, see build_human; not of half extent
 };
 
 // A lifted foot: its sole is more than this above the other's (m).
@@ -37,6 +38,9 @@ inline constexpr double kLiftedFoot = 0.05;
 // start posture lies outside a joint limit, that limit is widened to hold it, with a doubt. Half
 // extent: the left leg's mass moves as the right leg's translation, the left arm's with the trunk,
 // and leg strengths count for both legs (paper, section 3.1; each number in docs/paper_map.md).
+// Who sits has the right thigh as the base, and the left one stands in a foot's place: the pelvis
+// tips over them and turns no further. The legs below are one piece with their thighs, and where
+// their soles are on the floor these are a part of what bears the body.
 [[nodiscard]] BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
                                     std::vector<std::string> doubts = {});
 

@@ -45,6 +45,7 @@ struct CharacterSpec {
   Sex sex = Sex::male;
   std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
   int frame = 0;                       // of the file: the start posture; glTF has 0 alone
+  std::optional<double> seat{};        // m, 0.1..1.2: height of the seat that the person sits on
   BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
