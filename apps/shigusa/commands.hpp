@@ -92,7 +92,8 @@ struct ScoreOptions {
   std::string clip;
   std::optional<std::string> character;  // the clip's own person when not given
   CharacterOptions person;
-  std::string frames;  // FIRST:LAST, or empty for all
+  std::string animation;  // of a glTF file; empty: its first
+  std::string frames;     // FIRST:LAST, or empty for all
   std::optional<std::string> criteria;
   std::optional<double> smooth;  // Hz
   bool json = false;

@@ -179,7 +179,9 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
 
 void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("score", "Score a motion, recorded or made, by the criteria");
-  c->add_option("clip", o.clip, "BVH file")->required();
+  c->add_option("clip", o.clip, "BVH file, or an animated GLB, glTF, VRM or VRMA file")->required();
+  c->add_option("--animation", o.animation,
+                "Name or index of a glTF file's animation (default: its first)");
   c->add_option("--character", o.character,
                 "Whose body moves so: half_body, full_body, human or a person's file (default: the "
                 "clip's own person, extent human, as the first frame shows them)");

@@ -64,7 +64,8 @@ int score(const ScoreOptions& options) {
   if (const auto applied = apply_character_options(options.person, character); !applied) {
     return report(applied.error());
   }
-  const Result<RecordedMotion> recorded = read_recorded(options.clip, character, settings.first);
+  const Result<RecordedMotion> recorded =
+      read_recorded(options.clip, character, settings.first, options.animation);
   if (!recorded) return report(recorded.error());
   const Result<ClipScore> score = score_clip(*recorded, settings);
   if (!score) return report({score.error().code, score.error().to_string(), options.clip});

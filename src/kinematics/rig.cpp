@@ -4,6 +4,7 @@
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/kinematics/rig.hpp>
 
+#include "math/linear_map.hpp"
 #include "rig_drivers.hpp"
 
 namespace shigusa {
@@ -14,32 +15,12 @@ using Bone = HumanoidBone;
 // An affine map p -> linear p + at; rotations of the file come with scales in them.
 using Affine = Transformd;
 
-// The rotation nearest to a matrix whose columns are all but orthogonal.
-Mat3d orthonormal(const Mat3d& m) {
-  const Vec3d x = normalized(m.cx, {1, 0, 0});
-  const Vec3d z = normalized(cross(x, m.cy), {0, 0, 1});
-  return {x, cross(z, x), z};
-}
-
 // To rounding; q and -q are the same.
 bool same_rotation(const Quatd& a, const Quatd& b) {
   constexpr double kSame = 1e-9;  // half the angle between them (rad)
   const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0.0 ? -1.0 : 1.0;
   return max(max(abs(a.x - sign * b.x), abs(a.y - sign * b.y)),
              max(abs(a.z - sign * b.z), abs(a.w - sign * b.w))) < kSame;
-}
-
-// Of a matrix with three columns that are no plane.
-std::optional<Mat3d> inverse_of(const Mat3d& m) {
-  const Vec3d a = cross(m.cy, m.cz);
-  const Vec3d b = cross(m.cz, m.cx);
-  const Vec3d c = cross(m.cx, m.cy);
-  const double determinant = dot(m.cx, a);
-  const double size = norm(m.cx) * norm(m.cy) * norm(m.cz);
-  constexpr double kFlat = 1e-9;
-  if (!(abs(determinant) > kFlat * size)) return std::nullopt;
-  const double over = 1.0 / determinant;
-  return transpose(Mat3d{a * over, b * over, c * over});
 }
 
 class RigMover {

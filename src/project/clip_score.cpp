@@ -5,6 +5,7 @@
 #include <shigusa/body/anthropometry.hpp>
 #include <shigusa/dynamics/contact_forces.hpp>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/motion/low_pass.hpp>
 #include <shigusa/project/clip_score.hpp>
 
@@ -15,6 +16,57 @@ namespace {
 
 // What smoothing sees on either side of the frames that are scored (s).
 constexpr double kAround = 0.35;
+
+// A motion file's own.
+struct MotionFile {
+  SkeletonMotion motion;
+  HumanoidMap given;  // by the file itself
+  std::vector<std::string> doubts;
+};
+
+Result<MotionFile> read_motion(const std::filesystem::path& path, const std::string& animation) {
+  const std::string name = path.filename().string();
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (ending == ".bvh") {
+    if (!animation.empty()) {
+      return fail(ErrorCode::invalid_argument,
+                  "holds one motion without a name: leave the animation out", name);
+    }
+    Result<SkeletonMotion> motion = read_bvh(path);
+    if (!motion) return tl::unexpected(motion.error());
+    return MotionFile{std::move(*motion), {}, {}};
+  }
+  for (const char* each : {".glb", ".gltf", ".vrm", ".vrma"}) {
+    if (ending != each) continue;
+    Result<GltfMotion> file = read_gltf_animation(path, {.animation = animation});
+    if (!file) return tl::unexpected(file.error());
+    return MotionFile{std::move(file->motion), file->character.humanoid, std::move(file->doubts)};
+  }
+  return fail(ErrorCode::invalid_argument,
+              "is no clip that can be scored; allowed are .bvh, .glb, .gltf, .vrm and .vrma", name);
+}
+
+struct MeasuredFile {
+  HumanoidMap map;
+  MeasuredPerson person;
+};
+
+Result<MeasuredFile> measure(const MotionFile& file, int frame, const MeasureSettings& settings,
+                             const std::string& name) {
+  const auto& [skeleton, clip] = file.motion;
+  if (frame < 0 || frame >= clip.frames) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("frame {} does not exist; the file has 0 to {}", frame, clip.frames - 1), name);
+  }
+  const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
+  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file.given);
+  if (!map) return fail(map.error().code, map.error().to_string(), name);
+  Result<MeasuredPerson> person = measure_person(skeleton, world, *map, settings);
+  if (!person) return fail(person.error().code, person.error().to_string(), name);
+  return MeasuredFile{*map, std::move(*person)};
+}
 
 // The landmarks of the body that is no part of the clip, in its start posture.
 Landmarks start_of(const CharacterSpec& character, const BodyModel& body) {
@@ -111,37 +163,54 @@ void doubt(const ScoreSettings& settings, ClipScore& result) {
 }  // namespace
 
 Result<RecordedMotion> read_recorded(const std::filesystem::path& path, CharacterSpec character,
-                                     int first) {
+                                     int first, const std::string& animation) {
   const std::string name = path.filename().string();
-  if (path.extension() != ".bvh" && path.extension() != ".BVH") {
-    return fail(ErrorCode::invalid_argument, "is no clip that can be scored; allowed is .bvh",
-                name);
-  }
   if (is_robot(character)) {
     return fail(ErrorCode::invalid_argument,
                 character.source + " is a robot; recorded motion is scored on people", "character");
   }
+  Result<MotionFile> file = read_motion(path, animation);
+  if (!file) return tl::unexpected(file.error());
   const bool own = character.source == path.string();
-  CharacterSpec person{.source = path.string(), .frame = first};
+  if (!own) {
+    if (const auto measured = measure_character(character, {}); !measured) {
+      return tl::unexpected(measured.error());
+    }
+  }
+  std::optional<BodyModel> body;
+  MeasureSettings settings{own ? character.stature : std::nullopt};
+  if (!own) {
+    Result<BodyModel> built = build_character(character);
+    if (!built) return tl::unexpected(built.error());
+    body = std::move(*built);
+    settings.stature = body->stature();
+  }
+  const int frame = own ? character.frame : first;
+  const Result<MeasuredFile> measured = measure(*file, frame, settings, name);
+  if (!measured) return tl::unexpected(measured.error());
+  const MeasuredPerson& person = measured->person;
+  Rig rig{
+      {}, measured->map, person.grip_nodes, person.placement, person.landmarks, person.landmarks};
+  const Skeleton& skeleton = file->motion.skeleton;
+  for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
+    const LocalTransform& local = file->motion.clip.frame(skeleton, frame)[i];
+    rig.nodes.push_back({skeleton.nodes[i].parent, local.translation, local.rotation});
+  }
   if (own) {
-    person = character;
-  } else if (const auto measured = measure_character(character, {}); !measured) {
-    return tl::unexpected(measured.error());
-  } else if (const auto body = build_character(character); !body) {
-    return tl::unexpected(body.error());
+    character.source = name;
+    character.stature = person.stature;
+    character.landmarks = person.landmarks;
+    character.doubts = std::move(file->doubts);
+    for (const auto* more : {&measured->map.doubts, &person.doubts}) {
+      character.doubts.insert(character.doubts.end(), more->begin(), more->end());
+    }
+    Result<BodyModel> built = build_character(character);
+    if (!built) return tl::unexpected(built.error());
+    body = std::move(*built);
   } else {
-    person.stature = body->stature();
+    rig.start = start_of(character, *body);
   }
-  if (const auto measured = measure_character(person, {}); !measured) {
-    return tl::unexpected(measured.error());
-  }
-  Result<BodyModel> body = build_character(own ? person : character);
-  if (!body) return tl::unexpected(body.error());
-  Result<SkeletonMotion> motion = read_bvh(path);
-  if (!motion) return tl::unexpected(motion.error());
-  Rig rig = std::move(person.rig->rig);
-  if (!own) rig.start = start_of(character, *body);
-  return RecordedMotion{std::move(*motion), std::move(rig), std::move(*body)};
+  return RecordedMotion{std::move(file->motion), std::move(rig), std::move(*body)};
 }
 
 Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings& settings) {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/gltf_file.hpp"
 #include "support/person_file.hpp"
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"
@@ -50,6 +51,32 @@ TEST_F(ScoreCommand, JsonHasTheNamesOfTheSummary) {
     EXPECT_NEAR(json.at("criteria").at(name).get<double>(), penalty.get<double>(), 5e-3) << name;
   }
   EXPECT_LT(json.at("follows").at("worst_mm").get<double>(), 0.01);
+}
+
+// A character's motion scores alike in each format that it leaves in.
+TEST_F(ScoreCommand, AnAnimatedCharacterScoresAsItsSummaryHasIt) {
+  work_.put("person.gltf", person_gltf().dump());
+  const ProgramRun made =
+      run_shigusa({"reach", "--character", "person.gltf", "--goal", "right_hand=-0.1,0.5,0.4",
+                   "--formats", "glb,bvh", "--evaluations", "100", "--candidates", "1", "--json"},
+                  {.folder = work_.path()});
+  const double total = Json::parse(made.out).at("candidates").at(0).at("score");
+  for (const Words& clip : {Words{"out/candidate-1.bvh"},
+                            Words{"out/candidate-1.glb", "--animation", "shigusa candidate 1"}}) {
+    Words call = clip;
+    call.insert(call.end(), {"--extent", "full", "--smooth", "0", "--json"});
+    const ProgramRun run = score(call);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_NEAR(json.at("score").get<double>(), total, 0.02 * total) << clip.front();
+    // a GLB's numbers are single precision
+    EXPECT_LT(json.at("follows").at("worst_mm").get<double>(), 0.1) << clip.front();
+  }
+  EXPECT_THAT(score({"person.gltf"}).err, HasSubstr("holds no animation"));
+  EXPECT_THAT(score({"out/candidate-1.glb", "--animation", "jump"}).err,
+              HasSubstr("no animation 'jump'; it has 'shigusa candidate 1'"));
+  EXPECT_THAT(score({"person.bvh", "--animation", "jump"}).err,
+              HasSubstr("one motion without a name"));
 }
 
 TEST_F(ScoreCommand, WhatIsWrongIsTold) {

@@ -144,8 +144,8 @@ TEST_F(ClipScoreTest, WhatCannotBeScoredIsRefusedWithAReason) {
   EXPECT_TRUE(score_clip(recorded).has_value());
   EXPECT_THAT(read_recorded(path, {.source = "robot.urdf"}, 0).error().to_string(),
               HasSubstr("is a robot"));
-  EXPECT_THAT(read_recorded("clip.glb", {.source = path}, 0).error().to_string(),
-              HasSubstr("allowed is .bvh"));
+  EXPECT_THAT(read_recorded("clip.csv", {.source = path}, 0).error().to_string(),
+              HasSubstr("allowed are .bvh"));
 }
 
 }  // namespace

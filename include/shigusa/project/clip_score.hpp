@@ -45,12 +45,14 @@ struct RecordedMotion {
   BodyModel body;
 };
 
-// Reads a clip (.bvh). The body is the clip's person, as measured in the frame character.frame,
-// where character.source is the clip's own path; and else the one that it names, to whose stature
-// the clip is scaled by its person in the frame `first`. A robot is refused: its joints are no
-// person's.
+// Reads a clip: .bvh, or an animation of a .glb, .gltf, .vrm or .vrma file, sampled at 60 Hz, by
+// its name or its index, the first where none is given. The body is the clip's person, as measured
+// in the frame character.frame, where character.source is the clip's own path; and else the one
+// that it names, to whose stature the clip is scaled by its person in the frame `first`. A robot is
+// refused: its joints are no person's.
 [[nodiscard]] Result<RecordedMotion> read_recorded(const std::filesystem::path& clip,
-                                                   CharacterSpec character, int first);
+                                                   CharacterSpec character, int first,
+                                                   const std::string& animation = {});
 
 // Scores the frames by the criteria that generated motions are scored by. Speeds and accelerations
 // see the frames around them; where the file begins or ends it goes on as it came. Fails where
