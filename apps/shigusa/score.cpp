@@ -59,7 +59,6 @@ int score(const ScoreOptions& options) {
   settings.last = frames->last;
   CharacterSpec character;
   character.source = options.character.value_or(options.clip);
-  character.extent = BodyExtent::human;
   if (character.source == options.clip) character.frame = settings.first;
   if (const auto applied = apply_character_options(options.person, character); !applied) {
     return report(applied.error());

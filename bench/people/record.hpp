@@ -54,7 +54,7 @@ struct Recorded {
   CharacterSpec person;   // measured in the first frame, extent human …
   BodyModel body;         // … and the same with 18 freedoms
   BodyModel paper_body;
-  Track track;
+  Track track{};
   double fit_mean = 0.0;        // m, between the body's joints and his
   double paper_fit_mean = 0.0;  // m, the same of 18 freedoms
 

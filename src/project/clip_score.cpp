@@ -10,6 +10,7 @@
 #include <shigusa/project/clip_score.hpp>
 
 #include "hierarchy/candidate.hpp"
+#include "humanoid_request.hpp"
 
 namespace shigusa {
 namespace {
@@ -52,8 +53,8 @@ struct MeasuredFile {
   MeasuredPerson person;
 };
 
-Result<MeasuredFile> measure(const MotionFile& file, int frame, const MeasureSettings& settings,
-                             const std::string& name) {
+Result<MeasuredFile> measure(const MotionFile& file, int frame, const BoneRequest& bones,
+                             const MeasureSettings& settings, const std::string& name) {
   const auto& [skeleton, clip] = file.motion;
   if (frame < 0 || frame >= clip.frames) {
     return fail(
@@ -61,7 +62,11 @@ Result<MeasuredFile> measure(const MotionFile& file, int frame, const MeasureSet
         fmt::format("frame {} does not exist; the file has 0 to {}", frame, clip.frames - 1), name);
   }
   const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
-  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file.given);
+  std::vector<std::string> nodes;
+  for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
+  const Result<HumanoidMap> asked = requested_bones(bones, nodes, name);
+  if (!asked) return tl::unexpected(asked.error());
+  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file.given, *asked);
   if (!map) return fail(map.error().code, map.error().to_string(), name);
   Result<MeasuredPerson> person = measure_person(skeleton, world, *map, settings);
   if (!person) return fail(person.error().code, person.error().to_string(), name);
@@ -186,7 +191,8 @@ Result<RecordedMotion> read_recorded(const std::filesystem::path& path, Characte
     settings.stature = body->stature();
   }
   const int frame = own ? character.frame : first;
-  const Result<MeasuredFile> measured = measure(*file, frame, settings, name);
+  const Result<MeasuredFile> measured =
+      measure(*file, frame, own ? character.map : BoneRequest{}, settings, name);
   if (!measured) return tl::unexpected(measured.error());
   const MeasuredPerson& person = measured->person;
   Rig rig{
