@@ -64,7 +64,7 @@ TEST_F(ScoreCommand, AnAnimatedCharacterScoresAsItsSummaryHasIt) {
   for (const Words& clip : {Words{"out/candidate-1.bvh"},
                             Words{"out/candidate-1.glb", "--animation", "shigusa candidate 1"}}) {
     Words call = clip;
-    call.insert(call.end(), {"--extent", "full", "--smooth", "0", "--json"});
+    call.insert(call.end(), {"--smooth", "0", "--json"});
     const ProgramRun run = score(call);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const Json json = Json::parse(run.out);
