@@ -51,7 +51,7 @@ BEGIN {
   allow("examples", "shigusa.hpp io " all)
   allow("tests", "shigusa.hpp io " all)
   allow("bindings", "shigusa.hpp " all)
-  allow("bench", "shigusa.hpp " all)
+  allow("bench", "shigusa.hpp io " all)
 }
 
 FNR == 1 {

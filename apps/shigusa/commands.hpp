@@ -89,6 +89,17 @@ struct RenderOptions {
   std::optional<double> stature;  // m
 };
 
+struct ScoreOptions {
+  std::string clip;
+  std::optional<std::string> character;  // the clip's own person when not given
+  CharacterOptions person;
+  std::string animation;  // of a glTF file; empty: its first
+  std::string frames;     // FIRST:LAST, or empty for all
+  std::optional<std::string> criteria;
+  std::optional<double> smooth;  // Hz
+  bool json = false;
+};
+
 struct BodyOptions {
   std::string source;
   CharacterOptions person;
@@ -98,7 +109,15 @@ struct BodyOptions {
 int reach(const ReachOptions& options);
 int edit(const EditOptions& options);
 int render(const RenderOptions& options);
+int score(const ScoreOptions& options);
 int body(const BodyOptions& options);
+
+// Part of a clip: "FIRST:LAST", or all of it where the text is empty.
+struct FrameRange {
+  int first = 0;
+  std::optional<int> last{};
+};
+[[nodiscard]] Result<FrameRange> parse_frames(const std::string& text);
 
 // Fails on what a built-in body, or a person who was measured before, cannot be told.
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,

@@ -179,6 +179,23 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
   c->callback([&] { exit_code = render(o); });
 }
 
+void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand("score", "Score a motion, recorded or made, by the criteria");
+  c->add_option("clip", o.clip, "BVH file, or an animated GLB, glTF, VRM or VRMA file")->required();
+  c->add_option("--animation", o.animation,
+                "Name or index of a glTF file's animation (default: its first)");
+  c->add_option("--character", o.character,
+                "Whose body moves so: half_body, full_body, human or a person's file (default: the "
+                "clip's own person, extent human, as the first frame shows them)");
+  add_character_options(*c, o.person);
+  c->add_option("--frames", o.frames, "FIRST:LAST part of the clip, in which the feet stand");
+  c->add_option("--criteria", o.criteria, "paper, default or pareto");
+  c->add_option("--smooth", o.smooth,
+                "Hz: what is faster is taken for noise of the record (default 6; 0: nothing is)");
+  c->add_flag("--json", o.json, "Print JSON");
+  c->callback([&] { exit_code = score(o); });
+}
+
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
   c->add_option("source", o.source,
@@ -201,11 +218,13 @@ int main(int argc, char** argv) {
   EditOptions edit_options;
   EditOptions mirror_options;
   RenderOptions render_options;
+  ScoreOptions score_options;
   BodyOptions body_options;
   add_reach(app, reach_options, exit_code);
   add_edit(app, edit_options, exit_code);
   add_mirror(app, mirror_options, exit_code);
   add_render(app, render_options, exit_code);
+  add_score(app, score_options, exit_code);
   add_body(app, body_options, exit_code);
   try {
     app.parse(argc, argv);

@@ -24,20 +24,6 @@ Result<FigureFormat> format_of(const std::filesystem::path& path) {
               path.string());
 }
 
-Result<void> parse_frames(const std::string& text, StripSettings& settings) {
-  if (text.empty()) return {};
-  const char* end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, settings.first_frame);
-  if (first.ec == std::errc{} && first.ptr != end && *first.ptr == ':') {
-    const auto last = std::from_chars(first.ptr + 1, end, settings.last_frame);
-    const bool whole = last.ec == std::errc{} && last.ptr == end;
-    if (whole && settings.first_frame >= 0 && settings.last_frame >= 0) return {};
-  }
-  return fail(ErrorCode::invalid_argument,
-              "'" + text.substr(0, 80) + "' is not FIRST:LAST, two frame numbers from 0",
-              "--frames");
-}
-
 // Metres per unit of a figure that is no whole person: nobody is 3 m tall, so it is in centimetres,
 // as animation tools expect of BVH and shigusa writes it.
 double guessed_unit(const std::vector<Transformd>& world, std::optional<double> stature) {
@@ -79,13 +65,35 @@ Result<void> understand_figure(const SkeletonMotion& motion, const RenderOptions
 
 }  // namespace
 
+Result<FrameRange> parse_frames(const std::string& text) {
+  if (text.empty()) return FrameRange{};
+  const char* end = text.data() + text.size();
+  FrameRange range;
+  int last = 0;
+  const auto first = std::from_chars(text.data(), end, range.first);
+  if (first.ec == std::errc{} && first.ptr != end && *first.ptr == ':') {
+    const auto rest = std::from_chars(first.ptr + 1, end, last);
+    const bool whole = rest.ec == std::errc{} && rest.ptr == end;
+    if (whole && range.first >= 0 && last >= 0) {
+      range.last = last;
+      return range;
+    }
+  }
+  return fail(ErrorCode::invalid_argument,
+              "'" + text.substr(0, 80) + "' is not FIRST:LAST, two frame numbers from 0",
+              "--frames");
+}
+
 int render(const RenderOptions& options) {
   const std::filesystem::path clip = options.clip;
   const std::filesystem::path out = options.out.empty() ? clip.filename().replace_extension(".svg")
                                                         : std::filesystem::path(options.out);
   StripSettings settings;
   settings.poses = options.poses;
-  if (const auto ok = parse_frames(options.frames, settings); !ok) return report(ok.error());
+  const Result<FrameRange> frames = parse_frames(options.frames);
+  if (!frames) return report(frames.error());
+  settings.first_frame = frames->first;
+  if (frames->last) settings.last_frame = *frames->last;
   const Result<SkeletonMotion> motion = read_bvh(clip);
   if (!motion) return report(motion.error());
   const Result<FigureFormat> format = format_of(out);

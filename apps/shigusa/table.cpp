@@ -14,7 +14,24 @@ std::size_t column_width(const ScoreTerm& term) {
   return std::max<std::size_t>(11, term.name.size());
 }
 
+std::string most_over(const std::vector<LimitExcess>& over_limit) {
+  if (over_limit.empty()) return "-";
+  return fmt::format("{} by {:.0f}°", over_limit.front().dof, degrees(over_limit.front().excess));
+}
+
 }  // namespace
+
+std::string score_table(const Score& score, const FinalPosture& ends,
+                        const std::vector<LimitExcess>& over_limit) {
+  std::string head = fmt::format("{:>7}", "score");
+  std::string row = fmt::format("{:>7.4f}", score.total);
+  for (const ScoreTerm& term : score.terms) {
+    head += fmt::format("  {:>{}}", term.name, column_width(term));
+    row += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
+  }
+  return head + fmt::format("  {:<20}  {}\n", "ends as", "most over its limit") + row +
+         fmt::format("  {:<20}  {}\n", posture_words(ends), most_over(over_limit));
+}
 
 std::string candidate_table(const Generation& generation) {
   std::string text = fmt::format("{:>4}  {:>7}", "rank", "score");
@@ -38,13 +55,7 @@ std::string candidate_table(const Generation& generation) {
     for (const ContactResult& foot : candidate.contacts) slide = std::max(slide, foot.max_slide);
     text += fmt::format("  {:>9.3f}  {:>9.3f}  {:<20}  ", 1e3 * error, 1e3 * slide,
                         posture_words(candidate.final_posture));
-    if (candidate.over_limit.empty()) {
-      text += "-";
-    } else {
-      text += fmt::format("{} by {:.0f}°", candidate.over_limit.front().dof,
-                          degrees(candidate.over_limit.front().excess));
-    }
-    text += "\n";
+    text += most_over(candidate.over_limit) + "\n";
   }
   return text;
 }

@@ -11,6 +11,10 @@ namespace shigusa::app {
 // The candidates as a table for a person: scores, criteria, errors, joints over their limits.
 [[nodiscard]] std::string candidate_table(const Generation& generation);
 
+// The same of a motion that is no candidate.
+[[nodiscard]] std::string score_table(const Score& score, const FinalPosture& ends,
+                                      const std::vector<LimitExcess>& over_limit);
+
 // What happened, in one line: status, body, goals, counts and time.
 [[nodiscard]] std::string headline(const Task& task, const Generation& generation,
                                    const RunInfo& info);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <shigusa/core/result.hpp>
 #include <string>
 #include <string_view>
 
@@ -22,5 +24,16 @@ inline constexpr std::size_t kGlbHeader = 12;      // bytes of the file's own
 inline constexpr std::size_t kGlbChunkHeader = 8;  // and of each chunk's: length and kind
 inline constexpr std::string_view kGlbJson = "JSON";
 inline constexpr std::string_view kGlbBinary{"BIN\0", 4};
+
+// A file's parts: chunks of a GLB, or the text of a .gltf.
+struct GlbParts {
+  std::string_view json;
+  std::optional<std::string_view> binary;
+  std::string_view further;  // chunks, whole
+  bool glb = false;
+};
+
+// The parts of a file that read_gltf_json has read. `name` stands for the file in errors.
+[[nodiscard]] Result<GlbParts> glb_parts(std::string_view bytes, std::string_view name);
 
 }  // namespace shigusa

@@ -16,41 +16,6 @@ using Value = JsonSplice::Value;
 
 constexpr int kFloat = 5126;  // glTF's componentType
 
-// A file's parts: chunks of a GLB, or the text of a .gltf.
-struct Parts {
-  std::string_view json;
-  std::optional<std::string_view> binary;
-  std::string_view further;  // chunks, whole
-  bool glb = false;
-};
-
-Result<Parts> parts_of(std::string_view bytes, std::string_view name) {
-  if (!bytes.starts_with("glTF")) return Parts{bytes, {}, {}, false};
-  // the reader has seen to the header and the first chunk
-  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + word_at(bytes, kGlbHeader);
-  if (word_at(bytes, 8) < json_end) {
-    return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but its first chunk ends after {}",
-                            word_at(bytes, 8), json_end),
-                std::string(name));
-  }
-  Parts parts{bytes.substr(kGlbHeader + kGlbChunkHeader, word_at(bytes, kGlbHeader)), {}, {}, true};
-  std::string_view rest = bytes.substr(json_end, word_at(bytes, 8) - json_end);
-  if (rest.size() >= kGlbChunkHeader && rest.substr(4, 4) == kGlbBinary) {
-    const std::size_t length = word_at(rest, 0);
-    if (length > rest.size() - kGlbChunkHeader) {
-      return fail(ErrorCode::parse,
-                  fmt::format("its binary chunk tells {} bytes, but {} follow", length,
-                              rest.size() - kGlbChunkHeader),
-                  std::string(name));
-    }
-    parts.binary = rest.substr(kGlbChunkHeader, length);
-    rest = rest.substr(kGlbChunkHeader + length);
-  }
-  parts.further = rest;
-  return parts;
-}
-
 void append_float(std::string& bytes, double value) {
   append_word(bytes, __builtin_bit_cast(std::uint32_t, static_cast<float>(value)));
 }
@@ -161,7 +126,7 @@ class Layout {
 // Adds to one file. Each step returns an error or goes on.
 class AnimationAdder {
  public:
-  AnimationAdder(const Parts& parts, std::string_view name)
+  AnimationAdder(const GlbParts& parts, std::string_view name)
       : parts_(parts),
         name_(name),
         json_(parts.json),
@@ -289,7 +254,7 @@ class AnimationAdder {
     return file += chunks;
   }
 
-  const Parts& parts_;
+  const GlbParts& parts_;
   std::string_view name_;
   JsonSplice json_;
   Value root_;
@@ -301,7 +266,7 @@ class AnimationAdder {
 }  // namespace
 
 Result<void> check_animations_fit(std::string_view bytes, std::string_view name) {
-  const Result<Parts> parts = parts_of(bytes, name);
+  const Result<GlbParts> parts = glb_parts(bytes, name);
   if (!parts) return tl::unexpected<Error>(parts.error());
   return AnimationAdder(*parts, name).check();
 }
@@ -311,7 +276,7 @@ Result<std::string> add_animations(std::string_view bytes, std::string_view name
   if (const auto json = read_gltf_json(bytes, name); !json) {
     return tl::unexpected<Error>(json.error());
   }
-  const Result<Parts> parts = parts_of(bytes, name);
+  const Result<GlbParts> parts = glb_parts(bytes, name);
   if (!parts) return tl::unexpected<Error>(parts.error());
   return AnimationAdder(*parts, name).add(animations);
 }

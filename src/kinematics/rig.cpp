@@ -3,9 +3,9 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/kinematics/rig.hpp>
-#include <string>
 
-#include "body/human_frames.hpp"
+#include "math/linear_map.hpp"
+#include "rig_drivers.hpp"
 
 namespace shigusa {
 namespace {
@@ -15,103 +15,12 @@ using Bone = HumanoidBone;
 // An affine map p -> linear p + at; rotations of the file come with scales in them.
 using Affine = Transformd;
 
-Transformd segment(const Mat3d& frame, const Vec3d& joint, const Vec3d& far) {
-  return {along_segment(frame, joint, far), joint};
-}
-
-// What a bone's segment is in one posture: its orientation, and the joint that it hangs on.
-Transformd segment(Bone bone, const Landmarks& person, const HumanFrames& frames) {
-  const Landmarks::Leg& left_leg = person.left_leg;
-  const Landmarks::Leg& right_leg = person.right_leg;
-  const Landmarks::Arm& left_arm = person.left_arm;
-  const Landmarks::Arm& right_arm = person.right_arm;
-  switch (bone) {
-    case Bone::left_upper_leg:
-      return segment(frames.left_leg.thigh, left_leg.hip, left_leg.knee);
-    case Bone::right_upper_leg:
-      return segment(frames.right_leg.thigh, right_leg.hip, right_leg.knee);
-    case Bone::left_lower_leg:
-      return segment(frames.left_leg.shank, left_leg.knee, left_leg.ankle);
-    case Bone::right_lower_leg:
-      return segment(frames.right_leg.shank, right_leg.knee, right_leg.ankle);
-    case Bone::left_foot:
-    case Bone::left_toes:
-      return {frames.left_leg.foot, left_leg.ankle};
-    case Bone::right_foot:
-    case Bone::right_toes:
-      return {frames.right_leg.foot, right_leg.ankle};
-    case Bone::left_upper_arm:
-      return segment(frames.left_arm.upper_arm, left_arm.shoulder, left_arm.elbow);
-    case Bone::right_upper_arm:
-      return segment(frames.right_arm.upper_arm, right_arm.shoulder, right_arm.elbow);
-    case Bone::left_lower_arm:
-    case Bone::left_hand:
-      return segment(frames.left_arm.forearm, left_arm.elbow, left_arm.wrist);
-    case Bone::right_lower_arm:
-    case Bone::right_hand:
-      return segment(frames.right_arm.forearm, right_arm.elbow, right_arm.wrist);
-    default:
-      return {frames.trunk, (left_leg.hip + right_leg.hip) * 0.5};
-  }
-}
-
-const BodyNode* find_node(const BodyModel& body, const std::string& name) {
-  for (const BodyNode& node : body.nodes()) {
-    if (node.name == name) return &node;
-  }
-  return nullptr;
-}
-
-// What moves a node: a link of the body, from the posture at rest on.
-struct Driver {
-  int link = kBaseLink;
-  Transformd to_start;  // world at rest -> world in the start posture
-  bool carries = true;  // the node stands where the link takes it, or on its parent
-};
-
-// The driver of each mapped bone, or nothing where the body has no such bone.
-std::optional<Driver> driver_of(Bone bone, const BodyModel& body, const Rig& rig,
-                                const HumanFrames& rest, const HumanFrames& start) {
-  const Transformd to_start =
-      segment(bone, rig.start, start) * inverse(segment(bone, rig.rest, rest));
-  std::string name(humanoid_bone_name(bone));
-  constexpr std::string_view kLeft = "left_";
-  const bool left_leg = name == "left_upper_leg" || name == "left_lower_leg" ||
-                        name == "left_foot" || name == "left_toes";
-  // a half body's left leg goes as its right one
-  const bool half = left_leg && find_node(body, "left_lower_leg") == nullptr;
-  if (half) name = "right_" + name.substr(kLeft.size());
-  const BodyNode* node = find_node(body, name);
-  if (node == nullptr) return std::nullopt;
-  return Driver{node->link, to_start, !half};
-}
-
-// The rotation nearest to a matrix whose columns are all but orthogonal.
-Mat3d orthonormal(const Mat3d& m) {
-  const Vec3d x = normalized(m.cx, {1, 0, 0});
-  const Vec3d z = normalized(cross(x, m.cy), {0, 0, 1});
-  return {x, cross(z, x), z};
-}
-
 // To rounding; q and -q are the same.
 bool same_rotation(const Quatd& a, const Quatd& b) {
   constexpr double kSame = 1e-9;  // half the angle between them (rad)
   const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0.0 ? -1.0 : 1.0;
   return max(max(abs(a.x - sign * b.x), abs(a.y - sign * b.y)),
              max(abs(a.z - sign * b.z), abs(a.w - sign * b.w))) < kSame;
-}
-
-// Of a matrix with three columns that are no plane.
-std::optional<Mat3d> inverse_of(const Mat3d& m) {
-  const Vec3d a = cross(m.cy, m.cz);
-  const Vec3d b = cross(m.cz, m.cx);
-  const Vec3d c = cross(m.cx, m.cy);
-  const double determinant = dot(m.cx, a);
-  const double size = norm(m.cx) * norm(m.cy) * norm(m.cz);
-  constexpr double kFlat = 1e-9;
-  if (!(abs(determinant) > kFlat * size)) return std::nullopt;
-  const double over = 1.0 / determinant;
-  return transpose(Mat3d{a * over, b * over, c * over});
 }
 
 class RigMover {
@@ -124,7 +33,7 @@ class RigMover {
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const int node = rig.bones.node[static_cast<std::size_t>(b)];
       if (node < 0) continue;
-      const auto driver = driver_of(static_cast<Bone>(b), body, rig, rest, start);
+      const auto driver = bone_driver(static_cast<Bone>(b), body, rig, rest, start);
       if (!driver) continue;
       drive(node, *driver);
     }
@@ -133,7 +42,7 @@ class RigMover {
       const int grip = rig.grips[static_cast<std::size_t>(side)];
       const auto hand = side == Side::left ? Bone::left_hand : Bone::right_hand;
       if (grip < 0 || driver_[static_cast<std::size_t>(grip)] >= 0) continue;
-      if (const auto driver = driver_of(hand, body, rig, rest, start)) drive(grip, *driver);
+      if (const auto driver = bone_driver(hand, body, rig, rest, start)) drive(grip, *driver);
     }
     find_places();
   }
@@ -152,7 +61,7 @@ class RigMover {
   }
 
  private:
-  void drive(int node, const Driver& driver) {
+  void drive(int node, const BoneDriver& driver) {
     driver_[static_cast<std::size_t>(node)] = static_cast<int>(drivers_.size());
     drivers_.push_back(driver);
   }
@@ -178,7 +87,7 @@ class RigMover {
 
   // Where a driver takes what stands at rest at p, in the file's units: of all maps the rotation
   // alone has a linear part, as the units cancel.
-  [[nodiscard]] Affine moved(const Driver& driver, const Affine& rest) const {
+  [[nodiscard]] Affine moved(const BoneDriver& driver, const Affine& rest) const {
     const Transformd from{start_.link_rotation(driver.link), start_.link_origin(driver.link)};
     const Transformd to{now_.link_rotation(driver.link), now_.link_origin(driver.link)};
     const Transformd move = to * inverse(from) * driver.to_start;
@@ -208,7 +117,7 @@ class RigMover {
   void turn(std::size_t i, const Affine& above, const Mat3d& to_parent, LocalTransform& local,
             RigMotion& motion) const {
     const RigNode& node = rig_.nodes[i];
-    const Driver& driver = drivers_[static_cast<std::size_t>(driver_[i])];
+    const BoneDriver& driver = drivers_[static_cast<std::size_t>(driver_[i])];
     const Affine goal = moved(driver, rest_[i]);
     Mat3d m = to_parent * goal.rotation;
     const Vec3d& s = node.scale;
@@ -236,7 +145,7 @@ class RigMover {
   const Rig& rig_;
   Kinematics<double> start_;
   Kinematics<double> now_;
-  std::vector<Driver> drivers_;
+  std::vector<BoneDriver> drivers_;
   std::vector<int> driver_;     // (nodes) index in drivers_, or -1
   std::vector<Affine> rest_;    // (nodes) in the file's world
   std::vector<Affine> placed_;  // (nodes) the same in this frame

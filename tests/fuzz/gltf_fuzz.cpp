@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a glTF, GLB or VRM file to a measured person, and to the file with an
-// animation: nothing may crash, hang or fill the memory, and every number stays finite.
+// From the bytes of a glTF, GLB or VRM file to a measured person, to the file with an animation,
+// and to the animation that it has: nothing may crash, hang or fill the memory, and every number
+// stays finite.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <shigusa/body/landmarks.hpp>
+#include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_write.hpp>
 #include <span>
 #include <string_view>
@@ -27,6 +29,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   if (const auto written = add_animations(bytes, "fuzz.glb", std::span(&animation, 1))) {
     if (!parse_gltf(*written, "written.glb")) std::abort();
+  }
+
+  if (const auto moving = parse_gltf_animation(bytes, "fuzz.glb")) {
+    const SkeletonClip& clip = moving->motion.clip;
+    if (clip.local.size() != skeleton.nodes.size() * static_cast<std::size_t>(clip.frames)) {
+      std::abort();
+    }
+    for (const LocalTransform& local : clip.local) {
+      const Vec3d& at = local.translation;
+      const Quatd& q = local.rotation;
+      if (!is_finite(at.x + at.y + at.z + q.x + q.y + q.z + q.w)) std::abort();
+    }
   }
 
   const auto map = find_humanoid(skeleton, world, file->humanoid);

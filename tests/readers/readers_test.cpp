@@ -5,6 +5,8 @@
 #include <bit>
 #include <cctype>
 #include <cstdlib>
+#include <shigusa/io/gltf_animation.hpp>
+#include <sstream>
 
 #include "app/result_checks.hpp"
 #include "support/gltf_file.hpp"
@@ -69,6 +71,52 @@ INSTANTIATE_TEST_SUITE_P(Of, SecondReaders,
                            std::string name = of.param;
                            std::erase_if(name, [](char c) { return !std::isalnum(c); });
                            return name;
+                         });
+
+// Animations of files that nobody here made, each node in each frame.
+class AnimationsBesideThree : public SecondReaders {};
+
+TEST_P(AnimationsBesideThree, AreSampledAlike) {
+  const std::string shared = SHIGUSA_SHARED_DIR;
+  // splines, steps and shorts, which the characters have none of
+  const bool own = GetParam() == std::string("animated.glb");
+  if (!own && shared.empty()) GTEST_SKIP() << "no characters here";
+  const fs::path file = own ? fs::path(SHIGUSA_SOURCE_DIR) / "tests/fuzz/gltf_corpus" / GetParam()
+                            : fs::path(shared) / "characters" / GetParam();
+  constexpr double kRate = 25.0;  // no file's own
+  const GltfMotion motion = read_gltf_animation(file, {.frame_rate = kRate}).value();
+  // three.js has names of its own for what has none
+  const bool named = motion.animation != "0";
+  std::string nodes;
+  for (const int node : motion.character.file_node) {
+    nodes += (nodes.empty() ? "" : ",") + std::to_string(node);
+  }
+  const std::string call = "'" SHIGUSA_NODE "' '" SHIGUSA_READERS_DIR "/sample_animation.mjs' '" +
+                           file.string() + "' '" + (named ? "" : "animation_") + motion.animation +
+                           "' " + std::to_string(kRate) + " " + nodes + " > '" +
+                           (work_ / "said").string() + "'";
+  ASSERT_EQ(std::system(call.c_str()), 0);
+  std::istringstream said(work_.get("said"));
+  double most = 0.0;
+  for (int f = 0; f < motion.motion.clip.frames; ++f) {
+    for (const auto& ours : world_transforms(motion.motion.skeleton, motion.motion.clip, f)) {
+      Vec3d theirs;
+      ASSERT_TRUE(said >> theirs.x >> theirs.y >> theirs.z) << "frame " << f;
+      most = max(most, norm(ours.translation - theirs));
+    }
+  }
+  std::string more;
+  EXPECT_FALSE(said >> more);
+  // three.js interpolates in single precision
+  EXPECT_LT(most, 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, AnimationsBesideThree,
+                         testing::Values("animated.glb", "KayKit_Knight.glb", "lab0_CesiumMan.glb",
+                                         "mjolnir_BrainStem.glb"),
+                         [](const auto& of) {
+                           const std::string name = of.param;
+                           return name.substr(0, name.find_first_of("_."));
                          });
 
 using SecondReadersOfOurOwn = SecondReaders;

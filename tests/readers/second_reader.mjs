@@ -39,9 +39,12 @@ class Playback {
     return this.times.length;
   }
   at(frame) {
+    this.atTime(this.times[frame]);
+  }
+  atTime(seconds) {
     this.action.paused = false;
     this.action.enabled = true;
-    this.action.time = this.times[frame];
+    this.action.time = seconds;
     this.mixer.update(0);
     this.after();
     this.root.updateMatrixWorld(true);

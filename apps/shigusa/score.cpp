@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/core/names.hpp>
+#include <shigusa/project/clip_score.hpp>
+
+#include "commands.hpp"
+#include "table.hpp"
+
+namespace shigusa::app {
+namespace {
+
+Result<CriteriaSettings> criteria_of(const std::optional<std::string>& name) {
+  std::vector<std::string> names;
+  for (const CriteriaPreset& preset : criteria_presets()) {
+    if (!name || *name == preset.name) return name ? preset.settings() : default_criteria();
+    names.emplace_back(preset.name);
+  }
+  return fail(ErrorCode::invalid_argument, unknown_name("criteria", *name, names), "--criteria");
+}
+
+void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
+                 const ClipScore& score) {
+  const Clip& clip = score.motion.clip;
+  const ClipFit& fit = score.fit;
+  fmt::print("{}: {:.3f} m, {:.1f} kg, {} dof; frames {} to {}, {:.2f} s",
+             printable(recorded.body.name()), recorded.body.stature(), recorded.body.mass(),
+             recorded.body.dof_count(), settings.first, settings.first + clip.frames - 1,
+             clip.duration());
+  fmt::print("{}\n", settings.cutoff > 0.0 ? fmt::format("; smoothed at {:g} Hz", settings.cutoff)
+                                           : std::string());
+  fmt::print(
+      "the body's joints are {:.2f} cm from the recorded ones on average, {:.2f} cm at most "
+      "({} in frame {})\n",
+      100.0 * fit.mean_distance, 100.0 * fit.worst_distance, fit.worst_joint, fit.worst_frame);
+  for (const FootTravel& foot : fit.feet) {
+    fmt::print("{} moves by up to {:.2f} cm and {:.1f}°{}\n", foot.foot, 100.0 * foot.travel,
+               degrees(foot.turn), foot.base ? "; the body stands on it" : "");
+  }
+  fmt::print("{}", score_table(score.score, score.final_posture, score.over_limit));
+  if (score.collides.depth > kCollisionDepth) {
+    fmt::print("{} is {:.1f} cm in {} at {:.2f} s\n", score.collides.limb,
+               100.0 * score.collides.depth, score.collides.other, score.collides.time);
+  }
+}
+
+}  // namespace
+
+int score(const ScoreOptions& options) {
+  ScoreSettings settings;
+  const Result<CriteriaSettings> criteria = criteria_of(options.criteria);
+  if (!criteria) return report(criteria.error());
+  settings.criteria = *criteria;
+  if (options.smooth) settings.cutoff = *options.smooth;
+  const Result<FrameRange> frames = parse_frames(options.frames);
+  if (!frames) return report(frames.error());
+  settings.first = frames->first;
+  settings.last = frames->last;
+  CharacterSpec character;
+  character.source = options.character.value_or(options.clip);
+  if (character.source == options.clip) character.frame = settings.first;
+  if (const auto applied = apply_character_options(options.person, character); !applied) {
+    return report(applied.error());
+  }
+  const Result<RecordedMotion> recorded =
+      read_recorded(options.clip, character, settings.first, options.animation);
+  if (!recorded) return report(recorded.error());
+  const Result<ClipScore> score = score_clip(*recorded, settings);
+  if (!score) return report({score.error().code, score.error().to_string(), options.clip});
+  for (const std::string& doubt : recorded->body.doubts()) note(recorded->body.name(), doubt);
+  for (const std::string& doubt : score->doubts) note(options.clip, doubt);
+  if (options.json) {
+    fmt::print("{}", format_clip_score(options.clip, *recorded, settings, *score));
+  } else {
+    print_score(*recorded, settings, *score);
+  }
+  return kDone;
+}
+
+}  // namespace shigusa::app

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/hierarchy/generator.hpp>
+
+#include "fitted.hpp"
+#include "measures.hpp"
+
+namespace shigusa::bench {
+
+// One way to choose a motion for a reach, by its name: "uniform weights", "best-scored of 8".
+struct Chosen {
+  std::string way;
+  Track track;
+  Apart apart;
+  std::vector<ScoreTerm> criteria{};  // of generated ones
+};
+
+// A reach with all that was made for it.
+struct Compared {
+  Recorded reach;
+  std::vector<Chosen> chosen{};       // the same ways in the same order for each reach
+  std::vector<FittedReach> fitted{};  // of fit_kinds()
+  std::vector<Apart> fitted_apart{};
+  std::optional<Apart> nearest_other{};  // his own, of the reaches with the same kind of start
+  double own_duration = 0.0;             // s, what shigusa would take by itself
+  Score recorded_score{};                // of his own motion, as `shigusa score` has it
+  int candidates = 0;
+};
+
+// The page but for its remarks.
+[[nodiscard]] std::string people_page(const std::vector<Compared>& compared);
+
+struct NamedPicture {
+  std::string name;  // "00_start-low-recorded"
+  std::string svg;
+};
+[[nodiscard]] Result<std::vector<NamedPicture>> people_pictures(
+    const std::vector<Compared>& compared);
+
+}  // namespace shigusa::bench

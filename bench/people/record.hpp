@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/kinematics/clip_fit.hpp>
+#include <shigusa/project/character.hpp>
+#include <string>
+#include <vector>
+
+// A recorded man's reaches to the floor, and what is asked of shigusa in his place.
+namespace shigusa::bench {
+
+// One line of the manifest: a reach with the right hand, its frames in the 60 Hz file.
+struct Segment {
+  std::string name;  // "02_06_00_start-low"
+  int first = 0;
+  int last = 0;
+};
+// The downward ones ("…-low"). Fails on a file that cannot be read or has none.
+[[nodiscard]] Result<std::vector<Segment>> downward_segments(const std::filesystem::path& manifest);
+
+// Where the joints are that postures are compared by (m, world of the reach).
+enum Joint {
+  right_shoulder,
+  right_elbow,
+  right_hip,
+  right_knee,
+  right_ankle,
+  left_shoulder,
+  left_hip,
+  left_knee,
+  left_ankle,
+  right_grip,
+  kJoints
+};
+using Joints = std::vector<Vec3d>;  // (kJoints)
+
+// A motion by its joints' places, and by the angles of two bodies.
+struct Track {
+  double frame_time = 0.0;     // s
+  std::vector<Joints> joints;  // (frames)
+  Clip angles;                 // of the body of the extent human
+  Clip paper_angles;           // of the 18 freedoms whose joints stand nearest
+  [[nodiscard]] double duration() const {
+    return static_cast<double>(joints.size() - 1) * frame_time;
+  }
+};
+
+// A recorded reach.
+struct Recorded {
+  Segment segment;
+  SkeletonMotion motion;  // the file, whole
+  CharacterSpec person;   // measured in the first frame, extent human …
+  BodyModel body;         // … and the same with 18 freedoms
+  BodyModel paper_body;
+  Track track{};
+  double fit_mean = 0.0;        // m, between the body's joints and his
+  double paper_fit_mean = 0.0;  // m, the same of 18 freedoms
+
+  // What shigusa is told: his body, where his hand ends, and his time.
+  [[nodiscard]] Task task() const;
+};
+[[nodiscard]] Result<Recorded> read_reach(const std::filesystem::path& clip,
+                                          const Segment& segment);
+
+// A generated motion of the reach's body.
+[[nodiscard]] Track track_of(const Recorded& reach, const Clip& clip);
+
+}  // namespace shigusa::bench

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/io/gltf.hpp>
+#include <string>
+#include <string_view>
+
+namespace shigusa {
+
+// What an animation may come to at most, sampled; more is refused before memory is taken.
+inline constexpr int kGltfMaxFrames = 200'000;
+inline constexpr std::size_t kGltfMaxTransforms = 8'000'000;  // frames × nodes
+
+struct AnimationChoice {
+  std::string animation{};   // its name, or its index from 0; empty: the first
+  double frame_rate = 60.0;  // Hz, what it is sampled at, > 0
+};
+
+// A character as an animation of its file moves it.
+struct GltfMotion {
+  GltfCharacter character;  // `humanoid` also by the map of a VRM animation
+  std::string animation{};  // its name; where it has none its index
+  // nodes of character.rest: a node's rotation is its turn from the rest pose. Metres.
+  SkeletonMotion motion;
+  std::vector<std::string> doubts;  // the character's and the animation's
+};
+
+// Parses a .glb, .vrm, .gltf or .vrma file with an animation and samples it from its time 0 on.
+// Numbers come from the binary chunk or from data in the text; other files are not opened. Errors
+// name the place, the value seen and what is allowed; `name` stands for the file in them.
+//
+// - LINEAR, STEP and CUBICSPLINE; translation, rotation and scale of nodes. Weights of meshes, and
+//   what extensions animate, are left out. Normalised bytes and shorts are read as such; sparse
+//   accessors are refused.
+// - Before its first key and after its last a node stays as these have it.
+[[nodiscard]] Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view name,
+                                                      const AnimationChoice& choice = {});
+
+// Reads and parses a file.
+[[nodiscard]] Result<GltfMotion> read_gltf_animation(const std::filesystem::path& path,
+                                                     const AnimationChoice& choice = {});
+
+}  // namespace shigusa

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <shigusa/io/file.hpp>
+#include <shigusa/io/gltf_animation.hpp>
+
+#include "gltf_accessor.hpp"
+#include "gltf_tracks.hpp"
+#include "gltf_vrm.hpp"
+#include "math/linear_map.hpp"
+
+namespace shigusa {
+namespace {
+
+using Json = nlohmann::json;
+
+// What VRM's own animations tell of their bones has the form that VRM characters have.
+void take_animation_bones(const JsonSplice& json, const std::vector<int>& place, int nodes,
+                          GltfMotion& result) {
+  const auto extensions = json.member(json.root(), "extensions");
+  const auto humanoid = json.member(json.member(extensions, "VRMC_vrm_animation"), "humanoid");
+  if (!humanoid) return;
+  const Result<Json> parsed = parse_small_json(json.text_of(humanoid), "humanoid");
+  if (!parsed) return;
+  const Json as_vrm{{"extensions", {{"VRMC_vrm", {{"humanoid", *parsed}}}}}};
+  VrmBones bones = read_vrm_bones(as_vrm, nodes);
+  for (int b = 0; b < kHumanoidBoneCount; ++b) {
+    const auto bone = static_cast<HumanoidBone>(b);
+    if (bones.map[bone] < 0) continue;
+    result.character.humanoid[bone] = place[static_cast<std::size_t>(bones.map[bone])];
+  }
+}
+
+class AnimationReader {
+ public:
+  AnimationReader(const GlbParts& parts, std::string_view name, GltfMotion& result)
+      : json_(parts.json), accessors_(parts, name), name_(name), result_(result) {
+    int most = -1;
+    for (const int node : result.character.file_node) most = std::max(most, node);
+    place_.assign(static_cast<std::size_t>(most + 1), -1);
+    for (std::size_t i = 0; i < result.character.file_node.size(); ++i) {
+      place_[static_cast<std::size_t>(result.character.file_node[i])] = static_cast<int>(i);
+    }
+    take_animation_bones(json_, place_, most + 1, result);
+  }
+
+  Result<void> read(const AnimationChoice& choice) {
+    const Result<Json> animation = choose(choice.animation);
+    if (!animation) return tl::unexpected(animation.error());
+    if (const auto read = tracks(*animation); !read) return read;
+    return sample(choice.frame_rate);
+  }
+
+ private:
+  tl::unexpected<Error> wrong(const std::string& why) const {
+    return fail(ErrorCode::parse, why,
+                fmt::format("animation '{}' of {}", result_.animation, name_));
+  }
+
+  Result<Json> choose(const std::string& wanted) {
+    const auto list = json_.elements(json_.member(json_.root(), "animations"));
+    if (list.empty()) {
+      return fail(ErrorCode::parse, "holds no animation, so no motion", name_);
+    }
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const Result<Json> name =
+          parse_small_json(json_.text_of(json_.member(list[i], "name")), name_);
+      names.push_back(name && name->is_string() && !name->empty() ? name->get<std::string>()
+                                                                  : std::to_string(i));
+    }
+    std::size_t chosen = 0;
+    if (!wanted.empty()) {
+      const auto same = std::find(names.begin(), names.end(), wanted);
+      chosen = static_cast<std::size_t>(same - names.begin());
+      const auto read = std::from_chars(wanted.data(), wanted.data() + wanted.size(), chosen);
+      const bool number = read.ec == std::errc{} && read.ptr == wanted.data() + wanted.size();
+      if (same != names.end()) chosen = static_cast<std::size_t>(same - names.begin());
+      if ((same == names.end() && !number) || chosen >= names.size()) return none(wanted, names);
+    } else if (names.size() > 1) {
+      result_.doubts.push_back(
+          fmt::format("of {} animations the first, '{}', is taken", names.size(), names.front()));
+    }
+    result_.animation = names[chosen];
+    return parse_small_json(json_.text_of(list[chosen]),
+                            fmt::format("animations[{}] of {}", chosen, name_));
+  }
+
+  tl::unexpected<Error> none(const std::string& wanted,
+                             const std::vector<std::string>& names) const {
+    constexpr std::size_t kTold = 12;
+    std::string all;
+    for (std::size_t i = 0; i < std::min(names.size(), kTold); ++i) {
+      all += (i > 0 ? ", '" : "'") + names[i].substr(0, 60) + "'";
+    }
+    if (names.size() > kTold) all += fmt::format(" and {} more", names.size() - kTold);
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("has no animation '{}'; it has {}", wanted.substr(0, 80), all), name_);
+  }
+
+  Result<void> tracks(const Json& animation) {
+    tracks_.resize(result_.character.file_node.size());
+    for (const char* key : {"channels", "samplers"}) {
+      if (!animation.is_object() || !animation.contains(key) || !animation[key].is_array()) {
+        return wrong(fmt::format("has no list of {}", key));
+      }
+    }
+    for (const Json& channel : animation["channels"]) {
+      if (const auto read = take(channel, animation["samplers"]); !read) return read;
+    }
+    return {};
+  }
+
+  Result<void> take(const Json& channel, const Json& samplers) {
+    if (!channel.is_object() || !channel.contains("target") || !channel["target"].is_object()) {
+      return wrong("a channel has no target");
+    }
+    const Json& target = channel["target"];
+    if (!target.contains("node") || !target["node"].is_number_unsigned()) return {};
+    const auto node = target["node"].get<std::uint64_t>();
+    const int at = node < place_.size() ? place_[static_cast<std::size_t>(node)] : -1;
+    constexpr std::array kPaths{"translation", "rotation", "scale"};
+    const auto path = std::find(kPaths.begin(), kPaths.end(),
+                                target.contains("path") && target["path"].is_string()
+                                    ? target["path"].get<std::string>()
+                                    : "");
+    if (at < 0 || path == kPaths.end()) return {};
+    const bool known = channel.contains("sampler") && channel["sampler"].is_number_unsigned() &&
+                       channel["sampler"] < static_cast<std::uint64_t>(samplers.size()) &&
+                       samplers[channel["sampler"].get<std::size_t>()].is_object();
+    if (!known) return wrong("a channel's sampler is none of its samplers");
+    const Json& sampler = samplers[channel["sampler"].get<std::size_t>()];
+    Result<GltfTrackKeys> keys =
+        read_track_keys(sampler, path - kPaths.begin() == 1 ? 4 : 3, accessors_);
+    if (!keys) return wrong(keys.error().to_string());
+    duration_ = max(duration_, keys->times.back());
+    tracks_[static_cast<std::size_t>(at)][static_cast<std::size_t>(path - kPaths.begin())] =
+        std::move(*keys);
+    return {};
+  }
+
+  Result<void> sample(double rate) {
+    const Skeleton& rest = result_.character.rest.skeleton;
+    const double most = min(kGltfMaxFrames, static_cast<double>(kGltfMaxTransforms) /
+                                                static_cast<double>(rest.nodes.size()));
+    constexpr double kRounding = 1e-4;  // of a frame: times are single precision
+    const double frames = duration_ * rate + kRounding + 1.0;
+    if (!(frames <= most)) {
+      return wrong(fmt::format("lasts {:g} s, {:g} frames at {:g} Hz; up to {:.0f} are allowed",
+                               duration_, frames, rate, most));
+    }
+    result_.motion.skeleton = rest;
+    SkeletonClip& clip = result_.motion.clip;
+    clip.frame_time = 1.0 / rate;
+    clip.frames = static_cast<int>(frames);
+    clip.local.reserve(static_cast<std::size_t>(clip.frames) * rest.nodes.size());
+    resting_ = placed(-1.0);
+    for (int f = 0; f < clip.frames; ++f) {
+      if (const auto added = add_frame(rest, f * clip.frame_time); !added) return added;
+    }
+    return {};
+  }
+
+  // World placements, scales in their matrices, at that time; at rest where it is below 0.
+  std::vector<Transformd> placed(double time) {
+    const Skeleton& rest = result_.character.rest.skeleton;
+    std::vector<Transformd> world;
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+      GltfPlace place = result_.character.places[i];
+      auto& [moves, turns, scales] = tracks_[i];
+      if (time >= 0.0 && !moves.times.empty()) place.translation = moves.vector_at(time);
+      if (time >= 0.0 && !turns.times.empty()) place.rotation = turns.rotation_at(time);
+      if (time >= 0.0 && !scales.times.empty()) place.scale = scales.vector_at(time);
+      const Mat3d r = to_matrix(place.rotation);
+      const Transformd local{{r.cx * place.scale.x, r.cy * place.scale.y, r.cz * place.scale.z},
+                             place.translation};
+      const int parent = rest.nodes[i].parent;
+      world.push_back(parent < 0 ? local : world[static_cast<std::size_t>(parent)] * local);
+    }
+    return world;
+  }
+
+  Result<void> add_frame(const Skeleton& rest, double time) {
+    const std::vector<Transformd> world = placed(time);
+    std::vector<Mat3d> turned;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      const Vec3d& at = world[i].translation;
+      if (!(abs(at.x) + abs(at.y) + abs(at.z) <= kGltfMaxValue)) {
+        return wrong(fmt::format("at {:g} s '{}' stands beyond {:g} m from the origin", time,
+                                 rest.nodes[i].name, kGltfMaxValue));
+      }
+      const int parent = rest.nodes[i].parent;
+      const Mat3d above = parent < 0 ? Mat3d{} : turned[static_cast<std::size_t>(parent)];
+      const auto back = inverse_of(resting_[i].rotation);
+      // a node that is scaled to nothing goes with its parent
+      const bool flat = !back || !inverse_of(world[i].rotation);
+      turned.push_back(flat ? above : orthonormal(world[i].rotation * *back));
+      const Vec3d from = parent < 0 ? Vec3d{} : world[static_cast<std::size_t>(parent)].translation;
+      result_.motion.clip.local.push_back(
+          {transpose_times(above, at - from), to_quat(transpose(above) * turned.back())});
+    }
+    return {};
+  }
+
+  JsonSplice json_;
+  GltfAccessors accessors_;
+  std::string name_;
+  GltfMotion& result_;
+  std::vector<int> place_;  // (nodes of the file) index in the skeleton, or -1
+  std::vector<std::array<GltfTrackKeys, 3>> tracks_;  // (nodes) translation, rotation, scale
+  std::vector<Transformd> resting_;
+  double duration_ = 0.0;  // s
+};
+
+}  // namespace
+
+Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view name,
+                                        const AnimationChoice& choice) {
+  if (!(choice.frame_rate > 0.0) || !is_finite(choice.frame_rate)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("a frame rate of {:g} Hz; allowed is more than 0", choice.frame_rate));
+  }
+  Result<GltfCharacter> character = parse_gltf(bytes, name);
+  if (!character) return tl::unexpected(character.error());
+  const Result<GlbParts> parts = glb_parts(bytes, name);
+  if (!parts) return tl::unexpected(parts.error());
+  GltfMotion result{std::move(*character), {}, {}, {}};
+  result.doubts = result.character.doubts;
+  if (const auto read = AnimationReader(*parts, name, result).read(choice); !read) {
+    return tl::unexpected(read.error());
+  }
+  return result;
+}
+
+Result<GltfMotion> read_gltf_animation(const std::filesystem::path& path,
+                                       const AnimationChoice& choice) {
+  const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return parse_gltf_animation(*bytes, path.filename().string(), choice);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/math/quat.hpp>
+#include <vector>
+
+#include "gltf_accessor.hpp"
+
+namespace shigusa {
+
+enum class Interpolation { linear, step, cubic };
+
+// The keys of one channel of an animation (glTF 2.0, 3.11 and appendix C).
+struct GltfTrackKeys {
+  std::vector<double> times;  // s, from 0 on, each later than the one before; at least one
+  // (keys × components), of a cubic spline (keys × 3 × components): tangent in, value, tangent out
+  std::vector<double> values;
+  Interpolation interpolation = Interpolation::linear;
+
+  [[nodiscard]] Vec3d vector_at(double time) const;
+  [[nodiscard]] Quatd rotation_at(double time) const;
+
+ private:
+  // Between keys `from` and `from` + 1, `share` of the way, which takes `step` s; share is 0 before
+  // the first and after the last.
+  struct Between {
+    std::size_t from = 0;
+    double share = 0.0;
+    double step = 0.0;
+  };
+  [[nodiscard]] Between between(double time) const;
+  // `part`: 0 value, -1 tangent in, 1 tangent out
+  [[nodiscard]] const double* key(std::size_t index, std::size_t components, int part) const;
+  // component c of the spline
+  [[nodiscard]] double spline(const Between& at, std::size_t components, std::size_t c) const;
+};
+
+// Reads a sampler whose values have 3 or 4 components; these are rotations.
+[[nodiscard]] Result<GltfTrackKeys> read_track_keys(const nlohmann::json& sampler, int components,
+                                                    GltfAccessors& accessors);
+
+}  // namespace shigusa

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+#include <shigusa/core/check.hpp>
+#include <shigusa/kinematics/clip_fit.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/math/ldlt.hpp>
+
+#include "rig_drivers.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr int kMaxDofs = 128;
+constexpr double kTurnLength = 0.03;  // m: what a turn of 1 rad counts as
+constexpr double kDamping = 1e-9;     // of the mean squared column, where all goes well
+constexpr double kMostDamping = 1e6;
+constexpr int kSteps = 60;
+constexpr int kFirstSteps = 500;  // it may be far from the start
+constexpr double kStill = 1e-10;  // rad: a step that ends the search
+
+// The rotation vector of a rotation (rad).
+Vec3d turn_of(const Mat3d& rotation) {
+  const Quatd q = to_quat(rotation);
+  const Vec3d v{q.x, q.y, q.z};
+  const double sine = norm(v);
+  return sine < 1e-12 ? v * 2.0 : v * (2.0 * atan2(sine, q.w) / sine);
+}
+
+// Nodes at rest, in the file's world; a scale moves what is below it.
+std::vector<Transformd> at_rest(const Rig& rig) {
+  std::vector<Transformd> world;
+  std::vector<Transformd> turned;
+  for (const RigNode& node : rig.nodes) {
+    const Mat3d r = to_matrix(node.rotation);
+    const Vec3d& s = node.scale;
+    const Transformd local{{r.cx * s.x, r.cy * s.y, r.cz * s.z}, node.translation};
+    if (node.parent < 0) {
+      world.push_back(local);
+      turned.push_back({r, {}});
+      continue;
+    }
+    const auto parent = static_cast<std::size_t>(node.parent);
+    world.push_back(world[parent] * local);
+    turned.push_back({turned[parent].rotation * r, {}});
+  }
+  for (std::size_t i = 0; i < world.size(); ++i) world[i].rotation = turned[i].rotation;
+  return world;
+}
+
+class ClipFitter {
+ public:
+  ClipFitter(const BodyModel& body, const Rig& rig)
+      : body_(body),
+        rig_(rig),
+        axes_(transpose(Mat3d{rig.placement.left, rig.placement.up, rig.placement.ahead})),
+        rest_(at_rest(rig)),
+        placed_(body),
+        angles_(body.start().begin(), body.start().end()),
+        tried_(angles_),
+        step_(angles_),
+        normal_(std::make_unique<SmallSymmetric<double, kMaxDofs>>()) {
+    SHG_CHECK(body.dof_count() <= kMaxDofs, "a body of at most 128 freedoms");
+    find_targets();
+  }
+
+  ClipFit fit(const SkeletonMotion& recorded, const FitFrames& frames) {
+    const SkeletonClip& clip = recorded.clip;
+    const auto [first, last, around] = frames;
+    SHG_CHECK(0 <= first && first <= last && last < clip.frames, "frames of the record");
+    SHG_CHECK(recorded.skeleton.nodes.size() == rig_.nodes.size(), "the rig's skeleton");
+    const int from = first - std::min(first, around);
+    const int to = last + std::min(clip.frames - 1 - last, around);
+    const std::size_t dofs = angles_.size();
+    ClipFit result;
+    result.before = first - from;
+    result.clip = {body_.dof_count(), to - from + 1, clip.frame_time, {}};
+    result.clip.angles.resize(static_cast<std::size_t>(to - from + 1) * dofs);
+    const auto bring = [&](int frame, int steps) {
+      show(world_transforms(recorded.skeleton, clip, frame));
+      settle(steps);
+      const auto k = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(frame - from) * dofs);
+      std::copy(angles_.begin(), angles_.end(), result.clip.angles.begin() + k);
+    };
+    double sum = 0.0;
+    for (int f = first; f <= to; ++f) {
+      bring(f, f == first ? kFirstSteps : kSteps);
+      if (f == first) first_angles_ = angles_;
+      if (f > last) continue;
+      sum += measure(f, result);
+      follow_feet(f == first, result);
+    }
+    angles_ = first_angles_;
+    for (int f = first - 1; f >= from; --f) bring(f, kSteps);
+    result.mean_distance = sum / (last - first + 1);
+    return result;
+  }
+
+ private:
+  // A bone that a link of the body carries, and where the record has it.
+  struct Target {
+    HumanoidBone bone;
+    std::size_t node = 0;
+    int link = kBaseLink;
+    Vec3d point{};  // m, link frame
+    Mat3d turn{};   // R_link = (turn of the node from rest) · turn
+    bool turns = false;
+    Vec3d position{};  // m, world, as recorded …
+    Mat3d rotation{};  // … of the link
+  };
+
+  void find_targets() {
+    const HumanFrames rest = human_frames(rig_.rest);
+    const HumanFrames start = human_frames(rig_.start);
+    Kinematics<double> standing(body_);
+    forward_kinematics<double>(body_, body_.start(), standing);
+    std::vector<bool> told(body_.dofs().size(), false);
+    for (int b = 0; b < kHumanoidBoneCount; ++b) {
+      const auto bone = static_cast<HumanoidBone>(b);
+      if (rig_.bones[bone] < 0) continue;
+      const auto driver = bone_driver(bone, body_, rig_, rest, start);
+      if (!driver || !driver->carries) continue;
+      const auto node = static_cast<std::size_t>(rig_.bones[bone]);
+      const Transformd link{standing.link_rotation(driver->link),
+                            standing.link_origin(driver->link)};
+      const Vec3d at = driver->to_start * rig_.placement.to_world(rest_[node].translation);
+      Target target{bone, node, driver->link, inverse(link) * at,
+                    transpose(driver->to_start.rotation) * link.rotation};
+      if (driver->link != kBaseLink) {
+        const auto d = static_cast<std::size_t>(driver->link);
+        target.turns = !told[d];
+        told[d] = true;
+      }
+      targets_.push_back(target);
+    }
+  }
+
+  void show(const std::vector<Transformd>& world) {
+    for (Target& target : targets_) {
+      target.position = rig_.placement.to_world(world[target.node].translation);
+      const Mat3d turned = world[target.node].rotation * transpose(rest_[target.node].rotation);
+      target.rotation = axes_ * turned * transpose(axes_) * target.turn;
+    }
+  }
+
+  // of angles whose placement is known
+  [[nodiscard]] double cost() const {
+    double sum = 0.0;
+    for (const Target& target : targets_) {
+      if (target.link == kBaseLink) continue;
+      const Vec3d off = target.position - placed_.point(target.link, target.point);
+      sum += dot(off, off);
+      if (!target.turns) continue;
+      const Vec3d turn = turn_left(target) * kTurnLength;
+      sum += dot(turn, turn);
+    }
+    return sum;
+  }
+
+  [[nodiscard]] Vec3d turn_left(const Target& target) const {
+    return turn_of(target.rotation * transpose(placed_.link_rotation(target.link)));
+  }
+
+  // angles_ are brought to a minimum
+  void settle(int steps) {
+    double damping = kDamping;
+    forward_kinematics<double>(body_, angles_, placed_);
+    double now = cost();
+    for (int k = 0; k < steps && damping < kMostDamping; ++k) {
+      const double largest = find_step(damping);
+      for (std::size_t d = 0; d < step_.size(); ++d) tried_[d] = angles_[d] + step_[d];
+      forward_kinematics<double>(body_, tried_, placed_);
+      const double then = cost();
+      if (then <= now) {
+        angles_.swap(tried_);
+        now = then;
+        damping = max(0.1 * damping, kDamping);
+        if (largest < kStill) return;
+      } else {
+        if (largest < kStill) break;
+        damping *= 10.0;
+        forward_kinematics<double>(body_, angles_, placed_);
+      }
+    }
+    forward_kinematics<double>(body_, angles_, placed_);
+  }
+
+  // (JᵀJ + damping) step = Jᵀ residual; returns the step's largest number
+  double find_step(double damping) {
+    const int dofs = body_.dof_count();
+    SmallSymmetric<double, kMaxDofs>& a = *normal_;
+    for (int i = 0; i < dofs; ++i) {
+      step_[static_cast<std::size_t>(i)] = 0.0;
+      for (int j = 0; j <= i; ++j) a(i, j) = 0.0;
+    }
+    for (const Target& target : targets_) {
+      if (target.link == kBaseLink) continue;
+      const Vec3d at = placed_.point(target.link, target.point);
+      const Vec3d off = target.position - at;
+      const Vec3d turn = target.turns ? turn_left(target) * kTurnLength : Vec3d{};
+      const double turns = target.turns ? kTurnLength : 0.0;
+      const std::span<const int> chain = body_.chain(target.link);
+      for (std::size_t m = 0; m < chain.size(); ++m) {
+        const auto i = static_cast<std::size_t>(chain[m]);
+        const Vec3d column = position_column(placed_, chain[m], at);
+        const Vec3d axis = placed_.axis[i] * turns;
+        step_[i] += dot(column, off) + dot(axis, turn);
+        for (std::size_t n = 0; n <= m; ++n) {
+          const Vec3d other = position_column(placed_, chain[n], at);
+          const Vec3d about = placed_.axis[static_cast<std::size_t>(chain[n])] * turns;
+          a(chain[m], chain[n]) += dot(column, other) + dot(axis, about);
+        }
+      }
+    }
+    double trace = 0.0;
+    for (int i = 0; i < dofs; ++i) trace += a(i, i);
+    // freedoms that no bone tells of stay
+    const double floor = trace / dofs * damping;
+    for (int i = 0; i < dofs; ++i) a(i, i) += floor;
+    ldlt_solve(a, step_.data(), dofs, 0.0);
+    double largest = 0.0;
+    for (const double s : step_) largest = max(largest, abs(s));
+    return largest;
+  }
+
+  // the mean distance of this frame
+  double measure(int frame, ClipFit& result) const {
+    double sum = 0.0;
+    int count = 0;
+    for (const Target& target : targets_) {
+      if (target.link == kBaseLink) continue;
+      const double off = norm(target.position - placed_.point(target.link, target.point));
+      sum += off;
+      ++count;
+      if (off <= result.worst_distance) continue;
+      result.worst_distance = off;
+      result.worst_joint = humanoid_bone_name(target.bone);
+      result.worst_frame = frame;
+    }
+    return count > 0 ? sum / count : 0.0;
+  }
+
+  void follow_feet(bool first, ClipFit& result) {
+    std::size_t k = 0;
+    for (const Target& target : targets_) {
+      const bool foot =
+          target.bone == HumanoidBone::left_foot || target.bone == HumanoidBone::right_foot;
+      if (!foot) continue;
+      if (first) {
+        result.feet.push_back({std::string(humanoid_bone_name(target.bone)),
+                               static_cast<int>(target.node), target.link == kBaseLink});
+        first_feet_.push_back({target.rotation, target.position});
+      }
+      const Transformd& from = first_feet_[k];
+      FootTravel& travel = result.feet[k++];
+      travel.travel = max(travel.travel, norm(target.position - from.translation));
+      travel.turn = max(travel.turn, norm(turn_of(target.rotation * transpose(from.rotation))));
+    }
+  }
+
+  const BodyModel& body_;
+  const Rig& rig_;
+  Mat3d axes_;                    // the file's directions in the world's
+  std::vector<Transformd> rest_;  // (nodes) file's world
+  std::vector<Target> targets_;
+  std::vector<Transformd> first_feet_;
+  Kinematics<double> placed_;
+  std::vector<double> angles_;  // (dofs) rad
+  std::vector<double> first_angles_;
+  std::vector<double> tried_;
+  std::vector<double> step_;
+  std::unique_ptr<SmallSymmetric<double, kMaxDofs>> normal_;
+};
+
+}  // namespace
+
+ClipFit fit_clip(const BodyModel& body, const Rig& rig, const SkeletonMotion& recorded,
+                 const FitFrames& frames) {
+  return ClipFitter(body, rig).fit(recorded, frames);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/kinematics/rig.hpp>
+
+#include "body/human_frames.hpp"
+
+namespace shigusa {
+
+// What moves a bone: a link of the body, from the posture at rest on.
+struct BoneDriver {
+  int link = kBaseLink;
+  Transformd to_start;  // world at rest -> world in the start posture
+  bool carries = true;  // the node stands where the link takes it, or on its parent
+};
+
+// The driver of a mapped bone, or nothing where the body has no such bone. `rest` and `start` are
+// the frames of the rig's two postures.
+[[nodiscard]] std::optional<BoneDriver> bone_driver(HumanoidBone bone, const BodyModel& body,
+                                                    const Rig& rig, const HumanFrames& rest,
+                                                    const HumanFrames& start);
+
+}  // namespace shigusa
