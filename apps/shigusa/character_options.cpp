@@ -41,6 +41,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
     bool measures;  // told before the person in the file is measured
   } of_a_file[] = {{"--extent", options.extent.has_value(), false},
                    {"--frame", options.frame.has_value(), true},
+                   {"--animation", options.animation.has_value(), true},
                    {"--map", !options.map.empty(), true},
                    {"--seat", options.seat.has_value() && !is_built_in(spec), true},
                    {"--stature", options.stature.has_value() && !is_built_in(spec), true}};
@@ -62,6 +63,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
                                               : BodyExtent::human;
   }
   if (options.frame) spec.frame = *options.frame;
+  spec.animation = options.animation ? options.animation : spec.animation;
   if (options.mass) spec.mass = *options.mass;
   if (options.seat) spec.seat = *options.seat;
   if (options.sex) spec.sex = *options.sex == "female" ? Sex::female : Sex::male;

@@ -22,9 +22,10 @@ inline constexpr int kUnreachable = 3;  // a goal is out of reach; the closest m
 struct CharacterOptions {
   std::optional<std::string> extent;
   std::optional<int> frame;
-  std::optional<std::string> stature;  // m, or p5, p50, p95
-  std::optional<double> mass;          // kg
-  std::optional<double> seat;          // m
+  std::optional<std::string> animation;  // of glTF
+  std::optional<std::string> stature;    // m, or p5, p50, p95
+  std::optional<double> mass;            // kg
+  std::optional<double> seat;            // m
   std::optional<std::string> sex;
   std::vector<std::string> map;  // BONE=NODE, or a JSON file of them
 };
@@ -93,8 +94,7 @@ struct ScoreOptions {
   std::string clip;
   std::optional<std::string> character;  // the clip's own person when not given
   CharacterOptions person;
-  std::string animation;  // of a glTF file; empty: its first
-  std::string frames;     // FIRST:LAST, or empty for all
+  std::string frames;  // FIRST:LAST, or empty for all
   std::optional<std::string> criteria;
   std::optional<double> smooth;  // Hz
   bool json = false;

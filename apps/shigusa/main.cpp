@@ -17,8 +17,11 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
   c.add_option("--extent", o.extent,
                "Of a person from a file: human (spine, neck, wrists, …), full (18 dof) or half (9)")
       ->check(CLI::IsMember({"human", "full", "half"}));
-  c.add_option("--frame", o.frame, "Frame of the file that is the start posture (from 0)")
+  c.add_option("--frame", o.frame,
+               "Frame of the file that is the start posture (from 0; of glTF at 60 a second)")
       ->check(whole_number(0, 1'000'000));
+  c.add_option("--animation", o.animation,
+               "Name or index of a glTF file's animation (default: its first)");
   c.add_option(
       "--stature", o.stature,
       "Standing height in metres, or p5, p50, p95: that of 5, 50 or 95 of 100 people of the "
@@ -182,8 +185,6 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
 void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("score", "Score a motion, recorded or made, by the criteria");
   c->add_option("clip", o.clip, "BVH file, or an animated GLB, glTF, VRM or VRMA file")->required();
-  c->add_option("--animation", o.animation,
-                "Name or index of a glTF file's animation (default: its first)");
   c->add_option("--character", o.character,
                 "Whose body moves so: half_body, full_body, human or a person's file (default: the "
                 "clip's own person, extent human, as the first frame shows them)");

@@ -60,11 +60,13 @@ int score(const ScoreOptions& options) {
   CharacterSpec character;
   character.source = options.character.value_or(options.clip);
   if (character.source == options.clip) character.frame = settings.first;
-  if (const auto applied = apply_character_options(options.person, character); !applied) {
+  CharacterOptions person = options.person;
+  person.animation.reset();  // the clip's
+  if (const auto applied = apply_character_options(person, character); !applied) {
     return report(applied.error());
   }
   const Result<RecordedMotion> recorded =
-      read_recorded(options.clip, character, settings.first, options.animation);
+      read_recorded(options.clip, character, settings.first, options.person.animation.value_or(""));
   if (!recorded) return report(recorded.error());
   const Result<ClipScore> score = score_clip(*recorded, settings);
   if (!score) return report({score.error().code, score.error().to_string(), options.clip});

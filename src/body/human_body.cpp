@@ -29,9 +29,9 @@ HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& setting
   body_.doubts = std::move(doubts);
   const double right_above = person.right_leg.ankle.y - person.left_leg.ankle.y;
   const bool both = settings.extent != BodyExtent::half;
+  other_stands_ = both && (settings.on_both || abs(right_above) <= kLiftedFoot);
   base_side_ = both && right_above > kLiftedFoot ? Side::left : Side::right;
-  if (both && abs(right_above) <= kLiftedFoot) base_side_ = settings.base;
-  other_stands_ = both && (right_above < 0 ? -right_above : right_above) <= kLiftedFoot;
+  if (other_stands_) base_side_ = settings.base;
   strength_ =
       settings_.mass / table_.mean_mass * (settings_.sex == Sex::female ? kFemaleStrength : 1.0);
   if (!both) leg_strength_ = 2.0;

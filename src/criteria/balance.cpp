@@ -7,8 +7,7 @@
 namespace shigusa {
 
 Vec3d support_centre(const BodyModel& body) {
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, body.start(), kinematics);
+  const Kinematics<double> kinematics = start_kinematics(body);
   Vec3d sum{};
   for (const Foot& foot : body.feet()) sum += kinematics.point(foot.link, foot.centre);
   return body.feet().empty() ? body.base().translation

@@ -23,8 +23,7 @@ void add_corner(const Vec3d& corner, std::size_t kept, std::vector<Vec3d>& chain
 }  // namespace
 
 std::vector<Vec3d> support_polygon(const BodyModel& body) {
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, body.start(), kinematics);
+  const Kinematics<double> kinematics = start_kinematics(body);
   std::vector<Vec3d> points;
   for (const Foot& foot : body.feet()) {
     for (const Vec3d& corner : foot.outline) points.push_back(kinematics.point(foot.link, corner));

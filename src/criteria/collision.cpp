@@ -33,8 +33,7 @@ CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& s
   for (const Obstacle& obstacle : settings.obstacles) {
     pairs.axes.push_back(to_matrix(obstacle.rotation));
   }
-  Kinematics<double> start(body);
-  forward_kinematics<double>(body, body.start(), start);
+  const Kinematics<double> start = start_kinematics(body);
   std::vector<PlacedCapsule<double>> placed(body.capsules().size());
   visit_collisions<double>(body, pairs, settings.obstacles, start, placed,
                            [](CollisionPairs::Pair& pair, CollisionKind, double depth) {

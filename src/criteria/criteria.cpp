@@ -17,7 +17,7 @@ CriteriaSettings default_criteria() {
   settings.joint_acceleration_weight = 0.22;
   settings.low_back_weight = 0.06;
   settings.collision_weight = 0.5;
-  settings.pressure_weight = 0.5;
+  settings.pressure_weight = 0.35;
   return settings;
 }
 

@@ -13,8 +13,7 @@ HeadPoints head_points(const BodyModel& body) {
     if (node.name == "hips") hips = &node;
   }
   if (head == nullptr || hips == nullptr) return {};
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, body.start(), kinematics);
+  const Kinematics<double> kinematics = start_kinematics(body);
   const double distance =
       norm(kinematics.point(head->link, head->point) - kinematics.point(hips->link, hips->point));
   return {.head_link = head->link,

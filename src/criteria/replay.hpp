@@ -9,7 +9,7 @@ namespace shigusa {
 
 // Shows a stored motion to criteria as a rollout shows it while it makes it: frame by frame, with
 // speeds and accelerations by the same central differences. `placed`: with the body's placement and
-// centre of pressure, for criteria that look at these.
+// the floor's pressure, for criteria that look at these.
 template <class Criteria>
 void show_motion(const BodyModel& body, const Motion& motion, bool placed, Criteria& criteria) {
   const Clip& clip = motion.clip;
@@ -35,7 +35,7 @@ void show_motion(const BodyModel& body, const Motion& motion, bool placed, Crite
       forward_kinematics<double>(body, now, kinematics);
       const Wrench<double> ground =
           inverse_dynamics<double>(body, kinematics, speeds, accelerations, dynamics, torques);
-      pressed = centre_of_pressure(ground, floor_height(body));
+      pressed = pressure(ground, floor_height(body));
     }
     criteria.add(
         MotionFrame<double>{now, std::span<const double>(motion.torques).subspan(k * dofs, dofs),

@@ -136,8 +136,7 @@ LimbLibrary::LimbLibrary(BodyModel arm, const LimbLibrarySettings& settings)
   const HingedLimb segments(elbow.offset, hand.point, elbow.sign);
   const double plane = segments.length(kLeastBend);
   longest_ = sqrt(plane * plane + segments.across() * segments.across());
-  Kinematics<double> placed(arm_);
-  forward_kinematics<double>(arm_, arm_.start(), placed);
+  const Kinematics<double> placed = start_kinematics(arm_);
   hanging_ = placed.point(hand.link, hand.point);
 }
 

@@ -178,8 +178,7 @@ Result<ReachProblem> make_problem(const Task& task) {
     return tl::unexpected(checked.error());
   }
   const BodyModel& body = task.body;
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, body.start(), kinematics);
+  const Kinematics<double> kinematics = start_kinematics(body);
   ReachProblem problem;
   problem.body = &body;
   problem.duration = 0.0;

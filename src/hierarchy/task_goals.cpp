@@ -169,8 +169,7 @@ Result<void> stand(Task& task) {
     if (const auto checked = check_contacts(task); !checked) return checked;
   }
   name_soles(task);
-  Kinematics<double> start(task.body);
-  forward_kinematics<double>(task.body, task.body.start(), start);
+  const Kinematics<double> start = start_kinematics(task.body);
   std::vector<std::string> standing;
   std::vector<Goal> lifts;
   for (const Foot& foot : task.body.feet()) {

@@ -34,6 +34,16 @@ void take_animation_bones(const JsonSplice& json, const std::vector<int>& place,
   }
 }
 
+std::vector<std::string> names_of(const JsonSplice& json, const std::string& file) {
+  std::vector<std::string> names;
+  for (const auto& each : json.elements(json.member(json.root(), "animations"))) {
+    const Result<Json> name = parse_small_json(json.text_of(json.member(each, "name")), file);
+    names.push_back(name && name->is_string() && !name->empty() ? name->get<std::string>()
+                                                                : std::to_string(names.size()));
+  }
+  return names;
+}
+
 class AnimationReader {
  public:
   AnimationReader(const GlbParts& parts, std::string_view name, GltfMotion& result)
@@ -65,13 +75,7 @@ class AnimationReader {
     if (list.empty()) {
       return fail(ErrorCode::parse, "holds no animation, so no motion", name_);
     }
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const Result<Json> name =
-          parse_small_json(json_.text_of(json_.member(list[i], "name")), name_);
-      names.push_back(name && name->is_string() && !name->empty() ? name->get<std::string>()
-                                                                  : std::to_string(i));
-    }
+    const std::vector<std::string> names = names_of(json_, name_);
     std::size_t chosen = 0;
     if (!wanted.empty()) {
       const auto same = std::find(names.begin(), names.end(), wanted);
@@ -216,6 +220,12 @@ class AnimationReader {
 };
 
 }  // namespace
+
+std::vector<std::string> gltf_animation_names(std::string_view bytes, std::string_view name) {
+  const Result<GlbParts> parts = glb_parts(bytes, name);
+  if (!parts) return {};
+  return names_of(JsonSplice(parts->json), std::string(name));
+}
 
 Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view name,
                                         const AnimationChoice& choice) {

@@ -5,10 +5,10 @@
 #include <array>
 #include <shigusa/body/at_ease.hpp>
 #include <shigusa/core/names.hpp>
-#include <shigusa/io/file.hpp>
-#include <shigusa/io/gltf_write.hpp>
+#include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/project/character.hpp>
 
+#include "character_file.hpp"
 #include "character_places.hpp"
 #include "character_robot.hpp"
 #include "humanoid_request.hpp"
@@ -34,67 +34,13 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
       "character");
 }
 
-enum class FileKind { none, bvh, gltf, urdf };
-
-// By the name's ending, in any case.
-FileKind file_kind(const std::string& source) {
-  std::string ending = std::filesystem::path(source).extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (ending == ".bvh") return FileKind::bvh;
-  if (ending == ".urdf") return FileKind::urdf;
-  for (const char* each : {".glb", ".gltf", ".vrm"}) {
-    if (ending == each) return FileKind::gltf;
-  }
-  return FileKind::none;
-}
-
-// A character as its file has it; glTF tells one frame, the rest pose.
-struct CharacterFile {
-  SkeletonMotion motion;
-  HumanoidMap given;                // by the file itself
-  std::vector<std::string> doubts;  // of reading
-  CharacterRig rig;                 // its format, and what that alone has
-  std::vector<GltfPlace> places;    // (nodes) of glTF
-};
-
-Result<CharacterFile> read_character(const std::filesystem::path& path) {
-  CharacterFile character;
-  character.rig.file = path;
-  if (file_kind(path.string()) == FileKind::gltf) {
-    const std::string name = path.filename().string();
-    const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
-    if (!bytes) return tl::unexpected(bytes.error());
-    Result<GltfCharacter> file = parse_gltf(*bytes, name);
-    if (!file) return tl::unexpected(file.error());
-    if (const auto fits = check_animations_fit(*bytes, name); !fits) {
-      character.rig.not_glb = fits.error().message;
-    }
-    character.motion = std::move(file->rest);
-    character.given = std::move(file->humanoid);
-    character.doubts = std::move(file->doubts);
-    if (!character.rig.not_glb.empty()) {
-      character.doubts.push_back("motions cannot leave as GLB: " + character.rig.not_glb);
-    }
-    character.places = std::move(file->places);
-    character.rig.format =
-        file->vrm == VrmVersion::none ? CharacterFormat::gltf : CharacterFormat::vrm;
-    character.rig.file_node = std::move(file->file_node);
-    character.rig.vrm_bones = std::move(file->vrm_bones);
-    return character;
-  }
-  Result<BvhFile> file = read_bvh_file(path);
-  if (!file) return tl::unexpected(file.error());
-  character.motion = std::move(file->motion);
-  character.rig.channels = std::move(file->channels);
-  return character;
-}
-
-// What ties the file's nodes to the person who was measured from them, in that frame.
+// What ties the file's nodes to the person who was measured from them.
 CharacterRig make_rig(CharacterFile&& file, int frame, const HumanoidMap& map,
-                      const MeasuredPerson& person, const Landmarks& start) {
+                      const MeasuredPerson& person, const std::array<int, 2>& grips,
+                      const Landmarks& start) {
   CharacterRig result = std::move(file.rig);
-  result.rig = {{}, map, person.grip_nodes, person.placement, person.landmarks, start};
-  const auto& [skeleton, clip] = file.motion;
+  result.rig = {{}, map, grips, person.placement, person.landmarks, start};
+  const auto& [skeleton, clip] = file.rest;
   for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
     const int parent = skeleton.nodes[i].parent;
     if (result.format == CharacterFormat::bvh) {
@@ -105,7 +51,7 @@ CharacterRig make_rig(CharacterFile&& file, int frame, const HumanoidMap& map,
       result.rig.nodes.push_back({parent, place.translation, place.rotation, place.scale});
     }
   }
-  result.skeleton = std::move(file.motion.skeleton);
+  result.skeleton = std::move(file.rest.skeleton);
   return result;
 }
 
@@ -126,6 +72,52 @@ double apart(const Landmarks& a, const Landmarks& b) {
   double most = 0.0;
   for (std::size_t i = 0; i < ours.size(); ++i) most = max(most, norm(ours[i] - theirs[i]));
   return most;
+}
+
+// Moves the person up or down until the lower sole of somebody of that stature is on the floor.
+void stand_on_floor(Landmarks& person, double stature) {
+  double floor = 1e9;
+  for (const Side side : {Side::left, Side::right}) {
+    const Landmarks::Leg& leg = person.leg(side);
+    floor = min(floor, min(leg.ankle.y - StatureFractions::kAnkleHeight * stature, leg.toe.y));
+  }
+  for_each_landmark(person, [&](const char*, Vec3d& p) { p.y -= floor; });
+  for_each_further_landmark(person, [&](const char*, std::optional<Vec3d>& p) {
+    if (p) p->y -= floor;
+  });
+  for (Vec3d& joint : person.spine) joint.y -= floor;
+}
+
+// The person in a frame of an animation, in the unit and with the stature that the rest pose told:
+// what is measured along the bones of a bent trunk is another one.
+Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonClip& clip, int frame,
+                                     const HumanoidMap& map, const MeasuredPerson& rest) {
+  const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
+  const Result<MeasuredPerson> bent =
+      measure_person(skeleton, world, map, {.stature = rest.stature});
+  if (!bent) return bent;
+  const double along = rest.stature * rest.placement.unit / bent->placement.unit;
+  Result<MeasuredPerson> posed = measure_person(skeleton, world, map, {.stature = along});
+  if (posed) stand_on_floor(posed->landmarks, rest.stature);
+  return posed;
+}
+
+// What is said of the person, before the file is read.
+Result<void> check_person(const CharacterSpec& spec) {
+  if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
+    return ok;
+  }
+  if (const auto ok = check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"); !ok) return ok;
+  return is_robot(spec) ? check_robot_options(spec) : Result<void>{};
+}
+
+Result<void> check_frame(const SkeletonClip& clip, const CharacterSpec& spec) {
+  if (spec.frame >= 0 && spec.frame < clip.frames) return {};
+  const std::string has =
+      clip.frames == 1 ? "only frame 0" : fmt::format("the frames 0 to {}", clip.frames - 1);
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("frame {} does not exist; the file has {}", spec.frame, has),
+              spec.source);
 }
 
 }  // namespace
@@ -153,29 +145,40 @@ Result<void> check_source(const CharacterSpec& spec) {
 }
 
 Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path& folder) {
-  if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
-    return ok;
-  }
-  if (const auto ok = check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"); !ok) return ok;
-  if (is_robot(spec)) {
-    if (const auto ok = check_robot_options(spec); !ok) return ok;
-  }
+  if (const auto ok = check_person(spec); !ok) return ok;
   if (is_complete(spec)) return {};
   if (const auto ok = check_source(spec); !ok) return ok;
   const std::filesystem::path path = folder / spec.source;
-  if (is_robot(spec)) return read_robot_file(spec, path);
-  const std::string name = path.filename().string();
-  Result<CharacterFile> file = read_character(path);
-  if (!file) return tl::unexpected(file.error());
-  const Skeleton& skeleton = file->motion.skeleton;
-  const SkeletonClip& clip = file->motion.clip;
-  if (spec.frame < 0 || spec.frame >= clip.frames) {
-    const std::string has =
-        clip.frames == 1 ? "only frame 0" : fmt::format("the frames 0 to {}", clip.frames - 1);
+  Result<std::string> bytes = read_character_bytes(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  spec.source = path.filename().string();
+  return load_character(std::move(*bytes), spec);
+}
+
+Result<void> load_character(std::string bytes, CharacterSpec& spec) {
+  if (const auto ok = check_person(spec); !ok) return ok;
+  if (const auto ok = check_source(spec); !ok) return ok;
+  if (is_robot(spec)) return load_robot(bytes, spec);
+  const std::string& name = spec.source;
+  // a frame of a file that has animations is one of the first
+  const bool still = file_kind(name) == FileKind::bvh || spec.frame == 0;
+  const std::optional<std::string> animation =
+      spec.animation || still ? spec.animation : std::optional<std::string>("");
+  const bool implied = animation && !spec.animation;
+  if (implied && gltf_animation_names(bytes, name).empty()) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("frame {} does not exist; the file has {}", spec.frame, has), name);
+                fmt::format("frame {} does not exist; the file has only its rest pose, frame 0",
+                            spec.frame),
+                name);
   }
-  const std::vector<Transformd> world = world_transforms(skeleton, clip, spec.frame);
+  Result<CharacterFile> file = parse_character(std::move(bytes), name, animation);
+  if (!file) return tl::unexpected(file.error());
+  const SkeletonMotion& motion = animation ? file->motion : file->rest;
+  if (const auto ok = check_frame(motion.clip, spec); !ok) return ok;
+  // glTF is measured at rest, where no animation hides what its bones are
+  const int measured = animation ? 0 : spec.frame;
+  const Skeleton& skeleton = file->rest.skeleton;
+  const std::vector<Transformd> world = world_transforms(skeleton, file->rest.clip, measured);
   std::vector<std::string> nodes;
   for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
   const Result<HumanoidMap> asked = requested_bones(spec.map, nodes, name);
@@ -185,15 +188,22 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   const Result<MeasuredPerson> person =
       measure_person(skeleton, world, *map, {.stature = spec.stature});
   if (!person) return fail(person.error().code, person.error().to_string(), name);
+  MeasuredPerson start = *person;
+  if (animation) {
+    Result<MeasuredPerson> posed = measure_posed(skeleton, motion.clip, spec.frame, *map, *person);
+    if (!posed) return fail(posed.error().code, posed.error().to_string(), name);
+    start = std::move(*posed);
+  } else if (file->rig.format != CharacterFormat::bvh) {
+    start.landmarks = at_ease(person->landmarks, person->stature);
+  }
   tell_bones(
       *map, [&](std::size_t node) { return skeleton.nodes[node].name; }, spec);
-  spec.source = name;
   spec.stature = person->stature;
-  const bool posture = file->rig.format == CharacterFormat::bvh;
-  spec.landmarks = posture ? person->landmarks : at_ease(person->landmarks, person->stature);
+  spec.landmarks = start.landmarks;
   if (spec.seat) spec.landmarks = seated(*spec.landmarks, person->stature, *spec.seat);
   spec.doubts = file->doubts;
-  for (const auto* more : {&map->doubts, &person->doubts}) {
+  const std::vector<std::string>* found[] = {&map->doubts, &start.doubts};
+  for (const auto* more : found) {
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
   }
   if (person->placement.mirrored()) {
@@ -201,7 +211,7 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
         "files with the character's own skeleton keep the mirrored axes: goals are not where they "
         "stand in them");
   }
-  spec.rig = make_rig(std::move(*file), spec.frame, *map, *person, *spec.landmarks);
+  spec.rig = make_rig(std::move(*file), measured, *map, *person, start.grip_nodes, *spec.landmarks);
   if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
   return {};
 }
@@ -242,7 +252,7 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
       path.filename().string());
 }
 
-Result<BodyModel> build_character(const CharacterSpec& spec, Side base) {
+Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {
   if (spec.urdf) return build_robot_character(spec);
   for (const auto& checked : {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
                               check_range("mass", spec.mass, kMassMin, kMassMax, "kg"),
@@ -264,6 +274,7 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base) {
                                .mass = mass,
                                .sex = spec.sex,
                                .base = base,
+                               .on_both = on_both,
                                .sits = spec.seat.has_value()};
   if (spec.landmarks) {
     return placed_body(spec, build_human(*spec.landmarks, settings, spec.doubts));

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/io/file.hpp>
 
 namespace shigusa {
 namespace {
@@ -104,7 +103,16 @@ class VrmSkeleton {
 
 }  // namespace
 
-std::string animation_name(std::size_t rank) { return fmt::format("shigusa candidate {}", rank); }
+std::string animation_name(const CharacterSpec& character, std::size_t rank) {
+  const std::string plain = fmt::format("shigusa candidate {}", rank);
+  if (!character.rig) return plain;
+  const auto& taken = character.rig->animations;
+  std::string name = plain;
+  for (int k = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++k) {
+    name = fmt::format("{} ({})", plain, k);
+  }
+  return name;
+}
 
 std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) const {
   const bool own = character_.format == CharacterFormat::bvh;
@@ -129,9 +137,7 @@ GltfAnimation CharacterExporter::animation(const BodyModel& body, const Clip& cl
 }
 
 Result<std::string> CharacterExporter::glb(std::span<const GltfAnimation> animations) const {
-  const Result<std::string> bytes = read_text_file(character_.file, kGltfMaxBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return add_animations(*bytes, character_.file.filename().string(), animations);
+  return add_animations(*character_.bytes, character_.file.filename().string(), animations);
 }
 
 Result<std::string> CharacterExporter::vrma(const BodyModel& body, const Clip& clip,

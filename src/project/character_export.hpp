@@ -8,8 +8,9 @@
 
 namespace shigusa {
 
-// "shigusa candidate 1": the animation of the candidate of that rank.
-[[nodiscard]] std::string animation_name(std::size_t rank);
+// "shigusa candidate 1": the animation of the candidate of that rank; "… (2)" where the character's
+// file has one of that name.
+[[nodiscard]] std::string animation_name(const CharacterSpec& character, std::size_t rank);
 
 // Motions of a body on its character's own skeleton. Borrows the rig.
 class CharacterExporter {
@@ -24,7 +25,7 @@ class CharacterExporter {
   [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
                                         const std::string& name) const;
 
-  // The character's glTF file with animations added; it is read anew.
+  // The character's glTF file with animations added.
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const;
 
   // A VRM animation: the character's bones of VRM but for fingers, eyes and jaw, which stay.

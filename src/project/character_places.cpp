@@ -40,8 +40,7 @@ std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
 void find_places(const BodyModel& body, CharacterSpec& spec) {
   if (!spec.rig) return;
   const std::vector<Vec3d> places = start_places(body, spec.rig->rig);
-  Kinematics<double> start(body);
-  forward_kinematics<double>(body, body.start(), start);
+  const Kinematics<double> start = start_kinematics(body);
   spec.places.clear();
   for (const BodyNode& node : body.nodes()) {
     const int of_file = node.name.empty() ? -1 : rig_node(spec, node.name);
@@ -54,8 +53,7 @@ void find_places(const BodyModel& body, CharacterSpec& spec) {
 
 BodyModel placed_body(const CharacterSpec& spec, const BodyModel& body) {
   if (spec.places.empty()) return body;
-  Kinematics<double> start(body);
-  forward_kinematics<double>(body, body.start(), start);
+  const Kinematics<double> start = start_kinematics(body);
   std::vector<NodePlace> places;
   for (const auto& [name, at] : spec.places) {
     for (const BodyNode& node : body.nodes()) {

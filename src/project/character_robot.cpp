@@ -53,15 +53,13 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
   return {};
 }
 
-Result<void> read_robot_file(CharacterSpec& spec, const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
-  Result<std::string> text = read_urdf(path);
+Result<void> load_robot(std::string_view bytes, CharacterSpec& spec) {
+  Result<std::string> text = reduced_urdf(bytes, spec.source);
   if (!text) return tl::unexpected(text.error());
   const Result<ReadRobot> read = read_robot(*text, spec);
   if (!read) return tl::unexpected(read.error());
   tell_bones(
       read->map, [&](std::size_t link) { return read->robot.links[link].name; }, spec);
-  spec.source = name;
   spec.urdf = std::move(*text);
   return {};
 }

@@ -8,8 +8,8 @@ namespace shigusa {
 // Fails on what is of a person alone.
 [[nodiscard]] Result<void> check_robot_options(const CharacterSpec& spec);
 
-// Reads a URDF file: fills urdf and humanoid, and leaves the bare name as the source.
-[[nodiscard]] Result<void> read_robot_file(CharacterSpec& spec, const std::filesystem::path& path);
+// Reads the robot of a URDF file: fills urdf and humanoid.
+[[nodiscard]] Result<void> load_robot(std::string_view bytes, CharacterSpec& spec);
 
 // The body of a robot that was read, on settled feet.
 [[nodiscard]] Result<BodyModel> build_robot_character(const CharacterSpec& spec);

@@ -112,7 +112,8 @@ class ClipPlayer {
                                     torques);
       }
       const Vec3d com = centre_of_mass(body_, work_);
-      criteria_.add({now, torques, com, speeds, accelerations, &placed_, clip.frame_time});
+      criteria_.add({now, torques, com, speeds, accelerations, &placed_, clip.frame_time,
+                     pressure(ground, floor_height(body_))});
       motion.clip.angles.insert(motion.clip.angles.end(), now.begin(), now.end());
       motion.torques.insert(motion.torques.end(), torques.begin(), torques.end());
       motion.centre_of_mass.push_back(com);

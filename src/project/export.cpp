@@ -199,12 +199,13 @@ Result<std::string> export_any(const CharacterExporter* character, const Task& t
   return export_candidate(task, candidate, format);
 }
 
-Result<void> write_one_file(const std::filesystem::path& folder, const CharacterExporter& character,
-                            const Task& task, const Generation& generation) {
+Result<void> write_one_file(const std::filesystem::path& folder, const CharacterSpec& spec,
+                            const CharacterExporter& character, const Task& task,
+                            const Generation& generation) {
   std::vector<GltfAnimation> animations;
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     animations.push_back(character.animation(task.body, generation.candidates[i].motion.clip,
-                                             animation_name(i + 1)));
+                                             animation_name(spec, i + 1)));
   }
   const Result<std::string> bytes = character.glb(animations);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -248,6 +249,15 @@ Result<void> check_formats(const CharacterSpec& character,
   return {};
 }
 
+Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
+                                     const Candidate& candidate, ExportFormat format,
+                                     const std::string& animation) {
+  if (const auto can = check_formats(character, {format}); !can) return tl::unexpected(can.error());
+  std::optional<CharacterExporter> exporter;
+  if (character.rig) exporter.emplace(*character.rig);
+  return export_any(exporter ? &*exporter : nullptr, task, candidate, format, animation);
+}
+
 Result<std::string> write_result(const std::filesystem::path& folder, const TaskFile& file,
                                  const Task& task, const Generation& generation,
                                  const RunInfo& info, const ExportSettings& settings) {
@@ -260,7 +270,7 @@ Result<std::string> write_result(const std::filesystem::path& folder, const Task
   for (const ExportFormat format : settings.formats) {
     const bool one = settings.one_file && format == ExportFormat::glb;
     if (one) {
-      const auto written = write_one_file(folder, *character, task, generation);
+      const auto written = write_one_file(folder, file.character, *character, task, generation);
       if (!written) return tl::unexpected(written.error());
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -269,7 +279,7 @@ Result<std::string> write_result(const std::filesystem::path& folder, const Task
       if (one) continue;
       const Result<std::string> bytes =
           export_any(character ? &*character : nullptr, task, generation.candidates[i], format,
-                     animation_name(i + 1));
+                     animation_name(file.character, i + 1));
       if (!bytes) return tl::unexpected(bytes.error());
       if (const auto written = write_file(folder / name, *bytes); !written) {
         return tl::unexpected(written.error());

@@ -172,7 +172,7 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   if (files != nullptr) {
     for (const auto& [format, name] : *files) json["files"][format] = name;
     if (files->contains("glb")) {
-      json["glb_animation"] = animation_name(index + 1);
+      json["glb_animation"] = animation_name(character, index + 1);
       json["glb_unit_m"] = character.rig->rig.placement.unit;
     }
   }

@@ -39,6 +39,7 @@ Json character_to_json(const CharacterSpec& c) {
     if (c.extent == extent) json["extent"] = name;
   }
   json["frame"] = c.frame;
+  if (c.animation) json["animation"] = *c.animation;
   if (!c.doubts.empty()) json["doubts"] = c.doubts;
   add_places(c, json);
   if (c.landmarks) json["landmarks_m"] = landmarks_to_json(*c.landmarks);
@@ -70,7 +71,8 @@ BodyExtent usual_extent(Preset preset) {
 void check_character(JsonReader& reader, const CharacterSpec& c) {
   if (const auto known = check_source(c); !known) reader.wrong("source", known.error().message);
   if (c.urdf && c.landmarks) reader.wrong("urdf", "is of a robot, and landmarks_m of a person");
-  for (const char* key : {"extent", "frame", "map", "doubts", "landmarks_m", "places_m", "urdf"}) {
+  for (const char* key :
+       {"extent", "frame", "animation", "map", "doubts", "landmarks_m", "places_m", "urdf"}) {
     if (!reader.has(key) || !is_built_in(c)) continue;
     reader.wrong(key,
                  "is of a character from a file, and " + c.source + " is built in: leave it out");
@@ -95,6 +97,7 @@ void read_character(JsonReader& task, CharacterSpec& c) {
   }
   reader.integer("frame", c.frame, 0, kFrameMax);
   reader.number("seat_m", c.seat, 0.1, 1.2);
+  if (reader.has("animation")) reader.text("animation", c.animation.emplace());
   read_texts(reader, "doubts", c.doubts);
   if (reader.has("urdf")) reader.text("urdf", c.urdf.emplace());
   if (reader.has("map")) {
@@ -281,7 +284,8 @@ Result<BodyModel> build_body(const TaskFile& file) {
       !file.contacts || std::any_of(file.contacts->begin(), file.contacts->end(), is_right_foot);
   const bool moved = std::any_of(file.goals.begin(), file.goals.end(),
                                  [&](const Goal& goal) { return is_right_foot(goal.effector); });
-  return build_character(file.character, kept && !moved ? Side::right : Side::left);
+  const bool on_both = file.contacts && file.contacts->size() > 1;
+  return build_character(file.character, kept && !moved ? Side::right : Side::left, on_both);
 }
 
 Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {

@@ -149,14 +149,8 @@ MotionFrame<double> NlpRollout::moving_frame() {
   if (body.feet().size() == 2) {
     share_ground_wrench<double>(body, now_, ground, body.feet()[0], body.feet()[1], torques_);
   }
-  return {angles_[1],
-          torques_,
-          shigusa::centre_of_mass(body, dynamics_),
-          speeds_,
-          accelerations_,
-          &now_,
-          1.0 / rate,
-          centre_of_pressure(ground, floor_height(body))};
+  return {angles_[1], torques_,   shigusa::centre_of_mass(body, dynamics_), speeds_, accelerations_,
+          &now_,      1.0 / rate, pressure(ground, floor_height(body))};
 }
 
 RolledOut roll_out_nlp(const ReachProblem& problem, const Parameters& parameters) {

@@ -16,8 +16,7 @@ Vec3d ReachGoal::nearest(const Vec3d& at, double inset) const {
 
 std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, body.start(), kinematics);
+  const Kinematics<double> kinematics = start_kinematics(body);
   std::vector<IkTarget<double>> targets;
   for (const ReachGoal& goal : problem.goals) {
     const Effector& effector = body.effector(goal.effector);

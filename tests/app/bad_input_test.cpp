@@ -92,7 +92,7 @@ TEST_P(BadInput, IsRefusedAndChangesNothing) { expect_refused(GetParam().call, G
 INSTANTIATE_TEST_SUITE_P(
     Calls, BadInput,
     testing::Values(
-        Case{"NoCommand", {}, {"give a command", "reach, edit, mirror, render, body"}},
+        Case{"NoCommand", {}, {"give a command", "reach, edit, mirror, render, score, body"}},
         Case{"UnknownCommand", {"reech"}, {"'reech'", "did you mean 'reach'?"}},
         Case{"UnknownOption", {"reach", "--gaol", "x"}, {"'--gaol'", "did you mean '--goal'?"}},
         Case{"TooManyFiles", {"reach", "a.json", "b.json"}, {"'b.json' is one argument too many"}},

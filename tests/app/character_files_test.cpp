@@ -58,6 +58,39 @@ TEST_F(CharacterFiles, EditsNeedTheFileForGlbAlone) {
   EXPECT_EQ(work_.get("c/candidate-1.glb"), work_.get("out/candidate-1.glb"));
 }
 
+// What one motion ends with the next one begins with.
+TEST_F(CharacterFiles, AFrameOfAGltfAnimationIsAStartPosture) {
+  ASSERT_EQ(reach({"--duration", "1"}).exit_code, 0);
+  const Vec3d end =
+      to_vec(StoredRun(work_, "out").candidate(1).at("reached").at(0).at("reached_m"));
+  const auto again = [&](const Words& start) {
+    Words call{
+        "reach",         "--character", "out/candidate-1.glb", "--goal", "left_hand=0.2,1,0.4",
+        "--evaluations", "8",           "--candidates",        "1",      "--out",
+        "next"};
+    call.insert(call.end(), start.begin(), start.end());
+    return run(call);
+  };
+  const ProgramRun next = again({"--frame", "60"});
+  ASSERT_EQ(next.exit_code, 0) << next.err;
+  const StoredRun stored(work_, "next");
+  expect_promises_kept(stored);
+  const ExportedGlb out(stored.get("candidate-1.glb"));
+  const Json first = StoredRun(work_, "out").candidate(1).at("reached").at(0);
+  const Json& candidate = stored.candidate(1);
+  // a twisted trunk faces another way, and the world goes with it, about the middle of the feet
+  const Vec3d begin = out.at(first.at("gltf_node"), candidate.at("glb_animation"), 0);
+  // joints begin where they were, but hands as they are at rest
+  constexpr double kBentHand = 0.02;
+  EXPECT_NEAR(begin.y, end.y, kBentHand);
+  EXPECT_NEAR(std::hypot(begin.x, begin.z), std::hypot(end.x, end.z), kBentHand);
+  // a result that holds its person does not need the animation any more
+  EXPECT_EQ(run({"edit", "next", "--set", "right_knee.weight=3", "--out", "e"}).exit_code, 0);
+  EXPECT_EQ(again({"--frame", "61"}).exit_code, 2);
+  EXPECT_EQ(again({"--animation", "waving"}).exit_code, 2);
+  EXPECT_EQ(again({"--animation", "shigusa candidate 1", "--frame", "30"}).exit_code, 0);
+}
+
 TEST_F(CharacterFiles, OneFileHoldsAllCandidates) {
   ASSERT_EQ(reach({"--one-file", "--formats", "glb"}).exit_code, 0);
   const StoredRun stored(work_, "out");

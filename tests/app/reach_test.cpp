@@ -132,7 +132,8 @@ TEST_F(Reach, CriteriaOfTheCallReplaceThoseOfTheTaskFile) {
               testing::UnorderedElementsAre("joint_range", "balance", "torque"));
   EXPECT_THAT(terms_by({"--criteria", "default"}),
               testing::UnorderedElementsAre("joint_range", "balance_zone", "discomfort",
-                                            "joint_acceleration", "low_back", "collision"));
+                                            "joint_acceleration", "low_back", "collision",
+                                            "centre_of_pressure"));
 }
 
 TEST_F(Reach, GoalsOfTheCallReplaceThoseOfTheTaskFile) {
@@ -155,7 +156,7 @@ TEST_F(Reach, TaskOfASummaryIsATaskFile) {
 }
 
 TEST_F(Reach, AShorterResultLeavesNoFileOfALongerOne) {
-  const std::string goal = "--goal=right_hand=-0.2,1.1,0.4";
+  const std::string goal = "--goal=right_hand=-0.2,0.7,0.4";
   ASSERT_EQ(reach({goal}, "bvh,svg").exit_code, 0);
   ASSERT_GE(StoredRun(work_, "out").summary().at("candidates").size(), 2u);
   work_.put("out/notes.txt", "mine");

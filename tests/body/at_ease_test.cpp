@@ -91,5 +91,67 @@ TEST(AtEase, MirroredPersonsStandMirrored) {
   EXPECT_LE(norm(across(after.left_leg.knee) - after.right_leg.knee), 1e-9);
 }
 
+void expect_same_lengths(const Landmarks& a, const Landmarks& b) {
+  for (const Side side : {Side::left, Side::right}) {
+    EXPECT_NEAR(norm(a.leg(side).hip - a.leg(side).knee), norm(b.leg(side).hip - b.leg(side).knee),
+                kRounding);
+    EXPECT_NEAR(norm(a.leg(side).knee - a.leg(side).ankle),
+                norm(b.leg(side).knee - b.leg(side).ankle), kRounding);
+    EXPECT_NEAR(norm(a.arm(side).elbow - a.arm(side).wrist),
+                norm(b.arm(side).elbow - b.arm(side).wrist), kRounding);
+  }
+  EXPECT_NEAR(norm(a.neck - a.left_arm.shoulder), norm(b.neck - b.left_arm.shoulder), kRounding);
+}
+
+TEST(Seated, HasUprightShanksOnFeetThatStayAndTheHipsOverTheSeat) {
+  const Landmarks person = t_pose();
+  const Landmarks sitting = seated(person, 1.7, 0.42);
+  expect_same_lengths(sitting, person);
+  for (const Side side : {Side::left, Side::right}) {
+    const Landmarks::Leg& leg = sitting.leg(side);
+    EXPECT_LT(norm(leg.ankle - person.leg(side).ankle), kRounding);
+    EXPECT_LT(norm(leg.toe - person.leg(side).toe), kRounding);
+    EXPECT_NEAR(leg.knee.x, leg.ankle.x, kRounding);
+    EXPECT_NEAR(leg.knee.z, leg.ankle.z, kRounding);
+    EXPECT_NEAR(leg.hip.y, 0.42 + kSeatedHip * 1.7, kRounding);
+    EXPECT_LT(leg.hip.z, leg.ankle.z - 0.3);
+  }
+}
+
+TEST(Seated, FeetHangFromAHighSeatAndGoAheadAtALowOne) {
+  const Landmarks person = t_pose();
+  const Landmarks high = seated(person, 1.7, 0.9);
+  expect_same_lengths(high, person);
+  EXPECT_GT(high.left_leg.ankle.y, person.left_leg.ankle.y + 0.1);
+  EXPECT_LT(high.left_leg.knee.y, high.left_leg.hip.y);
+  const Landmarks low = seated(person, 1.7, 0.0);
+  expect_same_lengths(low, person);
+  EXPECT_NEAR(low.left_leg.ankle.y, person.left_leg.ankle.y, kRounding);
+  EXPECT_LT(low.left_leg.knee.z, low.left_leg.ankle.z);
+  EXPECT_GT(low.left_leg.knee.y, low.left_leg.hip.y);
+}
+
+TEST(Seated, BodyTipsOverItsThighsAndNothingBelowMoves) {
+  const Landmarks sitting = seated(standing_landmarks(1.7, kStandingToeOut), 1.7, 0.42);
+  const BodyModel body = build_human(
+      sitting,
+      {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70, .sits = true});
+  EXPECT_EQ(body.dof_count(), 39);  // 45 less two knees and ankles
+  EXPECT_FALSE(body.find_dof("right_knee.flexion"));
+  ASSERT_EQ(body.feet().size(), 2u);
+  EXPECT_EQ(body.feet()[0].name, "right_upper_leg");
+  EXPECT_EQ(body.feet()[0].link, kBaseLink);
+  EXPECT_EQ(body.feet()[1].name, "left_upper_leg");
+  EXPECT_NEAR(body.mass(), 70.0, 1e-9);
+  // the soles on the floor bear too: the polygon reaches the toes
+  double front = -1.0;
+  for (const Vec3d& corner : body.feet()[0].outline) front = max(front, (body.base() * corner).z);
+  EXPECT_NEAR(front, sitting.right_leg.toe.z, 0.02);
+  const BodyModel high = build_human(
+      seated(standing_landmarks(1.7, 0.0), 1.7, 1.0),
+      {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70, .sits = true});
+  EXPECT_EQ(high.feet()[0].outline.size(), 4u);
+}
+
 }  // namespace
 }  // namespace shigusa

@@ -56,6 +56,27 @@ TEST(WholeHuman, StandsWithTheLandmarksOfThePerson) {
   expect_at("left_foot", person.left_leg.ankle);
 }
 
+TEST(WholeHuman, StandsOnBothFeetWhereOneIsOnAStep) {
+  Landmarks person = standing_landmarks(1.7, kStandingToeOut);
+  lift_leg(person.left_leg, 1.2);
+  HumanSettings settings{"human", BodyExtent::human, 1.7, 70.0, Sex::male};
+  EXPECT_EQ(build_human(person, settings).feet().size(), 1u);
+  settings.on_both = true;
+  for (const Side base : {Side::left, Side::right}) {
+    settings.base = base;
+    const BodyModel body = build_human(person, settings);
+    ASSERT_EQ(body.feet().size(), 2u);
+    EXPECT_EQ(body.feet()[0].link, kBaseLink);
+    const Kinematics<double> start = placed(body, body.start());
+    const auto height = [&](const Foot& foot) { return start.point(foot.link, foot.centre).y; };
+    const double step = norm(person.left_leg.ankle - person.right_leg.ankle);
+    EXPECT_GT(step, 0.1);
+    const double rise = height(body.feet()[1]) - height(body.feet()[0]);
+    const double wanted = person.left_leg.ankle.y - person.right_leg.ankle.y;
+    EXPECT_NEAR(base == Side::right ? rise : -rise, wanted, 1e-9);
+  }
+}
+
 // A slice of the trunk between two of them has no length, and no mass.
 TEST(WholeHuman, SpineJointsThatDoNotRiseLeaveAWholeBody) {
   Landmarks person = standing_landmarks(1.7, kStandingToeOut);

@@ -110,9 +110,9 @@ TEST(CriteriaTable, NamesEachCriterionOnce) {
     ++count;
     EXPECT_GT(criterion.scale(settings), 0.0) << criterion.name;
   });
-  EXPECT_EQ(count, 10);
-  EXPECT_EQ(names.size(), 10u);
-  EXPECT_EQ(members.size(), 20u);
+  EXPECT_EQ(count, 11);
+  EXPECT_EQ(names.size(), 11u);
+  EXPECT_EQ(members.size(), 22u);
 }
 
 TEST(CriteriaPresets, OfThePaperAreItsThree) {

@@ -196,7 +196,7 @@ TEST(MeasureCharacter, GltfHasOneFrame) {
   const auto measured = measure_character(spec, work.path());
   ASSERT_FALSE(measured);
   EXPECT_EQ(measured.error().to_string(),
-            "person.glb: frame 1 does not exist; the file has only frame 0");
+            "person.glb: frame 1 does not exist; the file has only its rest pose, frame 0");
 }
 
 TEST(MeasureCharacter, RelativePathStartsAtTheFolder) {

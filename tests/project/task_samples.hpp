@@ -39,6 +39,8 @@ inline CharacterSpec any_character() {
   if (is_built_in(spec)) return spec;
   spec.extent = *rc::gen::element(BodyExtent::full, BodyExtent::half);
   spec.frame = *rc::gen::inRange(0, 1'000'001);
+  if (*rc::gen::arbitrary<bool>()) spec.animation = "walk \"1\"";
+  if (*rc::gen::arbitrary<bool>()) spec.seat = any_number(0.1, 1.2);
   if (*rc::gen::arbitrary<bool>()) spec.map = {{"right_hand", "Bone \"17\""}, {"hips", "腰"}};
   if (!*rc::gen::arbitrary<bool>()) return spec;
   spec.stature = any_number(0.5, 2.5);
@@ -101,7 +103,7 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
   const auto add = [&all](double x) { all.push_back(std::bit_cast<std::uint64_t>(x)); };
   const auto add_point = [&add](const Vec3d& p) { add(p.x), add(p.y), add(p.z); };
   const CharacterSpec& c = task.character;
-  for (const auto& optional : {c.stature, c.mass, task.duration}) {
+  for (const auto& optional : {c.stature, c.mass, c.seat, task.duration}) {
     all.push_back(optional.has_value());
     add(optional.value_or(0.0));
   }
@@ -141,6 +143,7 @@ inline std::vector<std::string> words(const TaskFile& task) {
   std::vector<std::string> all{task.character.source, std::string(preset_name(task.preset)),
                                std::string(layer_reading_name(task.layer_reading))};
   all.insert(all.end(), task.character.doubts.begin(), task.character.doubts.end());
+  all.push_back(task.character.animation.value_or("none"));
   for (const auto& [bone, node] : task.character.map) all.insert(all.end(), {bone, node});
   for (const Goal& goal : task.goals) all.push_back(goal.effector);
   all.insert(all.end(), task.fixed.begin(), task.fixed.end());

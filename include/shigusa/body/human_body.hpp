@@ -25,6 +25,7 @@ struct HumanSettings {
   double mass = 73.0;      // kg
   Sex sex = Sex::male;
   Side base = Side::right;  // the foot that bears the body where both stand
+  bool on_both = false;     // both feet stand, however high the one is above the other
   bool sits = false;        // on both thighs, see build_human; not of half extent
 };
 

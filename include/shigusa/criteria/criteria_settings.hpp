@@ -139,7 +139,7 @@ void for_each_criterion(Visitor&& visit) {
 // The mixture that came nearest to a recorded man's reaches to the floor among those tried
 // (docs/criteria.md): joint range 0.25, balance zone 0.20, discomfort 0.27, joint acceleration
 // 0.22, low back 0.06; and, of no weight against what is free and stands, collision 0.5 and
-// centre of pressure 0.5.
+// centre of pressure 0.35.
 [[nodiscard]] CriteriaSettings default_criteria();
 
 // What a Pareto view weighs against each other: joint range, as discomfort near its ends (no motion

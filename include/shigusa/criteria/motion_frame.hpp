@@ -18,7 +18,7 @@ struct MotionFrame {
   std::span<const S> accelerations{};         // (dofs) rad/s²
   const Kinematics<S>* kinematics = nullptr;  // the body's placement
   double frame_time = 0.0;                    // s, to the next frame
-  Vec3<S> centre_of_pressure{};               // m, world, on the floor under the base
+  Vec3<S> pressure{};                         // of the floor on the body, see pressure()
 };
 
 }  // namespace shigusa

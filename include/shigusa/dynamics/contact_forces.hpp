@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/stance.hpp>
 #include <shigusa/dynamics/inverse_dynamics.hpp>
 
 namespace shigusa {
+
+// Where the floor's vertical force F acts, times F: (x F, F, z F) in N·m, N and N·m, for a wrench
+// whose moment is about the world's origin. Unlike the point itself it is sound where F is small.
+template <class S>
+[[nodiscard]] Vec3<S> pressure(const Wrench<S>& wrench, S floor) {
+  const Vec3<S> f = wrench.force;
+  return {wrench.moment.z + f.x * floor, f.y, f.z * floor - wrench.moment.x};
+}
 
 // Point on the floor (height `floor`, m) about which the floor's wrench has no horizontal moment.
 // The wrench's moment is about the world's origin; its vertical force must not be 0 (a body that
@@ -12,15 +19,12 @@ namespace shigusa {
 template <class S>
 [[nodiscard]] Vec3<S> centre_of_pressure(const Wrench<S>& wrench, S floor) {
   const S up = max(wrench.force.y, S(1));
-  const Vec3<S> f = wrench.force;
-  return {(wrench.moment.z + f.x * floor) / up, floor, (f.z * floor - wrench.moment.x) / up};
+  const Vec3<S> p = pressure(wrench, floor);
+  return {p.x / up, floor, p.z / up};
 }
 
 // Height (m) of the floor that bears the body: of the base's sole, or of the base without one.
-[[nodiscard]] inline double floor_height(const BodyModel& body) {
-  const Foot* foot = base_foot(body);
-  return foot == nullptr ? body.base().translation.y : (body.base() * foot->centre).y;
-}
+[[nodiscard]] double floor_height(const BodyModel& body);
 
 // The second foot's part of the ground wrench: its share of the force through the foot, moved by
 // as much as the centre of pressure lies off the line between the feet, and its share of what

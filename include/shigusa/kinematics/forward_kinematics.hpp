@@ -110,6 +110,9 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
   }
 }
 
+// Where the body is in its start posture.
+[[nodiscard]] Kinematics<double> start_kinematics(const BodyModel& body);
+
 // Velocity (m/rad, world) of the world point `at`, carried by the dof's link, per unit of the
 // dof's speed: column of the position Jacobian.
 template <class S>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <shigusa/body/human_body.hpp>
 #include <shigusa/core/result.hpp>
@@ -19,13 +20,15 @@ enum class CharacterFormat { bvh, gltf, vrm };
 
 // A character's own skeleton, for motions to leave on it.
 struct CharacterRig {
-  std::filesystem::path file;  // where it was read
+  std::filesystem::path file;                // its name
+  std::shared_ptr<const std::string> bytes;  // of glTF: all of it, for motions to be added to
   CharacterFormat format = CharacterFormat::bvh;
   Skeleton skeleton;                                   // names; offsets in the file's units
   Rig rig;                                             // its nodes as the file has them
   BvhChannels channels;                                // of BVH
   std::vector<int> file_node;                          // of glTF: (nodes) indices in the file
   std::vector<std::pair<std::string, int>> vrm_bones;  // of VRM
+  std::vector<std::string> animations;                 // of glTF: names of those that it has
   std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
 };
 
@@ -44,8 +47,12 @@ struct CharacterSpec {
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
   Sex sex = Sex::male;
   std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
-  int frame = 0;                       // of the file: the start posture; glTF has 0 alone
-  std::optional<double> seat{};        // m, 0.1..1.2: height of the seat that the person sits on
+  // of the file's motion: the start posture. glTF without an animation has its rest pose, 0, alone;
+  // with one, joints begin where the animation has them, and bones turned about themselves as at
+  // rest
+  int frame = 0;
+  std::optional<std::string> animation{};  // of glTF: its name or index; at 60 frames a second
+  std::optional<double> seat{};  // m, 0.1..1.2: height of the seat that the person sits on
   BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
@@ -76,11 +83,13 @@ struct CharacterSpec {
 // kinds by its ending, nor measured before.
 [[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
 
-// Reads and measures the file that `source` names, if it does and has not been measured yet: fills
-// stature, landmarks, doubts and rig, of a robot urdf, and leaves the file's bare name as the
-// source. glTF has a rest pose in place of a posture, mostly a T: the person stands at_ease then. A
-// robot has its own stature and mass. A relative path starts at `folder`. Errors name the file and
-// the place.
+// Measures the person or robot of a file in memory: the file's name in spec.source tells its kind,
+// and errors name it. Fills stature, landmarks, doubts and rig, of a robot urdf. glTF's rest pose
+// is mostly a T: from that the person stands at_ease. A robot has its own stature and mass.
+[[nodiscard]] Result<void> load_character(std::string bytes, CharacterSpec& spec);
+
+// The same by the file that `source` names, if it does and has not been measured yet; leaves the
+// file's bare name as the source. A relative path starts at `folder`.
 [[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
                                              const std::filesystem::path& folder);
 
@@ -89,7 +98,9 @@ struct CharacterSpec {
 [[nodiscard]] Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path);
 
 // Makes the body. The spec must have been measured. Fails on a stature or mass out of range.
-// `base`: the foot that bears the body, of people who stand on both.
-[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec, Side base = Side::right);
+// `base`: the foot that bears the body, of people who stand on both; `on_both`: they do, even where
+// one foot is so high above the other that it would be taken for lifted.
+[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec, Side base = Side::right,
+                                                bool on_both = false);
 
 }  // namespace shigusa

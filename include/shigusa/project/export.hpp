@@ -51,4 +51,10 @@ struct ExportSettings {
 [[nodiscard]] Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
                                                    ExportFormat format);
 
+// The same on the character's own skeleton where its file is at hand, as write_result writes it;
+// `animation` names it in GLB and VRMA. Fails as check_formats does.
+[[nodiscard]] Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
+                                                   const Candidate& candidate, ExportFormat format,
+                                                   const std::string& animation = "shigusa");
+
 }  // namespace shigusa

@@ -55,7 +55,7 @@ class PostureLaw {
     std::size_t dof = 0;
     T lower{};  // rad
     T upper{};
-    T start{};
+    T start{};  // from which it does what is wanted: where the body starts it wants nothing
     T share{};  // of what is wanted of the joints together
   };
   struct Arm {
@@ -119,7 +119,23 @@ class PostureLaw {
       arm.elevation = freedom(body, *elevation);
       arm.protraction = freedom(body, *protraction);
     }
+    begin_at_start(body, arm);
     arms_.push_back(arm);
+  }
+
+  // Somebody who starts as a file has them may stoop or hold up an arm: the law goes on from there,
+  // and does not draw them to where it would have them at once.
+  static void begin_at_start(const BodyModel& body, Arm& arm) {
+    const Kinematics<double> standing = start_kinematics(body);
+    const double side = arm.side;
+    const Pair<double> hangs = hanging(standing.link_rotation(arm.parent), side);
+    arm.flexion.start -= static_cast<T>(hangs.first);
+    arm.abduction.start -= static_cast<T>(hangs.second);
+    if (!arm.has_clavicle) return;
+    const Pair<double> rises =
+        shrugged(standing.link_rotation(arm.chest), standing.link_rotation(arm.upper));
+    arm.elevation.start -= static_cast<T>(rises.first);
+    arm.protraction.start -= static_cast<T>(rises.second);
   }
 
   // of the way that is left
@@ -150,22 +166,39 @@ class PostureLaw {
     for (const Freedom& f : nods_) draw_to(f, nod * S(kHeadOfGaze), share, angles, reference);
   }
 
+  template <class U>
+  struct Pair {
+    U first;
+    U second;
+  };
+
+  // flexion and abduction of a shoulder's link that hangs from this one
+  template <class U>
+  static Pair<U> hanging(const Mat3<U>& parent, const U& side) {
+    const Vec3<U> down{-parent.cx.y, -parent.cy.y, -parent.cz.y};
+    const U level = sqrt(down.y * down.y + down.z * down.z);
+    return {atan2(down.z, -down.y) * U(kArmHangs), atan2(down.x, level) * side * U(kArmHangs)};
+  }
+
+  // elevation and protraction of a clavicle on this chest, whose arm is turned so
+  template <class U>
+  static Pair<U> shrugged(const Mat3<U>& chest, const Mat3<U>& upper) {
+    const Vec3<U> along = transpose_times(chest, -upper.cy);
+    return {(U(1) + along.y) * U(0.5 * kClavicleRises), along.z * U(kClavicleAhead)};
+  }
+
   void hang(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
-    const Mat3<S> parent = now.link_rotation(arm.parent);
-    const Vec3<S> down{-parent.cx.y, -parent.cy.y, -parent.cz.y};
-    const S level = sqrt(down.y * down.y + down.z * down.z);
-    draw_to(arm.flexion, atan2(down.z, -down.y) * S(kArmHangs), S(1), angles, reference);
-    draw_to(arm.abduction, atan2(down.x, level) * S(arm.side) * S(kArmHangs), S(1), angles,
-            reference);
+    const Pair<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
+    draw_to(arm.flexion, wanted.first, S(1), angles, reference);
+    draw_to(arm.abduction, wanted.second, S(1), angles, reference);
   }
 
   void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
              std::span<S> reference) const {
-    const Vec3<S> up = now.link_rotation(arm.upper).cy;
-    const Vec3<S> along = transpose_times(now.link_rotation(arm.chest), -up);
-    draw_to(arm.elevation, (S(1) + along.y) * S(0.5 * kClavicleRises), S(1), angles, reference);
-    draw_to(arm.protraction, along.z * S(kClavicleAhead), S(1), angles, reference);
+    const Pair<S> wanted = shrugged(now.link_rotation(arm.chest), now.link_rotation(arm.upper));
+    draw_to(arm.elevation, wanted.first, S(1), angles, reference);
+    draw_to(arm.protraction, wanted.second, S(1), angles, reference);
   }
 
   bool looks_ = false;

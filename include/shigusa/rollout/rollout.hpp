@@ -299,7 +299,7 @@ class Rollout {
       share_ground_wrench<S>(body, now(), ground, body.feet()[0], body.feet()[1], torques_);
     }
     visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_), speeds_,
-                         accelerations_, &now(), 1.0 / rate, centre_of_pressure(ground, S(floor_))},
+                         accelerations_, &now(), 1.0 / rate, pressure(ground, S(floor_))},
           now());
   }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/body/stance.hpp>
+#include <shigusa/dynamics/contact_forces.hpp>
+
+namespace shigusa {
+
+double floor_height(const BodyModel& body) {
+  const Foot* foot = base_foot(body);
+  return foot == nullptr ? body.base().translation.y : (body.base() * foot->centre).y;
+}
+
+}  // namespace shigusa

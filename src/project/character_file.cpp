@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "character_file.hpp"
+
+#include <shigusa/io/file.hpp>
+#include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/io/gltf_write.hpp>
+#include <shigusa/io/urdf.hpp>
+
+namespace shigusa {
+namespace {
+
+void take(GltfCharacter&& file, CharacterFile& character) {
+  character.rest = std::move(file.rest);
+  character.given = std::move(file.humanoid);
+  character.doubts = std::move(file.doubts);
+  character.places = std::move(file.places);
+  character.rig.format =
+      file.vrm == VrmVersion::none ? CharacterFormat::gltf : CharacterFormat::vrm;
+  character.rig.file_node = std::move(file.file_node);
+  character.rig.vrm_bones = std::move(file.vrm_bones);
+}
+
+Result<void> parse_gltf_character(const std::string& bytes, const std::string& name,
+                                  const std::optional<std::string>& animation,
+                                  CharacterFile& character) {
+  if (animation) {
+    Result<GltfMotion> file = parse_gltf_animation(bytes, name, {.animation = *animation});
+    if (!file) return tl::unexpected(file.error());
+    take(std::move(file->character), character);
+    character.motion = std::move(file->motion);
+    character.doubts = std::move(file->doubts);
+  } else {
+    Result<GltfCharacter> file = parse_gltf(bytes, name);
+    if (!file) return tl::unexpected(file.error());
+    take(std::move(*file), character);
+  }
+  character.rig.animations = gltf_animation_names(bytes, name);
+  if (const auto fits = check_animations_fit(bytes, name); !fits) {
+    character.rig.not_glb = fits.error().message;
+    character.doubts.push_back("motions cannot leave as GLB: " + character.rig.not_glb);
+  }
+  return {};
+}
+
+}  // namespace
+
+FileKind file_kind(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (ending == ".bvh") return FileKind::bvh;
+  if (ending == ".urdf") return FileKind::urdf;
+  for (const char* each : {".glb", ".gltf", ".vrm"}) {
+    if (ending == each) return FileKind::gltf;
+  }
+  return FileKind::none;
+}
+
+Result<std::string> read_character_bytes(const std::filesystem::path& path) {
+  const FileKind kind = file_kind(path.string());
+  return read_text_file(path, kind == FileKind::bvh    ? kBvhMaxBytes
+                              : kind == FileKind::urdf ? kUrdfMaxBytes
+                                                       : kGltfMaxBytes);
+}
+
+Result<CharacterFile> parse_character(std::string bytes, const std::string& name,
+                                      const std::optional<std::string>& animation) {
+  CharacterFile character;
+  character.rig.file = name;
+  if (file_kind(name) == FileKind::gltf) {
+    const auto parsed = parse_gltf_character(bytes, name, animation, character);
+    if (!parsed) return tl::unexpected(parsed.error());
+    character.rig.bytes = std::make_shared<const std::string>(std::move(bytes));
+    return character;
+  }
+  if (animation) {
+    return fail(ErrorCode::invalid_argument,
+                "holds one motion without a name: leave the animation out", name);
+  }
+  Result<BvhFile> file = parse_bvh_file(bytes, name);
+  if (!file) return tl::unexpected(file.error());
+  character.rest = std::move(file->motion);
+  character.rig.channels = std::move(file->channels);
+  return character;
+}
+
+}  // namespace shigusa
