@@ -164,6 +164,41 @@ std::string goal_table(const Measurements& m) {
                     full, title(set), 100 * full / searched, 100 * filled);
 }
 
+// What a person waits for.
+std::string query_table(const Measurements& m) {
+  struct Row {
+    const char* words;
+    const char* name;
+    double goal;  // ms, with AVX2
+    bool wall;
+  };
+  constexpr Row kRows[] = {
+      {"full_body, one core", "query/full_body/", 20.0, false},
+      {"human, one core", "query/human/", 50.0, false},
+      {"human, two cores, by the clock", "query/human/two_threads/", 25.0, true}};
+  std::string page =
+      "\n## One query\n\n`generate()` with nothing said but the goal: five candidates, by the "
+      "default's "
+      "budget. Milliseconds.\n\n| | AVX-512 | AVX2 | SSE2 |\n|---|---|---|---|\n";
+  for (const Row& row : kRows) {
+    page += fmt::format("| {} |", row.words);
+    for (const std::string set : {"avx512", "avx2", "sse2"}) {
+      const std::string name = row.name + set + (row.wall ? "/real_time" : "");
+      if (!m.has(name)) {
+        page += fmt::format(" {} |", kAbsent);
+        continue;
+      }
+      page += fmt::format(" {:.1f}", m.value(name, row.wall ? "real_time" : "cpu_time"));
+      page += set == "avx2" ? fmt::format(" (≤ {:g}) |", row.goal) : " |";
+    }
+    page += "\n";
+  }
+  return page +
+         fmt::format(
+             "\nA character from a VRM file of {:.1f} MB, read and measured: {:.1f} ms (≤ 100).\n",
+             1e-6 * m.value("load/vrm", "bytes"), m.value("load/vrm", "cpu_time"));
+}
+
 std::string rival_table(const Measurements& m) {
   std::string page =
       "\n## Beside MuJoCo and Orocos KDL\n\nThe same loop assembled from these libraries, as "
@@ -328,8 +363,8 @@ std::string performance_page(const nlohmann::json& run, const std::filesystem::p
         fmt::format("the machine was not at rest: times scatter by {:.0f} %, allowed are {:.0f} %",
                     100 * m.scatter(), 100 * kScatterLimit));
   }
-  std::string page = introduction(m, run) + goal_table(m) + rival_table(m) + thread_table(m) +
-                     stages(m) + operations(m) + fused(m);
+  std::string page = introduction(m, run) + goal_table(m) + query_table(m) + rival_table(m) +
+                     thread_table(m) + stages(m) + operations(m) + fused(m);
   std::ifstream remarks(docs / "performance_remarks.md");
   page += "\n";
   page.append(std::istreambuf_iterator<char>(remarks), {});

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/project/character.hpp>
+#include <tuple>
 
 #include "commands.hpp"
 
@@ -45,6 +46,17 @@ std::string file_joint(const BodyModel& body, int dof) {
   return {};
 }
 
+// What is told of the file's twist bones: their names, and where they share whose twist.
+std::vector<std::tuple<std::string, std::string, double>> twist_bones(const CharacterSpec& spec) {
+  std::vector<std::tuple<std::string, std::string, double>> told;
+  if (!spec.rig) return told;
+  for (const TwistBone& twist : spec.rig->rig.twists) {
+    told.emplace_back(spec.rig->skeleton.nodes[static_cast<std::size_t>(twist.node)].name,
+                      humanoid_bone_name(twist.bone), twist.share);
+  }
+  return told;
+}
+
 Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
   Json json{{"name", body.name()},
             {"stature_m", body.stature()},
@@ -76,6 +88,10 @@ Json body_to_json(const BodyModel& body, const CharacterSpec& spec) {
   }
   json["humanoid"] = Json::object();
   for (const auto& [bone, node] : spec.humanoid) json["humanoid"][bone] = node;
+  json["twist_bones"] = Json::array();
+  for (const auto& [node, bone, share] : twist_bones(spec)) {
+    json["twist_bones"].push_back({{"node", node}, {"along", bone}, {"share", share}});
+  }
   if (spec.rig) json["placement"] = placement_to_json(spec.rig->rig.placement);
   json["doubts"] = std::vector<std::string>(body.doubts().begin(), body.doubts().end());
   return json;
@@ -109,6 +125,10 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
                thousandths(at.x), thousandths(at.y), thousandths(at.z));
   }
   for (const auto& [bone, node] : spec.humanoid) fmt::print("{:<18} {}\n", bone, node);
+  for (const auto& [node, bone, share] : twist_bones(spec)) {
+    fmt::print("{:<18} {}, {:.0f} % along {}\n", "twist bone", printable(node), 100.0 * share,
+               bone);
+  }
   for (const std::string& doubt : body.doubts()) fmt::print("note: {}\n", printable(doubt));
 }
 

@@ -44,6 +44,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
                    {"--animation", options.animation.has_value(), true},
                    {"--map", !options.map.empty(), true},
                    {"--seat", options.seat.has_value() && !is_built_in(spec), true},
+                   {"--heels", options.heels && !is_built_in(spec), true},
                    {"--stature", options.stature.has_value() && !is_built_in(spec), true}};
   for (const auto& option : of_a_file) {
     if (option.given && is_built_in(spec)) {
@@ -66,6 +67,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
   spec.animation = options.animation ? options.animation : spec.animation;
   if (options.mass) spec.mass = *options.mass;
   if (options.seat) spec.seat = *options.seat;
+  spec.heels = spec.heels || options.heels;
   if (options.sex) spec.sex = *options.sex == "female" ? Sex::female : Sex::male;
   if (options.stature) {
     const Result<double> stature = parse_stature(*options.stature, spec.sex);

@@ -26,6 +26,7 @@ struct CharacterOptions {
   std::optional<std::string> stature;    // m, or p5, p50, p95
   std::optional<double> mass;            // kg
   std::optional<double> seat;            // m
+  bool heels = false;
   std::optional<std::string> sex;
   std::vector<std::string> map;  // BONE=NODE, or a JSON file of them
 };

@@ -31,6 +31,10 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
       ->check(CLI::IsMember({"male", "female"}));
   c.add_option("--seat", o.seat,
                "Sits on a seat of this height in metres, with the feet where they stand");
+  c.add_flag(
+      "--heels", o.heels,
+      "Heels may lift where people's do: on tiptoe for what is high, in a deep squat (human, "
+      "standing)");
   c.add_option(
        "--map", o.map,
        "BONE=NODE: which node of the file a bone is (right_hand=Bone_17), or a JSON file of "

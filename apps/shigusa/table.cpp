@@ -40,8 +40,12 @@ std::string candidate_table(const Generation& generation) {
   }
   const bool layered = generation.candidates.front().layered.has_value();
   if (layered) text += fmt::format("  {:>14}", "arm in body mm");
-  text += fmt::format("  {:>9}  {:>9}  {:<20}  {}\n", "error mm", "slide mm", "ends as",
-                      "most over its limit");
+  const auto& contacts = generation.candidates.front().contacts;
+  const bool heels = std::any_of(contacts.begin(), contacts.end(),
+                                 [](const ContactResult& foot) { return foot.heel.has_value(); });
+  text += fmt::format("  {:>9}  {:>9}  ", "error mm", "slide mm");
+  if (heels) text += fmt::format("{:>8}  ", "heels mm");
+  text += fmt::format("{:<20}  {}\n", "ends as", "most over its limit");
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     const Candidate& candidate = generation.candidates[i];
     text += fmt::format("{:>4}  {:>7.4f}", i + 1, candidate.score.total);
@@ -52,9 +56,14 @@ std::string candidate_table(const Generation& generation) {
     double error = 0.0;
     double slide = 0.0;
     for (const GoalResult& goal : candidate.goals) error = std::max(error, goal.error);
-    for (const ContactResult& foot : candidate.contacts) slide = std::max(slide, foot.max_slide);
-    text += fmt::format("  {:>9.3f}  {:>9.3f}  {:<20}  ", 1e3 * error, 1e3 * slide,
-                        posture_words(candidate.final_posture));
+    double lift = 0.0;
+    for (const ContactResult& foot : candidate.contacts) {
+      slide = std::max(slide, foot.max_slide);
+      if (foot.heel) lift = std::max(lift, foot.heel->height);
+    }
+    text += fmt::format("  {:>9.3f}  {:>9.3f}  ", 1e3 * error, 1e3 * slide);
+    if (heels) text += fmt::format("{:>8.1f}  ", 1e3 * lift);
+    text += fmt::format("{:<20}  ", posture_words(candidate.final_posture));
     text += most_over(candidate.over_limit) + "\n";
   }
   return text;

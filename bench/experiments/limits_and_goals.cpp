@@ -129,7 +129,7 @@ std::string limits_and_goals(const Plan& plan) {
                std::to_string(met_besides), std::to_string(wrong)});
   }
   return fmt::format(
-             "`generate()` with the preset flat and {} motions a query (a fifth of the default: "
+             "`generate()` with the preset flat and {} motions a query (a third of the default: "
              "there are thousands), for goals drawn evenly from the box, in reach or not, until "
              "{} motions were delivered for each body, for human until {} goals were drawn. "
              "Limits, hands and feet are measured anew "

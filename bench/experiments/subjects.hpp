@@ -19,7 +19,7 @@ struct Plan {
   int few_seeds = 8;            // where there are many of them
   int slow_seeds = 2;           // where a motion takes long
   int motions = 5000;           // delivered for each body, of the experiment on limits …
-  int human_goals = 1000;       // … which draws so many for the body human
+  int human_goals = 10000;      // … which draws so many for the body human
 };
 [[nodiscard]] Plan quick_plan();
 

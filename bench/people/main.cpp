@@ -61,6 +61,18 @@ Result<Compared> compared(const std::filesystem::path& clip, const Segment& segm
     each.way = (each.way == "nearest" ? "preset `paper`, nearest" : "preset `paper`, best-scored");
     result.chosen.push_back(std::move(each));
   }
+  const Result<Recorded> on_toes = read_reach(clip, segment, true);
+  if (!on_toes) return tl::unexpected(on_toes.error());
+  Task lifting = on_toes->task();
+  lifting.candidates = kCandidates;
+  const Result<Generation> lifted = generate(lifting);
+  if (!lifted) return tl::unexpected(lifted.error());
+  std::vector<Chosen> on_heels;
+  add_two(*on_toes, fmt::format(" of {}", kCandidates), *lifted, on_heels);
+  for (Chosen& each : on_heels) {
+    each.way = "heels may lift, " + each.way;
+    result.chosen.push_back(std::move(each));
+  }
   task.duration.reset();
   result.own_duration = make_problem(task).value().duration;
   const Result<RecordedMotion> recorded = read_recorded(

@@ -37,8 +37,10 @@ std::optional<int> number(std::string_view text) {
   return read.ec == std::errc{} && value >= 0 ? std::optional(value) : std::nullopt;
 }
 
-Result<CharacterSpec> measured(const std::filesystem::path& clip, int frame, BodyExtent extent) {
+Result<CharacterSpec> measured(const std::filesystem::path& clip, int frame, BodyExtent extent,
+                               bool heels = false) {
   CharacterSpec person{.source = clip.string(), .extent = extent, .frame = frame};
+  person.heels = heels;
   const auto done = measure_character(person, {});
   if (!done) return tl::unexpected(done.error());
   return person;
@@ -103,10 +105,10 @@ Task Recorded::task() const {
   return task;
 }
 
-Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& segment) {
+Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& segment, bool heels) {
   Result<SkeletonMotion> motion = read_bvh(clip);
   if (!motion) return tl::unexpected(motion.error());
-  const Result<CharacterSpec> person = measured(clip, segment.first, BodyExtent::human);
+  const Result<CharacterSpec> person = measured(clip, segment.first, BodyExtent::human, heels);
   if (!person) return tl::unexpected(person.error());
   const Result<CharacterSpec> paper = measured(clip, segment.first, BodyExtent::full);
   if (!paper) return tl::unexpected(paper.error());

@@ -61,8 +61,9 @@ struct Recorded {
   // What shigusa is told: his body, where his hand ends, and his time.
   [[nodiscard]] Task task() const;
 };
-[[nodiscard]] Result<Recorded> read_reach(const std::filesystem::path& clip,
-                                          const Segment& segment);
+// With `heels`, on a body whose heels lift.
+[[nodiscard]] Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& segment,
+                                          bool heels = false);
 
 // A generated motion of the reach's body.
 [[nodiscard]] Track track_of(const Recorded& reach, const Clip& clip);

@@ -26,6 +26,7 @@ BodyDefinition checked(BodyDefinition body) {
     SHG_CHECK(dof.sign == 1.0 || dof.sign == -1.0, "sign of " + dof.name);
     SHG_CHECK(!dof.turn || is_rotation(*dof.turn), "turn of " + dof.name);
     SHG_CHECK(dof.torque_positive > 0.0 && dof.torque_negative > 0.0, "strength of " + dof.name);
+    SHG_CHECK(dof.give > 0.0 && dof.give <= 1.0, "give of " + dof.name);
   }
   const auto is_link = [count](int link) { return link >= kBaseLink && link < count; };
   for (const Effector& effector : body.effectors) {
@@ -35,7 +36,12 @@ BodyDefinition checked(BodyDefinition body) {
   for (const Capsule& capsule : body.capsules) {
     SHG_CHECK(is_link(capsule.link) && capsule.radius > 0.0, capsule.name);
   }
-  for (const Foot& foot : body.feet) SHG_CHECK(is_link(foot.link), foot.name);
+  for (const Foot& foot : body.feet) {
+    SHG_CHECK(is_link(foot.link), foot.name);
+    if (!foot.heel) continue;
+    const auto is_dof = [count](int dof) { return dof >= 0 && dof < count; };
+    SHG_CHECK(is_dof(foot.heel->toes) && is_dof(foot.heel->ankle), "heel of " + foot.name);
+  }
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     SHG_CHECK(is_link(body.nodes[i].link), body.nodes[i].name);
     SHG_CHECK(body.nodes[i].parent < static_cast<int>(i), body.nodes[i].name);

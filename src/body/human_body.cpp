@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <shigusa/core/check.hpp>
+
 #include "human_builder.hpp"
 
 namespace shigusa {
@@ -26,6 +28,7 @@ HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& setting
       frames_(human_frames(person)),
       table_(segment_table(settings.sex)),
       masses_(person, frames_, table_, settings.mass, settings.stature) {
+  SHG_CHECK(!settings.heels || (whole() && !settings.sits), "heels lift of who stands, all joints");
   body_.doubts = std::move(doubts);
   const double right_above = person.right_leg.ankle.y - person.left_leg.ankle.y;
   const bool both = settings.extent != BodyExtent::half;
@@ -90,8 +93,8 @@ HumanBuilder::Part HumanBuilder::add_joint(const std::string& joint, const Part&
   return part;
 }
 
-// The joints of the standing leg are climbed from the foot, so their freedoms come in reverse order
-// and turn the other way.
+// The joints of the standing leg are climbed from the floor, so their freedoms come in reverse
+// order and turn the other way.
 void HumanBuilder::add_standing_leg() {
   const Side side = base_side_;
   const double s = side_sign(side);
@@ -99,8 +102,10 @@ void HumanBuilder::add_standing_leg() {
   const Landmarks::Leg& leg = person_.leg(side);
   const LegFrames& frame = frames_.leg(side);
   LegParts& parts = legs_[index_of(side)];
-  body_.base = {frame.foot, leg.ankle};
-  parts.foot = {kBaseLink, frame.foot, leg.ankle};
+  const Vec3d stands = settings_.heels ? toes_joint(leg) : leg.ankle;
+  body_.base = {frame.foot, stands};
+  parts.foot = parts.toes = {kBaseLink, frame.foot, stands};
+  if (settings_.heels) parts.foot = add_toes(side, parts.toes, 1.0);
   const Freedom bends{"flexion", Axis::x, 1.0, kAnkleFlexion, hinge_angle(frame.foot, frame.shank)};
   parts.shank = whole() ? add_joint(prefix + "ankle", parts.foot, leg.ankle, frame.shank,
                                     {{"inversion", Axis::z, s, kAnkleInversion}, bends})
@@ -117,7 +122,7 @@ void HumanBuilder::add_standing_leg() {
   couple_hip(trunk_.front().link, parts.thigh.link);
   add_capsule(prefix + "thigh", parts.thigh, leg.knee, leg.hip, kThighRadius);
   add_standing_masses(side);
-  add_foot(side, parts.foot);
+  add_foot(side, parts.toes);
 }
 
 void HumanBuilder::add_standing_masses(Side side) {
@@ -132,7 +137,11 @@ void HumanBuilder::add_standing_masses(Side side) {
     shift_ = axis * dot(person_.left_leg.ankle - leg.ankle, axis);
     for (LinkMass* part : {&foot, &shank, &thigh}) part->add(part->shifted(shift_));
   }
-  body_.base_mass = foot.in_frame(parts.foot.frame, leg.ankle);
+  if (settings_.heels) {
+    set_foot_masses(side);
+  } else {
+    body_.base_mass = foot.in_frame(parts.foot.frame, leg.ankle);
+  }
   set_mass(parts.shank, shank);
   set_mass(parts.thigh, thigh);
 }
@@ -158,12 +167,13 @@ void HumanBuilder::add_hanging_leg(Side side) {
   parts.foot = whole() ? add_joint(prefix + "ankle", parts.shank, leg.ankle, frame.foot,
                                    {bends, {"inversion", Axis::z, -s, kAnkleInversion}})
                        : add_joint(prefix + "ankle", parts.shank, leg.ankle, frame.foot, {bends});
+  parts.toes = settings_.heels ? add_toes(side, parts.foot, -1.0) : parts.foot;
   couple_hip(first, parts.shank.link);
   add_capsule(prefix + "thigh", parts.thigh, leg.hip, leg.knee, kThighRadius);
   set_mass(parts.thigh, masses_.thigh(side));
   set_mass(parts.shank, masses_.shank(side));
-  set_mass(parts.foot, masses_.foot(side));
-  if (other_stands_) add_foot(side, parts.foot);
+  set_foot_masses(side);
+  if (other_stands_) add_foot(side, parts.toes);
 }
 
 void HumanBuilder::add_arm(Side side) {
@@ -212,24 +222,6 @@ void HumanBuilder::couple_hip(int hip, int knee) {
       {hip, knee, whole() ? kFreeHipFlexionGain : kHipFlexionGain, kHipFlexionKneeFull});
 }
 
-void HumanBuilder::add_foot(Side side, const Part& part) {
-  const std::string name = prefix_of(side) + "foot";
-  Foot foot{.name = name, .node = name, .link = part.link, .centre = {}, .outline = {}};
-  const SoleOutline sole = sole_outline(person_.leg(side), settings_.stature);
-  std::vector<Vec3d> corners(sole.begin(), sole.end());
-  if (settings_.extent == BodyExtent::half) {
-    // the sole of the foot that is not drawn carries weight too
-    for (const Vec3d& corner : sole) corners.push_back(corner + shift_);
-  }
-  Vec3d sum{};
-  for (const Vec3d& corner : corners) {
-    foot.outline.push_back(local(part.frame, part.origin, corner));
-    sum += foot.outline.back();
-  }
-  foot.centre = sum * (1.0 / static_cast<double>(corners.size()));
-  body_.feet.push_back(std::move(foot));
-}
-
 void HumanBuilder::add_capsule(const std::string& name, const Part& part, const Vec3d& from,
                                const Vec3d& to, double radius) {
   body_.capsules.push_back({name, part.link, local(part.frame, part.origin, from),
@@ -237,7 +229,9 @@ void HumanBuilder::add_capsule(const std::string& name, const Part& part, const 
 }
 
 void HumanBuilder::set_mass(const Part& part, const LinkMass& mass) {
-  body_.masses[static_cast<std::size_t>(part.link)] = mass.in_frame(part.frame, part.origin);
+  MassProperties& link =
+      part.link == kBaseLink ? body_.base_mass : body_.masses[static_cast<std::size_t>(part.link)];
+  link = mass.in_frame(part.frame, part.origin);
 }
 
 // widens limits to the start posture
@@ -278,8 +272,13 @@ BodyModel full_body(const Stature& s) {
 }
 
 BodyModel human_body(const Stature& s) {
-  return build_human(standing_landmarks(s.stature, kStandingToeOut),
-                     {"human", BodyExtent::human, s.stature, s.mass, s.sex, s.base});
+  return build_human(standing_landmarks(s.stature, kStandingToeOut), {.name = "human",
+                                                                      .extent = BodyExtent::human,
+                                                                      .stature = s.stature,
+                                                                      .mass = s.mass,
+                                                                      .sex = s.sex,
+                                                                      .base = s.base,
+                                                                      .heels = s.heels});
 }
 
 }  // namespace shigusa

@@ -51,12 +51,18 @@ class HumanBuilder {
   // legs and arms
   void add_standing_leg();
   void add_standing_masses(Side side);
+  void set_foot_masses(Side side);
   void add_hanging_leg(Side side);
   void add_seated_leg(Side side);
   void add_seat(Side side, const Part& thigh);
   void add_arm(Side side);
   void couple_hip(int hip, int knee);
-  void add_foot(Side side, const Part& foot);
+  [[nodiscard]] Part add_toes(Side side, const Part& on, double sign);
+  void add_foot(Side side, const Part& part);
+  [[nodiscard]] Heel heel_of(Side side, const Part& part) const;
+  [[nodiscard]] int freedom(const std::string& name) const;
+  // a point of the start posture in the part's frame
+  [[nodiscard]] static Vec3d in_link(const Vec3d& point, const Part& part);
 
   // trunk and head
   void add_trunk();
@@ -99,6 +105,7 @@ class HumanBuilder {
   };
   struct LegParts {
     Part thigh, shank, foot;
+    Part toes;  // the foot, or its forefoot where heels lift
   };
   ArmParts arms_[2];
   LegParts legs_[2];

@@ -8,6 +8,15 @@ namespace {
 // decides alone.
 constexpr double kBendIgnored = radians(5.0);
 constexpr double kBendTrusted = radians(20.0);
+// Cosine of the angle by which a bend's axis may be turned from the expected one. Beyond it the
+// joint is past straight: a knee's axis goes with its foot, an arm turns by some 120° at most.
+constexpr double kKneeTurns = 0.0;
+constexpr double kElbowTurns = -0.5;
+// Sine of the angle between shank and foot, about the trunk's left, below which the foot says
+// nothing of the knee's axis, and above which it decides alone: one that hangs points along the
+// shank.
+constexpr double kFootIgnored = 0.2;
+constexpr double kFootTrusted = 0.5;
 
 // The frame with x exactly along `x` and y as near to `y` as that allows.
 Mat3d frame_x_y(const Vec3d& x, const Vec3d& y) {
@@ -16,15 +25,29 @@ Mat3d frame_x_y(const Vec3d& x, const Vec3d& y) {
   return {ex, cross(ez, ex), ez};
 }
 
+double share(double value, double from, double to) {
+  return clamp((value - from) / (to - from), 0.0, 1.0);
+}
+
 // Hinge axis of a bent limb, from its two segment directions where they are bent enough, else the
-// expected one; `bent` is the cross product whose direction is the axis when flexed.
-Vec3d hinge_axis(const Vec3d& bent, const Vec3d& expected) {
+// expected one; `bent` is the cross product whose direction is the axis when flexed, and `turns`
+// the least cosine between the two.
+Vec3d hinge_axis(const Vec3d& bent, const Vec3d& expected, double turns) {
   const double sine = norm(bent);
-  const double bend = asin(sine);
-  const double trust = dot(bent, expected) > 0.0
-                           ? clamp((bend - kBendIgnored) / (kBendTrusted - kBendIgnored), 0.0, 1.0)
-                           : 0.0;
+  const double trust =
+      dot(bent, expected) > turns * sine ? share(asin(sine), kBendIgnored, kBendTrusted) : 0.0;
   return normalized(normalized(bent, expected) * trust + expected * (1.0 - trust), expected);
+}
+
+// The axis that a straight knee has: square to shank and foot. Where the foot hangs along the
+// shank, or the other way round, it is the trunk's left as far as the shank lets it.
+Vec3d knee_axis(const Vec3d& up, const Vec3d& ahead, const Vec3d& trunk_left) {
+  const Vec3d across = cross(up, ahead);
+  const double sine = dot(across, trunk_left) / max(norm(ahead), 1e-9);
+  const Vec3d left = normalized(trunk_left - up * dot(up, trunk_left), trunk_left);
+  const Vec3d by_foot = normalized(across, left);
+  const double trust = share(sine, kFootIgnored, kFootTrusted);
+  return trust < 1.0 ? normalized(by_foot * trust + left * (1.0 - trust), left) : by_foot;
 }
 
 Mat3d trunk_frame(const Landmarks& p) {
@@ -38,11 +61,11 @@ Mat3d trunk_frame(const Landmarks& p) {
 LegFrames leg_frames(const Landmarks::Leg& leg, const Vec3d& trunk_left, bool lifted) {
   const Vec3d thigh_down = normalized(leg.knee - leg.hip);
   const Vec3d shank_down = normalized(leg.ankle - leg.knee);
-  const Vec3d up = normalized(leg.hip - leg.ankle);
+  const Vec3d up = lifted ? -shank_down : normalized(leg.hip - leg.ankle);
   Vec3d ahead = leg.toe - leg.ankle;
   if (!lifted) ahead.y = 0.0;
-  const Vec3d expected = normalized(cross(up, ahead), trunk_left);
-  const Vec3d axis = hinge_axis(cross(thigh_down, shank_down), expected);
+  const Vec3d expected = knee_axis(up, ahead, trunk_left);
+  const Vec3d axis = hinge_axis(cross(thigh_down, shank_down), expected, kKneeTurns);
   LegFrames frames{frame_x_y(axis, -thigh_down), frame_x_y(axis, -shank_down), {}};
   if (lifted) {
     // the line from ankle to toe tip falls by the angle that it has in a standing foot
@@ -67,7 +90,8 @@ ArmFrames arm_frames(const Landmarks::Arm& arm, const Mat3d& trunk) {
       cosine < -0.999
           ? left
           : left + cross(swing, left) + cross(swing, cross(swing, left)) * (1.0 / (1.0 + cosine));
-  const Vec3d axis = hinge_axis(cross(fore_down, upper_down), normalized(carried, left));
+  const Vec3d axis =
+      hinge_axis(cross(fore_down, upper_down), normalized(carried, left), kElbowTurns);
   return {frame_x_y(axis, -upper_down), frame_x_y(axis, -fore_down)};
 }
 

@@ -51,7 +51,7 @@ void HumanBuilder::add_seated_leg(Side side) {
     set_mass(thigh, mass);
   }
   LegParts& parts = legs_[index_of(side)];
-  parts.thigh = parts.shank = parts.foot = thigh;
+  parts.thigh = parts.shank = parts.foot = parts.toes = thigh;
   add_capsule(prefix + "thigh", thigh, leg.hip, leg.knee, kThighRadius);
   add_seat(side, thigh);
 }

@@ -174,8 +174,8 @@ void HumanBuilder::add_leg_nodes(Side side, int hips) {
   int on = add_node(prefix + "upper_leg", hips, parts.thigh, leg.hip);
   on = add_node(prefix + "lower_leg", on, parts.shank, leg.knee);
   on = add_node(prefix + "foot", on, parts.foot, leg.ankle);
-  on = add_node(prefix + "toes", on, parts.foot, leg.ankle + (leg.toe - leg.ankle) * 0.7);
-  add_node("", on, parts.foot, leg.toe, true);
+  on = add_node(prefix + "toes", on, parts.toes, toes_joint(leg));
+  add_node("", on, parts.toes, leg.toe, true);
 }
 
 }  // namespace shigusa

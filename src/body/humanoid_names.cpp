@@ -27,6 +27,8 @@ constexpr Word kWords[] = {
     {"lowleg", BonePart::lower_leg},
     {"loleg", BonePart::lower_leg},
     {"uleg", BonePart::upper_leg},
+    {"legupper", BonePart::upper_leg},
+    {"leglower", BonePart::lower_leg},
     {"lleg", BonePart::lower_leg},
     {"shin", BonePart::lower_leg},
     {"shank", BonePart::lower_leg},
@@ -48,6 +50,8 @@ constexpr Word kWords[] = {
     {"upperarm", BonePart::upper_arm},
     {"uparm", BonePart::upper_arm},
     {"uarm", BonePart::upper_arm},
+    {"armupper", BonePart::upper_arm},
+    {"armlower", BonePart::lower_arm},
     {"humerus", BonePart::upper_arm},
     {"shldr", BonePart::upper_arm},
     {"arm", BonePart::arm},
@@ -83,7 +87,8 @@ constexpr std::string_view kOthers[] = {
     "twist",      "roll",   "ik",      "fk",     "mch",    "pole", "target", "ctrl",
     "control",    "goal",   "tweak",   "helper", "site",   "heel", "slot",   "effector",
     "helmet",     "muscle", "palm",    "index",  "middle", "ring", "pinky",  "little",
-    "metacarpal", "carpal", "fingers", "mesh",   "geo",    "prop", "finger",
+    "metacarpal", "carpal", "fingers", "mesh",   "geo",    "prop", "finger", "corrective",
+    "share",      "bck",    "fwd",     "inner",  "outer",  "sec",  "adj",
 };
 constexpr std::string_view kThumbs[] = {"thumb", "lthumb", "rthumb", "左親指", "右親指"};
 constexpr std::string_view kTips[] = {"end", "nub", "tip", "top"};
@@ -163,7 +168,20 @@ BoneName read_glued(const std::vector<std::string>& words) {
   return {};
 }
 
+// Words of bones that control or decorate, whatever else their names say.
+constexpr std::string_view kNoTwist[] = {"ik", "fk", "mch", "pole", "target", "ctrl", "control"};
+
 }  // namespace
+
+bool is_twist_name(std::string_view name) {
+  bool twist = false;
+  for (const std::string& word : words_of(name)) {
+    if (contains(kNoTwist, word)) return false;
+    twist = twist || word.ends_with("twist") || word.ends_with("roll") || word == "ulna" ||
+            word.find("捩") != word.npos;
+  }
+  return twist;
+}
 
 BoneName read_bone_name(std::string_view name) {
   std::vector<std::string> words = words_of(name);

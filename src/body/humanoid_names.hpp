@@ -41,4 +41,8 @@ struct BoneName {
 // control joints and the like have no part.
 [[nodiscard]] BoneName read_bone_name(std::string_view name);
 
+// Whether a name is one of a bone that takes a share of a limb's twist: "lowerarm_twist_01_l",
+// "LeftForeArmRoll", "左手捩", Source's "Bip01_L_Ulna".
+[[nodiscard]] bool is_twist_name(std::string_view name);
+
 }  // namespace shigusa

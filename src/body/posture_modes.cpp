@@ -8,6 +8,13 @@
 namespace shigusa {
 namespace {
 
+// Who leans forwards puts the hips back, by the ankles, so that the centre of mass stays over the
+// feet (A. Alexandrov, A. Frolov, J. Massion, Experimental Brain Research 118 (1998) 210-220:
+// ankle, knee and hip move as one). A share of the hips' angle. Without it 3000 motions of `human`
+// end with 1.6 times the score, mean of ten goals, and 60,000 do not make up for it; 0.2 to 0.5 are
+// much the same.
+constexpr double kHipsBack = 0.3;
+
 class ModeBuilder {
  public:
   explicit ModeBuilder(const BodyModel& body) : body_(body) {}
@@ -74,7 +81,10 @@ std::vector<PostureMode> posture_modes(const BodyModel& body) {
                {"left_ankle.flexion", 0.5}});
   }
   modes.add("lean", radians(-20.0), radians(110.0),
-            {{"right_hip.flexion", 1.0}, {"left_hip.flexion", 1.0}});
+            {{"right_hip.flexion", 1.0},
+             {"left_hip.flexion", 1.0},
+             {"right_ankle.flexion", -kHipsBack},
+             {"left_ankle.flexion", -kHipsBack}});
   add_trunk_modes(body, modes);
   modes.add("right_elbow", 0.0, radians(110.0), {{"right_elbow.flexion", 1.0}});
   modes.add("left_elbow", 0.0, radians(110.0), {{"left_elbow.flexion", 1.0}});

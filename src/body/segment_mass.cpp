@@ -27,6 +27,12 @@ void LinkMass::add(const LinkMass& other) {
   about_origin = about_origin + other.about_origin;
 }
 
+void LinkMass::take_off(const LinkMass& part) {
+  mass -= part.mass;
+  moment = moment - part.moment;
+  about_origin = about_origin + scaled(part.about_origin, -1.0);
+}
+
 LinkMass LinkMass::shifted(const Vec3d& by) const {
   const Vec3d com = moment * (1.0 / mass);
   const Mat3d about_com = about_origin + scaled(point_inertia(mass, com), -1.0);
@@ -62,6 +68,17 @@ SoleOutline sole_outline(const Landmarks::Leg& leg, double stature) {
   return {toe + half, heel + half, heel - half, toe - half};
 }
 
+SoleOutline forefoot_outline(const Landmarks::Leg& leg, double stature) {
+  SoleOutline sole = sole_outline(leg, stature);
+  const Vec3d back = sole[1] - sole[0];
+  const Vec3d tip = (sole[0] + sole[3]) * 0.5;
+  // a file may say anything of the joint: both parts of the foot have some length
+  const double share = clamp(dot(toes_joint(leg) - tip, back) / dot(back, back), 0.05, 0.95);
+  sole[1] = sole[0] + back * share;
+  sole[2] = sole[3] + back * share;
+  return sole;
+}
+
 LinkMass SegmentMasses::segment(const SegmentParameters& p, const Vec3d& from, const Vec3d& to,
                                 const Vec3d& left) const {
   const double length = norm(to - from);
@@ -85,6 +102,25 @@ LinkMass SegmentMasses::foot(Side side) const {
   // the segment's axis runs at half the ankle's height, through the flesh of the foot
   const Vec3d rise{0.0, 0.5 * StatureFractions::kAnkleHeight * stature_, 0.0};
   return segment(table_.foot, heel + rise, toe + rise, frames_.leg(side).foot.cx);
+}
+
+// A round rod as thick as the foot.
+LinkMass SegmentMasses::forefoot(Side side) const {
+  const Landmarks::Leg& leg = person_.leg(side);
+  const SoleOutline sole = sole_outline(leg, stature_);
+  const SoleOutline toes = forefoot_outline(leg, stature_);
+  const Vec3d tip = (toes[0] + toes[3]) * 0.5;
+  const Vec3d joint = (toes[1] + toes[2]) * 0.5;
+  const double share = norm(tip - joint) / norm(sole[0] - sole[1]);
+  const double thick = table_.foot.r_long / share;
+  const double across = sqrt(1.0 / 12.0 + 0.5 * thick * thick);
+  const SegmentParameters part{.mass = table_.foot.mass * kToesMass,
+                               .com = 0.5,
+                               .r_sagittal = across,
+                               .r_transverse = across,
+                               .r_long = thick};
+  const Vec3d rise{0.0, 0.5 * StatureFractions::kAnkleHeight * stature_, 0.0};
+  return segment(part, joint + rise, tip + rise, frames_.leg(side).foot.cx);
 }
 
 LinkMass SegmentMasses::shank(Side side) const {

@@ -20,6 +20,8 @@ struct LinkMass {
   [[nodiscard]] static LinkMass of(double mass, const Vec3d& com, const Mat3d& inertia);
 
   void add(const LinkMass& other);
+  // a part of it
+  void take_off(const LinkMass& part);
   // the same mass moved by a translation
   [[nodiscard]] LinkMass shifted(const Vec3d& by) const;
   [[nodiscard]] MassProperties in_frame(const Mat3d& frame, const Vec3d& origin) const;
@@ -33,6 +35,9 @@ struct LinkMass {
 using SoleOutline = std::array<Vec3d, 4>;
 [[nodiscard]] SoleOutline sole_outline(const Landmarks::Leg& leg, double stature);
 
+// The same of what is ahead of the toes' joint.
+[[nodiscard]] SoleOutline forefoot_outline(const Landmarks::Leg& leg, double stature);
+
 // The segments of a person as masses (de Leva's fractions on the measured lengths).
 class SegmentMasses {
  public:
@@ -41,6 +46,8 @@ class SegmentMasses {
       : person_(person), frames_(frames), table_(table), mass_(mass), stature_(stature) {}
 
   [[nodiscard]] LinkMass foot(Side side) const;
+  // what of the foot is ahead of the toes' joint
+  [[nodiscard]] LinkMass forefoot(Side side) const;
   [[nodiscard]] LinkMass shank(Side side) const;
   [[nodiscard]] LinkMass thigh(Side side) const;
   [[nodiscard]] LinkMass trunk_and_head() const;

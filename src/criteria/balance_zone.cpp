@@ -1,63 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <shigusa/criteria/balance_zone.hpp>
 
 #include "replay.hpp"
 
 namespace shigusa {
-namespace {
-
-// twice the area of the triangle, above 0 where it goes counter-clockwise from above
-double turn(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z);
-}
-
-// adds a corner to a convex chain, which loses those that it makes hollow or straight
-void add_corner(const Vec3d& corner, std::size_t kept, std::vector<Vec3d>& chain) {
-  while (chain.size() >= kept + 2 && turn(chain[chain.size() - 2], chain.back(), corner) <= 0.0) {
-    chain.pop_back();
-  }
-  chain.push_back(corner);
-}
-
-}  // namespace
-
-std::vector<Vec3d> support_polygon(const BodyModel& body) {
-  const Kinematics<double> kinematics = start_kinematics(body);
-  std::vector<Vec3d> points;
-  for (const Foot& foot : body.feet()) {
-    for (const Vec3d& corner : foot.outline) points.push_back(kinematics.point(foot.link, corner));
-  }
-  // Andrew's monotone chain: one side from back to front, the other one from front to back
-  const auto before = [](const Vec3d& a, const Vec3d& b) {
-    return a.z < b.z || (a.z == b.z && a.x < b.x);
-  };
-  std::sort(points.begin(), points.end(), before);
-  std::vector<Vec3d> hull;
-  for (const Vec3d& point : points) add_corner(point, 0, hull);
-  const std::size_t first_side = hull.empty() ? 0 : hull.size() - 1;
-  for (std::size_t i = points.size(); i-- > 1;) add_corner(points[i - 1], first_side, hull);
-  // the last corner is the first one again
-  if (!hull.empty()) hull.pop_back();
-  return hull;
-}
-
-std::vector<SupportEdge> support_edges(const BodyModel& body) {
-  const std::vector<Vec3d> corners = support_polygon(body);
-  std::vector<SupportEdge> edges;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec3d& from = corners[i];
-    const Vec3d& to = corners[(i + 1) % corners.size()];
-    const double length =
-        sqrt((to.x - from.x) * (to.x - from.x) + (to.z - from.z) * (to.z - from.z));
-    if (!(length > 0.0)) continue;
-    // to the left of the way, seen from above
-    const double x = (to.z - from.z) / length;
-    const double z = -(to.x - from.x) / length;
-    edges.push_back({x, z, -(x * from.x + z * from.z)});
-  }
-  return edges;
-}
 
 double balance_zone_penalty(const BodyModel& body, const Motion& motion,
                             const BalanceZoneSettings& settings) {

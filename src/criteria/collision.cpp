@@ -7,6 +7,14 @@ namespace shigusa {
 
 namespace {
 
+constexpr double kRounding = 1.0001;  // of single precision, and more
+
+// m, of a capsule from its middle
+double reach_of(const BodyModel& body, int index) {
+  const Capsule& capsule = body.capsules()[static_cast<std::size_t>(index)];
+  return capsule.radius + 0.5 * norm(capsule.to - capsule.from);
+}
+
 // A hand without a wrist points where its forearm does, and cannot be kept off the floor.
 void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& pairs) {
   if (!body.dof(effector.link).joint.ends_with("_wrist")) return;
@@ -22,7 +30,8 @@ void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& 
 CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& settings) {
   CollisionPairs pairs;
   for (const CapsulePair& pair : all_limb_pairs(body)) {
-    pairs.parts.push_back({pair.limb, pair.part});
+    const double together = reach_of(body, pair.limb) + reach_of(body, pair.part);
+    pairs.parts.push_back({pair.limb, pair.part, 0.0, kRounding * together * together});
   }
   for (const Effector& effector : body.effectors()) add_floor(body, effector, pairs);
   for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {

@@ -15,7 +15,7 @@ CriteriaSettings default_criteria() {
   settings.balance_zone_weight = 0.20;
   settings.discomfort_weight = 0.27;
   settings.joint_acceleration_weight = 0.22;
-  settings.low_back_weight = 0.06;
+  settings.low_back_weight = 0.20;
   settings.collision_weight = 0.5;
   settings.pressure_weight = 0.35;
   return settings;

@@ -13,6 +13,13 @@ bool ends_with(const std::string& name, const char* end) {
 
 }  // namespace
 
+Style style_of(const std::optional<double>& stoop_squat_index) {
+  if (!stoop_squat_index) return Style::upright;
+  return *stoop_squat_index > kStoopIndex   ? Style::stoop
+         : *stoop_squat_index < kSquatIndex ? Style::squat
+                                            : Style::between;
+}
+
 Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()), meter_(body), angles_(dofs_) {
   for (std::size_t d = 0; d < dofs_; ++d) {
     const std::string& name = body.dofs()[d].name;
@@ -53,12 +60,10 @@ void Archive::add(std::span<const double> points, std::span<const double> scores
         std::upper_bound(cell.begin(), cell.end(), scores[i],
                          [](double score, const Archived& kept) { return score < kept.score; });
     const std::span<const double> point = points.subspan(i * genes, genes);
-    const Style style = !index                 ? Style::upright
-                        : *index > kStoopIndex ? Style::stoop
-                        : *index < kSquatIndex ? Style::squat
-                                               : Style::between;
-    cell.insert(after,
-                {{point.begin(), point.end()}, scores[i], {posture.begin(), posture.end()}, style});
+    cell.insert(after, {{point.begin(), point.end()},
+                        scores[i],
+                        {posture.begin(), posture.end()},
+                        style_of(index)});
     if (cell.size() > kPerCell) cell.pop_back();
   }
 }

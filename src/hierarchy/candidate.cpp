@@ -80,6 +80,17 @@ double frame_distance(const Clip& a, const Clip& b, int frame) {
   return sqrt(squares / a.dofs);
 }
 
+HeelLift heel_lift(const Heel& heel, const Clip& clip) {
+  HeelLift lift;
+  for (int f = 0; f < clip.frames; ++f) {
+    const double angle = clip.frame(f)[static_cast<std::size_t>(heel.toes)];
+    const SinCos<double> turn = sin_cos(angle);
+    const double height = heel.back.y * (turn.cos - 1.0) - heel.back.z * turn.sin;
+    lift = {max(lift.angle, angle), max(lift.height, height)};
+  }
+  return lift;
+}
+
 }  // namespace
 
 Candidate make_candidate(const Task& task, const ReachProblem& problem,
@@ -93,7 +104,8 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
   for (const Foot& foot : body.feet()) {
     // the base cannot move; what another foot does was measured in every frame
     const double slide = foot.link == kBaseLink ? 0.0 : rolled.outcome.contact_slide;
-    candidate.contacts.push_back({foot.name, foot.node, slide});
+    candidate.contacts.push_back({foot.name, foot.node, slide, {}});
+    if (foot.heel) candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip);
   }
   candidate.over_limit = limit_excess(body, rolled.motion.clip);
   const Clip& clip = rolled.motion.clip;

@@ -7,7 +7,6 @@
 #include <string_view>
 
 namespace shigusa {
-
 Choice distinct_postures(const Archive& archive, int most) {
   const std::vector<Archived> ranked = archive.ranked();
   std::vector<const Archived*> picked;
@@ -38,6 +37,11 @@ Choice distinct_postures(const Archive& archive, int most) {
   choice.similar -= static_cast<int>(picked.size());  // each is near itself
   for (const Archived* archived : picked) {
     choice.picked.push_back({archived->point, archived->score});
+  }
+  for (const Archived& archived : ranked) {
+    if (archived.score > ranked.front().score + (bends ? kStyleSpread : kCandidateSpread)) break;
+    const bool is_picked = std::find(picked.begin(), picked.end(), &archived) != picked.end();
+    if (!is_picked) choice.spare.push_back(archived);
   }
   return choice;
 }

@@ -11,12 +11,14 @@ namespace shigusa {
 // What is worth a replay, best first, and what was not.
 struct Choice {
   std::vector<Individual> picked;
-  int similar = 0;  // end as a better one does
-  int worse = 0;    // score more than kCandidateSpread worse than the best
+  std::vector<Archived> spare{};  // for where those picked will not do, best first
+  int similar = 0;                // end as a better one does
+  int worse = 0;                  // score more than kCandidateSpread worse than the best
 };
 
 // Of all that a search came upon, at most so many that end differently and are not much worse than
-// the best: first the best of each style, then what is left, best first.
+// the best: first the best of each style, then what is left, best first. Spare is all else that is
+// not much worse.
 [[nodiscard]] Choice distinct_postures(const Archive& archive, int most);
 
 // Why there are fewer candidates than the task asks for; empty where there are not.

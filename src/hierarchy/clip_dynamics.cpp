@@ -31,10 +31,7 @@ Motion ClipDynamics::completed(Clip clip) {
         std::span(motion.torques).subspan(static_cast<std::size_t>(f) * dofs, dofs);
     const Wrench<double> ground =
         inverse_dynamics<double>(*body_, placed_, speeds_, accelerations_, work_, torques);
-    if (body_->feet().size() == 2) {
-      share_ground_wrench<double>(*body_, placed_, ground, body_->feet()[0], body_->feet()[1],
-                                  torques);
-    }
+    bear_on_feet<double>(*body_, placed_, now, ground, torques);
     motion.centre_of_mass.push_back(centre_of_mass(*body_, work_));
   }
   motion.clip = std::move(clip);

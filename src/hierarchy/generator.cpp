@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "candidate.hpp"
-#include "choice.hpp"
+#include "delivery.hpp"
 #include "layered_generator.hpp"
 #include "pareto.hpp"
 #include "searched.hpp"
@@ -24,58 +24,6 @@ double replayed_score(const ReachProblem& problem, const Task& task, const Param
              : worst_score(task.criteria);
 }
 
-// Where a motion passes through nothing, those that do are left out.
-void drop_collisions(Generation& generation) {
-  const auto collides = [](const Candidate& c) { return c.collides.depth > kCollisionDepth; };
-  std::vector<Candidate>& all = generation.candidates;
-  if (std::all_of(all.begin(), all.end(), collides)) return;
-  generation.collided = static_cast<int>(std::erase_if(all, collides));
-}
-
-// Replays what was found and keeps what arrives and differs, best first.
-void collect_candidates(const Task& task, std::span<const ReachProblem> ways,
-                        const Searched& searched, const SearchResult& found,
-                        Generation& generation) {
-  const bool paper = task.preset == Preset::paper;
-  const Choice choice = paper ? Choice{.picked = ranked_population(found)}
-                              : distinct_postures(searched.archive(), 4 * task.candidates);
-  int free = 0;  // candidates that pass through nothing; the paper does not ask
-  for (const Individual& individual : choice.picked) {
-    if (free >= task.candidates) break;
-    const Parameters parameters = searched.space().decode(individual.point);
-    std::optional<Arrival> arrival = first_arrival(ways, parameters, task.generator);
-    if (!arrival) {
-      ++generation.missed;
-      continue;
-    }
-    const Clip& clip = arrival->rolled.motion.clip;
-    const auto is_copy = [&](const Candidate& better) {
-      return paper ? largest_distance(better.motion.clip, clip) < kDistinctPosture
-                   : final_distance(better.motion.clip, clip) < kDistinctEnd;
-    };
-    if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
-      ++generation.near_copies;
-      continue;
-    }
-    generation.candidates.push_back(
-        make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled)));
-    if (paper || generation.candidates.back().collides.depth <= kCollisionDepth) ++free;
-    if (arrival->way != &ways.back()) continue;
-    // it was searched on this way, in single precision
-    const double difference = abs(generation.candidates.back().score.total - individual.score);
-    if (difference > kReplayTolerance) ++generation.replay_differs;
-    generation.replay_difference = max(generation.replay_difference, difference);
-  }
-  // on an earlier way than they were searched on, motions may have other scores
-  std::stable_sort(
-      generation.candidates.begin(), generation.candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
-  if (!paper) drop_collisions(generation);
-  const auto most = static_cast<std::size_t>(task.candidates);
-  if (generation.candidates.size() > most) generation.candidates.resize(most);
-  generation.fewer = why_fewer(task, generation, choice);
-}
-
 // Searches the last of the ways.
 void search_best(const Task& task, std::span<const ReachProblem> ways, const Progress& progress,
                  Generation& generation) {
@@ -89,7 +37,7 @@ void search_best(const Task& task, std::span<const ReachProblem> ways, const Pro
   generation.best_seen_score = replayed_score(ways.back(), task, *generation.best_seen);
   generation.missed = generation.replay_differs = 0;
   generation.replay_difference = 0.0;
-  collect_candidates(task, ways, searched, found, generation);
+  deliver_candidates(task, ways, searched, found, generation);
 }
 
 // The parameters' motion on the first way that brings them to the goal; where none does, the one

@@ -10,6 +10,9 @@
 namespace shigusa {
 namespace {
 
+// Of what gives way last (Dof::give), the logarithm of the least weight that is searched.
+constexpr double kLastLogWeight = -1.0;
+
 // the freedoms that move a target: the others do nothing in weighted IK
 std::vector<bool> useful_dofs(const ReachProblem& problem) {
   std::vector<bool> useful(problem.body->dofs().size());
@@ -19,14 +22,17 @@ std::vector<bool> useful_dofs(const ReachProblem& problem) {
   return useful;
 }
 
-// "hip.flexion" of "left_hip.flexion"; arms keep their side
+// "hip.flexion" of "left_hip.flexion", "spine.flexion" of all of its joints; arms keep their side
 std::string shared_name(const std::string& name) {
+  for (const char* segment : {"upper_chest.", "chest."}) {
+    if (name.starts_with(segment)) return "spine." + name.substr(name.find('.') + 1);
+  }
   for (const char* side : {"left_", "right_"}) {
     const std::string prefix = side;
     if (name.rfind(prefix, 0) != 0) continue;
     const std::string rest = name.substr(prefix.size());
     const std::string joint = rest.substr(0, rest.find('.'));
-    if (joint == "hip" || joint == "knee" || joint == "ankle") return rest;
+    if (joint == "hip" || joint == "knee" || joint == "ankle" || joint == "toes") return rest;
   }
   return name;
 }
@@ -107,9 +113,11 @@ void ParameterSpace::add_weights(const ReachProblem& problem) {
     if (const auto gene = std::find_if(genes_.begin(), genes_.end(), same); gene != genes_.end()) {
       gene->dofs.push_back(d);
     } else {
+      // what gives way last is not to be among the first
+      const bool last = body_->dofs()[d].give < 1.0;
       genes_.push_back({.name = shared_name(name),
                         .dofs = {d},
-                        .lower = -kLogWeightRange,
+                        .lower = last ? kLastLogWeight : -kLogWeightRange,
                         .upper = kLogWeightRange});
     }
   }

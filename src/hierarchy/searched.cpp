@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
+#include <shigusa/search/cma_es.hpp>
 #include <string>
 #include <utility>
 
@@ -14,23 +15,27 @@
 namespace shigusa {
 namespace {
 
-// Shares of the budget: of all parameters together, and of each style.
-constexpr double kFreeShare = 0.6;
-constexpr double kStyleShare = 0.2;
-// A part is at least a population of the genetic searches; a budget too small for three of them is
-// spent on all parameters together, up to that many.
+// Share of the budget of all parameters together, beside styles.
+constexpr double kFreeShare = 0.4;
+// A style's part is at least a population of the genetic searches; a budget too small for that is
+// spent on all parameters together.
 constexpr int kLeastStyleBudget = kPaperPopulation;
-constexpr int kLeastFreeBudget = 3 * kPaperPopulation;
-constexpr double kStiffKnee = 1.0;  // logarithm of the least weight of a knee that goes by the dial
-constexpr std::pair<double, double> kStyleRanges[] = {{0.0, radians(30.0)},
-                                                      {radians(115.0), radians(138.0)}};  // rad
+// Standard deviation that a run begins with: posture modes say which way is down, so that motions
+// near the start are worth more than motions anywhere.
+constexpr double kStep = 0.15;
+
+// Where a search may begin (deg): leans of the trunk, half of it in the back, and bends of the
+// knees.
+constexpr double kLeans[] = {0.0, 30.0, 60.0, 90.0};
+constexpr double kSquats[] = {0.0, 40.0, 80.0, 120.0};
 
 void add(SearchResult part, SearchResult& all) {
   all.evaluations += part.evaluations;
   all.rejected_nan += part.rejected_nan;
   all.generations += part.generations;
   all.end = part.end;
-  if (part.best_seen.score < all.best_seen.score) all.best_seen = std::move(part.best_seen);
+  const bool better = part.best_seen.score < all.best_seen.score;
+  if (better || all.best_seen.point.empty()) all.best_seen = std::move(part.best_seen);
 }
 
 // What somebody else's search has found.
@@ -74,35 +79,27 @@ Searched::Searched(const ReachProblem& problem, const Task& task)
 SearchResult Searched::run(const Progress& progress) {
   const int budget = task_.evaluations.value_or(
       task_.generator == MotionGenerator::nlp_ik ? kNlpEvaluations : kFlatEvaluations);
-  if (task_.preset == Preset::paper) return run_in({}, budget, progress);
-  const int squat = space_.find("squat");
-  if (squat < 0) return run_in(stiff_knees(), budget, progress);
-  const int free =
-      std::max(static_cast<int>(kFreeShare * budget), std::min(budget, kLeastFreeBudget));
-  SearchResult all = run_in({}, free, progress);
-  const int style = static_cast<int>(kStyleShare * budget);
-  if (style < kLeastStyleBudget) return all;
-  for (const auto& [low, high] : kStyleRanges) {
-    if (all.end == SearchEnd::cancelled) break;
-    Niche niche = stiff_knees();
-    for (const int gene : {squat, space_.find("later.squat")}) {
-      if (gene < 0) continue;
-      niche.push_back({gene, space_.coordinate(gene, low), space_.coordinate(gene, high)});
-    }
-    add(run_in(niche, style, progress), all);
+  if (task_.preset == Preset::paper) return run_in({}, {}, budget, progress);
+  // where a person gives the squat, knees go by it
+  const Niche all_knees = space_.find("squat") < 0 ? stiff_knees() : Niche{};
+  if (static_cast<int>(kStyleShare * budget) < kLeastStyleBudget) {
+    return run_in(all_knees, {}, budget, progress);
+  }
+  SearchResult all = run_in(all_knees, {}, static_cast<int>(kFreeShare * budget), progress);
+  double left = 1.0 - kFreeShare;
+  for (const Style& style : styles()) {
+    if (all.end == SearchEnd::cancelled) return all;
+    if (style.share > left + 1e-6) break;
+    const std::vector<double> from = style.far ? std::vector<double>{} : guess_.point;
+    add(run_in(style.niche, from, static_cast<int>(style.share * budget), progress), all);
+    left -= style.share;
+  }
+  // of the styles that the task has not
+  const int rest = static_cast<int>(left * budget + 1e-6);
+  if (rest > 0 && all.end != SearchEnd::cancelled) {
+    add(run_in(all_knees, guess_.point, rest, progress), all);
   }
   return all;
-}
-
-// Where the knees' flexion is given they go by it: light ones would bend as the hand has it.
-Searched::Niche Searched::stiff_knees() const {
-  Niche niche;
-  for (const char* name : {"knee.flexion", "left_knee.flexion", "right_knee.flexion"}) {
-    for (const int gene : {space_.find(name), space_.find(std::string(kLaterPrefix) + name)}) {
-      if (gene >= 0) niche.push_back({gene, space_.coordinate(gene, kStiffKnee), 1.0});
-    }
-  }
-  return niche;
 }
 
 void Searched::take_in(const Niche& niche, std::span<double> points, std::size_t genes) {
@@ -113,22 +110,79 @@ void Searched::take_in(const Niche& niche, std::span<double> points, std::size_t
   }
 }
 
-SearchResult Searched::run_in(const Niche& niche, int budget, const Progress& progress) {
+SearchResult Searched::run_in(const Niche& niche, const std::vector<double>& from, int budget,
+                              const Progress& progress) {
   SearchProblem searched;
   searched.genes = space_.genes();
-  searched.start = space_.start();
-  for (const Bound& bound : niche) searched.start[static_cast<std::size_t>(bound.gene)] = 0.5;
+  searched.start = from.empty() ? space_.start() : from;
+  for (const Bound& bound : niche) {
+    double& x = searched.start[static_cast<std::size_t>(bound.gene)];
+    const bool within = !from.empty() && x > bound.low && x < bound.high;
+    x = within ? (x - bound.low) / (bound.high - bound.low) : 0.5;
+  }
   const auto genes = static_cast<std::size_t>(searched.genes);
   searched.evaluate = [&](std::span<const double> points, std::span<double> scores) {
     moved_.assign(points.begin(), points.end());
     take_in(niche, moved_, genes);
     evaluate(moved_, scores);
   };
-  SearchResult found = search_with(searched, budget, progress);
+  SearchResult found;
+  // in a niche it is not the knees that are chosen
+  if (task_.preset != Preset::paper && niche.empty() && from.empty())
+    found = begin_bent(searched, budget);
+  if (budget > found.evaluations) {
+    SearchResult rest = search_with(searched, budget - found.evaluations, progress);
+    found.final_population = std::move(rest.final_population);
+    add(std::move(rest), found);
+  }
   take_in(niche, found.best_seen.point, genes);
   for (Individual& individual : found.final_population) {
     take_in(niche, individual.point, genes);
   }
+  return found;
+}
+
+// Where all parameters together may begin, (points × genes): each lean of the trunk with each bend
+// of the knees.
+std::vector<double> Searched::postures() const {
+  std::vector<double> points;
+  const auto set = [&](std::string_view mode, double value) {
+    const int gene = space_.find(mode);
+    if (gene < 0) return;
+    *(points.end() - space_.genes() + gene) = space_.coordinate(gene, radians(value));
+  };
+  const std::vector<double> upright = space_.start();
+  for (const double squat : kSquats) {
+    for (const double lean : kLeans) {
+      points.insert(points.end(), upright.begin(), upright.end());
+      set("squat", squat);
+      set("lean", lean);
+      set("round", 0.5 * lean);
+    }
+  }
+  return points;
+}
+
+// Scores the postures and begins at the best of them: a search that begins upright finds its way
+// down by chance.
+SearchResult Searched::begin_bent(SearchProblem& searched, int budget) const {
+  std::vector<double> points = postures();
+  const auto genes = static_cast<std::size_t>(searched.genes);
+  const auto count = std::min(static_cast<std::size_t>(budget), points.size() / genes);
+  points.resize(count * genes);
+  std::vector<double> scores(count);
+  searched.evaluate(points, scores);
+  SearchResult found;
+  found.evaluations = static_cast<int>(count);
+  for (double& score : scores) {
+    if (score == score) continue;
+    ++found.rejected_nan;
+    score = worst_score(criteria_);
+  }
+  const auto best = std::min_element(scores.begin(), scores.end());
+  const auto at = points.begin() + (best - scores.begin()) * searched.genes;
+  searched.start.assign(at, at + searched.genes);
+  found.best_seen = {searched.start, *best};
   return found;
 }
 
@@ -143,6 +197,10 @@ SearchResult Searched::search_with(const SearchProblem& searched, int budget,
     return found;
   }
   const SearchMethod method = search_of(task_);
+  if (method == SearchMethod::cma_es && task_.preset != Preset::paper) {
+    return cma_es_search(
+        searched, {.evaluations = budget, .step = kStep, .seed = task_.genetic.seed}, progress);
+  }
   if (method != SearchMethod::paper_ga && method != SearchMethod::log_ga) {
     return search(method, searched, budget, task_.genetic.seed, progress);
   }
@@ -169,6 +227,7 @@ void Searched::evaluate(std::span<const double> points, std::span<double> scores
     if (off > kDialSlack) kept_scores_[i] = worst_score(criteria_);
     scores[i] += kDialPull * max(0.0, off - kDialAim);
   }
+  guess(points, kept_scores_);
   archive_.add(points, kept_scores_, angles_, worst_score(criteria_));
 }
 

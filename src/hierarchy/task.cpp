@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <shigusa/hierarchy/task.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
@@ -40,6 +41,17 @@ Result<void> check_obstacles(const Task& task) {
   return {};
 }
 
+// What lifts heels is beyond the bodies that the other presets know.
+Result<void> check_heels(const Task& task) {
+  const auto feet = task.body.feet();
+  const bool lift =
+      std::any_of(feet.begin(), feet.end(), [](const Foot& foot) { return foot.heel.has_value(); });
+  if (!lift || task.preset == Preset::flat) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("the preset {} knows no heels that lift; flat does", preset_name(task.preset)));
+}
+
 Result<void> check_phases(const Task& task) {
   if (task.phases < 1 || task.phases > kPhasesMax) {
     return fail(ErrorCode::invalid_argument,
@@ -74,6 +86,7 @@ Result<void> check_settings(const Task& task) {
                 fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
   }
   if (const auto checked = check_phases(task); !checked) return checked;
+  if (const auto checked = check_heels(task); !checked) return checked;
   if (task.look_at && !within(*task.look_at, -kGoalRange, kGoalRange)) {
     return fail(
         ErrorCode::invalid_argument,

@@ -115,12 +115,16 @@ double limb_length(const BodyModel& body, const Effector& effector) {
   return length;
 }
 
-// Whether it is the sole's link of a leg that hangs from the pelvis: what its ankle moves.
+// Whether it is the sole's link of a leg that hangs from the pelvis: what its ankle moves, or,
+// where heels lift, its toes.
 bool is_foot(const BodyModel& body, int effector) {
   const Effector& e = body.effector(effector);
   const std::string& root = body.dof(e.limb_root).joint;
   const std::string& joint = body.dof(e.link).joint;
-  return root.ends_with("_hip") && joint.ends_with("_ankle");
+  if (!root.ends_with("_hip")) return false;
+  if (joint.ends_with("_toes")) return true;
+  const std::string side = joint.substr(0, joint.find('_') + 1);
+  return joint.ends_with("_ankle") && !body.find_dof(side + "toes.flexion");
 }
 
 // The goal's effector, where the body has it.

@@ -7,6 +7,8 @@
 #include <shigusa/rollout/nlp_rollout.hpp>
 #include <utility>
 
+#include "rollout/tiptoe.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -64,6 +66,9 @@ std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach&
   guided.guide = reach.angles;
   ReachProblem posture = guided;
   posture.follow_path = false;
+  // weights alone lift heels without a thought of what then bears the body
+  const bool tiptoe = reach.reached() && Tiptoe(*problem.body, reach.angles).lifted();
+  if (tiptoe) return {guided, posture};
   if (reach.reached()) return {problem, guided, posture};
   // the edge of reach: the path ends at the closest point, and a hand whose limb is stretched out
   // lags behind a path that it need not keep

@@ -61,7 +61,7 @@ class AnimationReader {
     const Result<Json> animation = choose(choice.animation);
     if (!animation) return tl::unexpected(animation.error());
     if (const auto read = tracks(*animation); !read) return read;
-    return sample(choice.frame_rate);
+    return sample(choice);
   }
 
  private:
@@ -146,7 +146,8 @@ class AnimationReader {
     return {};
   }
 
-  Result<void> sample(double rate) {
+  Result<void> sample(const AnimationChoice& choice) {
+    const double rate = choice.frame_rate;
     const Skeleton& rest = result_.character.rest.skeleton;
     const double most = min(kGltfMaxFrames, static_cast<double>(kGltfMaxTransforms) /
                                                 static_cast<double>(rest.nodes.size()));
@@ -161,23 +162,32 @@ class AnimationReader {
     clip.frame_time = 1.0 / rate;
     clip.frames = static_cast<int>(frames);
     clip.local.reserve(static_cast<std::size_t>(clip.frames) * rest.nodes.size());
-    resting_ = placed(-1.0);
+    resting_ = placed(result_.character.places);
     for (int f = 0; f < clip.frames; ++f) {
       if (const auto added = add_frame(rest, f * clip.frame_time); !added) return added;
+      if (f == choice.posed) result_.posed = places(f * clip.frame_time);
     }
     return {};
   }
 
-  // World placements, scales in their matrices, at that time; at rest where it is below 0.
-  std::vector<Transformd> placed(double time) {
+  // Nodes in their parents at that time.
+  [[nodiscard]] std::vector<GltfPlace> places(double time) const {
+    std::vector<GltfPlace> all = result_.character.places;
+    for (std::size_t i = 0; i < tracks_.size(); ++i) {
+      const auto& [moves, turns, scales] = tracks_[i];
+      if (!moves.times.empty()) all[i].translation = moves.vector_at(time);
+      if (!turns.times.empty()) all[i].rotation = turns.rotation_at(time);
+      if (!scales.times.empty()) all[i].scale = scales.vector_at(time);
+    }
+    return all;
+  }
+
+  // World placements, scales in their matrices.
+  [[nodiscard]] std::vector<Transformd> placed(const std::vector<GltfPlace>& places) const {
     const Skeleton& rest = result_.character.rest.skeleton;
     std::vector<Transformd> world;
-    for (std::size_t i = 0; i < tracks_.size(); ++i) {
-      GltfPlace place = result_.character.places[i];
-      auto& [moves, turns, scales] = tracks_[i];
-      if (time >= 0.0 && !moves.times.empty()) place.translation = moves.vector_at(time);
-      if (time >= 0.0 && !turns.times.empty()) place.rotation = turns.rotation_at(time);
-      if (time >= 0.0 && !scales.times.empty()) place.scale = scales.vector_at(time);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const GltfPlace& place = places[i];
       const Mat3d r = to_matrix(place.rotation);
       const Transformd local{{r.cx * place.scale.x, r.cy * place.scale.y, r.cz * place.scale.z},
                              place.translation};
@@ -188,7 +198,7 @@ class AnimationReader {
   }
 
   Result<void> add_frame(const Skeleton& rest, double time) {
-    const std::vector<Transformd> world = placed(time);
+    const std::vector<Transformd> world = placed(places(time));
     std::vector<Mat3d> turned;
     for (std::size_t i = 0; i < world.size(); ++i) {
       const Vec3d& at = world[i].translation;
@@ -237,7 +247,7 @@ Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view
   if (!character) return tl::unexpected(character.error());
   const Result<GlbParts> parts = glb_parts(bytes, name);
   if (!parts) return tl::unexpected(parts.error());
-  GltfMotion result{std::move(*character), {}, {}, {}};
+  GltfMotion result{std::move(*character), {}, {}, {}, {}};
   result.doubts = result.character.doubts;
   if (const auto read = AnimationReader(*parts, name, result).read(choice); !read) {
     return tl::unexpected(read.error());

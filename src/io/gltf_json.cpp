@@ -9,6 +9,7 @@
 #include <shigusa/io/gltf.hpp>
 
 #include "glb.hpp"
+#include "watched_json.hpp"
 
 namespace shigusa {
 namespace {
@@ -124,18 +125,9 @@ Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
   const auto watch = [&filter](int depth, Json::parse_event_t event, const Json& parsed) {
     return filter.keep(depth, event, parsed);
   };
-  try {
-    Json json = Json::parse(*text, watch);
-    if (json.is_object()) return json;
-    return fail(ErrorCode::parse, "holds JSON, but no object { … } as glTF does", place);
-  } catch (const std::string& passed) {
-    return fail(ErrorCode::parse, passed, place);
-  } catch (const Json::exception& error) {
-    const std::string_view what = error.what();
-    const std::size_t cut = what.find("] ");
-    return fail(ErrorCode::parse,
-                "not glTF: " + std::string(cut == what.npos ? what : what.substr(cut + 2)), place);
-  }
+  Result<Json> json = parse_watched<Json>(*text, watch, "glTF", place);
+  if (!json || json->is_object()) return json;
+  return fail(ErrorCode::parse, "holds JSON, but no object { … } as glTF does", place);
 }
 
 }  // namespace shigusa

@@ -52,7 +52,8 @@ class Layout {
     add_times(animation);
     for (const GltfTrack& track : animation.tracks) {
       if (!track.rotations.empty()) add_rotations(track);
-      if (!track.translations.empty()) add_translations(track);
+      if (!track.translations.empty()) add_vectors(track.node, "translation", track.translations);
+      if (!track.scales.empty()) add_vectors(track.node, "scale", track.scales);
     }
     item(views, fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{}}})", buffer_,
                             offset_ + view_begin_, data.size() - view_begin_));
@@ -105,9 +106,9 @@ class Layout {
     }
   }
 
-  void add_translations(const GltfTrack& track) {
-    add_channel(track.node, "translation", add_accessor(track.translations.size(), "VEC3"));
-    for (const Vec3d& p : track.translations) {
+  void add_vectors(int node, const char* path, const std::vector<Vec3d>& vectors) {
+    add_channel(node, path, add_accessor(vectors.size(), "VEC3"));
+    for (const Vec3d& p : vectors) {
       for (const double value : {p.x, p.y, p.z}) append_float(data, value);
     }
   }

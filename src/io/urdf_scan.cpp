@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/urdf.hpp>
 #include <utility>
@@ -117,14 +118,39 @@ class Scanner {
     return done;
   }
 
-  // The value of a tag's attribute, as it is written.
-  static std::string_view attribute(std::string_view tag, std::string_view name) {
-    std::size_t at = tag.find(name);
-    if (at == tag.npos) return {};
-    at = tag.find_first_of("\"'", at);
-    if (at == tag.npos) return {};
-    const std::size_t end = tag.find(tag[at], at + 1);
-    return end == tag.npos ? std::string_view{} : tag.substr(at + 1, end - at - 1);
+  // The value of a tag's attribute, as it is written; nothing where the tag has none.
+  static std::optional<std::string_view> attribute(std::string_view tag, std::string_view name) {
+    std::size_t at = name_of(tag).size();
+    while (true) {
+      while (at < tag.size() && is_space(tag[at])) ++at;
+      const std::size_t equals = tag.find('=', at);
+      if (equals == tag.npos) return std::nullopt;
+      std::string_view found = tag.substr(at, equals - at);
+      while (!found.empty() && is_space(found.back())) found.remove_suffix(1);
+      const std::size_t begin = tag.find_first_not_of(" \t\r\n", equals + 1);
+      if (begin == tag.npos || (tag[begin] != '"' && tag[begin] != '\'')) return std::nullopt;
+      const std::size_t end = tag.find(tag[begin], begin + 1);
+      if (end == tag.npos) return std::nullopt;
+      if (found == name) return tag.substr(begin + 1, end - begin - 1);
+      at = end + 1;
+    }
+  }
+
+  // What a joint hangs on, or carries. urdfdom is given no other attribute, so that it reads the
+  // link that is checked here.
+  Result<void> hang(std::string_view name, std::string_view tag) {
+    auto& [parent, child] = hung_.back();
+    std::string_view& link = name == "parent" ? parent : child;
+    if (!link.empty()) return wrong("a joint with a second <{}>", name);
+    link = attribute(tag, "link").value_or(std::string_view{});
+    if (link.empty()) return wrong("<{}> names no link", name);
+    if (link.find('&') != link.npos) {
+      return wrong("<{}> names '{}'; a name has no '&'", name, shortened(link));
+    }
+    const char quote = link.find('"') == link.npos ? '"' : '\'';
+    out_ += fmt::format("<{} link={}{}{}{}>", name, quote, link, quote,
+                        tag.ends_with('/') ? "/" : "");
+    return {};
   }
 
   // Links that hang in a circle would never leave urdfdom's memory.
@@ -179,13 +205,14 @@ class Scanner {
     if (element.kept && name == "joint" && ++joints_ > kUrdfMaxLinks) {
       return wrong("more than {} joints", kUrdfMaxLinks);
     }
-    if (element.kept) {
+    const bool hangs = element.kept && (name == "parent" || name == "child");
+    if (element.kept && name == "joint") hung_.emplace_back();
+    if (hangs) {
+      if (const auto done = hang(name, tag); !done) return done;
+    } else if (element.kept) {
       ((out_ += '<') += tag) += '>';
       const bool shape = name == "box" || name == "sphere" || name == "cylinder";
       if (shape) open_[open_.size() - 2].shape = true;
-      if (name == "joint") hung_.emplace_back();
-      if (name == "parent") hung_.back().first = attribute(tag, "link");
-      if (name == "child") hung_.back().second = attribute(tag, "link");
     }
     open_.push_back(element);
     return empty ? finish(false) : Result<void>{};

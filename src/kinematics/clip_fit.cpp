@@ -7,6 +7,7 @@
 #include <shigusa/math/ldlt.hpp>
 
 #include "rig_drivers.hpp"
+#include "rig_twist.hpp"
 
 namespace shigusa {
 namespace {
@@ -25,27 +26,6 @@ Vec3d turn_of(const Mat3d& rotation) {
   const Vec3d v{q.x, q.y, q.z};
   const double sine = norm(v);
   return sine < 1e-12 ? v * 2.0 : v * (2.0 * atan2(sine, q.w) / sine);
-}
-
-// Nodes at rest, in the file's world; a scale moves what is below it.
-std::vector<Transformd> at_rest(const Rig& rig) {
-  std::vector<Transformd> world;
-  std::vector<Transformd> turned;
-  for (const RigNode& node : rig.nodes) {
-    const Mat3d r = to_matrix(node.rotation);
-    const Vec3d& s = node.scale;
-    const Transformd local{{r.cx * s.x, r.cy * s.y, r.cz * s.z}, node.translation};
-    if (node.parent < 0) {
-      world.push_back(local);
-      turned.push_back({r, {}});
-      continue;
-    }
-    const auto parent = static_cast<std::size_t>(node.parent);
-    world.push_back(world[parent] * local);
-    turned.push_back({turned[parent].rotation * r, {}});
-  }
-  for (std::size_t i = 0; i < world.size(); ++i) world[i].rotation = turned[i].rotation;
-  return world;
 }
 
 class ClipFitter {
@@ -105,8 +85,10 @@ class ClipFitter {
     Vec3d point{};  // m, link frame
     Mat3d turn{};   // R_link = (turn of the node from rest) · turn
     bool turns = false;
-    Vec3d position{};  // m, world, as recorded …
-    Mat3d rotation{};  // … of the link
+    std::optional<ForearmTurn> twist{};  // which the node goes without
+    Vec3d axis{};                        // unit, link frame: of that
+    Vec3d position{};                    // m, world, as recorded …
+    Mat3d rotation{};                    // … of the link
   };
 
   void find_targets() {
@@ -126,13 +108,27 @@ class ClipFitter {
       const Vec3d at = driver->to_start * rig_.placement.to_world(rest_[node].translation);
       Target target{bone, node, driver->link, inverse(link) * at,
                     transpose(driver->to_start.rotation) * link.rotation};
-      if (driver->link != kBaseLink) {
-        const auto d = static_cast<std::size_t>(driver->link);
-        target.turns = !told[d];
-        told[d] = true;
-      }
+      if (driver->link != kBaseLink) tell_turn(target, link.rotation, told);
       targets_.push_back(target);
     }
+  }
+
+  // Twist bones take up the twist that such a bone goes without: an upper limb's own turn is not
+  // told by it then, a forearm's but for what it turns about itself.
+  void tell_turn(Target& target, const Mat3d& link, std::vector<bool>& told) const {
+    const bool apart = untwisted(rig_.twists, target.bone);
+    bool upper = false;
+    for (const TwistSegment& segment : twist_segments()) {
+      upper = upper || (segment.bone == target.bone && !segment.lower);
+    }
+    const auto d = static_cast<std::size_t>(target.link);
+    target.turns = !told[d] && !(apart && upper);
+    if (apart) target.twist = forearm_turn(body_, target.bone);
+    told[d] = told[d] || (target.turns && !target.twist);
+    if (!target.twist) return;
+    const bool left = target.bone == HumanoidBone::left_lower_arm;
+    const Landmarks::Arm& arm = rig_.start.arm(left ? Side::left : Side::right);
+    target.axis = normalized(transpose_times(link, arm.elbow - arm.wrist), {0, 1, 0});
   }
 
   void show(const std::vector<Transformd>& world) {
@@ -158,7 +154,9 @@ class ClipFitter {
   }
 
   [[nodiscard]] Vec3d turn_left(const Target& target) const {
-    return turn_of(target.rotation * transpose(placed_.link_rotation(target.link)));
+    Mat3d now = placed_.link_rotation(target.link);
+    if (target.twist) now = now * turn_about(target.axis, -target.twist->angle(placed_));
+    return turn_of(target.rotation * transpose(now));
   }
 
   // angles_ are brought to a minimum
@@ -198,16 +196,17 @@ class ClipFitter {
       const Vec3d at = placed_.point(target.link, target.point);
       const Vec3d off = target.position - at;
       const Vec3d turn = target.turns ? turn_left(target) * kTurnLength : Vec3d{};
-      const double turns = target.turns ? kTurnLength : 0.0;
+      const int own = target.twist ? target.twist->dof : -1;
+      const auto turns = [&](int dof) { return target.turns && dof != own ? kTurnLength : 0.0; };
       const std::span<const int> chain = body_.chain(target.link);
       for (std::size_t m = 0; m < chain.size(); ++m) {
         const auto i = static_cast<std::size_t>(chain[m]);
         const Vec3d column = position_column(placed_, chain[m], at);
-        const Vec3d axis = placed_.axis[i] * turns;
+        const Vec3d axis = placed_.axis[i] * turns(chain[m]);
         step_[i] += dot(column, off) + dot(axis, turn);
         for (std::size_t n = 0; n <= m; ++n) {
           const Vec3d other = position_column(placed_, chain[n], at);
-          const Vec3d about = placed_.axis[static_cast<std::size_t>(chain[n])] * turns;
+          const Vec3d about = placed_.axis[static_cast<std::size_t>(chain[n])] * turns(chain[n]);
           a(chain[m], chain[n]) += dot(column, other) + dot(axis, about);
         }
       }
@@ -240,12 +239,18 @@ class ClipFitter {
     return count > 0 ? sum / count : 0.0;
   }
 
+  // of who lifts heels the toes stand
   void follow_feet(bool first, ClipFit& result) {
+    using enum HumanoidBone;
+    const auto feet = body_.feet();
+    const bool toes = std::any_of(feet.begin(), feet.end(),
+                                  [](const Foot& foot) { return foot.heel.has_value(); });
     std::size_t k = 0;
     for (const Target& target : targets_) {
-      const bool foot =
-          target.bone == HumanoidBone::left_foot || target.bone == HumanoidBone::right_foot;
-      if (!foot) continue;
+      const HumanoidBone bone = target.bone;
+      if (bone != (toes ? left_toes : left_foot) && bone != (toes ? right_toes : right_foot)) {
+        continue;
+      }
       if (first) {
         result.feet.push_back({std::string(humanoid_bone_name(target.bone)),
                                static_cast<int>(target.node), target.link == kBaseLink});

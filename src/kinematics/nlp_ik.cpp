@@ -94,7 +94,7 @@ void NlpIk::weigh(std::span<const IkTarget<double>> targets,
   for (std::size_t d = 0; d < size_.size(); ++d) {
     // the guess stays the same change of angle
     const double change = z_[d] * size_[d];
-    size_[d] = sqrt(inverse_weights[d] * scale);
+    size_[d] = sqrt(inverse_weights[d] * scale * body_->dofs()[d].give);
     z_[d] = size_[d] > 0.0 ? change / size_[d] : 0.0;
   }
 

@@ -6,6 +6,7 @@
 
 #include "math/linear_map.hpp"
 #include "rig_drivers.hpp"
+#include "rig_twist.hpp"
 
 namespace shigusa {
 namespace {
@@ -23,26 +24,47 @@ bool same_rotation(const Quatd& a, const Quatd& b) {
              max(abs(a.z - sign * b.z), abs(a.w - sign * b.w))) < kSame;
 }
 
+// What moves a node: a bone's driver, and the share of its limb's twist that it has.
+struct NodeDriver {
+  BoneDriver bone;
+  int limb = -1;  // of LimbTwists; -1: all of it
+  double share = 0.0;
+};
+
 class RigMover {
  public:
   RigMover(const BodyModel& body, const Rig& rig)
-      : body_(body), rig_(rig), start_(body), now_(body), driver_(rig.nodes.size(), -1) {
-    forward_kinematics<double>(body, body.start(), start_);
-    const HumanFrames rest = human_frames(rig.rest);
-    const HumanFrames start = human_frames(rig.start);
+      : RigMover(body, rig, human_frames(rig.rest), human_frames(rig.start)) {}
+
+  RigMover(const BodyModel& body, const Rig& rig, const HumanFrames& rest, const HumanFrames& start)
+      : body_(body),
+        rig_(rig),
+        start_(start_kinematics(body)),
+        now_(body),
+        twists_(body, rig, rest, start, start_),
+        driver_(rig.nodes.size(), -1) {
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const int node = rig.bones.node[static_cast<std::size_t>(b)];
       if (node < 0) continue;
       const auto driver = bone_driver(static_cast<Bone>(b), body, rig, rest, start);
       if (!driver) continue;
-      drive(node, *driver);
+      const bool apart = untwisted(rig.twists, static_cast<Bone>(b));
+      drive(node, {*driver, apart ? twists_.find(static_cast<Bone>(b)) : -1});
+    }
+    for (const TwistBone& twist : rig.twists) {
+      const int limb = twists_.find(twist.bone);
+      auto driver = bone_driver(twist.bone, body, rig, rest, start);
+      if (limb < 0 || !driver) continue;
+      // one below the limb is carried by it
+      driver->carries = !hangs_on(twist.node, rig.bones[twist.bone]);
+      drive(twist.node, {*driver, limb, twist.share});
     }
     for (const Side side : {Side::left, Side::right}) {
       // one that a hand's other node is goes with the hand, and is where goals are to be
       const int grip = rig.grips[static_cast<std::size_t>(side)];
       const auto hand = side == Side::left ? Bone::left_hand : Bone::right_hand;
       if (grip < 0 || driver_[static_cast<std::size_t>(grip)] >= 0) continue;
-      if (const auto driver = bone_driver(hand, body, rig, rest, start)) drive(grip, *driver);
+      if (const auto driver = bone_driver(hand, body, rig, rest, start)) drive(grip, {*driver});
     }
     find_places();
   }
@@ -55,13 +77,19 @@ class RigMover {
     motion.local.reserve(static_cast<std::size_t>(clip.frames) * nodes);
     for (int f = 0; f < clip.frames; ++f) {
       forward_kinematics<double>(body_, clip.frame(f), now_);
+      twists_.show(now_);
       for (std::size_t i = 0; i < nodes; ++i) motion.local.push_back(place(i, motion));
     }
     return motion;
   }
 
  private:
-  void drive(int node, const BoneDriver& driver) {
+  [[nodiscard]] bool hangs_on(int node, int ancestor) const {
+    while (node > ancestor) node = rig_.nodes[static_cast<std::size_t>(node)].parent;
+    return node == ancestor;
+  }
+
+  void drive(int node, const NodeDriver& driver) {
     driver_[static_cast<std::size_t>(node)] = static_cast<int>(drivers_.size());
     drivers_.push_back(driver);
   }
@@ -87,10 +115,12 @@ class RigMover {
 
   // Where a driver takes what stands at rest at p, in the file's units: of all maps the rotation
   // alone has a linear part, as the units cancel.
-  [[nodiscard]] Affine moved(const BoneDriver& driver, const Affine& rest) const {
-    const Transformd from{start_.link_rotation(driver.link), start_.link_origin(driver.link)};
-    const Transformd to{now_.link_rotation(driver.link), now_.link_origin(driver.link)};
-    const Transformd move = to * inverse(from) * driver.to_start;
+  [[nodiscard]] Affine moved(const NodeDriver& driver, const Affine& rest) const {
+    const int link = driver.bone.link;
+    const Transformd from{start_.link_rotation(link), start_.link_origin(link)};
+    const Transformd to{now_.link_rotation(link), now_.link_origin(link)};
+    Transformd move = to * inverse(from) * driver.bone.to_start;
+    if (driver.limb >= 0) move = twists_.turn(driver.limb, driver.share) * move;
     const Placement& file = rig_.placement;
     const Mat3d axes = transpose(Mat3d{file.left, file.up, file.ahead});
     const Vec3d at = move * file.to_world(rest.translation);
@@ -117,7 +147,7 @@ class RigMover {
   void turn(std::size_t i, const Affine& above, const Mat3d& to_parent, LocalTransform& local,
             RigMotion& motion) const {
     const RigNode& node = rig_.nodes[i];
-    const BoneDriver& driver = drivers_[static_cast<std::size_t>(driver_[i])];
+    const NodeDriver& driver = drivers_[static_cast<std::size_t>(driver_[i])];
     const Affine goal = moved(driver, rest_[i]);
     Mat3d m = to_parent * goal.rotation;
     const Vec3d& s = node.scale;
@@ -129,7 +159,7 @@ class RigMover {
         motion.turns[i] = true;
       }
     }
-    if (!driver.carries) return;
+    if (!driver.bone.carries) return;
     const Vec3d at = to_parent * (goal.translation - above.translation);
     // what rounding alone moves stays
     constexpr double kStill = 1e-6;  // m
@@ -145,7 +175,8 @@ class RigMover {
   const Rig& rig_;
   Kinematics<double> start_;
   Kinematics<double> now_;
-  std::vector<BoneDriver> drivers_;
+  LimbTwists twists_;
+  std::vector<NodeDriver> drivers_;
   std::vector<int> driver_;     // (nodes) index in drivers_, or -1
   std::vector<Affine> rest_;    // (nodes) in the file's world
   std::vector<Affine> placed_;  // (nodes) the same in this frame

@@ -73,4 +73,24 @@ std::optional<BoneDriver> bone_driver(Bone bone, const BodyModel& body, const Ri
   return BoneDriver{node->link, to_start, !half};
 }
 
+std::vector<Transformd> at_rest(const Rig& rig) {
+  std::vector<Transformd> world;
+  std::vector<Transformd> turned;
+  for (const RigNode& node : rig.nodes) {
+    const Mat3d r = to_matrix(node.rotation);
+    const Vec3d& s = node.scale;
+    const Transformd local{{r.cx * s.x, r.cy * s.y, r.cz * s.z}, node.translation};
+    if (node.parent < 0) {
+      world.push_back(local);
+      turned.push_back({r, {}});
+      continue;
+    }
+    const auto parent = static_cast<std::size_t>(node.parent);
+    world.push_back(world[parent] * local);
+    turned.push_back({turned[parent].rotation * r, {}});
+  }
+  for (std::size_t i = 0; i < world.size(); ++i) world[i].rotation = turned[i].rotation;
+  return world;
+}
+
 }  // namespace shigusa

@@ -21,4 +21,8 @@ struct BoneDriver {
                                                     const Rig& rig, const HumanFrames& rest,
                                                     const HumanFrames& start);
 
+// (nodes) where they stand at rest, in the file's world; a scale moves what is below it, and
+// rotations are without.
+[[nodiscard]] std::vector<Transformd> at_rest(const Rig& rig);
+
 }  // namespace shigusa

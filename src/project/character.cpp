@@ -9,6 +9,7 @@
 #include <shigusa/project/character.hpp>
 
 #include "character_file.hpp"
+#include "character_heels.hpp"
 #include "character_places.hpp"
 #include "character_robot.hpp"
 #include "humanoid_request.hpp"
@@ -34,20 +35,21 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
       "character");
 }
 
-// What ties the file's nodes to the person who was measured from them.
-CharacterRig make_rig(CharacterFile&& file, int frame, const HumanoidMap& map,
-                      const MeasuredPerson& person, const std::array<int, 2>& grips,
+// What ties the file's nodes to the person who was measured from them in that frame of the motion.
+CharacterRig make_rig(CharacterFile&& file, const SkeletonClip& motion, int frame,
+                      const HumanoidMap& map, const MeasuredPerson& person,
                       const Landmarks& start) {
   CharacterRig result = std::move(file.rig);
-  result.rig = {{}, map, grips, person.placement, person.landmarks, start};
-  const auto& [skeleton, clip] = file.rest;
+  result.rig = {{}, map, person.grip_nodes, person.placement, person.landmarks, start};
+  const Skeleton& skeleton = file.rest.skeleton;
+  const LocalTransform* posed = motion.frame(skeleton, frame);
+  result.posed.assign(posed, posed + skeleton.nodes.size());
   for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
     const int parent = skeleton.nodes[i].parent;
     if (result.format == CharacterFormat::bvh) {
-      const LocalTransform& local = clip.frame(skeleton, frame)[i];
-      result.rig.nodes.push_back({parent, local.translation, local.rotation});
+      result.rig.nodes.push_back({parent, posed[i].translation, posed[i].rotation});
     } else {
-      const GltfPlace& place = file.places[i];
+      const GltfPlace& place = file.posed[i];
       result.rig.nodes.push_back({parent, place.translation, place.rotation, place.scale});
     }
   }
@@ -75,7 +77,8 @@ double apart(const Landmarks& a, const Landmarks& b) {
 }
 
 // Moves the person up or down until the lower sole of somebody of that stature is on the floor.
-void stand_on_floor(Landmarks& person, double stature) {
+void stand_on_floor(MeasuredPerson& measured, double stature) {
+  Landmarks& person = measured.landmarks;
   double floor = 1e9;
   for (const Side side : {Side::left, Side::right}) {
     const Landmarks::Leg& leg = person.leg(side);
@@ -86,6 +89,7 @@ void stand_on_floor(Landmarks& person, double stature) {
     if (p) p->y -= floor;
   });
   for (Vec3d& joint : person.spine) joint.y -= floor;
+  measured.placement.origin += measured.placement.up * (floor / measured.placement.unit);
 }
 
 // The person in a frame of an animation, in the unit and with the stature that the rest pose told:
@@ -98,7 +102,7 @@ Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonCli
   if (!bent) return bent;
   const double along = rest.stature * rest.placement.unit / bent->placement.unit;
   Result<MeasuredPerson> posed = measure_person(skeleton, world, map, {.stature = along});
-  if (posed) stand_on_floor(posed->landmarks, rest.stature);
+  if (posed) stand_on_floor(*posed, rest.stature);
   return posed;
 }
 
@@ -171,7 +175,7 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec) {
                             spec.frame),
                 name);
   }
-  Result<CharacterFile> file = parse_character(std::move(bytes), name, animation);
+  Result<CharacterFile> file = parse_character(std::move(bytes), name, animation, spec.frame);
   if (!file) return tl::unexpected(file.error());
   const SkeletonMotion& motion = animation ? file->motion : file->rest;
   if (const auto ok = check_frame(motion.clip, spec); !ok) return ok;
@@ -193,25 +197,30 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec) {
     Result<MeasuredPerson> posed = measure_posed(skeleton, motion.clip, spec.frame, *map, *person);
     if (!posed) return fail(posed.error().code, posed.error().to_string(), name);
     start = std::move(*posed);
-  } else if (file->rig.format != CharacterFormat::bvh) {
-    start.landmarks = at_ease(person->landmarks, person->stature);
   }
   tell_bones(
       *map, [&](std::size_t node) { return skeleton.nodes[node].name; }, spec);
+  if (spec.heels) {
+    if (const auto ok = find_toes(world, *map, *person, name, start); !ok) return ok;
+  }
   spec.stature = person->stature;
-  spec.landmarks = start.landmarks;
+  const bool rests = !animation && file->rig.format != CharacterFormat::bvh;
+  spec.landmarks = rests ? at_ease(start.landmarks, person->stature) : start.landmarks;
   if (spec.seat) spec.landmarks = seated(*spec.landmarks, person->stature, *spec.seat);
   spec.doubts = file->doubts;
   const std::vector<std::string>* found[] = {&map->doubts, &start.doubts};
   for (const auto* more : found) {
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
   }
-  if (person->placement.mirrored()) {
+  if (start.placement.mirrored()) {
     spec.doubts.push_back(
         "files with the character's own skeleton keep the mirrored axes: goals are not where they "
         "stand in them");
   }
-  spec.rig = make_rig(std::move(*file), measured, *map, *person, start.grip_nodes, *spec.landmarks);
+  const SkeletonClip clip = std::move(animation ? file->motion.clip : file->rest.clip);
+  spec.rig = make_rig(std::move(*file), clip, spec.frame, *map, start, *spec.landmarks);
+  spec.rig->ahead = person->placement.ahead;
+  spec.rig->rig.twists = find_twist_bones(spec.rig->skeleton, world, *map);
   if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
   return {};
 }
@@ -234,7 +243,9 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
     CharacterSpec fresh{.source = path.string(),
                         .stature = stature,
                         .frame = spec.frame,
+                        .animation = spec.animation,
                         .seat = spec.seat,
+                        .heels = spec.heels,
                         .map = spec.map};
     if (const auto measured = measure_character(fresh, {}); !measured) {
       if (stature) return measured;
@@ -268,6 +279,7 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
   if (spec.seat && extent == BodyExtent::half) {
     return fail(ErrorCode::invalid_argument, "a seat is not for a body of one side", "character");
   }
+  if (const auto ok = check_heels(spec, extent); !ok) return tl::unexpected(ok.error());
   const HumanSettings settings{.name = spec.source,
                                .extent = extent,
                                .stature = stature,
@@ -275,7 +287,8 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
                                .sex = spec.sex,
                                .base = base,
                                .on_both = on_both,
-                               .sits = spec.seat.has_value()};
+                               .sits = spec.seat.has_value(),
+                               .heels = spec.heels};
   if (spec.landmarks) {
     return placed_body(spec, build_human(*spec.landmarks, settings, spec.doubts));
   }
@@ -283,7 +296,7 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
     return build_human(seated(standing_landmarks(stature, kStandingToeOut), stature, *spec.seat),
                        settings);
   }
-  const Stature person{stature, mass, spec.sex, base};
+  const Stature person{stature, mass, spec.sex, base, spec.heels};
   if (spec.source == "half_body") return half_body(person);
   return spec.source == "human" ? human_body(person) : full_body(person);
 }

@@ -21,7 +21,8 @@ class CharacterExporter {
   // centimetres.
   [[nodiscard]] std::string bvh(const BodyModel& body, const Clip& clip) const;
 
-  // What glb() adds: the nodes that turn, and the hips' translation.
+  // What glb() adds: the nodes that turn, the hips' translation, and what the start frame has
+  // elsewhere than the rest pose.
   [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
                                         const std::string& name) const;
 

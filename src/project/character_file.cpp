@@ -13,7 +13,7 @@ void take(GltfCharacter&& file, CharacterFile& character) {
   character.rest = std::move(file.rest);
   character.given = std::move(file.humanoid);
   character.doubts = std::move(file.doubts);
-  character.places = std::move(file.places);
+  character.rig.places = std::move(file.places);
   character.rig.format =
       file.vrm == VrmVersion::none ? CharacterFormat::gltf : CharacterFormat::vrm;
   character.rig.file_node = std::move(file.file_node);
@@ -21,18 +21,21 @@ void take(GltfCharacter&& file, CharacterFile& character) {
 }
 
 Result<void> parse_gltf_character(const std::string& bytes, const std::string& name,
-                                  const std::optional<std::string>& animation,
+                                  const std::optional<std::string>& animation, int frame,
                                   CharacterFile& character) {
   if (animation) {
-    Result<GltfMotion> file = parse_gltf_animation(bytes, name, {.animation = *animation});
+    Result<GltfMotion> file =
+        parse_gltf_animation(bytes, name, {.animation = *animation, .posed = frame});
     if (!file) return tl::unexpected(file.error());
     take(std::move(file->character), character);
     character.motion = std::move(file->motion);
+    character.posed = std::move(file->posed);
     character.doubts = std::move(file->doubts);
   } else {
     Result<GltfCharacter> file = parse_gltf(bytes, name);
     if (!file) return tl::unexpected(file.error());
     take(std::move(*file), character);
+    character.posed = character.rig.places;
   }
   character.rig.animations = gltf_animation_names(bytes, name);
   if (const auto fits = check_animations_fit(bytes, name); !fits) {
@@ -44,9 +47,19 @@ Result<void> parse_gltf_character(const std::string& bytes, const std::string& n
 
 }  // namespace
 
-FileKind file_kind(const std::string& name) {
+std::string file_ending(const std::string& name) {
   std::string ending = std::filesystem::path(name).extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return ending;
+}
+
+tl::unexpected<Error> holds_one_motion(const std::string& name) {
+  return fail(ErrorCode::invalid_argument,
+              "holds one motion without a name: leave the animation out", name);
+}
+
+FileKind file_kind(const std::string& name) {
+  const std::string ending = file_ending(name);
   if (ending == ".bvh") return FileKind::bvh;
   if (ending == ".urdf") return FileKind::urdf;
   for (const char* each : {".glb", ".gltf", ".vrm"}) {
@@ -63,19 +76,16 @@ Result<std::string> read_character_bytes(const std::filesystem::path& path) {
 }
 
 Result<CharacterFile> parse_character(std::string bytes, const std::string& name,
-                                      const std::optional<std::string>& animation) {
+                                      const std::optional<std::string>& animation, int frame) {
   CharacterFile character;
   character.rig.file = name;
   if (file_kind(name) == FileKind::gltf) {
-    const auto parsed = parse_gltf_character(bytes, name, animation, character);
+    const auto parsed = parse_gltf_character(bytes, name, animation, frame, character);
     if (!parsed) return tl::unexpected(parsed.error());
     character.rig.bytes = std::make_shared<const std::string>(std::move(bytes));
     return character;
   }
-  if (animation) {
-    return fail(ErrorCode::invalid_argument,
-                "holds one motion without a name: leave the animation out", name);
-  }
+  if (animation) return holds_one_motion(name);
   Result<BvhFile> file = parse_bvh_file(bytes, name);
   if (!file) return tl::unexpected(file.error());
   character.rest = std::move(file->motion);

@@ -5,6 +5,12 @@
 
 namespace shigusa {
 
+// The ending of a file's name in lower case: ".bvh".
+[[nodiscard]] std::string file_ending(const std::string& name);
+
+// The error of an animation that is asked for in a BVH file.
+[[nodiscard]] tl::unexpected<Error> holds_one_motion(const std::string& name);
+
 enum class FileKind { none, bvh, gltf, urdf };
 
 // By the name's ending, in any case.
@@ -20,12 +26,13 @@ struct CharacterFile {
   HumanoidMap given;                // by the file itself
   std::vector<std::string> doubts;  // of reading
   CharacterRig rig;                 // its format, and what that alone has
-  std::vector<GltfPlace> places;    // (nodes) of glTF
+  std::vector<GltfPlace> posed;     // (nodes) of glTF, in the motion's frame or at rest
 };
 
-// Parses the bytes of such a file. `animation`: of glTF, its name or its index; without one the
-// file's rest pose is all.
+// Parses the bytes of such a file. `animation`: of glTF, its name or its index, and the frame of it
+// that the person is posed in; without one the file's rest pose is all.
 [[nodiscard]] Result<CharacterFile> parse_character(std::string bytes, const std::string& name,
-                                                    const std::optional<std::string>& animation);
+                                                    const std::optional<std::string>& animation,
+                                                    int frame);
 
 }  // namespace shigusa

@@ -42,6 +42,7 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
                  {"mass", spec.mass.has_value()},
                  {"extent", spec.extent.has_value()},
                  {"seat", spec.seat.has_value()},
+                 {"heels", spec.heels},
                  {"frame", spec.frame != 0}};
   for (const auto& option : persons) {
     if (!option.given) continue;

@@ -9,6 +9,8 @@
 #include <shigusa/motion/low_pass.hpp>
 #include <shigusa/project/clip_score.hpp>
 
+#include "character_file.hpp"
+#include "character_heels.hpp"
 #include "hierarchy/candidate.hpp"
 #include "humanoid_request.hpp"
 
@@ -27,19 +29,14 @@ struct MotionFile {
 
 Result<MotionFile> read_motion(const std::filesystem::path& path, const std::string& animation) {
   const std::string name = path.filename().string();
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (ending == ".bvh") {
-    if (!animation.empty()) {
-      return fail(ErrorCode::invalid_argument,
-                  "holds one motion without a name: leave the animation out", name);
-    }
+  const FileKind kind = file_kind(name);
+  if (kind == FileKind::bvh) {
+    if (!animation.empty()) return holds_one_motion(name);
     Result<SkeletonMotion> motion = read_bvh(path);
     if (!motion) return tl::unexpected(motion.error());
     return MotionFile{std::move(*motion), {}, {}};
   }
-  for (const char* each : {".glb", ".gltf", ".vrm", ".vrma"}) {
-    if (ending != each) continue;
+  if (kind == FileKind::gltf || file_ending(name) == ".vrma") {
     Result<GltfMotion> file = read_gltf_animation(path, {.animation = animation});
     if (!file) return tl::unexpected(file.error());
     return MotionFile{std::move(file->motion), file->character.humanoid, std::move(file->doubts)};
@@ -107,10 +104,7 @@ class ClipPlayer {
       forward_kinematics<double>(body_, now, placed_);
       const Wrench<double> ground =
           inverse_dynamics<double>(body_, placed_, speeds, accelerations, work_, torques);
-      if (body_.feet().size() == 2) {
-        share_ground_wrench<double>(body_, placed_, ground, body_.feet()[0], body_.feet()[1],
-                                    torques);
-      }
+      bear_on_feet<double>(body_, placed_, now, ground, torques);
       const Vec3d com = centre_of_mass(body_, work_);
       criteria_.add({now, torques, com, speeds, accelerations, &placed_, clip.frame_time,
                      pressure(ground, floor_height(body_))});
@@ -192,13 +186,22 @@ Result<RecordedMotion> read_recorded(const std::filesystem::path& path, Characte
     settings.stature = body->stature();
   }
   const int frame = own ? character.frame : first;
-  const Result<MeasuredFile> measured =
+  Result<MeasuredFile> measured =
       measure(*file, frame, own ? character.map : BoneRequest{}, settings, name);
   if (!measured) return tl::unexpected(measured.error());
+  if (own && character.heels) {
+    const std::vector<Transformd> world =
+        world_transforms(file->motion.skeleton, file->motion.clip, frame);
+    const MeasuredPerson at_rest = measured->person;
+    const auto toes = find_toes(world, measured->map, at_rest, name, measured->person);
+    if (!toes) return tl::unexpected(toes.error());
+  }
   const MeasuredPerson& person = measured->person;
   Rig rig{
       {}, measured->map, person.grip_nodes, person.placement, person.landmarks, person.landmarks};
   const Skeleton& skeleton = file->motion.skeleton;
+  rig.twists = find_twist_bones(skeleton, world_transforms(skeleton, file->motion.clip, frame),
+                                measured->map);
   for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
     const LocalTransform& local = file->motion.clip.frame(skeleton, frame)[i];
     rig.nodes.push_back({skeleton.nodes[i].parent, local.translation, local.rotation});
@@ -208,7 +211,8 @@ Result<RecordedMotion> read_recorded(const std::filesystem::path& path, Characte
     character.stature = person.stature;
     character.landmarks = person.landmarks;
     character.doubts = std::move(file->doubts);
-    for (const auto* more : {&measured->map.doubts, &person.doubts}) {
+    const std::vector<std::string>* found[] = {&measured->map.doubts, &person.doubts};
+    for (const auto* more : found) {
       character.doubts.insert(character.doubts.end(), more->begin(), more->end());
     }
     Result<BodyModel> built = build_character(character);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "io/watched_json.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -47,16 +49,7 @@ Result<Json> parse_json(std::string_view text, std::string_view name) {
   };
   const std::string place(name);
   if (text.empty()) return fail(ErrorCode::parse, "the file is empty", place);
-  try {
-    return Json::parse(text, watch);
-  } catch (const std::string& passed) {
-    return fail(ErrorCode::parse, passed, place);
-  } catch (const Json::exception& error) {
-    const std::string_view what = error.what();
-    const std::size_t cut = what.find("] ");
-    return fail(ErrorCode::parse,
-                "not JSON: " + std::string(cut == what.npos ? what : what.substr(cut + 2)), place);
-  }
+  return parse_watched<Json>(text, watch, "JSON", place);
 }
 
 }  // namespace shigusa

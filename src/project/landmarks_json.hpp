@@ -37,6 +37,8 @@ void for_each_further_landmark(Person& p, Visit&& visit) {
   visit("head", p.head);
   visit("left_clavicle", p.left_arm.clavicle);
   visit("right_clavicle", p.right_arm.clavicle);
+  visit("left_toes", p.left_leg.toes);
+  visit("right_toes", p.right_leg.toes);
   visit("left_grip", p.left_arm.grip);
   visit("right_grip", p.right_arm.grip);
 }

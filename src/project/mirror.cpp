@@ -20,6 +20,7 @@ void mirror(Landmarks& person) {
   std::swap(person.left_arm, person.right_arm);
   for (Landmarks::Leg* leg : {&person.left_leg, &person.right_leg}) {
     for (Vec3d* p : {&leg->hip, &leg->knee, &leg->ankle, &leg->toe}) *p = across(*p);
+    if (leg->toes) leg->toes = across(*leg->toes);
   }
   for (Landmarks::Arm* arm : {&person.left_arm, &person.right_arm}) {
     for (Vec3d* p : {&arm->shoulder, &arm->elbow, &arm->wrist, &arm->fingertip}) *p = across(*p);

@@ -122,6 +122,10 @@ Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate
     list.push_back({{"effector", contact.effector},
                     {"joint", joint_of(character, contact.node)},
                     {"max_slide_mm", contact.max_slide * kMillimetres}});
+    if (contact.heel) {
+      list.back()["heel_lift_deg"] = degrees(contact.heel->angle);
+      list.back()["heel_lift_mm"] = contact.heel->height * kMillimetres;
+    }
     add_gltf_node(character, contact.node, list.back());
   }
   return list;

@@ -34,6 +34,7 @@ Json character_to_json(const CharacterSpec& c) {
   }
   json["sex"] = c.sex == Sex::male ? "male" : "female";
   if (c.seat) json["seat_m"] = *c.seat;
+  if (c.heels) json["heels"] = true;
   if (is_built_in(c)) return json;
   for (const auto& [name, extent] : kExtents) {
     if (c.extent == extent) json["extent"] = name;
@@ -97,6 +98,7 @@ void read_character(JsonReader& task, CharacterSpec& c) {
   }
   reader.integer("frame", c.frame, 0, kFrameMax);
   reader.number("seat_m", c.seat, 0.1, 1.2);
+  read_truth(reader, "heels", c.heels);
   if (reader.has("animation")) reader.text("animation", c.animation.emplace());
   read_texts(reader, "doubts", c.doubts);
   if (reader.has("urdf")) reader.text("urdf", c.urdf.emplace());

@@ -146,9 +146,7 @@ MotionFrame<double> NlpRollout::moving_frame() {
   }
   const Wrench<double> ground =
       inverse_dynamics<double>(body, now_, speeds_, accelerations_, dynamics_, torques_);
-  if (body.feet().size() == 2) {
-    share_ground_wrench<double>(body, now_, ground, body.feet()[0], body.feet()[1], torques_);
-  }
+  bear_on_feet<double>(body, now_, angles_[1], ground, torques_);
   return {angles_[1], torques_,   shigusa::centre_of_mass(body, dynamics_), speeds_, accelerations_,
           &now_,      1.0 / rate, pressure(ground, floor_height(body))};
 }

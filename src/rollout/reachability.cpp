@@ -4,8 +4,11 @@
 #include <limits>
 #include <optional>
 #include <shigusa/core/random.hpp>
+#include <shigusa/dynamics/centre_of_mass.hpp>
 #include <shigusa/rollout/limit_guard.hpp>
 #include <shigusa/rollout/reachability.hpp>
+
+#include "tiptoe.hpp"
 
 namespace shigusa {
 namespace {
@@ -27,6 +30,11 @@ constexpr int kWanderSteps = 60;
 constexpr double kWanderRate = 0.1;
 // Corrections of the planted feet after each step, at most.
 constexpr int kContactSteps = 4;
+// The way of the plumb line over the forefeet, in steps of so many metres, shorter where they fail,
+// at most so many of them.
+constexpr double kPoiseStep = 0.01;
+constexpr double kLeastPoiseStep = 1e-4;
+constexpr int kPoiseSteps = 200;
 
 class Descent {
  public:
@@ -43,6 +51,13 @@ class Descent {
     if (problem.hold_limits) limits_.emplace(body_);
   }
 
+  // Whether some freedom gives way last.
+  [[nodiscard]] bool has_stiff() const {
+    return limits_ && std::any_of(body_.dofs().begin(), body_.dofs().end(),
+                                  [](const Dof& dof) { return dof.give < 1.0; });
+  }
+  void loosen() { limits_->loosen(); }
+
   // Walks from the start posture towards a random one with the feet planted: the way there is a
   // motion that the body can make.
   std::vector<double> wander(Random& random) {
@@ -50,8 +65,9 @@ class Descent {
     std::vector<double> aim(angles);
     for (std::size_t d = 0; d < aim.size(); ++d) {
       const double anywhere = random.uniform(body_.dofs()[d].lower, body_.dofs()[d].upper);
-      // a limb that bears no goal and no foot has nothing to do
-      if (moves_target(static_cast<int>(d))) aim[d] = anywhere;
+      // a limb that bears no goal and no foot has nothing to do, and heels stay down
+      const bool gives = body_.dofs()[d].give >= 1.0;
+      if (gives && moves_target(static_cast<int>(d))) aim[d] = anywhere;
     }
     forward_kinematics<double>(body_, angles, kinematics_);
     std::vector<double> pull(aim);
@@ -97,6 +113,35 @@ class Descent {
       reach.turns.push_back(kinematics_.link_rotation(targets_[g].link));
     }
     return reach;
+  }
+
+  // Brings the centre of mass over what bears it where heels are lifted, with feet and effectors
+  // where they are: the nearest posture may be one that falls over. False where none is lifted.
+  bool poise(std::vector<double>& angles) {
+    const Tiptoe tiptoe(body_, angles);
+    if (!tiptoe.lifted()) return false;
+    forward_kinematics<double>(body_, angles, kinematics_);
+    for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
+      targets_[g].position = place(kinematics_, g);
+    }
+    double step = kPoiseStep;
+    for (int k = 0; k < kPoiseSteps && step >= kLeastPoiseStep; ++k) {
+      Vec3d way = tiptoe.way_over(shigusa::centre_of_mass(body_, kinematics_));
+      if (way == Vec3d{}) break;
+      way = way * (step / max(norm(way), step));
+      trial_ = angles;
+      trial_kinematics_ = kinematics_;
+      advance(targets_, problem_.ik, change_of_plumb_line(body_, kinematics_, way));
+      hold_contacts(problem_.ik);
+      if (contact_error(trial_kinematics_) > kContactSlack) {
+        step *= 0.5;
+        continue;
+      }
+      step = min(2.0 * step, kPoiseStep);
+      angles = trial_;
+      std::swap(kinematics_, trial_kinematics_);
+    }
+    return true;
   }
 
  private:
@@ -186,11 +231,9 @@ class Descent {
   std::optional<LimitGuard<double>> limits_;
 };
 
-}  // namespace
-
-ClosestReach closest_reach(const ReachProblem& problem, const ReachabilitySettings& settings) {
+ClosestReach search_postures(const ReachProblem& problem, const ReachabilitySettings& settings,
+                             Descent& descent) {
   const BodyModel& body = *problem.body;
-  Descent descent(problem);
   Random random(static_cast<std::uint64_t>(settings.other), 0x5EAC4);
   ClosestReach best;
   best.distance = std::numeric_limits<double>::infinity();
@@ -206,6 +249,26 @@ ClosestReach closest_reach(const ReachProblem& problem, const ReachabilitySettin
     if (best.reached()) break;
   }
   return best;
+}
+
+}  // namespace
+
+ClosestReach closest_reach(const ReachProblem& problem, const ReachabilitySettings& settings) {
+  Descent descent(problem);
+  ClosestReach best = search_postures(problem, settings, descent);
+  if (!descent.has_stiff()) return best;
+  descent.loosen();
+  if (!best.reached()) {
+    // what flat feet do not reach, from as near as they come
+    ClosestReach lifted = descent.run(best.angles, settings.iterations);
+    if (lifted.distance < best.distance) best = std::move(lifted);
+  }
+  std::vector<double> angles = best.angles;
+  if (!descent.poise(angles)) return best;
+  ClosestReach poised = descent.run(std::move(angles), settings.iterations);
+  const bool as_near =
+      best.reached() ? poised.reached() : poised.distance < best.distance + kNearEqual;
+  return as_near ? poised : best;
 }
 
 }  // namespace shigusa

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "support/person_file.hpp"
+#include "support/gltf_file.hpp"
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"
 
@@ -55,6 +55,29 @@ TEST_F(Body, HalfHasNineFreedomsAndFullEighteen) {
   EXPECT_EQ(json({"half_body"}).at("dof"), 9);
   EXPECT_EQ(json({"full_body"}).at("dof"), 18);
   EXPECT_EQ(json({"person.bvh", "--extent", "half"}).at("dof"), 9);
+}
+
+TEST_F(Body, TwistBonesAreListedWithTheirShares) {
+  nlohmann::json file = person_gltf();
+  nlohmann::json& nodes = file["nodes"];
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].value("name", "") != "right_lower_arm") continue;
+    const auto child = nodes[i]["children"][0].get<std::size_t>();
+    const std::vector<double> hand = nodes[child]["translation"];
+    nodes[i]["children"].push_back(nodes.size());
+    nodes.push_back({{"name", "lowerarm_twist_01_r"},
+                     {"translation", {0.5 * hand[0], 0.5 * hand[1], 0.5 * hand[2]}}});
+    break;
+  }
+  work_.put("person.glb", glb(file.dump()));
+  EXPECT_THAT(body({"person.glb"}).out,
+              HasSubstr("twist bone         lowerarm_twist_01_r, 50 % along right_lower_arm"));
+  const Json told = json({"person.glb"}).at("twist_bones");
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].at("node"), "lowerarm_twist_01_r");
+  EXPECT_EQ(told[0].at("along"), "right_lower_arm");
+  EXPECT_NEAR(told[0].at("share").get<double>(), 0.5, 1e-9);
+  EXPECT_TRUE(json({"person.bvh"}).at("twist_bones").empty());
 }
 
 TEST_F(Body, HumanoidMapNamesTheFilesNodes) {

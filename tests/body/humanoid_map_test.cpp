@@ -157,6 +157,116 @@ INSTANTIATE_TEST_SUITE_P(
         Convention{"Kinect", sided("Left", "Right", {"SpineBase", "Neck", "Head"},
                                    {"Hip@", "Knee@", "Ankle@", "Foot@", "Shoulder@", "Elbow@",
                                     "Wrist@", "Collar@"})},
+        Convention{"MixamoNumbered",
+                   sided("mixamorig9:Left", "mixamorig9:Right",
+                         {"mixamorig9:Hips", "mixamorig9:Neck", "mixamorig9:Head"},
+                         {"@UpLeg", "@Leg", "@Foot", "@ToeBase", "@Arm", "@ForeArm", "@Hand",
+                          "@Shoulder"})},
+        Convention{"MixamoWithoutColon",  // as three.js and some converters leave it
+                   sided("mixamorigLeft", "mixamorigRight",
+                         {"mixamorigHips", "mixamorigNeck", "mixamorigHead"},
+                         {"@UpLeg", "@Leg", "@Foot", "@ToeBase", "@Arm", "@ForeArm", "@Hand",
+                          "@Shoulder"})},
+        Convention{"MayaEscaped",
+                   sided("L", "R", {"hipsFBXASC046", "neckFBXASC046", "headFBXASC046"},
+                         {"thighFBXASC046@", "shinFBXASC046@", "footFBXASC046@", "toeFBXASC046@",
+                          "upper_armFBXASC046@", "forearmFBXASC046@", "handFBXASC046@",
+                          "shoulderFBXASC046@"})},
+        Convention{
+            "MayaNamespace",
+            sided("Left", "Right",
+                  {"char:rigFBXASC058Hips", "char:rigFBXASC058Neck", "char:rigFBXASC058Head"},
+                  {"char:rigFBXASC058@UpLeg", "char:rigFBXASC058@Leg", "char:rigFBXASC058@Foot",
+                   "char:rigFBXASC058@ToeBase", "char:rigFBXASC058@Arm",
+                   "char:rigFBXASC058@ForeArm", "char:rigFBXASC058@Hand",
+                   "char:rigFBXASC058@Shoulder"})},
+        Convention{"AdvancedSkeleton", sided("L", "R", {"Root_M", "Neck_M", "Head_M"},
+                                             {"Hip_@", "Knee_@", "Ankle_@", "Toes_@", "Shoulder_@",
+                                              "Elbow_@", "Wrist_@", "Scapula_@"})},
+        Convention{"CharacterCreator",
+                   sided("L", "R", {"CC_Base_Hip", "CC_Base_Neck", "CC_Base_Head"},
+                         {"CC_Base_@_Thigh", "CC_Base_@_Calf", "CC_Base_@_Foot",
+                          "CC_Base_@_ToeBase", "CC_Base_@_Upperarm", "CC_Base_@_Forearm",
+                          "CC_Base_@_Hand", "CC_Base_@_Clavicle"})},
+        Convention{"Source", sided("L", "R",
+                                   {"ValveBiped.Bip01_Pelvis", "ValveBiped.Bip01_Neck1",
+                                    "ValveBiped.Bip01_Head1"},
+                                   {"ValveBiped.Bip01_@_Thigh", "ValveBiped.Bip01_@_Calf",
+                                    "ValveBiped.Bip01_@_Foot", "ValveBiped.Bip01_@_Toe0",
+                                    "ValveBiped.Bip01_@_UpperArm", "ValveBiped.Bip01_@_Forearm",
+                                    "ValveBiped.Bip01_@_Hand", "ValveBiped.Bip01_@_Clavicle"})},
+        Convention{"Genesis8", sided("l", "r", {"hip", "neckLower", "head"},
+                                     {"@ThighBend", "@Shin", "@Foot", "@Toe", "@ShldrBend",
+                                      "@ForearmBend", "@Hand", "@Collar"})},
+        Convention{"Genesis9", sided("l", "r", {"hip", "neck1", "head"},
+                                     {"@_thigh", "@_shin", "@_foot", "@_toes", "@_upperarm",
+                                      "@_forearm", "@_hand", "@_shoulder"})},
+        Convention{"MakeHuman", sided("L", "R", {"root", "neck01", "head"},
+                                      {"upperleg01.@", "lowerleg01.@", "foot.@", "toe1-1.@",
+                                       "upperarm01.@", "lowerarm01.@", "wrist.@", "clavicle.@"})},
+        Convention{"SmplFbx",
+                   sided("L", "R", {"m_avg_Pelvis", "m_avg_Neck", "m_avg_Head"},
+                         {"m_avg_@_Hip", "m_avg_@_Knee", "m_avg_@_Ankle", "m_avg_@_Foot",
+                          "m_avg_@_Shoulder", "m_avg_@_Elbow", "m_avg_@_Wrist", "m_avg_@_Collar"})},
+        Convention{"SmplX", sided("left", "right", {"pelvis", "neck", "head"},
+                                  {"@_hip", "@_knee", "@_ankle", "@_foot", "@_shoulder", "@_elbow",
+                                   "@_wrist", "@_collar"})},
+        Convention{"PerceptionNeuron",
+                   sided("Robot_Left", "Robot_Right", {"Robot_Hips", "Robot_Neck", "Robot_Head"},
+                         {"@UpLeg", "@Leg", "@Foot", "@ToeBase", "@Arm", "@ForeArm", "@Hand",
+                          "@Shoulder"})},
+        Convention{"Rokoko", sided("Left", "Right", {"Hips", "Neck", "Head"},
+                                   {"@Thigh", "@Shin", "@Foot", "@Toe", "@Arm", "@ForeArm", "@Hand",
+                                    "@Shoulder"})},
+        Convention{"Cascadeur", sided("l", "r", {"pelvis", "neck", "head"},
+                                      {"thigh_@", "calf_@", "foot_@", "toe_@", "arm_@", "forearm_@",
+                                       "hand_@", "clavicle_@"})},
+        Convention{"KayKit", sided("l", "r", {"hips", "neck", "head"},
+                                   {"upperleg.@", "lowerleg.@", "foot.@", "toes.@", "upperarm.@",
+                                    "lowerarm.@", "wrist.@", "shoulder.@"})},
+        Convention{"Quaternius", sided("L", "R", {"Hips", "Neck", "Head"},
+                                       {"UpperLeg.@", "LowerLeg.@", "Foot.@", "Toes.@",
+                                        "UpperArm.@", "LowerArm.@", "Hand.@", "Shoulder.@"})},
+        Convention{"Synty", sided("L", "R", {"Hips", "Neck", "Head"},
+                                  {"UpperLeg_@", "LowerLeg_@", "Ankle_@", "Ball_@", "Shoulder_@",
+                                   "Elbow_@", "Hand_@", "Clavicle_@"})},
+        Convention{"AutoRigPro",
+                   sided("l", "r", {"root.x", "neck.x", "head.x"},
+                         {"thigh_stretch.@", "leg_stretch.@", "foot.@", "toes_01.@",
+                          "arm_stretch.@", "forearm_stretch.@", "hand.@", "shoulder.@"})},
+        Convention{"PartBeforeWhich",
+                   sided("L", "R", {"Hips", "Neck", "Head"},
+                         {"Leg_Upper_@", "Leg_Lower_@", "Foot_@", "Toe_@", "Arm_Upper_@",
+                          "Arm_Lower_@", "Hand_@", "Clavicle_@"})},
+        Convention{"Sketchfab",
+                   sided("L", "R", {"Bip001 Pelvis_03", "Bip001 Neck_016", "Bip001 Head_017"},
+                         {"Bip001 @ Thigh_033_58", "Bip001 @ Calf_034", "Bip001 @ Foot_035",
+                          "Bip001 @ Toe0_036", "Bip001 @ UpperArm_018", "Bip001 @ Forearm_019",
+                          "Bip001 @ Hand_020", "Bip001 @ Clavicle_021"})},
+        Convention{"Roblox", sided("Left", "Right", {"LowerTorso", "Neck", "Head"},
+                                   {"@UpperLeg", "@LowerLeg", "@Foot", "@Toes", "@UpperArm",
+                                    "@LowerArm", "@Hand", "@Shoulder"})},
+        Convention{"SecondLife", sided("Left", "Right", {"mPelvis", "mNeck", "mHead"},
+                                       {"mHip@", "mKnee@", "mAnkle@", "mFoot@", "mShoulder@",
+                                        "mElbow@", "mWrist@", "mCollar@"})},
+        Convention{"DeepMotion",
+                   sided("l", "r", {"hips_JNT", "neck_JNT", "head_JNT"},
+                         {"@_upleg_JNT", "@_leg_JNT", "@_foot_JNT", "@_toebase_JNT", "@_arm_JNT",
+                          "@_forearm_JNT", "@_hand_JNT", "@_shoulder_JNT"})},
+        Convention{"SourceBip",
+                   sided("L", "R", {"bip_pelvis", "bip_neck", "bip_head"},
+                         {"bip_hip_@", "bip_knee_@", "bip_foot_@", "bip_toe_@", "bip_upperArm_@",
+                          "bip_lowerArm_@", "bip_hand_@", "bip_collar_@"})},
+        Convention{"UnityChan", sided("Character1_Left", "Character1_Right",
+                                      {"Character1_Hips", "Character1_Neck", "Character1_Head"},
+                                      {"@UpLeg", "@Leg", "@Foot", "@ToeBase", "@Arm", "@ForeArm",
+                                       "@Hand", "@Shoulder"})},
+        Convention{"MmdInBlender", sided("L", "R", {"センター", "首", "頭"},
+                                         {"足.@", "ひざ.@", "足首.@", "つま先.@", "腕.@", "ひじ.@",
+                                          "手首.@", "肩.@"})},
+        Convention{"MmdInEnglish", sided("L", "R", {"center", "neck", "head"},
+                                         {"leg_@", "knee_@", "ankle_@", "toe_@", "arm_@", "elbow_@",
+                                          "wrist_@", "shoulder_@"})},
         Convention{"Mmd",
                    sided("左", "右", {"センター", "首", "頭"},
                          {"@足", "@ひざ", "@足首", "@つま先", "@腕", "@ひじ", "@手首", "@肩"})}),
@@ -174,6 +284,48 @@ TEST(BoneName, ThumbsAndTipsAreTold) {
   EXPECT_EQ(read_bone_name("lthumb").part, BonePart::thumb);
   EXPECT_EQ(read_bone_name("mixamorig:LeftHandThumb2").part, BonePart::thumb);
   EXPECT_EQ(read_bone_name("HeadTop_End").part, BonePart::tip);
+}
+
+TEST(HumanoidMap, HelpersWithABonesNameAreNotTheBone) {
+  const std::vector<std::string> names =
+      sided("l", "r", {"pelvis", "neck_01", "head"},
+            {"thigh_@", "calf_@", "foot_@", "ball_@", "upperarm_@", "lowerarm_@", "hand_@",
+             "clavicle_@"});
+  StickFigure figure = called(names);
+  const Vec3d wrist = figure["hand_l"].at;
+  const Vec3d finger = wrist + Vec3d{0.1, 0, 0};
+  figure = figure.without("hand_l");
+  // before the hand in the file's order, and no bone that goes on
+  figure.add("wrist_in_l", "lowerarm_l", wrist + Vec3d{0, 0.02, 0});
+  figure.add("hand_l", "lowerarm_l", wrist);
+  figure.add("index_01_l", "hand_l", finger);
+  figure.add("ankle_back_l", "foot_l", figure["foot_l"].at - Vec3d{0, 0, 0.04});
+  figure.add("calf_correctiveRoot_l", "thigh_l", figure["calf_l"].at);
+  EXPECT_EQ(names_found(figure), std::vector<std::string>(names.begin(), names.begin() + 17));
+}
+
+TEST(HumanoidMap, OfAWholeRigifyRigTheDeformingBonesAreTaken) {
+  const auto rig = [](const std::string& prefix) {
+    return sided(
+        "L", "R", {prefix + "spine", prefix + "neck", prefix + "head"},
+        {prefix + "thigh.@", prefix + "shin.@", prefix + "foot.@", prefix + "toe.@",
+         prefix + "upper_arm.@", prefix + "forearm.@", prefix + "hand.@", prefix + "shoulder.@"});
+  };
+  StickFigure figure = called(rig("ORG-"));
+  for (const std::string side : {"L", "R"}) {
+    const auto chain = [&](const std::string& from, const std::vector<std::string>& bones) {
+      std::string parent = from;
+      for (const std::string& bone : bones) {
+        figure.add("DEF-" + bone + "." + side, parent, figure["ORG-" + bone + "." + side].at);
+        parent = "DEF-" + bone + "." + side;
+      }
+    };
+    chain("ORG-spine", {"thigh", "shin", "foot", "toe"});
+    chain("ORG-shoulder." + side, {"upper_arm", "forearm", "hand"});
+  }
+  const std::vector<std::string> found = names_found(figure);
+  const std::vector<std::string> expected = rig("DEF-");
+  for (std::size_t b = 3; b < found.size(); ++b) EXPECT_EQ(found[b], expected[b]);
 }
 
 TEST(HumanoidMap, BonesHaveTheirVrmNames) {

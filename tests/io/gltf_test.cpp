@@ -151,16 +151,6 @@ HumanoidMap person_map() {
   return find_humanoid(c.rest.skeleton, world_transforms(c.rest.skeleton, c.rest.clip, 0)).value();
 }
 
-std::string camel_case(std::string_view snake) {
-  std::string camel;
-  for (std::size_t i = 0; i < snake.size(); ++i) {
-    const bool capital = snake[i] == '_';
-    if (capital) ++i;
-    camel += capital ? static_cast<char>(snake[i] - 'a' + 'A') : snake[i];
-  }
-  return camel;
-}
-
 nlohmann::json vrm0_person() {
   nlohmann::json file = nameless_person();
   const HumanoidMap map = person_map();

@@ -123,6 +123,25 @@ TEST(Urdf, RefusesLinksThatHangTwiceOrInACircle) {
       HasSubstr("in a circle"));
 }
 
+// What urdfdom would read otherwise than the check for circles, and never give back.
+TEST(Urdf, AJointsLinksAreReadOnce) {
+  const std::string links = link("a") + link("b") + link("c");
+  const auto joint = [&](const std::string& inside) {
+    return "<robot name=\"r\">" + links + "<joint name=\"j\" type=\"fixed\">" + inside +
+           "</joint></robot>";
+  };
+  EXPECT_THAT(error_of(joint("<parent link=\"b\"/><parent link=\"c\"/><child link=\"b\"/>")),
+              HasSubstr("a second <parent>"));
+  EXPECT_THAT(error_of(joint("<parent link=\"&#98;\"/><child link=\"b\"/>")),
+              HasSubstr("has no '&'"));
+  EXPECT_THAT(error_of(joint("<parent xlink=\"a\" link=\"b\"/><child link=\"b\"/>")),
+              HasSubstr("in a circle"));
+  EXPECT_THAT(error_of(joint("<parent link=\"a\" link=\"b\"/><child link=\"b\"/>")),
+              HasSubstr("urdf"));
+  EXPECT_THAT(error_of(joint("<parent name=\"a\"/><child link=\"b\"/>")),
+              HasSubstr("<parent> names no link"));
+}
+
 TEST(Urdf, HugeAndDeepFilesEndAtOnce) {
   const auto begin = std::chrono::steady_clock::now();
   std::string deep = "<robot name=\"r\">";

@@ -184,8 +184,8 @@ TEST_P(MujocoOracleOnTwoFeet, SecondFootRelievesTheJointsByItsJacobian) {
   const Foot& second = body.feet()[1];
   at_random_states([&](const Kinematics<double>& kinematics, const State& state) {
     Torques torques(body, kinematics, state);
-    const Wrench<double> part = share_ground_wrench<double>(body, kinematics, torques.ground,
-                                                            body.feet()[0], second, torques.tau);
+    const Wrench<double> part = share_ground_wrench<double>(
+        body, kinematics, torques.ground, body.feet()[0], second, torques.tau, state.q);
     const Vec3d at = kinematics.point(second.link, second.centre);
     const Vec3d moment = part.moment - cross(at, part.force);
     const MujocoBody::PointJacobian jacobian = mujoco.jacobian(second.link, at);
@@ -203,6 +203,7 @@ const NamedBody kFullBody{"full_body", [] { return full_body(); }};
 const NamedBody kSmallWoman{"small_woman", [] { return full_body({1.48, 44.0, Sex::female}); }};
 const NamedBody kCharacter{"character", [] { return character(); }};
 const NamedBody kHuman{"human", [] { return human_body(); }};
+const NamedBody kHeels{"heels", [] { return human_body({.heels = true}); }};
 const NamedBody kWholeCharacter{"whole_character", [] { return character(BodyExtent::human); }};
 const NamedBody kSlanting{"slanting", slanting};
 const NamedBody kRobot{"robot", robot};
@@ -210,11 +211,11 @@ const NamedBody kRobot{"robot", robot};
 INSTANTIATE_TEST_SUITE_P(Bodies, MujocoOracle,
                          testing::Values(NamedBody{"half_body", [] { return half_body(); }},
                                          NamedBody{"one_leg_up", one_leg_up}, kFullBody,
-                                         kSmallWoman, kCharacter, kHuman, kWholeCharacter,
+                                         kSmallWoman, kCharacter, kHuman, kHeels, kWholeCharacter,
                                          kSlanting, kRobot),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(Bodies, MujocoOracleOnTwoFeet,
-                         testing::Values(kFullBody, kSmallWoman, kCharacter, kHuman,
+                         testing::Values(kFullBody, kSmallWoman, kCharacter, kHuman, kHeels,
                                          kWholeCharacter, kSlanting, kRobot),
                          name_of);
 

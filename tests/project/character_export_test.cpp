@@ -75,13 +75,15 @@ class CharacterExport : public testing::Test {
  protected:
   // Bends the person of a file to a low goal and writes the result; candidates with all weights 1.
   void reach(const std::string& name, const std::string& formats, bool one_file = false) {
-    file_.character = {.source = name, .extent = file_.character.extent};
-    ASSERT_TRUE(measure_character(file_.character, work_.path()));
+    file_.character = {
+        .source = name, .extent = file_.character.extent, .heels = file_.character.heels};
+    const auto measured = measure_character(file_.character, work_.path());
+    ASSERT_TRUE(measured) << measured.error().to_string();
     const double s = *file_.character.stature;
-    file_.goals = {{"right_hand", Vec3d{-0.1, 0.4, 0.3} * s}};
+    file_.goals = {{"right_hand", goal_ * s}};
     const Task task = make_task(file_, work_.path()).value();
     Generation generation = regenerate(task, uniform_parameters(task.body)).value();
-    ASSERT_EQ(generation.status, ReachStatus::reached);
+    ASSERT_EQ(generation.status, ReachStatus::reached) << generation.remaining_distance;
     if (one_file) generation.candidates.push_back(generation.candidates[0]);
     const auto written = write_result(work_.path(), file_, task, generation, {},
                                       {parse_formats(formats).value(), one_file});
@@ -119,6 +121,7 @@ class CharacterExport : public testing::Test {
   }
 
   WorkFolder work_;
+  Vec3d goal_{-0.1, 0.4, 0.3};  // in statures
   TaskFile file_;
   Json summary_;
 };
@@ -128,6 +131,49 @@ TEST_F(CharacterExport, GlbMeetsTheGoalOnTheFilesOwnNodes) {
   expect_kept();
   EXPECT_EQ(candidate().at("reached").at(0).at("joint"), "right_hand_grip");
   EXPECT_EQ(candidate().at("glb_animation"), kAnimation);
+}
+
+// On tiptoe the file's toes stay where they are at the start, and its feet rise.
+TEST_F(CharacterExport, ToesStayWhereHeelsLift) {
+  file_.character.heels = true;
+  goal_ = {-0.14, 0.0, 0.09};
+  nlohmann::json vrm = vrm_person();
+  for (std::size_t i = 0; i < vrm["nodes"].size(); ++i) {
+    const std::string name = vrm["nodes"][i].value("name", "");
+    if (!name.ends_with("_toes")) continue;
+    const char* bone = name == "left_toes" ? "leftToes" : "rightToes";
+    vrm["extensions"]["VRM"]["humanoid"]["humanBones"].push_back({{"bone", bone}, {"node", i}});
+  }
+  // of the VRM the spine is one joint: less of it stretches
+  for (const auto& [person, height] : {std::pair{person_gltf(), 1.275}, std::pair{vrm, 1.235}}) {
+    goal_.y = height;
+    reach_with("person.glb", person, "glb");
+    expect_kept();
+    const ExportedGlb out(work_.get(candidate().at("files").at("glb")));
+    const int last = out.frames(kAnimation) - 1;
+    for (const Json& contact : candidate().at("contacts")) {
+      EXPECT_THAT(std::string(contact.at("joint")), testing::EndsWith("toes"));
+      const int foot = out.parent(contact.at("gltf_node"));
+      const double rises = out.at(foot, kAnimation, last).y - out.at(foot, kAnimation, 0).y;
+      EXPECT_GT(rises, 0.01);
+      EXPECT_GT(contact.at("heel_lift_mm"), 1e3 * rises);
+    }
+  }
+}
+
+TEST_F(CharacterExport, HeelsNeedToes) {
+  const auto refusal = [&](const nlohmann::json& person) {
+    work_.put("person.glb", glb(person.dump(), "data"));
+    CharacterSpec spec{.source = "person.glb", .heels = true};
+    const auto measured = measure_character(spec, work_.path());
+    return measured ? std::string() : measured.error().message;
+  };
+  nlohmann::json person = person_gltf();
+  EXPECT_EQ(refusal(person), "");
+  for (nlohmann::json& node : person["nodes"]) {
+    if (node.value("name", "") == "left_foot") node["children"] = nlohmann::json::array();
+  }
+  EXPECT_THAT(refusal(person), HasSubstr("left_toes"));
 }
 
 TEST_F(CharacterExport, AllJointsStandWhereTheBodysDo) {

@@ -41,6 +41,7 @@ inline CharacterSpec any_character() {
   spec.frame = *rc::gen::inRange(0, 1'000'001);
   if (*rc::gen::arbitrary<bool>()) spec.animation = "walk \"1\"";
   if (*rc::gen::arbitrary<bool>()) spec.seat = any_number(0.1, 1.2);
+  spec.heels = *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>()) spec.map = {{"right_hand", "Bone \"17\""}, {"hips", "腰"}};
   if (!*rc::gen::arbitrary<bool>()) return spec;
   spec.stature = any_number(0.5, 2.5);
@@ -49,6 +50,7 @@ inline CharacterSpec any_character() {
   // any way apart that a limb's joints stand, but never at one point
   Landmarks person = asymmetric_person();
   for (Vec3d* point : all_points(person)) *point += any_point(1e-3);
+  if (spec.heels) person.right_leg.toes = any_point(1.0);
   spec.landmarks = person;
   return spec;
 }

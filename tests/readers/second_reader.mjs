@@ -52,6 +52,9 @@ class Playback {
   node(i) {
     return this.parser.getDependency('node', i);
   }
+  vertices() {
+    return verticesOf(this.root);
+  }
 }
 
 export const place = (node) => node.getWorldPosition(new Vector3());
@@ -77,10 +80,8 @@ export async function openVrma(character, path) {
   return new Playback(vrm.scene, gltf.parser, clip, () => vrm.humanoid.update());
 }
 
-// World positions of all vertices at rest, skinned ones as their bones stand.
-export async function vertices(path) {
-  const { scene } = await load(path);
-  scene.updateMatrixWorld(true);
+// World positions of all vertices, skinned ones as their bones stand.
+function verticesOf(scene) {
   const found = [];
   scene.traverse((mesh) => {
     if (!mesh.isMesh) return;
@@ -92,4 +93,11 @@ export async function vertices(path) {
     }
   });
   return found;
+}
+
+// The same of a file at rest.
+export async function vertices(path) {
+  const { scene } = await load(path);
+  scene.updateMatrixWorld(true);
+  return verticesOf(scene);
 }

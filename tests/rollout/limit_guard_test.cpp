@@ -98,6 +98,66 @@ TEST(LimitGuard, SharesFallToNothingTowardsALimitAndNotAwayFromIt) {
   EXPECT_EQ(guard.allowed(pull)[knee], -0.01);
 }
 
+// A human whose heels may lift, and where its right toes and ankle are.
+class Lifting : public testing::Test {
+ protected:
+  const BodyModel body = human_body({.heels = true});
+  const std::size_t toes = static_cast<std::size_t>(body.find_dof("right_toes.flexion").value());
+  const std::size_t ankle = static_cast<std::size_t>(body.find_dof("right_ankle.flexion").value());
+  LimitGuard<double> guard{body};
+  std::vector<double> weights = std::vector<double>(body.dofs().size(), 1.0);
+  std::vector<double> pull = std::vector<double>(body.dofs().size());
+  std::vector<double> angles{body.start().begin(), body.start().end()};
+};
+
+TEST_F(Lifting, ToesGiveLittleWhileTheAnkleHasRoom) {
+  pull[toes] = pull[ankle] = 0.01;
+  guard.learn(weights, pull, {});
+  EXPECT_NEAR(guard.soften(weights, angles)[toes], kToesGive, 1e-12);
+  EXPECT_EQ(guard.allowed(pull)[toes], 0.01);
+  guard.loosen();
+  EXPECT_EQ(guard.soften(weights, angles)[toes], 1.0);
+}
+
+TEST_F(Lifting, ToesTakeOverAsTheAnkleRunsOut) {
+  std::vector<double> reference(pull);
+  reference[ankle] = 0.02;
+  pull[toes] = pull[ankle] = 0.01;
+  angles[ankle] = body.dofs()[ankle].upper - 0.25 * kLimitMargin;
+  guard.learn(weights, pull, reference);
+  (void)guard.soften(weights, angles);
+  guard.learn(weights, pull, reference);
+  const std::span<const double> softened = guard.soften(weights, angles);
+  EXPECT_NEAR(softened[ankle], 0.25, 1e-12);
+  EXPECT_NEAR(softened[toes], 0.75 + kToesGive, 1e-12);
+  const std::span<const double> allowed = guard.allowed(reference);
+  EXPECT_NEAR(allowed[ankle] + allowed[toes], reference[ankle], 1e-12);
+}
+
+TEST_F(Lifting, ToesOfMoreWeightTakeOverLessAndLockedOnesNothing) {
+  std::vector<double> reference(pull);
+  reference[ankle] = 0.02;
+  pull[toes] = pull[ankle] = 0.01;
+  angles[ankle] = body.dofs()[ankle].upper;
+  for (const double inverse : {0.1, 0.0}) {
+    weights[toes] = inverse;
+    guard.learn(weights, pull, reference);
+    (void)guard.soften(weights, angles);
+    guard.learn(weights, pull, reference);
+    EXPECT_NEAR(guard.soften(weights, angles)[toes], inverse * (1.0 + kToesGive), 1e-12);
+    EXPECT_NEAR(guard.allowed(reference)[toes], inverse * reference[ankle], 1e-12);
+  }
+}
+
+// At the other end of its range an ankle hands nothing over.
+TEST_F(Lifting, ToesStayAsTheAnklePointsDown) {
+  pull[toes] = 0.01;
+  pull[ankle] = -0.01;
+  angles[ankle] = body.dofs()[ankle].lower;
+  guard.learn(weights, pull, {});
+  EXPECT_NEAR(guard.soften(weights, angles)[toes], kToesGive, 1e-12);
+}
+
 TEST(LimitGuard, HoldsAHipByWhatItsKneeAllows) {
   const BodyModel body = full_body();
   const std::size_t knee = static_cast<std::size_t>(body.find_dof("left_knee.flexion").value());

@@ -95,14 +95,16 @@ class ExportedGlb {
     }
     std::vector<double> t = json.value("translation", std::vector<double>{0, 0, 0});
     std::vector<double> r = json.value("rotation", std::vector<double>{0, 0, 0, 1});
-    const std::vector<double> s = json.value("scale", std::vector<double>{1, 1, 1});
+    std::vector<double> s = json.value("scale", std::vector<double>{1, 1, 1});
     if (!animation.empty()) {
       const auto& found = find_animation(animation);
       for (const auto& channel : found.at("channels")) {
         if (channel.at("target").at("node") != node) continue;
         const auto& sampler = found.at("samplers").at(channel.at("sampler").get<std::size_t>());
-        (channel.at("target").at("path") == "rotation" ? r : t) =
-            element(sampler.at("output").get<std::size_t>(), frame);
+        const std::string path = channel.at("target").at("path");
+        (path == "rotation" ? r
+         : path == "scale"  ? s
+                            : t) = element(sampler.at("output").get<std::size_t>(), frame);
       }
     }
     const Mat3d turn = to_matrix(Quatd{r[0], r[1], r[2], r[3]});

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <string>
+#include <string_view>
 
 #include "support/person_file.hpp"
 
@@ -41,6 +42,17 @@ inline nlohmann::json person_gltf() {
     if (node.parent >= 0) nodes[static_cast<std::size_t>(node.parent)]["children"].push_back(i);
   }
   return file;
+}
+
+// "leftHand", as VRM has it, of "left_hand".
+inline std::string camel_case(std::string_view snake) {
+  std::string camel;
+  for (std::size_t i = 0; i < snake.size(); ++i) {
+    const bool capital = snake[i] == '_';
+    if (capital) ++i;
+    camel += capital ? static_cast<char>(snake[i] - 'a' + 'A') : snake[i];
+  }
+  return camel;
 }
 
 }  // namespace shigusa::testing_support

@@ -120,6 +120,17 @@ inline constexpr double kHipFlexionKneeFull = radians(60);
 inline constexpr JointLimits kFreeHipFlexion{radians(-20), radians(85), 120, 220};
 inline constexpr double kFreeHipFlexionGain = radians(40);
 inline constexpr JointLimits kAnkleInversion{radians(-15), radians(35), 25, 20};
+// Toes of a heel that lifts: 58° in a rise onto both forefeet, 42° in gait (D. Nawoczenski, J.
+// Baumhauer and B. Umberger, J. Bone and Joint Surgery 81-A (1999) 370-376). Their flexors'
+// strength by J.-P. Goldmann and G.-P. Brüggemann, J. Anatomy 221 (2012) 187-194, a third for the
+// extensors.
+inline constexpr JointLimits kToesFlexion{0, radians(58), 4.7, 14.2};
+// Their share of the foot's mass: 0.217 of 1.467 kg in the lower limb model of S. Delp et al., IEEE
+// Trans. Biomedical Engineering 37 (1990) 757-767, as OpenSim has it.
+inline constexpr double kToesMass = 0.15;
+// What the toes give beside other freedoms of the same weight: feet stay flat where anything else
+// brings the hand to its goal.
+inline constexpr double kToesGive = 1e-3;
 // All of the spine between pelvis and neck: AAOS' thoracolumbar range of motion, and strengths
 // about L5/S1. Positive: forwards, to the left, turned to the left.
 inline constexpr JointLimits kSpineFlexion{radians(-25), radians(80), 150, 240};
@@ -161,6 +172,7 @@ struct Stature {
   double mass = 73.0;      // kg, 2..300
   Sex sex = Sex::male;
   Side base = Side::right;  // the foot that bears the body
+  bool heels = false;       // they may lift; of human_body
 };
 
 // Mass in kg of a person of that stature with the body-mass index of the group's mean.

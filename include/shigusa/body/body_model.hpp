@@ -11,8 +11,8 @@
 
 namespace shigusa {
 
-// The link that stands still: the foot that carries the body. All other links are numbered as the
-// freedom that moves them.
+// The link that stands still: the foot that carries the body, or its forefoot where heels lift. All
+// other links are numbered as the freedom that moves them.
 inline constexpr int kBaseLink = -1;
 
 // One rotational freedom and the link that it moves. Where all angles are 0 every link frame has
@@ -30,6 +30,9 @@ struct Dof {
   double upper = kPi;            // rad, hard limit
   double torque_positive = 1.0;  // N·m, strength towards larger angles, > 0
   double torque_negative = 1.0;  // N·m, strength towards smaller angles, > 0
+  // What it gives beside the other freedoms at the same weight, in (0, 1]: less than 1 of one that
+  // gives way last (the toes); LimitGuard sees to it.
+  double give = 1.0;
 };
 
 // An upper limit that grows with another angle: hamstrings let the hip flex further when the knee
@@ -65,6 +68,16 @@ struct Capsule {
   double radius = 0.0;  // m, > 0
 };
 
+// A heel that lifts. The link that stands is then the forefoot, and the rest of the foot turns
+// about the toes' joint; points in the frame of the foot's link.
+struct Heel {
+  int toes = 0;             // freedom of the toes: 0 with the heel down, larger the more it lifts
+  int ankle = 0;            // the ankle's dorsiflexion, which the toes take over where it ends
+  Vec3d back{};             // m, hindmost place of the sole, with the heel down
+  Vec3d forefoot_centre{};  // m, middle …
+  std::vector<Vec3d> forefoot;  // m, … and corners of what bears weight once the heel is lifted
+};
+
 // A foot on the floor. It bears weight for the whole motion and must not move.
 struct Foot {
   std::string name;  // "left_foot"
@@ -72,6 +85,7 @@ struct Foot {
   int link = kBaseLink;
   Vec3d centre{};              // m, middle of the sole, link frame
   std::vector<Vec3d> outline;  // m, corners of the sole, counter-clockwise from above, link frame
+  std::optional<Heel> heel{};  // none: the foot stays flat
 };
 
 // A node of the skeleton that the body is written to files as; moves with `link`.

@@ -27,6 +27,9 @@ struct HumanSettings {
   Side base = Side::right;  // the foot that bears the body where both stand
   bool on_both = false;     // both feet stand, however high the one is above the other
   bool sits = false;        // on both thighs, see build_human; not of half extent
+  // Heels may lift: the body stands on its forefeet, and each foot turns about its toes' joint. Of
+  // extent human, standing.
+  bool heels = false;
 };
 
 // A lifted foot: its sole is more than this above the other's (m).

@@ -24,6 +24,8 @@ struct Landmarks {
     Vec3d knee;
     Vec3d ankle;
     Vec3d toe;  // tip of the foot
+    // the toes' joint, of a character that lifts its heels the file's node; see toes_joint
+    std::optional<Vec3d> toes{};
   };
   struct Arm {
     Vec3d shoulder;
@@ -54,6 +56,10 @@ struct Landmarks {
 
 // The point that an arm's goals are given for: its own grip, or the third knuckle.
 [[nodiscard]] Vec3d grip_of(const Landmarks::Arm& arm);
+
+// Where the toes bend: their own joint, or at kToesShare of the way from the ankle to the tip.
+[[nodiscard]] Vec3d toes_joint(const Landmarks::Leg& leg);
+inline constexpr double kToesShare = 0.7;
 
 // Where a file's person stands in shigusa's world:
 // p_world = unit · (left, up, ahead)ᵀ (p_file - origin).

@@ -3,8 +3,8 @@
 
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/motion/motion.hpp>
-#include <vector>
 
 namespace shigusa {
 
@@ -15,19 +15,6 @@ inline constexpr double kBalanceReserve = 0.03;
 struct BalanceZoneSettings {
   double margin = kBalanceReserve;  // m, > 0
 };
-
-// Corners (m, world) of what the planted feet stand on: the convex hull of their soles in the start
-// posture, counter-clockwise from above. Empty for a body without feet.
-[[nodiscard]] std::vector<Vec3d> support_polygon(const BodyModel& body);
-
-// One edge of the support polygon: `offset + x · p.x + z · p.z` is how far (m) a point p lies
-// inside, less than 0 outside.
-struct SupportEdge {
-  double x = 0.0;
-  double z = 0.0;
-  double offset = 0.0;  // m
-};
-[[nodiscard]] std::vector<SupportEdge> support_edges(const BodyModel& body);
 
 // How near the centre of mass's plumb line comes to the edge of the feet's support polygon, or how
 // far it leaves it, in [0, 1]. Anywhere well inside is as good as the middle: people who reach let
@@ -40,13 +27,9 @@ template <class S>
 class BalanceZone {
  public:
   explicit BalanceZone(const BodyModel& body, const BalanceZoneSettings& settings = {})
-      : margin_(static_cast<T>(settings.margin)),
-        per_width_(static_cast<T>(0.5 / settings.margin)) {
-    for (const SupportEdge& edge : support_edges(body)) {
-      edges_.push_back(
-          {static_cast<T>(edge.x), static_cast<T>(edge.z), static_cast<T>(edge.offset)});
-    }
-  }
+      : zone_(body),
+        margin_(static_cast<T>(settings.margin)),
+        per_width_(static_cast<T>(0.5 / settings.margin)) {}
 
   // Forgets the frames seen.
   void reset() {
@@ -55,13 +38,10 @@ class BalanceZone {
   }
 
   void add(const MotionFrame<S>& frame) {
+    const Vec3<S>& c = frame.centre_of_mass;
+    const S inside = zone_.inside({c.x, S(1), c.z}, frame.angles);
     // how far outside the margin, of the edge that it is nearest to
-    S outside(0);
-    for (const Edge& edge : edges_) {
-      const S inside =
-          S(edge.offset) + S(edge.x) * frame.centre_of_mass.x + S(edge.z) * frame.centre_of_mass.z;
-      outside = max(outside, S(margin_) - inside);
-    }
+    const S outside = max(S(0), S(margin_) - inside);
     const S share = min(outside * S(per_width_), S(1));
     sum_ = sum_ + share;
     largest_ = max(largest_, share);
@@ -75,13 +55,8 @@ class BalanceZone {
 
  private:
   using T = Element<S>;
-  struct Edge {
-    T x;
-    T z;
-    T offset;
-  };
 
-  std::vector<Edge> edges_;
+  SupportZone<S> zone_;
   T margin_;
   T per_width_;
   S sum_{};

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/criteria/balance_zone.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/dynamics/inverse_dynamics.hpp>
 #include <shigusa/motion/motion.hpp>
-#include <vector>
 
 namespace shigusa {
 
@@ -29,12 +28,8 @@ template <class S>
 class PressureZone {
  public:
   explicit PressureZone(const BodyModel& body, const PressureSettings& settings = {})
-      : per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {
-    for (const SupportEdge& edge : support_edges(body)) {
-      edges_.push_back(
-          {static_cast<T>(edge.x), static_cast<T>(edge.z), static_cast<T>(edge.offset)});
-    }
-  }
+      : zone_(body),
+        per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {}
 
   // Forgets the frames seen.
   void reset() {
@@ -43,11 +38,7 @@ class PressureZone {
   }
 
   void add(const MotionFrame<S>& frame) {
-    const Vec3<S>& p = frame.pressure;
-    S tips(0);  // N·m
-    for (const Edge& edge : edges_) {
-      tips = max(tips, -(S(edge.offset) * p.y + S(edge.x) * p.x + S(edge.z) * p.z));
-    }
+    const S tips = max(S(0), -zone_.inside(frame.pressure, frame.angles));  // N·m
     const S share = min(tips * S(per_outside_), S(1));
     squares_ = squares_ + share * share;
     frames_ += 1;
@@ -59,13 +50,8 @@ class PressureZone {
 
  private:
   using T = Element<S>;
-  struct Edge {
-    T x;
-    T z;
-    T offset;
-  };
 
-  std::vector<Edge> edges_;
+  SupportZone<S> zone_;
   T per_outside_;
   S squares_{};
   int frames_ = 0;

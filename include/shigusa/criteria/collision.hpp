@@ -27,6 +27,7 @@ struct CollisionPairs {
     int limb = 0;          // capsule
     int other = 0;         // capsule or obstacle
     double allowed = 0.0;  // m, depth of the start posture where it is above 0
+    double near = 0.0;  // m², of parts: squared distance of the middles beyond which they are apart
   };
   std::vector<Pair> parts;      // limbs and parts of the body
   std::vector<Pair> obstacles;  // any capsule and an obstacle
@@ -38,8 +39,9 @@ struct CollisionPairs {
 
 enum class CollisionKind { part, obstacle, floor };
 
-// Calls visit(pair, kind, depth in m beyond what is allowed) for all that can collide. `placed` is
-// scratch memory, one for each of the body's capsules.
+// Calls visit(pair, kind, depth in m beyond what is allowed) for all that can collide, but for
+// parts that are far from each other in all lanes. `placed` is scratch memory, one for each of the
+// body's capsules.
 template <class S, class Pairs, class Visitor>
 void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obstacle> obstacles,
                       const Kinematics<S>& kinematics, std::span<PlacedCapsule<S>> placed,
@@ -50,6 +52,8 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obsta
     placed[c] = placed_capsule(body.capsules()[c], kinematics);
   }
   for (auto& pair : pairs.parts) {
+    const Vec3<S> between = placed[index(pair.limb)].middle - placed[index(pair.other)].middle;
+    if (!any(dot(between, between) < S(pair.near))) continue;
     const S apart = sqrt(square_distance(placed[index(pair.limb)], placed[index(pair.other)]));
     const double radii = radius(pair.limb) + radius(pair.other);
     visit(pair, CollisionKind::part, S(radii - pair.allowed) - apart);
@@ -61,7 +65,7 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obsta
       return obstacle_distance(obstacle, pairs.axes[index(pair.other)], point);
     };
     const S ends = min(distance(limb.from), distance(limb.to));
-    const S apart = min(ends, distance((limb.from + limb.to) * S(0.5)));
+    const S apart = min(ends, distance(limb.middle));
     visit(pair, CollisionKind::obstacle, S(radius(pair.limb) - pair.allowed) - apart);
   }
   for (auto& pair : pairs.floor) {

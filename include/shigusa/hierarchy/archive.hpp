@@ -14,6 +14,8 @@ namespace shigusa {
 
 // How people bend, by the stoop-squat index (FinalPosture).
 enum class Style { upright, stoop, between, squat };
+inline constexpr std::size_t kStyles = 4;
+[[nodiscard]] Style style_of(const std::optional<double>& stoop_squat_index);
 
 // A point that was scored, with the posture in which its motion ends.
 struct Archived {

@@ -45,11 +45,18 @@ struct GoalResult {
   std::optional<TurnResult> turn{};
 };
 
+// How far a heel lifts, at any frame.
+struct HeelLift {
+  double angle = 0.0;   // rad, of the toes
+  double height = 0.0;  // m, of the hindmost place of its sole above where it stood
+};
+
 // How well a planted foot stood.
 struct ContactResult {
   std::string effector;
   std::string node;
-  double max_slide = 0.0;  // m, at any frame
+  double max_slide = 0.0;          // m, at any frame
+  std::optional<HeelLift> heel{};  // of one that may lift
 };
 
 // A joint that passes its limit during the motion: the paper's IK knows no limits, its score does.

@@ -45,7 +45,7 @@ enum class Preset {
 [[nodiscard]] int preset_candidates(Preset preset);
 
 // Motions that the preset flat scores where a task says nothing else.
-inline constexpr int kFlatEvaluations = 3000;
+inline constexpr int kFlatEvaluations = 1800;
 // The same of the preset human, whose upper motions are played in double one by one, each with a
 // few swivels of its arms.
 inline constexpr int kHumanEvaluations = 600;

@@ -14,6 +14,7 @@ inline constexpr std::size_t kGltfMaxTransforms = 8'000'000;  // frames × nodes
 struct AnimationChoice {
   std::string animation{};   // its name, or its index from 0; empty: the first
   double frame_rate = 60.0;  // Hz, what it is sampled at, > 0
+  int posed = 0;             // the frame whose places are kept
 };
 
 // A character as an animation of its file moves it.
@@ -22,6 +23,8 @@ struct GltfMotion {
   std::string animation{};  // its name; where it has none its index
   // nodes of character.rest: a node's rotation is its turn from the rest pose. Metres.
   SkeletonMotion motion;
+  // (nodes) as character.places, in the frame asked for; empty where there is no such frame
+  std::vector<GltfPlace> posed;
   std::vector<std::string> doubts;  // the character's and the animation's
 };
 

@@ -16,6 +16,7 @@ struct GltfTrack {
   GltfPlace rest;                   // where it stands: what a matrix is replaced by
   std::vector<Quatd> rotations;     // (frames), or empty where it does not turn
   std::vector<Vec3d> translations;  // (frames) in its parent, or empty where it does not move
+  std::vector<Vec3d> scales{};      // (frames), or empty where it has that of rest
 };
 
 struct GltfAnimation {

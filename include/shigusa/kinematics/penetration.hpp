@@ -41,17 +41,19 @@ struct Penetration {
                                            const Kinematics<double>& kinematics,
                                            const Effector& effector);
 
-// A capsule's ends in the world (m).
+// A capsule's ends and middle in the world (m).
 template <class S>
 struct PlacedCapsule {
   Vec3<S> from{};
   Vec3<S> to{};
+  Vec3<S> middle{};
 };
 template <class S>
 [[nodiscard]] PlacedCapsule<S> placed_capsule(const Capsule& capsule,
                                               const Kinematics<S>& kinematics) {
-  return {kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.from)),
-          kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.to))};
+  const Vec3<S> from = kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.from));
+  const Vec3<S> to = kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.to));
+  return {from, to, (from + to) * S(0.5)};
 }
 
 // Squared distance (m²) of two segments, which may be points. Of parallel ones, that at some point

@@ -5,6 +5,7 @@
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/body/landmarks.hpp>
 #include <shigusa/body/skeleton.hpp>
+#include <shigusa/body/twist_bones.hpp>
 #include <shigusa/motion/clip.hpp>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Rig {
   Placement placement;               // of the nodes at rest
   Landmarks rest;                    // joints of the nodes at rest, in shigusa's world …
   Landmarks start;                   // … and in the body's start posture
+  std::vector<TwistBone> twists{};   // of the nodes, in any order
 };
 
 // How a rig's nodes move.
@@ -45,7 +47,11 @@ struct RigMotion {
 // Each mapped bone goes rigidly with the link of the body's node of that name, from where it stands
 // at rest: R_node(t) = R_link(t) R_link(0)ᵀ F_start F_restᵀ R_node(rest), F the segment's frames
 // in the two postures. A bone whose name the body has not goes with the bone above
-// it, and so do all nodes between bones; what stands above the hips stays. Of a half body, whose
+// it, and so do all nodes between bones; what stands above the hips stays. Twist bones have a share
+// of their limb's twist by their place along it: next to a shoulder or hip none of its turn about
+// the limb's line, at an elbow none of the forearm's, and at hand and foot all of it. Forearms with
+// such bones, and upper limbs with some between their bone and the next one, go without a twist
+// themselves; joints, hands and feet stand where they would. Of a half body, whose
 // left leg goes as its right one, the left bones turn as the right ones and stay on one another.
 //
 // Below a scale that is not the same along its axes a turned bone would be sheared, which no

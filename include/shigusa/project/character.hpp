@@ -23,10 +23,13 @@ struct CharacterRig {
   std::filesystem::path file;                // its name
   std::shared_ptr<const std::string> bytes;  // of glTF: all of it, for motions to be added to
   CharacterFormat format = CharacterFormat::bvh;
-  Skeleton skeleton;                                   // names; offsets in the file's units
-  Rig rig;                                             // its nodes as the file has them
-  BvhChannels channels;                                // of BVH
-  std::vector<int> file_node;                          // of glTF: (nodes) indices in the file
+  Skeleton skeleton;                  // names; offsets in the file's units
+  Rig rig;                            // its nodes as the file has them in the frame measured
+  std::vector<GltfPlace> places;      // of glTF: (nodes) at rest …
+  std::vector<LocalTransform> posed;  // … and the skeleton in the frame measured, turned from rest
+  BvhChannels channels;               // of BVH
+  Vec3d ahead{0, 0, 1};               // of glTF: the way it faces at rest, its axes
+  std::vector<int> file_node;         // of glTF: (nodes) indices in the file
   std::vector<std::pair<std::string, int>> vrm_bones;  // of VRM
   std::vector<std::string> animations;                 // of glTF: names of those that it has
   std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
@@ -48,11 +51,11 @@ struct CharacterSpec {
   Sex sex = Sex::male;
   std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
   // of the file's motion: the start posture. glTF without an animation has its rest pose, 0, alone;
-  // with one, joints begin where the animation has them, and bones turned about themselves as at
-  // rest
+  // with one, the motion begins as the animation has all nodes
   int frame = 0;
   std::optional<std::string> animation{};  // of glTF: its name or index; at 60 frames a second
   std::optional<double> seat{};  // m, 0.1..1.2: height of the seat that the person sits on
+  bool heels = false;            // they may lift; of the body human, standing, of a file with toes
   BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};

@@ -32,7 +32,8 @@ struct ClosestReach {
 // postures; joint limits hold where the problem holds them (the
 // paper's IK does not look at them). Stops early at a goal that is
 // met; of postures whose distances differ by less than 5 mm, none meeting the goal, it takes the
-// one nearest to the start posture's own descent. Deterministic.
+// one nearest to the start posture's own descent. Heels that may lift do so where flat feet do not
+// bring the effectors to their goals. Deterministic.
 [[nodiscard]] ClosestReach closest_reach(const ReachProblem& problem,
                                          const ReachabilitySettings& settings = {});
 

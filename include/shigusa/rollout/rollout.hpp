@@ -16,6 +16,9 @@
 
 namespace shigusa {
 
+// The share of the duration before heels lift to a guide's posture.
+inline constexpr double kHeelsBegin = 0.55;
+
 // From parameters to a motion: follows the problem's paths by weighted IK, frame by frame, and
 // shows each frame, with torques and centre of mass, to a visitor. S is double, or a pack: then
 // each lane has parameters of its own. Holds its scratch memory, so make one per thread and use it
@@ -230,11 +233,31 @@ class Rollout {
   }
 
   void draw_to_guide(int frame) {
-    const double before = minimum_jerk(static_cast<double>(frame - 1) / problem_->steps);
-    const double now = minimum_jerk(static_cast<double>(frame) / problem_->steps);
+    const double share = guide_share(frame, 0.0);
     for (std::size_t d = 0; d < reference_.size(); ++d) {
-      reference_[d] = (S(problem_->guide[d]) - angles_[1][d]) * S((now - before) / (1.0 - before));
+      reference_[d] = (S(problem_->guide[d]) - angles_[1][d]) * S(share);
     }
+    // heels lift late, when the weight is over the forefeet; the shank leans as it would with them
+    const double late = guide_share(frame, kHeelsBegin);
+    for (const Foot& foot : problem_->body->feet()) {
+      if (!foot.heel) continue;
+      S& toes = reference_[static_cast<std::size_t>(foot.heel->toes)];
+      S& ankle = reference_[static_cast<std::size_t>(foot.heel->ankle)];
+      const S lean = toes + ankle;
+      toes = toes * S(late / share);
+      ankle = lean - toes;
+    }
+  }
+
+  // of the way that is left to the guide, what this frame makes of it where it begins at that share
+  // of the duration
+  double guide_share(int frame, double begin) const {
+    const auto done = [&](int f) {
+      const double tau = static_cast<double>(f) / problem_->steps;
+      return minimum_jerk(max(tau - begin, 0.0) / (1.0 - begin));
+    };
+    const double before = done(frame - 1);
+    return (done(frame) - before) / (1.0 - before);
   }
 
   // how far the targets are missed now, goals' turns by a share of theirs; `learn`: adds that to
@@ -295,9 +318,7 @@ class Rollout {
     }
     const Wrench<S> ground =
         inverse_dynamics<S>(body, now(), speeds_, accelerations_, dynamics_, torques_);
-    if (body.feet().size() == 2) {
-      share_ground_wrench<S>(body, now(), ground, body.feet()[0], body.feet()[1], torques_);
-    }
+    bear_on_feet<S>(body, now(), angles_[1], ground, torques_);
     visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_), speeds_,
                          accelerations_, &now(), 1.0 / rate, pressure(ground, S(floor_))},
           now());

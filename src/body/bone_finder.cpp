@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "bone_finder.hpp"
+
+#include <algorithm>
+#include <shigusa/core/check.hpp>
+
+namespace shigusa {
+
+BoneFinder::BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const HumanoidMap& asked)
+    : tree_(tree), given_(given), asked_(asked) {
+  for (int i = 0; i < tree.size(); ++i) {
+    names_.push_back(tree.node(i).end_site ? BoneName{} : read_bone_name(tree.node(i).name));
+  }
+  leave_to_deforming_bones();
+  for (std::size_t b = 0; b < given.node.size(); ++b) {
+    SHG_CHECK(given.node[b] < tree.size() && asked.node[b] < tree.size(),
+              "a given node of the skeleton");
+    any_given_ = any_given_ || given.node[b] >= 0;
+    if (asked.node[b] < 0) continue;
+    given_.node[b] = asked.node[b];
+    // whatever its own name says
+    const std::string_view bone = humanoid_bone_name(static_cast<Bone>(b));
+    const NameSide side = bone.starts_with("left_")    ? NameSide::left
+                          : bone.starts_with("right_") ? NameSide::right
+                                                       : NameSide::none;
+    names_[static_cast<std::size_t>(asked.node[b])] = {BonePart::none, side};
+  }
+}
+
+Result<HumanoidMap> BoneFinder::find() {
+  if (tree_.size() == 0) return fail(ErrorCode::invalid_argument, "no body: there are no nodes");
+  if (tree_.extent() <= 0.0) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("no body: all {} nodes stand at one point", tree_.size()));
+  }
+  std::size_t gap = kLimbs.size();
+  for (std::size_t limb = kLimbs.size(); limb-- > 0;) {
+    if (!take_given(limb) && !find_by_name(limb)) gap = limb;
+  }
+  if (gap < kLimbs.size()) {
+    if (!find_by_shape()) return fail(ErrorCode::invalid_argument, missing(gap));
+    doubt("the names do not tell the {}: all limbs were found by the skeleton's shape",
+          kLimbNames[gap]);
+    for (const auto& limb : kLimbs) {
+      for (const Bone bone : limb) map_[bone] = asked_[bone] >= 0 ? asked_[bone] : map_[bone];
+    }
+  }
+  if (!find_hips()) {
+    return fail(ErrorCode::invalid_argument, "no hips: the limbs hang on several roots");
+  }
+  find_trunk_branch();
+  find_neck_and_head();
+  find_spine();
+  find_shoulder(Bone::left_shoulder, Bone::left_upper_arm);
+  find_shoulder(Bone::right_shoulder, Bone::right_upper_arm);
+  find_toes(NameSide::left, Bone::left_foot, Bone::left_toes);
+  find_toes(NameSide::right, Bone::right_foot, Bone::right_toes);
+  if (const auto obeyed = check_asked(); !obeyed) return tl::unexpected(obeyed.error());
+  if (feet_point_backwards(tree_, map_)) {
+    doubt(
+        "the feet point backwards, seen from the left and right of the names: the file is "
+        "mirrored, or its left and right are exchanged");
+  }
+  return std::move(map_);
+}
+
+// A whole Rigify rig has each limb several times; its mesh goes with the bones called DEF- alone.
+void BoneFinder::leave_to_deforming_bones() {
+  constexpr int kFewest = 8;
+  int deforming = 0;
+  for (int i = 0; i < tree_.size(); ++i) {
+    if (name(i).side != NameSide::none && name(i).part != BonePart::none && deforms(i)) {
+      ++deforming;
+    }
+  }
+  if (deforming < kFewest) return;
+  for (int i = 0; i < tree_.size(); ++i) {
+    if (name(i).side != NameSide::none && !deforms(i)) {
+      names_[static_cast<std::size_t>(i)].part = BonePart::none;
+    }
+  }
+}
+
+bool BoneFinder::deforms(int i) const {
+  return tree_.node(i).name.find("DEF-") != std::string::npos;
+}
+
+// Nodes of that side and these parts; those of an earlier part first, then the higher ones.
+std::vector<int> BoneFinder::named(NameSide side, std::initializer_list<BonePart> parts) const {
+  std::vector<int> nodes;
+  for (const BonePart part : parts) {
+    for (int i = 0; i < tree_.size(); ++i) {
+      if (name(i).side == side && name(i).part == part) nodes.push_back(i);
+    }
+  }
+  return nodes;
+}
+
+// The first of the nodes below `ancestor`, itself not included, or -1: one that bears others
+// before one that bears none (Unreal's wrist_inner_l beside hand_l), and of those in one chain
+// the uppermost (ankle_bck_l below foot_l).
+int BoneFinder::first_below(const std::vector<int>& nodes, int ancestor) const {
+  int first = -1;
+  for (const int i : nodes) {
+    if (!strictly_below(i, ancestor)) continue;
+    if (first < 0 || (tree_.children(first).empty() && !tree_.children(i).empty())) first = i;
+  }
+  for (const int i : nodes) {
+    if (strictly_below(first, i) && strictly_below(i, ancestor)) first = i;
+  }
+  return first;
+}
+
+bool BoneFinder::at_parent(int i) const {
+  const int parent = tree_.node(i).parent;
+  return parent >= 0 && !tree_.apart(i, parent);
+}
+
+bool BoneFinder::strictly_below(int i, int ancestor) const {
+  return i >= 0 && ancestor >= 0 && i != ancestor && tree_.below(i, ancestor);
+}
+
+// What a person asked for stands, or is refused.
+Result<void> BoneFinder::check_asked() const {
+  const auto refuse = [this](Bone bone) {
+    const int found = map_[bone];
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format(
+            "{} cannot be {}: it does not hang where that bone does{}",
+            tree_.described(asked_[bone]), humanoid_bone_name(bone),
+            found < 0 || found == asked_[bone] ? "" : "; found is " + tree_.described(found)));
+  };
+  for (int b = 0; b < kHumanoidBoneCount; ++b) {
+    const auto bone = static_cast<Bone>(b);
+    if (asked_[bone] >= 0 && map_[bone] != asked_[bone]) return refuse(bone);
+  }
+  for (const auto& limb : kLimbs) {
+    const auto asks = [&](Bone bone) { return asked_[bone] >= 0; };
+    if (std::none_of(limb.begin(), limb.end(), asks)) continue;
+    for (std::size_t k = 1; k < limb.size(); ++k) {
+      if (strictly_below(map_[limb[k]], map_[limb[k - 1]])) continue;
+      return refuse(asked_[limb[k]] >= 0 ? limb[k] : limb[k - 1]);
+    }
+  }
+  return {};
+}
+
+}  // namespace shigusa

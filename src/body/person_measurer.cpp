@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "person_measurer.hpp"
+
+#include <shigusa/core/check.hpp>
+#include <string>
+
+#include "humanoid_shape.hpp"
+
+namespace shigusa {
+namespace {
+
+using Bone = HumanoidBone;
+
+// The coordinate axis nearest to a direction, as a unit vector.
+Vec3d nearest_axis(const Vec3d& v) {
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (abs(v[i]) > abs(v[axis])) axis = i;
+  }
+  Vec3d unit{};
+  unit[axis] = v[axis] < 0.0 ? -1.0 : 1.0;
+  return unit;
+}
+
+std::string axis_name(const Vec3d& axis) {
+  const double sum = axis.x + axis.y + axis.z;
+  const char* letter = axis.x != 0.0 ? "x" : axis.y != 0.0 ? "y" : "z";
+  return std::string(sum < 0.0 ? "-" : "+") + letter;
+}
+
+}  // namespace
+
+Vec3d TrunkAndLegs::common_axis() const {
+  constexpr double kAlong = 0.8;
+  const Vec3d axis = nearest_axis(legs);
+  const bool both = dot(axis, normalized(legs)) > kAlong && dot(axis, normalized(trunk)) > kAlong;
+  return both ? axis : Vec3d{};
+}
+
+PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
+                               const HumanoidMap& map)
+    : skeleton_(skeleton), tree_(skeleton, world), map_(map) {
+  for (int bone = 0; bone < kHumanoidBoneCount; ++bone) {
+    const int node = map.node[static_cast<std::size_t>(bone)];
+    const Bone b = static_cast<Bone>(bone);
+    const bool optional = b == Bone::neck || b == Bone::head || b == Bone::left_toes ||
+                          b == Bone::right_toes || b >= Bone::spine;
+    SHG_CHECK((node >= 0 || optional) && node < tree_.size(),
+              "a mapped node for " + std::string(humanoid_bone_name(b)));
+  }
+}
+
+Result<MeasuredPerson> PersonMeasurer::measure(const MeasureSettings& settings) {
+  if (auto done = read_limbs(); !done) return tl::unexpected<Error>(done.error());
+  up_ = find_up();
+  if (auto done = find_left(); !done) return tl::unexpected<Error>(done.error());
+  read_tips();
+  stature_ = measure_stature();
+  place_missing_tips();
+  find_grips();
+  if (auto done = find_unit(settings); !done) return tl::unexpected<Error>(done.error());
+  move_to_world();
+  check_plausibility();
+  return std::move(result_);
+}
+
+Result<void> PersonMeasurer::check_length(Side side, std::string_view segment, Bone a,
+                                          Bone b) const {
+  if (tree_.apart(map_[a], map_[b])) return {};
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("the {} {} has no length: {} and {} stand at one point", side_word(side),
+                          segment, tree_.described(map_[a]), tree_.described(map_[b])));
+}
+
+Result<void> PersonMeasurer::read_limbs() {
+  for (const Side side : kBothSides) {
+    const auto [hip, knee, ankle] = leg_bones(side);
+    const auto [shoulder, elbow, wrist] = arm_bones(side);
+    for (const auto& checked :
+         {check_length(side, "thigh", hip, knee), check_length(side, "shank", knee, ankle),
+          check_length(side, "upper arm", shoulder, elbow),
+          check_length(side, "forearm", elbow, wrist)}) {
+      if (!checked) return checked;
+    }
+    leg(side) = {at(hip), at(knee), at(ankle), at(ankle)};
+    arm(side) = {at(shoulder), at(elbow), at(wrist), at(wrist)};
+  }
+  mid_hip_ = (body().left_leg.hip + body().right_leg.hip) * 0.5;
+  mid_shoulder_ = (body().left_arm.shoulder + body().right_arm.shoulder) * 0.5;
+  return {};
+}
+
+Vec3d PersonMeasurer::find_up() {
+  const Vec3d ankles = (body().left_leg.ankle + body().right_leg.ankle) * 0.5;
+  const Vec3d posture = TrunkAndLegs{mid_shoulder_ - mid_hip_, mid_hip_ - ankles}.common_axis();
+  const Vec3d rest = rest_build().common_axis();
+  const Vec3d none{};
+  if (posture != none) {
+    if (rest != none && rest != posture) {
+      doubt("up is {} in this posture, but {} at rest: the posture is followed", axis_name(posture),
+            axis_name(rest));
+    }
+    return posture;
+  }
+  const Vec3d rise = mid_shoulder_ - ankles;
+  if (rest != none && dot(rest, rise) > 0.0) return rest;
+  doubt("the body does not stand: up is taken as {}, from its feet to its shoulders",
+        axis_name(nearest_axis(rise)));
+  return nearest_axis(rise);
+}
+
+TrunkAndLegs PersonMeasurer::rest_build() const {
+  const std::vector<Vec3d> rest = rest_origins(skeleton_);
+  const auto mid = [&](Bone a, Bone b) {
+    return (rest[static_cast<std::size_t>(map_[a])] + rest[static_cast<std::size_t>(map_[b])]) *
+           0.5;
+  };
+  const Vec3d hips = mid(Bone::left_upper_leg, Bone::right_upper_leg);
+  return {mid(Bone::left_upper_arm, Bone::right_upper_arm) - hips,
+          hips - mid(Bone::left_foot, Bone::right_foot)};
+}
+
+Result<void> PersonMeasurer::find_left() {
+  const Vec3d hips = body().left_leg.hip - body().right_leg.hip;
+  const Vec3d shoulders = body().left_arm.shoulder - body().right_arm.shoulder;
+  const Vec3d both = normalized(hips, {}) + normalized(shoulders, {});
+  const Vec3d level = both - up_ * dot(both, up_);
+  constexpr double kLeast = 0.2;
+  if (norm(level) < kLeast) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("the facing cannot be told: along {}, which is taken as up, the left "
+                            "hip and shoulder stand above, below or at the right ones",
+                            axis_name(up_)));
+  }
+  left_ = normalized(level);
+  ahead_ = cross(left_, up_);
+  if (feet_point_backwards(tree_, map_)) {
+    ahead_ = -ahead_;
+    doubt("the feet point backwards: the person was mirrored, so that left stays left");
+  }
+  return {};
+}
+
+}  // namespace shigusa

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/hierarchy/final_posture.hpp>
+#include <string>
+#include <utility>
+
+#include "searched.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr int kGuessed = 480;
+constexpr double kStiffKnee = 1.0;  // logarithm of the least weight of a knee that goes by the dial
+
+// A range (deg) of a posture mode that is a style of its own.
+struct StyleRange {
+  const char* mode;
+  double low;
+  double high;
+  bool far = false;  // from what is found otherwise
+};
+constexpr StyleRange kBentStyles[] = {
+    {"squat", 115, 138, true}, {"squat", 0, 30}, {"squat", 50, 90}};
+constexpr StyleRange kUprightStyles[] = {{"lean", 25, 60}, {"squat", 30, 60}};
+constexpr double kOtherTurn[] = {20, 65};    // deg, to the side that the best does not turn to
+constexpr double kOtherSwivel[] = {20, 60};  // deg, the same of the elbow
+
+}  // namespace
+
+// What people do otherwise than the guess.
+std::vector<Searched::Style> Searched::styles() const {
+  std::vector<Style> styles;
+  const Niche knees = stiff_knees();
+  const bool given = space_.find("squat") < 0;
+  const auto add_style = [&](std::string_view mode, double low, double high, bool far = false) {
+    if (space_.find(mode) < 0) return;
+    Niche niche = given || mode == "squat" ? knees : Niche{};
+    bind(niche, mode, low, high);
+    styles.push_back({std::move(niche), far ? kFarShare : kStyleShare, far});
+  };
+  for (const StyleRange& style : guess_.bends ? std::span<const StyleRange>(kBentStyles)
+                                              : std::span<const StyleRange>(kUprightStyles)) {
+    add_style(style.mode, style.low, style.high, style.far);
+  }
+  const auto add_other = [&](std::string_view mode, const double(&range)[2]) {
+    const int gene = space_.find(mode);
+    if (gene < 0) return;
+    const bool positive = !guess_.point.empty() && guess_.point[static_cast<std::size_t>(gene)] >
+                                                       space_.coordinate(gene, 0.0);
+    positive ? add_style(mode, -range[1], -range[0]) : add_style(mode, range[0], range[1]);
+  };
+  add_other("twist", kOtherTurn);
+  add_other("right_swivel", kOtherSwivel);
+  add_other("left_swivel", kOtherSwivel);
+  return styles;
+}
+
+// keeps a mode of both phases within a range (deg)
+void Searched::bind(Niche& niche, std::string_view mode, double low, double high) const {
+  for (const int gene :
+       {space_.find(mode), space_.find(std::string(kLaterPrefix) + std::string(mode))}) {
+    if (gene < 0) continue;
+    niche.push_back(
+        {gene, space_.coordinate(gene, radians(low)), space_.coordinate(gene, radians(high))});
+  }
+}
+
+// Where the knees' flexion is given they go by it: light ones would bend as the hand has it.
+Searched::Niche Searched::stiff_knees() const {
+  Niche niche;
+  for (const char* name : {"knee.flexion", "left_knee.flexion", "right_knee.flexion"}) {
+    for (const int gene : {space_.find(name), space_.find(std::string(kLaterPrefix) + name)}) {
+      if (gene >= 0) niche.push_back({gene, space_.coordinate(gene, kStiffKnee), 1.0});
+    }
+  }
+  return niche;
+}
+
+// Takes the best of the first motions for where styles begin.
+void Searched::guess(std::span<const double> points, std::span<const double> scores) {
+  const auto genes = static_cast<std::size_t>(space_.genes());
+  const std::size_t dofs = problem_.body->dofs().size();
+  for (std::size_t i = 0; i < scores.size() && guessed_ < kGuessed; ++i, ++guessed_) {
+    const bool arrives = scores[i] < worst_score(criteria_);
+    if (!arrives || !(guess_.point.empty() || scores[i] < guess_.score)) continue;
+    const auto point = points.subspan(i * genes, genes);
+    guess_.point.assign(point.begin(), point.end());
+    guess_.score = scores[i];
+    const auto posture = std::span(angles_).subspan(i * dofs, dofs);
+    guess_.bends = PostureMeter(*problem_.body)
+                       .index(std::vector<double>(posture.begin(), posture.end()))
+                       .has_value();
+  }
+}
+
+}  // namespace shigusa

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <shigusa/core/result.hpp>
+#include <string>
+#include <string_view>
+
+namespace shigusa {
+
+// Parses JSON text while `watch`, nlohmann's callback, sees each event: it may throw a std::string,
+// which ends the parse and is the error's message. `wrong`: what the text is not ("glTF"), for
+// text that is no JSON; errors name the place.
+template <class Json, class Watch>
+[[nodiscard]] Result<Json> parse_watched(std::string_view text, const Watch& watch,
+                                         const std::string& wrong, const std::string& place) {
+  try {
+    return Json::parse(text, watch);
+  } catch (const std::string& passed) {
+    return fail(ErrorCode::parse, passed, place);
+  } catch (const typename Json::exception& error) {
+    const std::string_view what = error.what();
+    const std::size_t cut = what.find("] ");
+    return fail(ErrorCode::parse,
+                "not " + wrong + ": " +
+                    std::string(cut == std::string_view::npos ? what : what.substr(cut + 2)),
+                place);
+  }
+}
+
+}  // namespace shigusa

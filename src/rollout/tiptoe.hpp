@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/criteria/support_zone.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// (dofs, rad) the least change of the angles that, to first order, moves the centre of mass by
+// `way` (m, world) along the floor; nothing where no change does.
+[[nodiscard]] std::vector<double> change_of_plumb_line(const BodyModel& body,
+                                                       const Kinematics<double>& kinematics,
+                                                       const Vec3d& way);
+
+// What a posture with lifted heels has to be above.
+class Tiptoe {
+ public:
+  // angles: (dofs) rad
+  Tiptoe(const BodyModel& body, std::span<const double> angles);
+
+  // Some heel leaves the floor.
+  [[nodiscard]] bool lifted() const { return lifted_ != 0; }
+  // From the plumb line of the centre of mass (m, world) to the middle of what bears it; nothing
+  // where it stands kPoised within the edge.
+  [[nodiscard]] Vec3d way_over(const Vec3d& centre_of_mass) const;
+
+ private:
+  LiftedHeels lifted_ = 0;
+  std::vector<SupportEdge> edges_;
+  Vec3d middle_{};
+};
+inline constexpr double kPoised = 0.025;  // m
+
+}  // namespace shigusa

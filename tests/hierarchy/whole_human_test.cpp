@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What generate() makes of the body `human` near the floor.
+#include <gtest/gtest.h>
+
+#include <shigusa/body/human_body.hpp>
+#include <shigusa/hierarchy/generator.hpp>
+
+namespace shigusa {
+namespace {
+
+constexpr Vec3d kLowGoals[] = {
+    {-0.15, 0.12, 0.30}, {-0.05, 0.15, 0.30}, {-0.10, 0.25, 0.35}, {-0.20, 0.30, 0.40}};
+
+Generation reached(const Vec3d& goal, double load, std::uint64_t seed,
+                   std::optional<int> evaluations = {}) {
+  Task task{.body = human_body(), .goals = {{.position = goal, .load = load}}};
+  task.genetic.seed = seed;
+  task.evaluations = evaluations;
+  return generate(task).value();
+}
+
+double penalty(const Candidate& candidate, const std::string& name) {
+  for (const ScoreTerm& term : candidate.score.terms) {
+    if (term.name == name) return term.penalty;
+  }
+  ADD_FAILURE() << name;
+  return 1.0;
+}
+
+TEST(WholeHuman, LoadBendsTheKnees) {
+  double light = 0.0;
+  double heavy = 0.0;
+  for (const Vec3d& goal : kLowGoals) {
+    for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}}) {
+      light += reached(goal, 0.1, seed, 6000).candidates[0].final_posture.knee_flexion / 8.0;
+      heavy += reached(goal, 15.0, seed, 6000).candidates[0].final_posture.knee_flexion / 8.0;
+    }
+  }
+  RecordProperty("light_deg", std::to_string(degrees(light)));
+  RecordProperty("heavy_deg", std::to_string(degrees(heavy)));
+  EXPECT_GT(light, radians(40.0));
+  EXPECT_GT(heavy, light + radians(8.0));
+}
+
+TEST(WholeHuman, StandsOnItsFeetAndHasSeveralAnswers) {
+  double pressure = 0.0;
+  std::size_t candidates = 0;
+  for (const Vec3d& goal : kLowGoals) {
+    const Generation generation = reached(goal, 0.0, 0);
+    pressure += penalty(generation.candidates[0], "centre_of_pressure") / 4.0;
+    candidates += generation.candidates.size();
+  }
+  EXPECT_LT(pressure, 0.1);  // it was 0.33 with hips that flex alone
+  EXPECT_GE(candidates, 16U);
+}
+
+}  // namespace
+}  // namespace shigusa
