@@ -191,7 +191,12 @@ void HumanBuilder::add_arm(Side side) {
       {{"flexion", Axis::x, -1.0, free ? kFreeShoulderFlexion : kShoulderFlexion, shoulder.flexion},
        {"abduction", Axis::z, s, free ? kFreeShoulderAbduction : kShoulderAbduction,
         shoulder.abduction},
-       {"rotation", Axis::y, s, kShoulderRotation, shoulder.rotation}});
+       {"rotation", Axis::y, s, whole() ? kFreeShoulderRotation : kShoulderRotation,
+        shoulder.rotation}});
+  if (whole()) {
+    body_.couplings.push_back(
+        {root + 2, root + 1, kFreeShoulderRotationGain, kFreeShoulderRotationFull});
+  }
   const Freedom bends{"flexion", Axis::x, -1.0, kElbowFlexion,
                       -hinge_angle(frame.upper_arm, frame.forearm)};
   set_mass(parts.upper, masses_.upper_arm(side));

@@ -90,6 +90,9 @@ std::vector<PostureMode> posture_modes(const BodyModel& body) {
   modes.add("left_elbow", 0.0, radians(110.0), {{"left_elbow.flexion", 1.0}});
   modes.add("right_swivel", radians(-60.0), radians(60.0), {{"right_shoulder.rotation", 1.0}});
   modes.add("left_swivel", radians(-60.0), radians(60.0), {{"left_shoulder.rotation", 1.0}});
+  // a hand that reaches the floor is laid flat
+  modes.add("right_wrist", radians(-60.0), radians(60.0), {{"right_wrist.flexion", 1.0}});
+  modes.add("left_wrist", radians(-60.0), radians(60.0), {{"left_wrist.flexion", 1.0}});
   return modes.take();
 }
 

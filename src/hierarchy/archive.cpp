@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <shigusa/hierarchy/archive.hpp>
+#include <utility>
 
 namespace shigusa {
 namespace {
@@ -56,16 +57,28 @@ void Archive::add(std::span<const double> points, std::span<const double> scores
     const std::optional<double> index = meter_.index(angles_);
     std::vector<Archived>& cell = cells_[cell_of(posture, index)];
     if (cell.size() >= kPerCell && !(scores[i] < cell.back().score)) continue;
-    const auto after =
-        std::upper_bound(cell.begin(), cell.end(), scores[i],
-                         [](double score, const Archived& kept) { return score < kept.score; });
     const std::span<const double> point = points.subspan(i * genes, genes);
-    cell.insert(after, {{point.begin(), point.end()},
-                        scores[i],
-                        {posture.begin(), posture.end()},
-                        style_of(index)});
-    if (cell.size() > kPerCell) cell.pop_back();
+    insert({{point.begin(), point.end()},
+            scores[i],
+            {posture.begin(), posture.end()},
+            style_of(index)},
+           cell);
   }
+}
+
+void Archive::add(const Archive& later) {
+  for (const auto& [cell, kept] : later.cells_) {
+    for (const Archived& archived : kept) insert(archived, cells_[cell]);
+  }
+}
+
+// behind those of the same score
+void Archive::insert(Archived archived, std::vector<Archived>& cell) {
+  const auto after =
+      std::upper_bound(cell.begin(), cell.end(), archived.score,
+                       [](double score, const Archived& kept) { return score < kept.score; });
+  cell.insert(after, std::move(archived));
+  if (cell.size() > kPerCell) cell.pop_back();
 }
 
 std::vector<Archived> Archive::ranked() const {

@@ -4,19 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/search/cma_es.hpp>
 #include <string>
+#include <thread>
 #include <utility>
-
-#include "ways.hpp"
 
 namespace shigusa {
 namespace {
 
-// Share of the budget of all parameters together, beside styles.
-constexpr double kFreeShare = 0.4;
 // A style's part is at least a population of the genetic searches; a budget too small for that is
 // spent on all parameters together.
 constexpr int kLeastStyleBudget = kPaperPopulation;
@@ -72,34 +70,49 @@ Searched::Searched(const ReachProblem& problem, const Task& task)
       task_(task),
       criteria_(task_criteria(task)),
       space_(problem, gene_code(task), task.fixed, task.phases),
-      batch_(problem, criteria_, task.batch),
-      archive_(*problem.body),
-      dial_(SquatDial::of(task)) {}
+      archive_(*problem.body) {}
 
 SearchResult Searched::run(const Progress& progress) {
   const int budget = task_.evaluations.value_or(
       task_.generator == MotionGenerator::nlp_ik ? kNlpEvaluations : kFlatEvaluations);
-  if (task_.preset == Preset::paper) return run_in({}, {}, budget, progress);
+  PointScorer scorer(problem_, task_, criteria_, space_, task_.batch.threads);
+  const bool paper = task_.preset == Preset::paper;
   // where a person gives the squat, knees go by it
-  const Niche all_knees = space_.find("squat") < 0 ? stiff_knees() : Niche{};
-  if (static_cast<int>(kStyleShare * budget) < kLeastStyleBudget) {
-    return run_in(all_knees, {}, budget, progress);
+  const Niche all_knees = !paper && space_.find("squat") < 0 ? stiff_knees() : Niche{};
+  const bool styled = !paper && static_cast<int>(kStyleShare * budget) >= kLeastStyleBudget;
+  const Part all{all_knees, {}, styled ? static_cast<int>(kFreeShare * budget) : budget};
+  SearchResult found = run_part(all, scorer, progress);
+  archive_.add(scorer.archive());
+  if (styled && found.end != SearchEnd::cancelled) {
+    run_parts(styles(scorer.guess(), budget), progress, found);
   }
-  SearchResult all = run_in(all_knees, {}, static_cast<int>(kFreeShare * budget), progress);
-  double left = 1.0 - kFreeShare;
-  for (const Style& style : styles()) {
-    if (all.end == SearchEnd::cancelled) return all;
-    if (style.share > left + 1e-6) break;
-    const std::vector<double> from = style.far ? std::vector<double>{} : guess_.point;
-    add(run_in(style.niche, from, static_cast<int>(style.share * budget), progress), all);
-    left -= style.share;
+  return found;
+}
+
+// Parts know nothing of each other, so that they run side by side. Progress is reported by those
+// that run on the caller's thread.
+void Searched::run_parts(const std::vector<Part>& parts, const Progress& progress,
+                         SearchResult& all) {
+  // other people's functions are called from one thread, and whole motions take all of them
+  const bool together = !task_.own_search && !scores_whole_motions(task_, criteria_);
+  const int threads = task_.batch.threads;
+  std::deque<PointScorer> scorers;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    scorers.emplace_back(problem_, task_, criteria_, space_, together ? 1 : threads);
   }
-  // of the styles that the task has not
-  const int rest = static_cast<int>(left * budget + 1e-6);
-  if (rest > 0 && all.end != SearchEnd::cancelled) {
-    add(run_in(all_knees, guess_.point, rest, progress), all);
+  std::vector<SearchResult> found(parts.size());
+  const auto caller = std::this_thread::get_id();
+  const auto run = [&](int index, int) {
+    Progress own = progress;
+    if (std::this_thread::get_id() != caller) own.report = {};
+    const auto i = static_cast<std::size_t>(index);
+    found[i] = run_part(parts[i], scorers[i], own);
+  };
+  parallel_for(static_cast<int>(parts.size()), together ? threads : 1, run);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    add(std::move(found[i]), all);
+    archive_.add(scorers[i].archive());
   }
-  return all;
 }
 
 void Searched::take_in(const Niche& niche, std::span<double> points, std::size_t genes) {
@@ -110,34 +123,35 @@ void Searched::take_in(const Niche& niche, std::span<double> points, std::size_t
   }
 }
 
-SearchResult Searched::run_in(const Niche& niche, const std::vector<double>& from, int budget,
-                              const Progress& progress) {
+SearchResult Searched::run_part(const Part& part, PointScorer& scorer,
+                                const Progress& progress) const {
   SearchProblem searched;
   searched.genes = space_.genes();
-  searched.start = from.empty() ? space_.start() : from;
-  for (const Bound& bound : niche) {
+  searched.start = part.from.empty() ? space_.start() : part.from;
+  for (const Bound& bound : part.niche) {
     double& x = searched.start[static_cast<std::size_t>(bound.gene)];
-    const bool within = !from.empty() && x > bound.low && x < bound.high;
+    const bool within = !part.from.empty() && x > bound.low && x < bound.high;
     x = within ? (x - bound.low) / (bound.high - bound.low) : 0.5;
   }
   const auto genes = static_cast<std::size_t>(searched.genes);
+  std::vector<double> moved;
   searched.evaluate = [&](std::span<const double> points, std::span<double> scores) {
-    moved_.assign(points.begin(), points.end());
-    take_in(niche, moved_, genes);
-    evaluate(moved_, scores);
+    moved.assign(points.begin(), points.end());
+    take_in(part.niche, moved, genes);
+    scorer.score(moved, scores);
   };
   SearchResult found;
   // in a niche it is not the knees that are chosen
-  if (task_.preset != Preset::paper && niche.empty() && from.empty())
-    found = begin_bent(searched, budget);
-  if (budget > found.evaluations) {
-    SearchResult rest = search_with(searched, budget - found.evaluations, progress);
+  if (task_.preset != Preset::paper && part.niche.empty() && part.from.empty())
+    found = begin_bent(searched, part.budget);
+  if (part.budget > found.evaluations) {
+    SearchResult rest = search_with(searched, part.budget - found.evaluations, progress);
     found.final_population = std::move(rest.final_population);
     add(std::move(rest), found);
   }
-  take_in(niche, found.best_seen.point, genes);
+  take_in(part.niche, found.best_seen.point, genes);
   for (Individual& individual : found.final_population) {
-    take_in(niche, individual.point, genes);
+    take_in(part.niche, individual.point, genes);
   }
   return found;
 }
@@ -187,7 +201,7 @@ SearchResult Searched::begin_bent(SearchProblem& searched, int budget) const {
 }
 
 SearchResult Searched::search_with(const SearchProblem& searched, int budget,
-                                   const Progress& progress) {
+                                   const Progress& progress) const {
   if (task_.own_search) {
     SearchResult found = task_.own_search(searched, budget, task_.genetic.seed, progress);
     check_point(found.best_seen, searched.genes);
@@ -207,49 +221,6 @@ SearchResult Searched::search_with(const SearchProblem& searched, int budget,
   const bool once = !task_.evaluations && task_.preset == Preset::paper;
   return once ? genetic_search(searched, task_.genetic, progress)
               : restarted_genetic_search(searched, task_.genetic, budget, progress);
-}
-
-void Searched::evaluate(std::span<const double> points, std::span<double> scores) {
-  const std::size_t dofs = problem_.body->dofs().size();
-  const bool kept = task_.preset != Preset::paper;
-  angles_.resize(kept ? scores.size() * dofs : 0);
-  // criteria of the user's own want whole motions, and NLP-IK has no lanes
-  const bool whole = !criteria_.user.empty() || task_.generator != MotionGenerator::weighted_ik;
-  if (whole) {
-    score_one_by_one(points, scores);
-  } else {
-    batch_.score(space_.rows(points), scores, angles_);
-  }
-  if (!kept) return;
-  kept_scores_.assign(scores.begin(), scores.end());
-  for (std::size_t i = 0; dial_ && i < scores.size(); ++i) {
-    const double off = dial_->off({angles_.data() + i * dofs, dofs});
-    if (off > kDialSlack) kept_scores_[i] = worst_score(criteria_);
-    scores[i] += kDialPull * max(0.0, off - kDialAim);
-  }
-  guess(points, kept_scores_);
-  archive_.add(points, kept_scores_, angles_, worst_score(criteria_));
-}
-
-void Searched::score_one_by_one(std::span<const double> points, std::span<double> scores) {
-  const auto genes = static_cast<std::size_t>(space_.genes());
-  const std::size_t dofs = problem_.body->dofs().size();
-  const auto score = [&](int index, int) {
-    const auto i = static_cast<std::size_t>(index);
-    const RolledOut rolled =
-        play(problem_, space_.decode(points.subspan(i * genes, genes)), task_.generator);
-    scores[i] = rolled.outcome.met(problem_.tolerance)
-                    ? score_motion(*problem_.body, rolled.motion, criteria_).total
-                    : worst_score(criteria_);
-    if (angles_.empty()) return;
-    const Clip& clip = rolled.motion.clip;
-    std::transform(clip.frame(clip.frames - 1).begin(), clip.frame(clip.frames - 1).end(),
-                   angles_.begin() + static_cast<std::ptrdiff_t>(i * dofs),
-                   [](double angle) { return static_cast<float>(angle); });
-  };
-  // a user's functions are called from one thread only
-  const int threads = criteria_.user.empty() ? task_.batch.threads : 1;
-  parallel_for(static_cast<int>(scores.size()), threads, score);
 }
 
 }  // namespace shigusa

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <shigusa/hierarchy/archive.hpp>
 #include <shigusa/hierarchy/parameter_space.hpp>
 #include <shigusa/hierarchy/task.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/search/searches.hpp>
 #include <string_view>
 #include <vector>
 
-#include "squat_dial.hpp"
+#include "point_scorer.hpp"
 
 namespace shigusa {
 
@@ -29,7 +27,7 @@ class Searched {
   // elsewhere. A search that is good at finding the best ends with one motion, and no criterion
   // decides between those. Each part is a search of its own whose budget never shrinks as the whole
   // grows, and styles begin at the best of the first 480 motions, so more budget never gives a
-  // worse best.
+  // worse best (from 1200 on, where all 480 are there). Styles run side by side.
   SearchResult run(const Progress& progress);
 
   [[nodiscard]] const ParameterSpace& space() const { return space_; }
@@ -44,45 +42,32 @@ class Searched {
   };
   // a part of the space
   using Niche = std::vector<Bound>;
-  struct Style {
+  // a search of its own
+  struct Part {
     Niche niche;
-    double share;  // of the budget
-    bool far;      // from the guess: begins upright
+    std::vector<double> from;  // empty: begins upright
+    int budget;                // motions
   };
+  static constexpr double kFreeShare = 0.4;
   static constexpr double kStyleShare = 0.1;
   static constexpr double kFarShare = 0.2;
-  // the best of the first motions
-  struct Guess {
-    std::vector<double> point{};  // empty where none arrives
-    double score = 0.0;
-    bool bends = true;  // ends with the shoulders down
-  };
 
   [[nodiscard]] Niche stiff_knees() const;
-  [[nodiscard]] std::vector<Style> styles() const;
+  [[nodiscard]] std::vector<Part> styles(const PointScorer::Guess& guess, int budget) const;
   void bind(Niche& niche, std::string_view mode, double low, double high) const;
-  void guess(std::span<const double> points, std::span<const double> scores);
   static void take_in(const Niche& niche, std::span<double> points, std::size_t genes);
-  SearchResult run_in(const Niche& niche, const std::vector<double>& from, int budget,
-                      const Progress& progress);
+  SearchResult run_part(const Part& part, PointScorer& scorer, const Progress& progress) const;
+  void run_parts(const std::vector<Part>& parts, const Progress& progress, SearchResult& all);
   [[nodiscard]] std::vector<double> postures() const;
   [[nodiscard]] SearchResult begin_bent(SearchProblem& searched, int budget) const;
-  SearchResult search_with(const SearchProblem& searched, int budget, const Progress& progress);
-  void evaluate(std::span<const double> points, std::span<double> scores);
-  void score_one_by_one(std::span<const double> points, std::span<double> scores);
+  SearchResult search_with(const SearchProblem& searched, int budget,
+                           const Progress& progress) const;
 
   const ReachProblem& problem_;
   const Task& task_;
   CriteriaSettings criteria_;
   ParameterSpace space_;
-  BatchRollout batch_;
   Archive archive_;
-  std::optional<SquatDial> dial_;
-  std::vector<float> angles_;  // (motions × dofs) rad, where they end
-  Guess guess_;
-  int guessed_ = 0;  // motions
-  std::vector<double> moved_;
-  std::vector<double> kept_scores_;
 };
 
 }  // namespace shigusa

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/hierarchy/final_posture.hpp>
 #include <string>
 #include <utility>
 
@@ -8,7 +7,7 @@
 namespace shigusa {
 namespace {
 
-constexpr int kGuessed = 480;
+constexpr double kRounding = 1e-6;
 constexpr double kStiffKnee = 1.0;  // logarithm of the least weight of a knee that goes by the dial
 
 // A range (deg) of a posture mode that is a style of its own.
@@ -27,31 +26,38 @@ constexpr double kOtherSwivel[] = {20, 60};  // deg, the same of the elbow
 }  // namespace
 
 // What people do otherwise than the guess.
-std::vector<Searched::Style> Searched::styles() const {
-  std::vector<Style> styles;
+std::vector<Searched::Part> Searched::styles(const PointScorer::Guess& guess, int budget) const {
+  std::vector<Part> parts;
   const Niche knees = stiff_knees();
   const bool given = space_.find("squat") < 0;
+  double left = 1.0 - kFreeShare;
   const auto add_style = [&](std::string_view mode, double low, double high, bool far = false) {
-    if (space_.find(mode) < 0) return;
+    const double share = far ? kFarShare : kStyleShare;
+    if (space_.find(mode) < 0 || share > left + kRounding) return;
     Niche niche = given || mode == "squat" ? knees : Niche{};
     bind(niche, mode, low, high);
-    styles.push_back({std::move(niche), far ? kFarShare : kStyleShare, far});
+    parts.push_back({std::move(niche), far ? std::vector<double>{} : guess.point,
+                     static_cast<int>(share * budget)});
+    left -= share;
   };
-  for (const StyleRange& style : guess_.bends ? std::span<const StyleRange>(kBentStyles)
-                                              : std::span<const StyleRange>(kUprightStyles)) {
+  for (const StyleRange& style : guess.bends ? std::span<const StyleRange>(kBentStyles)
+                                             : std::span<const StyleRange>(kUprightStyles)) {
     add_style(style.mode, style.low, style.high, style.far);
   }
   const auto add_other = [&](std::string_view mode, const double(&range)[2]) {
     const int gene = space_.find(mode);
     if (gene < 0) return;
-    const bool positive = !guess_.point.empty() && guess_.point[static_cast<std::size_t>(gene)] >
-                                                       space_.coordinate(gene, 0.0);
+    const bool positive = !guess.point.empty() && guess.point[static_cast<std::size_t>(gene)] >
+                                                      space_.coordinate(gene, 0.0);
     positive ? add_style(mode, -range[1], -range[0]) : add_style(mode, range[0], range[1]);
   };
   add_other("twist", kOtherTurn);
   add_other("right_swivel", kOtherSwivel);
   add_other("left_swivel", kOtherSwivel);
-  return styles;
+  // of the styles that the task has not
+  const int rest = static_cast<int>((left + kRounding) * budget);
+  if (rest > 0) parts.push_back({given ? knees : Niche{}, guess.point, rest});
+  return parts;
 }
 
 // keeps a mode of both phases within a range (deg)
@@ -73,23 +79,6 @@ Searched::Niche Searched::stiff_knees() const {
     }
   }
   return niche;
-}
-
-// Takes the best of the first motions for where styles begin.
-void Searched::guess(std::span<const double> points, std::span<const double> scores) {
-  const auto genes = static_cast<std::size_t>(space_.genes());
-  const std::size_t dofs = problem_.body->dofs().size();
-  for (std::size_t i = 0; i < scores.size() && guessed_ < kGuessed; ++i, ++guessed_) {
-    const bool arrives = scores[i] < worst_score(criteria_);
-    if (!arrives || !(guess_.point.empty() || scores[i] < guess_.score)) continue;
-    const auto point = points.subspan(i * genes, genes);
-    guess_.point.assign(point.begin(), point.end());
-    guess_.score = scores[i];
-    const auto posture = std::span(angles_).subspan(i * dofs, dofs);
-    guess_.bends = PostureMeter(*problem_.body)
-                       .index(std::vector<double>(posture.begin(), posture.end()))
-                       .has_value();
-  }
 }
 
 }  // namespace shigusa

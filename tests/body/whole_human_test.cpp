@@ -164,7 +164,8 @@ TEST(WholeHuman, RoundsAndTwistsItsSpine) {
   std::vector<std::string> names;
   for (const PostureMode& mode : posture_modes(body)) names.push_back(mode.name);
   EXPECT_EQ(names, (std::vector<std::string>{"squat", "lean", "round", "twist", "right_elbow",
-                                             "left_elbow", "right_swivel", "left_swivel"}));
+                                             "left_elbow", "right_swivel", "left_swivel",
+                                             "right_wrist", "left_wrist"}));
 }
 
 TEST(WholeHuman, IsAsStrongAsItsSexAndMass) {

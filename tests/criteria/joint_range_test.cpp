@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <shigusa/body/human_body.hpp>
 #include <shigusa/criteria/joint_range.hpp>
 
 #include "support/motions.hpp"
@@ -138,6 +139,28 @@ TEST(JointRange, NeverFallsAsAJointGoesFurther) {
       }
       before = now;
     }
+  }
+}
+
+// Swing and twist: at the side a shoulder turns out by 60°, lifted sideways by 90°, and inwards by
+// 70°.
+TEST(JointRange, ALiftedArmTurnsOutFurther) {
+  const BodyModel body = human_body();
+  for (const std::string side : {"left", "right"}) {
+    const int rotation = body.find_dof(side + "_shoulder.rotation").value();
+    const auto abduction =
+        static_cast<std::size_t>(body.find_dof(side + "_shoulder.abduction").value());
+    std::vector<double> angles(body.dofs().size());
+    const auto upper = [&](double degrees_aside) {
+      angles[abduction] = radians(degrees_aside);
+      return degrees(upper_limit<double>(body, rotation, angles));
+    };
+    EXPECT_NEAR(upper(0.0), 60.0, 1e-9) << side;
+    EXPECT_NEAR(upper(-20.0), 60.0, 1e-9) << side;
+    EXPECT_NEAR(upper(45.0), 75.0, 1e-9) << side;
+    EXPECT_NEAR(upper(90.0), 90.0, 1e-9) << side;
+    EXPECT_NEAR(upper(140.0), 90.0, 1e-9) << side;
+    EXPECT_NEAR(degrees(body.dof(rotation).lower), -70.0, 1e-9) << side;
   }
 }
 

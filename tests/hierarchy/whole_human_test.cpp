@@ -2,7 +2,9 @@
 // What generate() makes of the body `human` near the floor.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <shigusa/body/human_body.hpp>
+#include <shigusa/hierarchy/archive.hpp>
 #include <shigusa/hierarchy/generator.hpp>
 
 namespace shigusa {
@@ -52,6 +54,35 @@ TEST(WholeHuman, StandsOnItsFeetAndHasSeveralAnswers) {
   }
   EXPECT_LT(pressure, 0.1);  // it was 0.33 with hips that flex alone
   EXPECT_GE(candidates, 16U);
+}
+
+// The grip is 5 cm above the floor and the fingertips are 8 cm further on: the hand must be laid
+// flat.
+TEST(WholeHuman, HandsStayAboveTheFloor) {
+  for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{2}, std::uint64_t{3}}) {
+    const Generation generation = reached({-0.25, 0.05, 0.35}, 0.0, seed);
+    for (const Candidate& candidate : generation.candidates) {
+      EXPECT_LE(candidate.collides.depth, kCollisionDepth) << seed;
+    }
+  }
+}
+
+TEST(WholeHuman, SquatsBesideStoops) {
+  int squats = 0;
+  int stoops = 0;
+  for (const Vec3d& goal : kLowGoals) {
+    const Generation generation = reached(goal, 0.0, 1);
+    const auto has = [&](Style style) {
+      return std::any_of(generation.candidates.begin(), generation.candidates.end(),
+                         [style](const Candidate& c) {
+                           return style_of(c.final_posture.stoop_squat_index) == style;
+                         });
+    };
+    squats += has(Style::squat) ? 1 : 0;
+    stoops += has(Style::stoop) ? 1 : 0;
+  }
+  EXPECT_GE(squats, 3);
+  EXPECT_GE(stoops, 3);
 }
 
 }  // namespace

@@ -157,6 +157,11 @@ inline constexpr JointLimits kClavicleElevation{radians(-8), radians(35), 60, 60
 inline constexpr JointLimits kClavicleProtraction{radians(-20), radians(25), 60, 60};
 inline constexpr JointLimits kFreeShoulderFlexion{radians(-60), radians(160), 80, 80};
 inline constexpr JointLimits kFreeShoulderAbduction{radians(-40), radians(145), 65, 70};
+// An arm at the side turns out by 60°, one lifted sideways by 90° (AAOS): swing and twist are
+// coupled.
+inline constexpr JointLimits kFreeShoulderRotation{radians(-70), radians(60), 32, 50};
+inline constexpr double kFreeShoulderRotationGain = radians(30);
+inline constexpr double kFreeShoulderRotationFull = radians(90);  // of abduction
 // Supination of the forearm from thumb-ahead (AAOS 80° either way), palmar flexion and radial
 // deviation of the hand (AAOS 80°/70°, 20°/30°); strengths by S. Delp, A. Grierson and T. Buchanan,
 // J. Biomechanics 29 (1996) 1371-1375, and of the forearm some 9 N·m.

@@ -44,12 +44,16 @@ class Archive {
   void add(std::span<const double> points, std::span<const double> scores,
            std::span<const float> postures, double worst);
 
+  // Takes in what another of the same body keeps, as if its motions had come after.
+  void add(const Archive& later);
+
   // All that is kept, best first; equal scores in the order of their cells and of their coming.
   [[nodiscard]] std::vector<Archived> ranked() const;
 
  private:
   using Cell = std::array<int, 3>;
 
+  static void insert(Archived archived, std::vector<Archived>& cell);
   [[nodiscard]] double mean_of(std::size_t descriptor, std::span<const float> posture) const;
   [[nodiscard]] Cell cell_of(std::span<const float> posture, std::optional<double> index) const;
 
