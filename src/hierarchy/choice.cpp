@@ -57,7 +57,7 @@ std::string why_fewer(const Task& task, const Generation& generation, const Choi
       by_end ? "end within 10° of a better one" : "move as a better one does");
   add(choice.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
   add(generation.over_limit, "pass a joint's limit");
-  add(generation.collided, "pass through the body, an obstacle or the floor");
+  add(generation.collided, "pass deeper through the body, an obstacle or the floor");
   add(generation.missed, "miss the goal, leave the path or move a foot when replayed");
   return fmt::format(
       "{} of {} candidates: of the others that were kept, {}", generation.candidates.size(),

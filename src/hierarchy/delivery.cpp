@@ -108,12 +108,18 @@ class Delivery {
   Generation& generation_;
 };
 
-// Where a motion passes through nothing, those that do are left out.
+// Where a motion passes through nothing, those that do are left out; else those that are deeper in
+// than the least.
 void drop_collisions(Generation& generation) {
   std::vector<Candidate>& all = generation.candidates;
-  if (std::none_of(all.begin(), all.end(), is_free)) return;
-  generation.collided =
-      static_cast<int>(std::erase_if(all, [](const Candidate& c) { return !is_free(c); }));
+  if (all.empty()) return;
+  const auto shallower = [](const Candidate& a, const Candidate& b) {
+    return a.collides.depth < b.collides.depth;
+  };
+  const double least = std::min_element(all.begin(), all.end(), shallower)->collides.depth;
+  const double most = least <= kCollisionDepth ? kCollisionDepth : least + kCollisionDepth;
+  generation.collided = static_cast<int>(
+      std::erase_if(all, [most](const Candidate& c) { return c.collides.depth > most; }));
 }
 
 // Of too many, the worst that is not the only one of its style goes first.
