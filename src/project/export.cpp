@@ -76,13 +76,29 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
   return format_csv(columns);
 }
 
+// The limb that a goal moves, by the effector's name; none of the trunk and the head.
+std::optional<Limb> limb_of(std::string_view effector) {
+  const bool left = effector.starts_with("left_");
+  if (!left && !effector.starts_with("right_")) return std::nullopt;
+  const auto has = [effector](std::string_view word) {
+    return effector.find(word) != effector.npos;
+  };
+  for (const char* word : {"foot", "toes", "ankle", "knee", "hip", "leg"}) {
+    if (has(word)) return left ? Limb::left_leg : Limb::right_leg;
+  }
+  for (const char* word : {"hand", "wrist", "elbow", "shoulder", "arm"}) {
+    if (has(word)) return left ? Limb::left_arm : Limb::right_arm;
+  }
+  return std::nullopt;
+}
+
 StripSettings strip_settings(const Task& task) {
   StripSettings settings;
   settings.floor = 0.0;
   settings.facing = Vec3d{0, 0, 1};
   settings.accented.clear();
   for (const Goal& goal : task.goals) {
-    settings.accented.push_back(goal.effector == "left_hand" ? Limb::left_arm : Limb::right_arm);
+    if (const auto limb = limb_of(goal.effector)) settings.accented.push_back(*limb);
   }
   return settings;
 }

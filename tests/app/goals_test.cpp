@@ -357,5 +357,27 @@ TEST_F(Goals, WhatIsWrongIsToldApart) {
   EXPECT_THAT(stepping.err, HasSubstr("flat takes other joints too"));
 }
 
+// parts of the figure in the accent colour
+int accented(const std::string& svg) {
+  int count = 0;
+  const std::string accent = "rgb(63.921569%,16.862745%,9.803922%)";
+  for (std::size_t at = svg.find(accent); at != svg.npos; at = svg.find(accent, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(Goals, TheLimbThatAGoalMovesIsAccentedInTheFigure) {
+  const auto drawn = [this](const std::string& goal) {
+    const ProgramRun made =
+        run({"reach", "--character", "human", "--goal", goal, "--formats", "svg", "--evaluations",
+             "200", "--candidates", "1", "--out", "out"});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    return accented(work_.get("out/candidate-1.svg"));
+  };
+  EXPECT_EQ(drawn("head=0,1.5,0.2"), 0);
+  const int poses = 7;
+  EXPECT_EQ(drawn("left_foot=0.15,0.3,0.3"), 3 * poses);  // thigh, shank, foot
+  EXPECT_EQ(drawn("right_elbow=-0.4,1.3,0.2"), 3 * poses);
+}
+
 }  // namespace
 }  // namespace shigusa
