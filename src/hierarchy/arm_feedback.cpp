@@ -74,18 +74,24 @@ ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const 
                        .obstacles = {},
                        .limb = {}};
   for (const Capsule& capsule : body.capsules()) {
-    if (capsule.link == arm.hinge) feedback.limb.push_back(capsule);
+    if (capsule.link == arm.hinge) {
+      feedback.limb.push_back(capsule);
+    } else if (body.moves(arm.hinge, capsule.link)) {
+      const Transformd held = held_place(body, arm.hinge, capsule.link);
+      feedback.limb.push_back(
+          {capsule.name, arm.hinge, held * capsule.from, held * capsule.to, capsule.radius});
+    }
   }
   Kinematics<double> placed(body);
   for (int f = 0; f < clip.frames; ++f) {
     forward_kinematics<double>(body, clip.frame(f), placed);
-    const Mat3d& trunk = placed.link_rotation(problem.limbs.trunk);
+    const Mat3d& carrier = placed.link_rotation(arm.carrier);
     const Vec3d& shoulder = placed.origin[index(arm.flexion)];
     std::vector<Capsule> obstacles;
     for (Capsule capsule : body.capsules()) {
       if (body.moves(arm.flexion, capsule.link)) continue;
-      capsule.from = transpose_times(trunk, placed.point(capsule.link, capsule.from) - shoulder);
-      capsule.to = transpose_times(trunk, placed.point(capsule.link, capsule.to) - shoulder);
+      capsule.from = transpose_times(carrier, placed.point(capsule.link, capsule.from) - shoulder);
+      capsule.to = transpose_times(carrier, placed.point(capsule.link, capsule.to) - shoulder);
       obstacles.push_back(capsule);
     }
     feedback.obstacles.push_back(std::move(obstacles));

@@ -4,6 +4,8 @@
 #include <shigusa/hierarchy/arm_motion.hpp>
 #include <utility>
 
+#include "body/segment_mass.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -11,6 +13,26 @@ constexpr int kStepsPerFrame = 3;
 // The last frame is corrected until the hand is this near (m), by so many more steps at the most.
 constexpr double kLastTolerance = 1e-10;
 constexpr int kLastSteps = 12;
+
+}  // namespace
+
+namespace {
+
+// of the elbow's link with all that it holds
+MassProperties held_mass(const BodyModel& body, int elbow) {
+  LinkMass sum = link_mass(body.link_mass(elbow));
+  for (int link = elbow + 1; link < body.dof_count(); ++link) {
+    if (!body.moves(elbow, link)) continue;
+    const Transformd back = inverse(held_place(body, elbow, link));
+    sum.add(link_mass(link_mass(body.link_mass(link)).in_frame(back.rotation, back.translation)));
+  }
+  const Mat3d upright{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  return sum.mass > 0.0 ? sum.in_frame(upright, {}) : MassProperties{};
+}
+
+bool holds_more(const BodyModel& body, int elbow) {
+  return elbow + 1 < body.dof_count() && body.moves(elbow, elbow + 1);
+}
 
 }  // namespace
 
@@ -24,11 +46,13 @@ BodyModel arm_body(const BodyModel& body, const BodyLimb& arm) {
     copy.parent = parent++;
     if (dof == arm.flexion) copy.offset = {};
     alone.dofs.push_back(copy);
-    alone.masses.push_back(body.link_mass(dof));
-    alone.mass += body.link_mass(dof).mass;
+    alone.masses.push_back(dof == arm.hinge && holds_more(body, dof) ? held_mass(body, dof)
+                                                                     : body.link_mass(dof));
+    alone.mass += alone.masses.back().mass;
     alone.start.push_back(body.start()[static_cast<std::size_t>(dof)]);
   }
   Effector hand = body.effectors()[static_cast<std::size_t>(arm.effector)];
+  hand.point = held_place(body, arm.hinge, hand.link) * hand.point;
   hand.link = kArmDofs - 1;
   hand.limb_root = 0;
   alone.effectors = {hand};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <shigusa/hierarchy/layer.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
@@ -19,6 +20,7 @@ class Reducer {
   ReducedBody reduce() {
     add_carrying_leg(limbs_.legs[0]);
     for (std::size_t i = 1; i < limbs_.legs.size(); ++i) add_planted_leg(limbs_.legs[i]);
+    for (const int joint : limbs_.joints) add_joint(joint);
     for (const BodyLimb& arm : limbs_.arms) add_arm(arm);
     return std::move(reduced_);
   }
@@ -62,6 +64,40 @@ class Reducer {
     return sqrt(plane * plane + limb.segments.across() * limb.segments.across());
   }
 
+  // the trunk's link or one of the joints on it, as the reduced body has it
+  [[nodiscard]] int reduced_link(int link) const {
+    if (link == limbs_.trunk) return reduced_.trunk;
+    const auto at = std::find_if(reduced_.joints.begin(), reduced_.joints.end(),
+                                 [link](const TrunkJoint& joint) { return joint.of_body == link; });
+    return at->dof;
+  }
+
+  // a freedom of the spine or of a clavicle
+  void add_joint(int dof) {
+    const Dof& from = body_.dof(dof);
+    const double start = body_.start()[static_cast<std::size_t>(dof)];
+    const int joint = add_like(dof, reduced_link(from.parent), from.offset, start);
+    ReducedDof& added = reduced_.dofs.back();
+    added.lower = std::min(from.lower, start);
+    added.upper = std::max(from.upper, start);
+    // the joints of the spine go by one weight for each way that it bends
+    const std::string freedom = from.name.substr(from.name.rfind('.') + 1);
+    for (const TrunkJoint& earlier : reduced_.joints) {
+      const ReducedDof& other = reduced_.dofs[static_cast<std::size_t>(earlier.dof)];
+      if (!is_of_arm(dof) && other.weight_of < 0 && other.name.ends_with("." + freedom)) {
+        added.weight_of = earlier.dof;
+      }
+    }
+    reduced_.joints.push_back({joint, dof});
+  }
+
+  // a clavicle's: it moves one arm alone
+  [[nodiscard]] bool is_of_arm(int dof) const {
+    int arms = 0;
+    for (const BodyLimb& arm : limbs_.arms) arms += body_.moves(dof, arm.carrier) ? 1 : 0;
+    return arms < static_cast<int>(limbs_.arms.size());
+  }
+
   // lean and length of a leg in its foot's frame
   struct LegLine {
     double lean;
@@ -82,12 +118,28 @@ class Reducer {
     return angles;
   }
 
+  // the plane of a leg, whose foot stands so
+  [[nodiscard]] Mat3d plane_of(const BodyLimb& leg, const Mat3d& foot) const {
+    if (leg.inversion < 0) return foot;
+    const double turn = body_.dof(leg.inversion).sign * inversion_of(leg);
+    return foot * rotation(Axis::z, leg.carries ? turn : -turn);
+  }
+  [[nodiscard]] double inversion_of(const BodyLimb& leg) const {
+    return body_.start()[static_cast<std::size_t>(leg.inversion)];
+  }
+
   void add_carrying_leg(const BodyLimb& leg) {
     const LegLine line = leg_line(leg);
-    const Mat3d frame = placed_.base_rotation * rotation(Axis::x, line.lean);
+    const Mat3d frame = plane_of(leg, placed_.base_rotation) * rotation(Axis::x, line.lean);
     const std::vector<double> start = ball_starts(leg, frame);
     const auto at = [&start](int dof) { return start[static_cast<std::size_t>(dof)]; };
-    const int lean = add_like(leg.ankle, -1, body_.dof(leg.ankle).offset, line.lean);
+    int parent = -1;
+    Vec3d ankle = body_.dof(leg.ankle).offset;
+    if (leg.inversion >= 0) {
+      parent = add_like(leg.inversion, -1, body_.dof(leg.inversion).offset, inversion_of(leg));
+      ankle = {};
+    }
+    const int lean = add_like(leg.ankle, parent, ankle, line.lean);
     const int slide = add_slide(leg, lean, {leg.segments.across(), 0, 0}, 1.0, line.length);
     const int rotation = add_like(leg.rotation, slide, {}, at(leg.rotation));
     const int abduction = add_like(leg.abduction, rotation, {}, at(leg.abduction));
@@ -96,14 +148,16 @@ class Reducer {
 
   void add_planted_leg(const BodyLimb& leg) {
     const LegLine line = leg_line(leg);
-    const Mat3d& foot = placed_.link_rotation(leg.ankle);
-    const std::vector<double> start = ball_starts(leg, foot * rotation(Axis::x, line.lean));
+    const Mat3d& foot = placed_.link_rotation(leg.inversion < 0 ? leg.ankle : leg.inversion);
+    const std::vector<double> start =
+        ball_starts(leg, plane_of(leg, foot) * rotation(Axis::x, line.lean));
     const auto at = [&start](int dof) { return start[static_cast<std::size_t>(dof)]; };
     const int flexion = add_like(leg.flexion, reduced_.trunk, leg.root, at(leg.flexion));
     const int abduction = add_like(leg.abduction, flexion, {}, at(leg.abduction));
     const int rotation = add_like(leg.rotation, abduction, {}, at(leg.rotation));
     const int slide = add_slide(leg, rotation, {-leg.segments.across(), 0, 0}, -1.0, line.length);
-    add_like(leg.ankle, slide, {}, line.lean);
+    const int lean = add_like(leg.ankle, slide, {}, line.lean);
+    if (leg.inversion >= 0) add_like(leg.inversion, lean, {}, inversion_of(leg));
   }
 
   void add_arm(const BodyLimb& arm) {
@@ -111,14 +165,22 @@ class Reducer {
     const Vec3d shoulder = placed_.origin[static_cast<std::size_t>(arm.flexion)];
     const Vec3d hand = placed_.point(effector.link, effector.point);
     // Rx(x) · Rz(z) brings -y to the hand's direction
-    const Vec3d way = transpose_times(placed_.link_rotation(limbs_.trunk), hand - shoulder);
+    const Vec3d way = transpose_times(placed_.link_rotation(arm.carrier), hand - shoulder);
     const Vec3d up = -way;
     const double z = atan2(-up.x, sqrt(up.y * up.y + up.z * up.z));
     const double x = atan2(up.z, up.y);
-    const int flexion =
-        add_like(arm.flexion, reduced_.trunk, arm.root, x * body_.dof(arm.flexion).sign);
+    const int carrier = reduced_link(arm.carrier);
+    const int flexion = add_like(arm.flexion, carrier, arm.root, x * body_.dof(arm.flexion).sign);
     const int abduction = add_like(arm.abduction, flexion, {}, z * body_.dof(arm.abduction).sign);
     add_slide(arm, abduction, {}, -1.0, norm(way));
+    ReducedLimb& limb = reduced_.limbs.back();
+    limb.carrier = carrier;
+    for (const TrunkJoint& joint : reduced_.joints) {
+      if (!is_of_arm(joint.of_body) || !body_.moves(joint.of_body, arm.carrier)) continue;
+      const std::string& name = body_.dof(joint.of_body).name;
+      if (name.ends_with("clavicle.elevation")) limb.elevation = joint.dof;
+      if (name.ends_with("clavicle.protraction")) limb.protraction = joint.dof;
+    }
   }
 
   const BodyModel& body_;
@@ -132,12 +194,26 @@ void add_weight(Layer& layer, int dof) {
       {layer.body.dofs[static_cast<std::size_t>(dof)].name, LayerGeneKind::weight, {dof}});
 }
 
-// one gene for each freedom that is no length, in the body's order
+// a freedom of a clavicle, which goes with its arm and not by a weight
+bool follows_arm(const ReducedBody& body, int dof) {
+  return std::any_of(body.limbs.begin(), body.limbs.end(), [dof](const ReducedLimb& limb) {
+    return limb.elevation == dof || limb.protraction == dof;
+  });
+}
+
+bool is_trunk_joint(const ReducedBody& body, int dof) {
+  return std::any_of(body.joints.begin(), body.joints.end(),
+                     [dof](const TrunkJoint& joint) { return joint.dof == dof; });
+}
+
+// one gene for each freedom that is no length and goes by a weight of its own, in the body's order
 void add_weights(Layer& layer, LayerReading reading) {
   for (std::size_t d = 0; d < layer.body.dofs.size(); ++d) {
     const ReducedDof& dof = layer.body.dofs[d];
-    if (dof.kind == ReducedDof::Kind::slide) continue;
-    if (reading == LayerReading::contraction_a_limb && dof.axis == Axis::y) continue;
+    if (dof.kind == ReducedDof::Kind::slide || dof.weight_of >= 0) continue;
+    if (follows_arm(layer.body, static_cast<int>(d))) continue;
+    const bool of_hip = dof.axis == Axis::y && !is_trunk_joint(layer.body, static_cast<int>(d));
+    if (reading == LayerReading::contraction_a_limb && of_hip) continue;
     add_weight(layer, static_cast<int>(d));
   }
 }

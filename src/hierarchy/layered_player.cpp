@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/layered_player.hpp>
 #include <utility>
@@ -14,11 +15,20 @@ double climbing_sign(const BodyModel& body, const BodyLimb& leg) {
   return leg.carries ? sign : -sign;
 }
 
-int foot_link(const BodyLimb& leg) { return leg.carries ? kBaseLink : leg.ankle; }
+// the ankle's freedom that is next to the foot
+int foot_dof(const BodyLimb& leg) { return leg.inversion < 0 ? leg.ankle : leg.inversion; }
+
+int foot_link(const BodyLimb& leg) { return leg.carries ? kBaseLink : foot_dof(leg); }
 
 // m, of the ankle in its foot's frame
 Vec3d ankle_in_foot(const BodyModel& body, const BodyLimb& leg) {
-  return leg.carries ? body.dof(leg.ankle).offset : Vec3d{};
+  return leg.carries ? body.dof(foot_dof(leg)).offset : Vec3d{};
+}
+
+// how an ankle's inversion turns the shank on the foot about z
+double inversion_sign(const BodyModel& body, const BodyLimb& leg) {
+  const double sign = body.dof(leg.inversion).sign;
+  return leg.carries ? sign : -sign;
 }
 
 }  // namespace
@@ -29,7 +39,9 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
       upper_(problem.layers[0].body, problem.reach),
       start_(*body_),
       placed_(*body_),
-      whole_(*body_) {
+      whole_(*body_),
+      law_(problem.reach),
+      drawn_(body_->dofs().size()) {
   forward_kinematics<double>(*body_, body_->start(), start_);
   std::size_t by_weights = 0;
   std::size_t by_swivel = 0;
@@ -49,6 +61,12 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
       finals_.push_back({index(body_->find_dof(dof.name).value()), dof.start});
     }
   }
+  for (const TrunkJoint& joint : problem.layers[0].body.joints) {
+    const bool used = std::any_of(problem.arms.begin(), problem.arms.end(), [&](int arm) {
+      return body_->moves(joint.of_body, problem.limbs.arms[index(arm)].carrier);
+    });
+    if (used) joints_.push_back(joint);
+  }
   for (const BodyLimb& leg : problem.limbs.legs) {
     const Dof& ankle = body_->dof(leg.ankle);
     const Dof& knee = body_->dof(leg.hinge);
@@ -62,9 +80,9 @@ std::vector<HandPath> LayeredPlayer::hand_paths(const ReducedClip& clip) const {
   for (std::size_t g = 0; g < paths.size(); ++g) {
     const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
     for (std::size_t f = 0; f < clip.trunk.size(); ++f) {
-      const Transformd& trunk = clip.trunk[f];
-      const Vec3d hand = clip.hands[g][f] - trunk.translation;
-      paths[g].push_back(transpose_times(trunk.rotation, hand) - arm.root);
+      const Transformd& carrier = clip.carriers[g][f];
+      const Vec3d hand = clip.hands[g][f] - carrier.translation;
+      paths[g].push_back(transpose_times(carrier.rotation, hand) - arm.root);
     }
   }
   return paths;
@@ -73,13 +91,27 @@ std::vector<HandPath> LayeredPlayer::hand_paths(const ReducedClip& clip) const {
 // where the hip is from the foot
 LayeredPlayer::LegLine LayeredPlayer::leg_line(const BodyLimb& leg, const ReducedClip& clip,
                                                int frame) const {
-  // the base's leg has both as freedoms of its own
-  if (leg.carries) return {clip.frame(frame)[0], clip.frame(frame)[1]};
+  // the base's leg has them as freedoms of its own, the first ones
+  if (leg.carries && leg.inversion < 0) return {clip.frame(frame)[0], clip.frame(frame)[1]};
+  if (leg.carries) {
+    const std::span<const double> values = clip.frame(frame);
+    return {values[1], values[2], inversion_sign(*body_, leg) * values[0]};
+  }
   const Vec3d hip = clip.trunk[index(frame)] * leg.root;
   const int foot = foot_link(leg);
-  const Vec3d way = transpose_times(start_.link_rotation(foot),
-                                    hip - start_.point(foot, ankle_in_foot(*body_, leg)));
-  return {atan2(way.z, way.y), sqrt(way.y * way.y + way.z * way.z)};
+  Vec3d way = transpose_times(start_.link_rotation(foot),
+                              hip - start_.point(foot, ankle_in_foot(*body_, leg)));
+  double turn = 0.0;
+  if (leg.inversion >= 0) {
+    turn = plane_turn(way, leg.segments.across());
+    way = transpose_times(rotation(Axis::z, turn), way);
+  }
+  return {atan2(way.z, way.y), sqrt(way.y * way.y + way.z * way.z), turn};
+}
+
+// rad, of the ankle
+double LayeredPlayer::inversion(const BodyLimb& leg, const LegLine& line) const {
+  return inversion_sign(*body_, leg) * line.turn;
 }
 
 LayeredPlayer::PelvisCheck LayeredPlayer::check_pelvis(const ReducedClip& clip) const {
@@ -89,6 +121,11 @@ LayeredPlayer::PelvisCheck LayeredPlayer::check_pelvis(const ReducedClip& clip) 
       const BodyLimb& leg = problem_->limbs.legs[i];
       const LegLine line = leg_line(leg, clip, f);
       check.excess = max(check.excess, ranges_[i].excess(line.lean, line.length));
+      if (leg.inversion >= 0) {
+        const Dof& ankle = body_->dof(leg.inversion);
+        const double angle = inversion(leg, line);
+        check.excess = max(check.excess, max(angle - ankle.upper, ankle.lower - angle));
+      }
       if (line.length > leg.segments.longest() || line.length < leg.segments.shortest()) {
         check.in_reach = false;
       }
@@ -104,14 +141,29 @@ void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line, const Mat
   const double ankle = line.lean - leg.segments.direction(knee);
   angles[index(leg.hinge)] = knee;
   angles[index(leg.ankle)] = ankle;
-  const Mat3d thigh = start_.link_rotation(foot_link(leg)) *
-                      rotation(Axis::x, ankle + climbing_sign(*body_, leg) * knee);
+  Mat3d plane = start_.link_rotation(foot_link(leg));
+  if (leg.inversion >= 0) {
+    angles[index(leg.inversion)] = inversion(leg, line);
+    plane = plane * rotation(Axis::z, line.turn);
+  }
+  const Mat3d thigh = plane * rotation(Axis::x, ankle + climbing_sign(*body_, leg) * knee);
   const BallTurns before = leg.turns_of(*body_, angles);
   leg.put_turns(*body_, ball_turns(transpose(trunk) * thigh, before), angles);
 }
 
+// what no goal moves, from where the frame before left it
+void LayeredPlayer::follow_law(int frame, std::span<double> angles) {
+  if (law_.empty()) return;
+  std::fill(drawn_.begin(), drawn_.end(), 0.0);
+  forward_kinematics<double>(*body_, angles, placed_);
+  // "guided": clavicles of arms with goals are the upper layer's
+  constexpr bool kGuided = true;
+  law_.draw(frame, problem_->reach.steps, placed_, angles, kGuided, drawn_);
+  for (std::size_t d = 0; d < drawn_.size(); ++d) angles[d] += drawn_[d];
+}
+
 Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles,
-                                  std::span<const double> finals) const {
+                                  std::span<const double> finals) {
   const ReachProblem& reach = problem_->reach;
   Clip whole{.dofs = body_->dof_count(),
              .frames = reach.steps + 1,
@@ -122,6 +174,9 @@ Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, const ArmAngles& arm_
   for (int f = 1; f <= reach.steps; ++f) {
     for (const BodyLimb& leg : problem_->limbs.legs) {
       bend_leg(leg, leg_line(leg, clip, f), clip.trunk[index(f)].rotation, angles);
+    }
+    for (const TrunkJoint& joint : joints_) {
+      angles[index(joint.of_body)] = clip.frame(f)[index(joint.dof)];
     }
     for (std::size_t g = 0; g < arm_angles.size(); ++g) {
       const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
@@ -134,6 +189,7 @@ Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, const ArmAngles& arm_
     for (std::size_t k = 0; k < finals_.size(); ++k) {
       angles[finals_[k].dof] = finals_[k].start + (finals[k] - finals_[k].start) * schedule;
     }
+    follow_law(f, angles);
     whole.angles.insert(whole.angles.end(), angles.begin(), angles.end());
   }
   return whole;

@@ -3,6 +3,7 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/reduced_motion.hpp>
 #include <shigusa/math/ldlt.hpp>
+#include <shigusa/rollout/limit_guard.hpp>
 
 namespace shigusa {
 namespace {
@@ -53,7 +54,9 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
       const ReducedLimb& limb = body.limbs[i];
       if (limb.joints.kind != LimbKind::arm || limb.joints.effector != goal.effector) continue;
       moves_[i] = true;
-      targets_.push_back({.link = limb.slide, .chain = chain_to(body, limb.slide)});
+      targets_.push_back(
+          {.link = limb.slide, .carrier = limb.carrier, .chain = chain_to(body, limb.slide)});
+      add_clavicle(limb);
     }
   }
   SHG_CHECK(targets_.size() == problem.goals.size(), "each goal is for an arm of the layer's body");
@@ -62,7 +65,8 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
     if (limb.joints.kind != LimbKind::leg) continue;
     moves_[i] = true;
     if (limb.joints.carries) continue;
-    const int foot = limb.slide + 1;  // the ankle's hinge
+    // the last of the ankle's freedoms, which follow the slide
+    const int foot = limb.slide + (limb.joints.inversion < 0 ? 1 : 2);
     targets_.push_back({.link = foot,
                         .contact = true,
                         .position = placed_.origin[index(foot)],
@@ -76,6 +80,8 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
   }
   for (std::size_t d = 0; d < used.size(); ++d) {
     if (used[d]) used_.push_back(d);
+    const bool limits = body.dofs[d].lower > -kUnlimited || body.dofs[d].upper < kUnlimited;
+    if (used[d] && limits && problem.hold_limits) limited_.push_back(d);
   }
   SHG_CHECK(rows_ <= kMaxIkRows, "too many goals for one motion");
   inverse_.resize(q_.size());
@@ -87,6 +93,28 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
   change_.resize(q_.size());
   jacobian_.resize(rows_ * q_.size());
   residual_.resize(rows_);
+  free_.resize(q_.size());
+  before_.resize(q_.size());
+  pull_.resize(q_.size());
+}
+
+void ReducedRollout::add_clavicle(const ReducedLimb& limb) {
+  const bool by_law = problem_->posture_law && problem_->body->find_dof("neck.flexion");
+  if (!by_law || limb.elevation < 0 || limb.protraction < 0) return;
+  const auto shrug = shrugged(limb.slide, limb.elevation);
+  clavicles_.push_back(
+      {.slide = limb.slide,
+       .elevation = limb.elevation,
+       .protraction = limb.protraction,
+       .elevation_start = body_->dofs[index(limb.elevation)].start - shrug.elevation,
+       .protraction_start = body_->dofs[index(limb.protraction)].start - shrug.protraction});
+}
+
+// what the clavicle is drawn to by the line of its arm
+PostureLaw<double>::Shrug<double> ReducedRollout::shrugged(int slide, int elevation) const {
+  const int chest = body_->dofs[index(elevation)].parent;
+  const Mat3d& carrier = chest < 0 ? body_->base.rotation : placed_.rotation[index(chest)];
+  return PostureLaw<double>::shrugged(transpose_times(carrier, placed_.axis[index(slide)]));
 }
 
 void ReducedRollout::set_up(const LayerParameters& parameters) {
@@ -97,7 +125,12 @@ void ReducedRollout::set_up(const LayerParameters& parameters) {
     const JointWeight& joint = parameters.joints[d];
     inverse_[d] =
         joint.locked || body_->dofs[d].kind == ReducedDof::Kind::slide ? 0.0 : 1.0 / joint.weight;
+    const int shared = body_->dofs[d].weight_of;
+    if (shared >= 0) inverse_[d] = inverse_[index(shared)];
   }
+  free_ = inverse_;
+  before_ = q_;
+  std::fill(pull_.begin(), pull_.end(), 0.0);
   for (std::size_t i = 0; i < body_->limbs.size(); ++i) {
     const ReducedLimb& limb = body_->limbs[i];
     const double share = parameters.contractions[i] / kLayerGeneMax;
@@ -150,6 +183,7 @@ void ReducedRollout::run(const LayerParameters& parameters, ReducedClip& clip) {
   clip.values.clear();
   clip.trunk.clear();
   clip.hands.assign(problem_->goals.size(), {});
+  clip.carriers.assign(problem_->goals.size(), {});
   keep_frame(clip);
   clip.path_error = clip.foot_error = 0.0;
   for (int frame = 1; frame <= problem_->steps; ++frame) {
@@ -177,6 +211,8 @@ void ReducedRollout::keep_frame(ReducedClip& clip) const {
   clip.trunk.push_back({placed_.rotation[trunk], placed_.origin[trunk]});
   for (std::size_t g = 0; g < clip.hands.size(); ++g) {
     clip.hands[g].push_back(placed_.origin[index(targets_[g].link)]);
+    const auto carrier = index(targets_[g].carrier);
+    clip.carriers[g].push_back({placed_.rotation[carrier], placed_.origin[carrier]});
   }
 }
 
@@ -219,6 +255,14 @@ void ReducedRollout::step(int frame, bool first) {
       reference_[d] = stretched ? stretched_[d] - q_[d] : 0.0;
     }
   }
+  if (first) {
+    begin_limits();
+    draw_clavicles();
+  } else {
+    for (const Clavicle& clavicle : clavicles_) {
+      reference_[index(clavicle.elevation)] = reference_[index(clavicle.protraction)] = 0.0;
+    }
+  }
   fill_rows();
   take_off_reference();
   solve();
@@ -231,7 +275,42 @@ void ReducedRollout::step(int frame, bool first) {
   for (std::size_t d = 0; d < q_.size(); ++d) {
     q_[d] += change_[d] * (body_->dofs[d].kind == ReducedDof::Kind::hinge ? scale : 1.0);
   }
+  hold_limits();
   place_reduced(*body_, q_, placed_);
+}
+
+// inverse weights of a frame's first step: less towards a limit that is near
+void ReducedRollout::begin_limits() {
+  for (const std::size_t d : limited_) {
+    pull_[d] = q_[d] - before_[d];
+    before_[d] = q_[d];
+    const ReducedDof& dof = body_->dofs[d];
+    const double room = pull_[d] > 0.0 ? dof.upper - q_[d] : q_[d] - dof.lower;
+    const double t = pull_[d] == 0.0 ? 1.0 : clamp(room / kLimitMargin, 0.0, 1.0);
+    inverse_[d] = free_[d] * t * t * (3.0 - 2.0 * t);
+  }
+}
+
+// what passed a limit stays there, and leaves the rest of the frame to the others
+void ReducedRollout::hold_limits() {
+  for (const std::size_t d : limited_) {
+    const ReducedDof& dof = body_->dofs[d];
+    const double held = clamp(q_[d], dof.lower, dof.upper);
+    if (held != q_[d]) inverse_[d] = 0.0;
+    q_[d] = held;
+  }
+}
+
+void ReducedRollout::draw_clavicles() {
+  for (const Clavicle& clavicle : clavicles_) {
+    const auto shrug = shrugged(clavicle.slide, clavicle.elevation);
+    const auto draw = [&](int dof, double wanted) {
+      const ReducedDof& of = body_->dofs[index(dof)];
+      reference_[index(dof)] = clamp(wanted, of.lower, of.upper) - q_[index(dof)];
+    };
+    draw(clavicle.elevation, clavicle.elevation_start + shrug.elevation);
+    draw(clavicle.protraction, clavicle.protraction_start + shrug.protraction);
+  }
 }
 
 void ReducedRollout::fill_rows() {

@@ -148,8 +148,8 @@ class Scanner {
       return wrong("<{}> names '{}'; a name has no '&'", name, shortened(link));
     }
     const char quote = link.find('"') == link.npos ? '"' : '\'';
-    out_ += fmt::format("<{} link={}{}{}{}>", name, quote, link, quote,
-                        tag.ends_with('/') ? "/" : "");
+    out_ +=
+        fmt::format("<{} link={}{}{}{}>", name, quote, link, quote, tag.ends_with('/') ? "/" : "");
     return {};
   }
 
