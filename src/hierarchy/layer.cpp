@@ -64,6 +64,21 @@ class Reducer {
     return sqrt(plane * plane + limb.segments.across() * limb.segments.across());
   }
 
+  // gives a reduced freedom the limits of the body's, widened to its start
+  void hold_to_limits(int dof, int reduced) {
+    const Dof& from = body_.dof(dof);
+    const double start = body_.start()[static_cast<std::size_t>(dof)];
+    ReducedDof& to = reduced_.dofs[static_cast<std::size_t>(reduced)];
+    to.lower = std::min(from.lower, start);
+    to.upper = std::max(from.upper, start);
+  }
+
+  // of the leg that was added last
+  void limit_lean(const BodyLimb& leg, int lean) {
+    hold_to_limits(leg.ankle, lean);
+    reduced_.limbs.back().lean = lean;
+  }
+
   // the trunk's link or one of the joints on it, as the reduced body has it
   [[nodiscard]] int reduced_link(int link) const {
     if (link == limbs_.trunk) return reduced_.trunk;
@@ -77,9 +92,8 @@ class Reducer {
     const Dof& from = body_.dof(dof);
     const double start = body_.start()[static_cast<std::size_t>(dof)];
     const int joint = add_like(dof, reduced_link(from.parent), from.offset, start);
+    hold_to_limits(dof, joint);
     ReducedDof& added = reduced_.dofs.back();
-    added.lower = std::min(from.lower, start);
-    added.upper = std::max(from.upper, start);
     // the joints of the spine go by one weight for each way that it bends
     const std::string freedom = from.name.substr(from.name.rfind('.') + 1);
     for (const TrunkJoint& earlier : reduced_.joints) {
@@ -140,7 +154,9 @@ class Reducer {
       ankle = {};
     }
     const int lean = add_like(leg.ankle, parent, ankle, line.lean);
+    if (parent >= 0) hold_to_limits(leg.inversion, parent);
     const int slide = add_slide(leg, lean, {leg.segments.across(), 0, 0}, 1.0, line.length);
+    if (parent >= 0) limit_lean(leg, lean);
     const int rotation = add_like(leg.rotation, slide, {}, at(leg.rotation));
     const int abduction = add_like(leg.abduction, rotation, {}, at(leg.abduction));
     reduced_.trunk = add_like(leg.flexion, abduction, {}, at(leg.flexion));
@@ -157,7 +173,9 @@ class Reducer {
     const int rotation = add_like(leg.rotation, abduction, {}, at(leg.rotation));
     const int slide = add_slide(leg, rotation, {-leg.segments.across(), 0, 0}, -1.0, line.length);
     const int lean = add_like(leg.ankle, slide, {}, line.lean);
-    if (leg.inversion >= 0) add_like(leg.inversion, lean, {}, inversion_of(leg));
+    if (leg.inversion < 0) return;
+    limit_lean(leg, lean);
+    hold_to_limits(leg.inversion, add_like(leg.inversion, lean, {}, inversion_of(leg)));
   }
 
   void add_arm(const BodyLimb& arm) {

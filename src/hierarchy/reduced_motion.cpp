@@ -3,7 +3,6 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/reduced_motion.hpp>
 #include <shigusa/math/ldlt.hpp>
-#include <shigusa/rollout/limit_guard.hpp>
 
 namespace shigusa {
 namespace {
@@ -80,8 +79,6 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
   }
   for (std::size_t d = 0; d < used.size(); ++d) {
     if (used[d]) used_.push_back(d);
-    const bool limits = body.dofs[d].lower > -kUnlimited || body.dofs[d].upper < kUnlimited;
-    if (used[d] && limits && problem.hold_limits) limited_.push_back(d);
   }
   SHG_CHECK(rows_ <= kMaxIkRows, "too many goals for one motion");
   inverse_.resize(q_.size());
@@ -93,28 +90,8 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
   change_.resize(q_.size());
   jacobian_.resize(rows_ * q_.size());
   residual_.resize(rows_);
-  free_.resize(q_.size());
-  before_.resize(q_.size());
-  pull_.resize(q_.size());
-}
-
-void ReducedRollout::add_clavicle(const ReducedLimb& limb) {
-  const bool by_law = problem_->posture_law && problem_->body->find_dof("neck.flexion");
-  if (!by_law || limb.elevation < 0 || limb.protraction < 0) return;
-  const auto shrug = shrugged(limb.slide, limb.elevation);
-  clavicles_.push_back(
-      {.slide = limb.slide,
-       .elevation = limb.elevation,
-       .protraction = limb.protraction,
-       .elevation_start = body_->dofs[index(limb.elevation)].start - shrug.elevation,
-       .protraction_start = body_->dofs[index(limb.protraction)].start - shrug.protraction});
-}
-
-// what the clavicle is drawn to by the line of its arm
-PostureLaw<double>::Shrug<double> ReducedRollout::shrugged(int slide, int elevation) const {
-  const int chest = body_->dofs[index(elevation)].parent;
-  const Mat3d& carrier = chest < 0 ? body_->base.rotation : placed_.rotation[index(chest)];
-  return PostureLaw<double>::shrugged(transpose_times(carrier, placed_.axis[index(slide)]));
+  force_.resize(q_.size());
+  if (problem.hold_limits) limits_.emplace(body, used_);
 }
 
 void ReducedRollout::set_up(const LayerParameters& parameters) {
@@ -128,9 +105,7 @@ void ReducedRollout::set_up(const LayerParameters& parameters) {
     const int shared = body_->dofs[d].weight_of;
     if (shared >= 0) inverse_[d] = inverse_[index(shared)];
   }
-  free_ = inverse_;
-  before_ = q_;
-  std::fill(pull_.begin(), pull_.end(), 0.0);
+  if (limits_) limits_->reset(inverse_);
   for (std::size_t i = 0; i < body_->limbs.size(); ++i) {
     const ReducedLimb& limb = body_->limbs[i];
     const double share = parameters.contractions[i] / kLayerGeneMax;
@@ -256,7 +231,7 @@ void ReducedRollout::step(int frame, bool first) {
     }
   }
   if (first) {
-    begin_limits();
+    if (limits_) limits_->soften(q_, inverse_);
     draw_clavicles();
   } else {
     for (const Clavicle& clavicle : clavicles_) {
@@ -264,8 +239,10 @@ void ReducedRollout::step(int frame, bool first) {
     }
   }
   fill_rows();
+  if (limits_) limits_->lean_with_length(jacobian_);
   take_off_reference();
   solve();
+  if (limits_ && first) limits_->learn(force_, change_);
   double largest = 0.0;
   for (std::size_t d = 0; d < q_.size(); ++d) {
     if (body_->dofs[d].kind == ReducedDof::Kind::hinge) largest = max(largest, abs(change_[d]));
@@ -275,42 +252,11 @@ void ReducedRollout::step(int frame, bool first) {
   for (std::size_t d = 0; d < q_.size(); ++d) {
     q_[d] += change_[d] * (body_->dofs[d].kind == ReducedDof::Kind::hinge ? scale : 1.0);
   }
-  hold_limits();
+  if (limits_) {
+    limits_->follow_length(change_, q_);
+    limits_->hold(q_, inverse_);
+  }
   place_reduced(*body_, q_, placed_);
-}
-
-// inverse weights of a frame's first step: less towards a limit that is near
-void ReducedRollout::begin_limits() {
-  for (const std::size_t d : limited_) {
-    pull_[d] = q_[d] - before_[d];
-    before_[d] = q_[d];
-    const ReducedDof& dof = body_->dofs[d];
-    const double room = pull_[d] > 0.0 ? dof.upper - q_[d] : q_[d] - dof.lower;
-    const double t = pull_[d] == 0.0 ? 1.0 : clamp(room / kLimitMargin, 0.0, 1.0);
-    inverse_[d] = free_[d] * t * t * (3.0 - 2.0 * t);
-  }
-}
-
-// what passed a limit stays there, and leaves the rest of the frame to the others
-void ReducedRollout::hold_limits() {
-  for (const std::size_t d : limited_) {
-    const ReducedDof& dof = body_->dofs[d];
-    const double held = clamp(q_[d], dof.lower, dof.upper);
-    if (held != q_[d]) inverse_[d] = 0.0;
-    q_[d] = held;
-  }
-}
-
-void ReducedRollout::draw_clavicles() {
-  for (const Clavicle& clavicle : clavicles_) {
-    const auto shrug = shrugged(clavicle.slide, clavicle.elevation);
-    const auto draw = [&](int dof, double wanted) {
-      const ReducedDof& of = body_->dofs[index(dof)];
-      reference_[index(dof)] = clamp(wanted, of.lower, of.upper) - q_[index(dof)];
-    };
-    draw(clavicle.elevation, clavicle.elevation_start + shrug.elevation);
-    draw(clavicle.protraction, clavicle.protraction_start + shrug.protraction);
-  }
 }
 
 void ReducedRollout::fill_rows() {
@@ -379,6 +325,7 @@ void ReducedRollout::solve() {
   for (const std::size_t d : used_) {
     double force = 0.0;
     for (std::size_t r = 0; r < rows_; ++r) force += jacobian_[r * dofs + d] * residual_[r];
+    force_[d] = force;
     change_[d] = reference_[d] + force * inverse_[d];
   }
 }

@@ -37,8 +37,10 @@ enum class LengthLaw {
 
 // A limb of a reduced body: one rigid rod of variable length.
 struct ReducedLimb {
-  BodyLimb joints;   // what it stands for
-  int slide = 0;     // dof that is its length
+  BodyLimb joints;  // what it stands for
+  int slide = 0;    // dof that is its length
+  // of a leg whose ankle inverts: dof of its line's lean, whose limits are the ankle's; else -1
+  int lean = -1;
   int carrier = -1;  // of an arm: link that its shoulder is in
   // of an arm on a clavicle, which goes with it by PostureLaw: dofs, else -1
   int elevation = -1;

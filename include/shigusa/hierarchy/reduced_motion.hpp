@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/hierarchy/layer.hpp>
+#include <optional>
+#include <shigusa/hierarchy/reduced_limits.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/posture_law.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
@@ -67,8 +68,7 @@ struct ReducedClip {
 // are drawn to, a metre of difference counting as kLegStiffness rad², and neither leg gets longer
 // than `longest`. Each frame takes two steps, the second for what joints on arcs leave the first
 // short by.
-// Where the problem holds limits, a freedom that has some gives way less and less over the last
-// kLimitMargin before the one that it moves to, and stops there. Clavicles of arms with goals go
+// Where the problem holds limits, so does this (ReducedLimits). Clavicles of arms with goals go
 // with the line from shoulder to hand by PostureLaw, where the problem has it.
 //
 // Holds its scratch memory: make one per thread. Layer and problem outlive it.
@@ -94,8 +94,6 @@ class ReducedRollout {
   void step(int frame, bool first);
   void add_clavicle(const ReducedLimb& limb);
   [[nodiscard]] PostureLaw<double>::Shrug<double> shrugged(int slide, int elevation) const;
-  void begin_limits();
-  void hold_limits();
   void draw_clavicles();
   void keep_frame(ReducedClip& clip) const;
   void fill_rows();
@@ -124,16 +122,14 @@ class ReducedRollout {
     double elevation_start = 0.0;
     double protraction_start = 0.0;
   };
-  std::vector<Clavicle> clavicles_;   // of arms with goals
-  std::vector<std::size_t> limited_;  // dofs with limits to hold
-  std::vector<double> free_;          // (dofs) inverse weights far from limits
-  std::vector<double> before_;        // (dofs) where the frame before left them …
-  std::vector<double> pull_;          // … and by how much that frame had moved them
-  std::vector<double> inverse_;       // (dofs)
-  std::vector<double> reference_;     // (dofs) what slides are to change by
-  std::vector<double> jacobian_;      // (rows × dofs)
-  std::vector<double> residual_;      // (rows)
-  std::vector<double> change_;        // (dofs)
+  std::vector<Clavicle> clavicles_;      // of arms with goals
+  std::vector<double> force_;            // (dofs) Jᵀλ of the last step
+  std::optional<ReducedLimits> limits_;  // where the problem holds them
+  std::vector<double> inverse_;          // (dofs)
+  std::vector<double> reference_;        // (dofs) what slides are to change by
+  std::vector<double> jacobian_;         // (rows × dofs)
+  std::vector<double> residual_;         // (rows)
+  std::vector<double> change_;           // (dofs)
 };
 
 // rad²/m²: what being off its length by a metre costs a leg of two, beside a freedom of weight 1.
