@@ -36,24 +36,32 @@ bool holds_more(const BodyModel& body, int elbow) {
 
 }  // namespace
 
-BodyModel arm_body(const BodyModel& body, const BodyLimb& arm) {
+std::vector<int> arm_dofs(const BodyLimb& arm, bool turning) {
+  std::vector<int> dofs{arm.flexion, arm.abduction, arm.rotation, arm.hinge};
+  if (!turning) return dofs;
+  SHG_CHECK(arm.has_wrist(), "a hand that turns has a wrist");
+  for (const int dof : {arm.forearm, arm.wrist_flexion, arm.wrist_deviation}) dofs.push_back(dof);
+  return dofs;
+}
+
+BodyModel arm_body(const BodyModel& body, const BodyLimb& arm, bool turning) {
   BodyDefinition alone;
   alone.name = arm.name;
   alone.stature = body.stature();
   int parent = kBaseLink;
-  for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
+  for (const int dof : arm_dofs(arm, turning)) {
     Dof copy = body.dof(dof);
     copy.parent = parent++;
     if (dof == arm.flexion) copy.offset = {};
     alone.dofs.push_back(copy);
-    alone.masses.push_back(dof == arm.hinge && holds_more(body, dof) ? held_mass(body, dof)
-                                                                     : body.link_mass(dof));
+    const bool holds = !turning && dof == arm.hinge && holds_more(body, dof);
+    alone.masses.push_back(holds ? held_mass(body, dof) : body.link_mass(dof));
     alone.mass += alone.masses.back().mass;
     alone.start.push_back(body.start()[static_cast<std::size_t>(dof)]);
   }
   Effector hand = body.effectors()[static_cast<std::size_t>(arm.effector)];
-  hand.point = held_place(body, arm.hinge, hand.link) * hand.point;
-  hand.link = kArmDofs - 1;
+  if (!turning) hand.point = held_place(body, arm.hinge, hand.link) * hand.point;
+  hand.link = static_cast<int>(alone.dofs.size()) - 1;
   hand.limb_root = 0;
   alone.effectors = {hand};
   return BodyModel(std::move(alone));

@@ -107,6 +107,15 @@ std::optional<BodyLimb> arm_of(const BodyModel& body, std::span<const int> chain
   if (!is_ball(body, arm.flexion, arm.abduction, arm.rotation)) return std::nullopt;
   const Dof& elbow = body.dof(arm.hinge);
   if (elbow.axis != Axis::x) return std::nullopt;
+  if (chain.size() == kArmToHand) {
+    arm.forearm = chain[4];
+    arm.wrist_flexion = chain[5];
+    arm.wrist_deviation = chain[6];
+    if (!is_hinge(body, arm.forearm, Axis::y) || !is_hinge(body, arm.wrist_flexion, Axis::z) ||
+        !is_hinge(body, arm.wrist_deviation, Axis::x)) {
+      return std::nullopt;
+    }
+  }
   arm.root = body.dof(arm.flexion).offset;
   const Vec3d hand = held_place(body, arm.hinge, effector.link) * effector.point;
   arm.segments = HingedLimb(elbow.offset, hand, elbow.sign);

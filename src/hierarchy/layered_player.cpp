@@ -33,6 +33,15 @@ double inversion_sign(const BodyModel& body, const BodyLimb& leg) {
 
 }  // namespace
 
+EffectorTurn hand_turn(const LayeredProblem& problem, const ReducedClip& clip, std::size_t goal) {
+  EffectorTurn turn = problem.reach.goals[goal].turn;
+  const Mat3d& carrier = clip.carriers[goal].back().rotation;
+  turn.start = transpose(carrier) * turn.start;
+  turn.goal = transpose(carrier) * turn.goal;
+  turn.direction = transpose_times(carrier, turn.direction);
+  return turn;
+}
+
 LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
     : problem_(&problem),
       body_(problem.reach.body),
@@ -180,10 +189,9 @@ Clip LayeredPlayer::expanded_clip(const ReducedClip& clip, const ArmAngles& arm_
     }
     for (std::size_t g = 0; g < arm_angles.size(); ++g) {
       const BodyLimb& arm = problem_->limbs.arms[index(problem_->arms[g])];
-      const double* at = arm_angles[g].data() + index(f) * kArmDofs;
-      for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
-        angles[index(dof)] = *at++;
-      }
+      const int dofs = problem_->arm_bodies[g].dof_count();
+      const double* at = arm_angles[g].data() + index(f * dofs);
+      for (const int dof : arm_dofs(arm, dofs == kTurningArmDofs)) angles[index(dof)] = *at++;
     }
     const double schedule = minimum_jerk(static_cast<double>(f) / reach.steps);
     for (std::size_t k = 0; k < finals_.size(); ++k) {
@@ -209,7 +217,9 @@ ReachOutcome LayeredPlayer::measured(Motion& motion) {
       motion.effectors[g].push_back(at);
       const double miss = norm(at - reach.goals[g].path.at(tau));
       outcome.path_error = max(outcome.path_error, miss);
-      if (f == reach.steps) outcome.goal_error = max(outcome.goal_error, miss);
+      if (f != reach.steps) continue;
+      const double turn = reach.goals[g].turn.miss(placed_.link_rotation(hand.link));
+      outcome.goal_error = max(outcome.goal_error, max(miss, kTurnLength * turn));
     }
     for (const Foot& foot : body_->feet()) {
       const double slide =
@@ -237,10 +247,13 @@ void LayeredPlayer::check_counts(const LayeredParameters& parameters) const {
             "parameters of the layers that are played");
 }
 
-double LayeredPlayer::move_arm(std::size_t goal, const HandPath& path,
+double LayeredPlayer::move_arm(std::size_t goal, const ReducedClip& clip, const HandPath& path,
                                const LayeredParameters& parameters, std::vector<double>& angles) {
   const GoalArm& arm = arms_[goal];
-  if (arm.by_swivel) return arm.by_swivel->run(path, parameters.swivels[arm.slot], angles);
+  if (arm.by_swivel) {
+    return arm.by_swivel->run(path, parameters.swivels[arm.slot], angles,
+                              hand_turn(*problem_, clip, goal));
+  }
   return arm.by_weights->run(path, parameters.arms[arm.slot], angles);
 }
 
@@ -248,7 +261,7 @@ RolledOut LayeredPlayer::expand(const ReducedClip& clip, const LayeredParameters
   const std::vector<HandPath> paths = hand_paths(clip);
   check_counts(parameters);
   ArmAngles angles(paths.size());
-  for (std::size_t g = 0; g < paths.size(); ++g) move_arm(g, paths[g], parameters, angles[g]);
+  for (std::size_t g = 0; g < paths.size(); ++g) move_arm(g, clip, paths[g], parameters, angles[g]);
   return expanded(clip, angles, parameters.finals);
 }
 
@@ -257,10 +270,10 @@ RolledOut LayeredPlayer::expand_freeing(const ReducedClip& clip, LayeredParamete
   check_counts(parameters);
   ArmAngles angles(paths.size());
   for (std::size_t g = 0; g < paths.size(); ++g) {
-    const double miss = move_arm(g, paths[g], parameters, angles[g]);
+    const double miss = move_arm(g, clip, paths[g], parameters, angles[g]);
     if (miss <= problem_->reach.tolerance.path || !arms_[g].by_weights) continue;
     parameters.arms[arms_[g].slot] = {};
-    move_arm(g, paths[g], parameters, angles[g]);
+    move_arm(g, clip, paths[g], parameters, angles[g]);
   }
   return expanded(clip, angles, parameters.finals);
 }

@@ -13,16 +13,20 @@ enum class LimbKind { leg, arm };
 
 // A limb of the body as layers see it: a ball joint at the trunk, a hinge in the middle and, of a
 // leg, an ankle at the foot, which is planted. What an arm has beyond the elbow it holds as it is
-// at the start. Numbers are those of the body's dofs.
+// at the start, but for a goal that turns the hand. Numbers are those of the body's dofs.
 struct BodyLimb {
   std::string name;  // "right_arm"
   LimbKind kind = LimbKind::arm;
   int flexion = 0;  // of shoulder or hip
   int abduction = 0;
   int rotation = 0;
-  int hinge = 0;         // elbow or knee
-  int ankle = -1;        // of a leg: its flexion …
-  int inversion = -1;    // … and its inversion, where it has one
+  int hinge = 0;       // elbow or knee
+  int ankle = -1;      // of a leg: its flexion …
+  int inversion = -1;  // … and its inversion, where it has one
+  // of an arm with a wrist: the forearm's rotation and the wrist's freedoms, else -1
+  int forearm = -1;
+  int wrist_flexion = -1;
+  int wrist_deviation = -1;
   bool carries = false;  // the leg that stands on the base: its chain leads up to the trunk
   int effector = -1;     // of an arm, in the body's effectors
   int foot = -1;         // of a leg, in the body's feet
@@ -30,6 +34,8 @@ struct BodyLimb {
   Vec3d root{};     // m, centre of the ball joint in the carrier's frame
   // from the shoulder to the hand's point, or from the ankle up to the hip
   HingedLimb segments{{0, 1, 0}, {0, 1, 0}, 1.0};
+
+  [[nodiscard]] bool has_wrist() const { return forearm >= 0; }
 
   // The rotation from the trunk to upper arm or thigh by the turns of the ball joint's dofs, and
   // the other way round: signs of the dofs, and of the chain's direction.

@@ -23,6 +23,10 @@ struct LayeredProblem {
 // Where the upper layer leads one arm: the way of its hand as its shoulder sees it.
 using HandPath = std::vector<Vec3d>;  // (frames) m, in the frame of the link that carries the arm
 
+// What is wanted of a goal's hand at the end of an upper motion, in its path's last frame.
+[[nodiscard]] EffectorTurn hand_turn(const LayeredProblem& problem, const ReducedClip& clip,
+                                     std::size_t goal);
+
 // Plays a hierarchy from the top: the reduced body moves, then its rods become limbs again. Legs
 // follow in closed form from where the pelvis is (paper, section 3.4; rule R3), their feet where
 // they stand; arms that have a goal move along the path that the rod's end took, by weights or by
@@ -54,7 +58,7 @@ class LayeredPlayer {
   [[nodiscard]] RolledOut expand_freeing(const ReducedClip& clip, LayeredParameters& parameters);
 
  private:
-  using ArmAngles = std::vector<std::vector<double>>;  // [goal] (frames × kArmDofs) rad
+  using ArmAngles = std::vector<std::vector<double>>;  // [goal] (frames × dofs of the arm) rad
   struct LegLine {
     double lean = 0.0;    // rad, in the leg's plane
     double length = 0.0;  // m
@@ -77,8 +81,8 @@ class LayeredPlayer {
   [[nodiscard]] double inversion(const BodyLimb& leg, const LegLine& line) const;
   void follow_law(int frame, std::span<double> angles);
   void check_counts(const LayeredParameters& parameters) const;
-  double move_arm(std::size_t goal, const HandPath& path, const LayeredParameters& parameters,
-                  std::vector<double>& angles);
+  double move_arm(std::size_t goal, const ReducedClip& clip, const HandPath& path,
+                  const LayeredParameters& parameters, std::vector<double>& angles);
   [[nodiscard]] RolledOut expanded(const ReducedClip& clip, const ArmAngles& arm_angles,
                                    std::span<const double> finals);
   [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles,
