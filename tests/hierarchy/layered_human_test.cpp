@@ -211,6 +211,92 @@ TEST(LayeredHuman, ArmAloneHoldsForearmAndHand) {
   EXPECT_GT(alone.link_mass(3).mass, body.link_mass(hand.link).mass);
 }
 
+// A hand's path from its start to a place before the chest, and what the arm does of it.
+struct Turned {
+  BodyModel body = human_body();
+  BodyLimb arm = find_limbs(body).value().arms[0];
+  BodyModel alone = arm_body(body, arm, true);
+  std::vector<double> angles{};
+
+  [[nodiscard]] std::span<const double> frame(int f) const {
+    return std::span(angles).subspan(static_cast<std::size_t>(7 * f), 7);
+  }
+  double run(const Vec3d& goal, double swivel, const EffectorTurn& turn) {
+    const Effector& hand = alone.effectors()[0];
+    const Vec3d start = placed(alone, alone.start()).point(hand.link, hand.point);
+    const EffectorPath path{start, goal};
+    std::vector<Vec3d> places;
+    for (int f = 0; f <= 60; ++f) places.push_back(path.at(f / 60.0));
+    const double miss = SwivelArm(alone, arm).run(places, swivel, angles, turn);
+    for (int f = 0; f <= 60; ++f) {
+      const Vec3d at = placed(alone, frame(f)).point(hand.link, hand.point);
+      EXPECT_LT(norm(at - places[static_cast<std::size_t>(f)]), miss + 1e-9);
+    }
+    return miss;
+  }
+};
+
+TEST(TurningArm, EndsWithTheRotationWantedAndKeepsToItsPath) {
+  Random random(4);
+  for (int i = 0; i < 30; ++i) {
+    Turned arm;
+    EffectorTurn turn{.kind = Turning::whole};
+    const double about = -0.5 * kPi + random.uniform(-0.4, 0.4);
+    turn.goal = rotation(Axis::y, random.uniform(-0.4, 0.4)) * rotation(Axis::x, about);
+    EXPECT_LT(arm.run({random.uniform(-0.1, 0.1), random.uniform(-0.3, 0.0), 0.4},
+                      random.uniform(-0.2, 0.5), turn),
+              1e-9);
+    const Kinematics<double> end = placed(arm.alone, arm.frame(60));
+    EXPECT_LT(rotation_chord(end.link_rotation(6), turn.goal), 1e-7);
+    for (std::size_t d = 0; d < 7; ++d) {
+      EXPECT_LT(abs(arm.frame(31)[d] - arm.frame(30)[d]), 0.2);
+      EXPECT_EQ(arm.frame(0)[d], arm.alone.start()[d]);
+    }
+  }
+}
+
+TEST(TurningArm, PointsAnAxisAndTurnsNoMoreAboutIt) {
+  Turned arm;
+  const EffectorTurn up{.kind = Turning::axis, .axis = {1, 0, 0}, .direction = {0, 1, 0}};
+  EXPECT_LT(arm.run({0.0, -0.25, 0.4}, 0.1, up), 1e-9);
+  const Kinematics<double> end = placed(arm.alone, arm.frame(60));
+  EXPECT_LT(up.miss(end.link_rotation(6)), 1e-9);
+  // the same axis where it points already leaves the wrist alone
+  const EffectorTurn same{
+      .kind = Turning::axis, .axis = {1, 0, 0}, .direction = end.link_rotation(6).cx};
+  Turned again;
+  again.run({0.0, -0.25, 0.4}, 0.1, same);
+  for (std::size_t d = 4; d < 7; ++d) EXPECT_NEAR(again.frame(60)[d], arm.frame(60)[d], 1e-9);
+}
+
+TEST(LayeredHuman, HandsAreTurnedAsTheirGoalsSay) {
+  const GoalAxis palm_up{{1, 0, 0}, {0, 1, 0}};
+  const Quatd palm_left_thumb_up = to_quat(rotation(Axis::x, -0.5 * kPi));
+  for (const Goal& goal : {Goal{.position = {-0.2, 1.1, 0.4}, .axis = palm_up},
+                           Goal{.position = {-0.25, 1.3, 0.35}, .rotation = palm_left_thumb_up}}) {
+    Task task = with_preset({.body = human_body(), .goals = {goal}}, Preset::human);
+    task.evaluations = 120;
+    const Generation generation = generate(task).value();
+    EXPECT_EQ(generation.status, ReachStatus::reached);
+    for (const Candidate& candidate : generation.candidates) {
+      EXPECT_LE(candidate.goals[0].error, kReachTolerance);
+      ASSERT_TRUE(candidate.goals[0].turn);
+      EXPECT_LE(candidate.goals[0].turn->error, kTurnTolerance);
+      EXPECT_TRUE(candidate.over_limit.empty());
+    }
+  }
+}
+
+TEST(LayeredHuman, RotationsAreForHandsWithAWristAndThePresetHuman) {
+  Goal goal{.position = {-0.2, 1.1, 0.4}, .axis = GoalAxis{}};
+  for (const auto& [body, preset] :
+       {std::pair{full_body(), Preset::human}, std::pair{human_body(), Preset::layers}}) {
+    const auto refused = generate(with_preset({.body = body, .goals = {goal}}, preset));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
+  }
+}
+
 TEST(LayeredHuman, GoalsHighLowAcrossAndOfBothHandsAreMet) {
   const std::vector<std::vector<Goal>> tasks{
       {{"right_hand", {-0.2, 1.75, 0.3}}},
