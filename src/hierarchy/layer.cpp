@@ -8,6 +8,9 @@
 namespace shigusa {
 namespace {
 
+// "hip.flexion" of "left_hip.flexion"
+std::string without_side(const std::string& name) { return name.substr(name.find('_') + 1); }
+
 // Builds the reduced body from the start posture of the whole one.
 class Reducer {
  public:
@@ -176,6 +179,18 @@ class Reducer {
     if (leg.inversion < 0) return;
     limit_lean(leg, lean);
     hold_to_limits(leg.inversion, add_like(leg.inversion, lean, {}, inversion_of(leg)));
+    share_weights_of_legs();
+  }
+
+  // both legs go by one weight for each freedom, as in the preset flat
+  void share_weights_of_legs() {
+    for (std::size_t d = 0; d < reduced_.dofs.size(); ++d) {
+      ReducedDof& dof = reduced_.dofs[d];
+      for (std::size_t e = 0; e < d && dof.kind == ReducedDof::Kind::hinge; ++e) {
+        const std::string& other = reduced_.dofs[e].name;
+        if (without_side(other) == without_side(dof.name)) dof.weight_of = static_cast<int>(e);
+      }
+    }
   }
 
   void add_arm(const BodyLimb& arm) {
@@ -208,8 +223,13 @@ class Reducer {
 };
 
 void add_weight(Layer& layer, int dof) {
-  layer.genes.push_back(
-      {layer.body.dofs[static_cast<std::size_t>(dof)].name, LayerGeneKind::weight, {dof}});
+  const std::vector<ReducedDof>& dofs = layer.body.dofs;
+  const std::string& name = dofs[static_cast<std::size_t>(dof)].name;
+  // of both sides
+  const bool shared = std::any_of(dofs.begin(), dofs.end(), [&](const ReducedDof& other) {
+    return other.weight_of == dof && without_side(other.name) == without_side(name);
+  });
+  layer.genes.push_back({shared ? without_side(name) : name, LayerGeneKind::weight, {dof}});
 }
 
 // a freedom of a clavicle, which goes with its arm and not by a weight
