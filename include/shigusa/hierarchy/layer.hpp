@@ -135,7 +135,9 @@ inline constexpr double kSwivelMax = radians(90.0);
 // Three layers: the paper's upper one; then for each arm the swivel of its elbow, all that a hand's
 // way leaves open of an arm of four freedoms; then "rest", the final angles of what no goal moves,
 // scored by `criteria` on the whole body, so that a free arm balances what the others do, and by
-// the torque that it takes itself, so that it hangs where it need not. Fails as paper_layers does.
+// the torque that it takes itself, so that it hangs where it need not. Of a body with a neck
+// PostureLaw moves head, clavicles and the free shoulder, and "rest" has the free elbow alone; its
+// arms have wrists, which turn hands. Fails as paper_layers does.
 [[nodiscard]] Result<std::vector<Layer>> human_layers(
     const BodyModel& body, const CriteriaSettings& criteria = {},
     LayerReading reading = LayerReading::shared_contractions);
