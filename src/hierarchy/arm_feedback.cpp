@@ -65,27 +65,39 @@ double collision_depth(const BodyModel& body, const Clip& clip, const Effector& 
 }
 
 ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const HandPath& path,
-                         const Clip& clip) {
+                         const Clip& clip, const EffectorTurn& turn) {
   const BodyModel& body = *problem.reach.body;
   const BodyLimb& arm = problem.limbs.arms[index(problem.arms[goal])];
   ArmFeedback feedback{.arm = &problem.arm_bodies[goal],
                        .path = path,
+                       .turn = turn,
                        .duration = problem.reach.duration,
                        .obstacles = {},
                        .limb = {}};
+  // the arm's links are numbered from its shoulder on; what it does not turn, its elbow holds
+  const auto dofs = arm_dofs(arm, feedback.arm->dof_count() == kTurningArmDofs);
   for (const Capsule& capsule : body.capsules()) {
-    if (capsule.link == arm.hinge) feedback.limb.push_back(capsule);
+    if (capsule.link != arm.hinge && !body.moves(arm.hinge, capsule.link)) continue;
+    const auto own = std::find(dofs.begin(), dofs.end(), capsule.link);
+    if (own != dofs.end()) {
+      feedback.limb.push_back(capsule);
+      feedback.limb.back().link = static_cast<int>(own - dofs.begin());
+      continue;
+    }
+    const Transformd held = held_place(body, arm.hinge, capsule.link);
+    feedback.limb.push_back(
+        {capsule.name, kArmDofs - 1, held * capsule.from, held * capsule.to, capsule.radius});
   }
   Kinematics<double> placed(body);
   for (int f = 0; f < clip.frames; ++f) {
     forward_kinematics<double>(body, clip.frame(f), placed);
-    const Mat3d& trunk = placed.link_rotation(problem.limbs.trunk);
+    const Mat3d& carrier = placed.link_rotation(arm.carrier);
     const Vec3d& shoulder = placed.origin[index(arm.flexion)];
     std::vector<Capsule> obstacles;
     for (Capsule capsule : body.capsules()) {
       if (body.moves(arm.flexion, capsule.link)) continue;
-      capsule.from = transpose_times(trunk, placed.point(capsule.link, capsule.from) - shoulder);
-      capsule.to = transpose_times(trunk, placed.point(capsule.link, capsule.to) - shoulder);
+      capsule.from = transpose_times(carrier, placed.point(capsule.link, capsule.from) - shoulder);
+      capsule.to = transpose_times(carrier, placed.point(capsule.link, capsule.to) - shoulder);
       obstacles.push_back(capsule);
     }
     feedback.obstacles.push_back(std::move(obstacles));
@@ -101,8 +113,8 @@ double depth_along(const ArmFeedback& feedback, const Clip& clip, Kinematics<dou
     forward_kinematics<double>(*feedback.arm, clip.frame(f), placed);
     double now = 0.0;
     for (Capsule part : feedback.limb) {
-      part.from = placed.point(kArmDofs - 1, part.from);
-      part.to = placed.point(kArmDofs - 1, part.to);
+      part.from = placed.point(part.link, part.from);
+      part.to = placed.point(part.link, part.to);
       for (const Capsule& obstacle : feedback.obstacles[index(f)]) {
         now = max(now, capsule_depth(part, obstacle));
       }

@@ -56,7 +56,10 @@ void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone
     if (dof.parent >= 0) dof.parent += first;
     rest.body.dofs.push_back(std::move(dof));
   }
+  // a shoulder that PostureLaw draws has no angle of its own to end at
+  const bool drawn = body.find_dof("neck.flexion").has_value();
   for (const FinalRange& range : kFinalRanges) {
+    if (drawn && range.dof != &BodyLimb::hinge) continue;
     const Dof& dof = body.dof(arm.*range.dof);
     const auto at =
         std::find_if(rest.body.dofs.begin() + first, rest.body.dofs.end(),

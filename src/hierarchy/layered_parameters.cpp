@@ -166,11 +166,13 @@ Result<std::vector<Layer>> layers_to_goals(const BodyModel& body, std::span<cons
     if (arm == limbs.arms.end()) {
       return fail(ErrorCode::not_found, unknown_name("effector", goal.effector, names), "goal");
     }
-    if (goal.rotation || goal.axis || goal.tolerance != Vec3d{}) {
-      return fail(
-          ErrorCode::unsupported,
-          "layers bring hands to positions; the preset flat takes rotations, axes and boxes",
-          "goal of " + goal.effector);
+    const bool turns = goal.rotation || goal.axis;
+    const bool turnable = choice.stack == LayerStack::human && arm->has_wrist();
+    if ((turns && !turnable) || goal.tolerance != Vec3d{}) {
+      return fail(ErrorCode::unsupported,
+                  "layers bring hands to positions, and those of a whole human by the preset human "
+                  "to rotations and axes too; the preset flat takes rotations, axes and boxes",
+                  "goal of " + goal.effector);
     }
     // the arms' layers follow the upper one in the order of the arms
     layers.push_back((*all)[1 + index(static_cast<int>(arm - limbs.arms.begin()))]);

@@ -32,7 +32,8 @@ Result<LayeredProblem> make_layered_problem(const Task& task) {
     for (std::size_t a = 0; a < problem.limbs.arms.size(); ++a) {
       if (problem.limbs.arms[a].effector != goal.effector) continue;
       problem.arms.push_back(static_cast<int>(a));
-      problem.arm_bodies.push_back(arm_body(task.body, problem.limbs.arms[a]));
+      const bool turning = goal.turn.kind != Turning::free;
+      problem.arm_bodies.push_back(arm_body(task.body, problem.limbs.arms[a], turning));
     }
   }
   // the straight way, or around the body; out of reach, to the closest point there is, and a hand

@@ -119,9 +119,10 @@ LayeredScorer::Worker& LayeredScorer::worker(int at) {
   return *own;
 }
 
-ArmFeedback LayeredScorer::bare(std::size_t goal, HandPath path) const {
+ArmFeedback LayeredScorer::bare(std::size_t goal, const ReducedClip& clip, HandPath path) const {
   return {.arm = &problem_->arm_bodies[goal],
           .path = std::move(path),
+          .turn = hand_turn(*problem_, clip, goal),
           .duration = problem_->reach.duration,
           .obstacles = {},
           .limb = {}};
@@ -170,7 +171,7 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
     if (paths[k].empty()) return;
     Worker& own = worker(thread);
     for (std::size_t g = 0; g < swivel_goals(); ++g) {
-      below[k].swivels[g] = own.swivels[g].glance(bare(g, std::move(paths[k][g])));
+      below[k].swivels[g] = own.swivels[g].glance(bare(g, clips[k], std::move(paths[k][g])));
     }
     const RolledOut played = own.player.expand_freeing(clips[k], below[k]);
     scores[k] = judged(played);
@@ -192,7 +193,7 @@ LayeredScorer::Played LayeredScorer::play(const LayerParameters& upper, const Fe
   played.parameters.upper = upper;
   if (choose_) played.parameters.arms = choose_(paths);
   for (std::size_t g = 0; g < swivel_goals(); ++g) {
-    played.parameters.swivels[g] = worker(0).swivels[g].glance(bare(g, paths[g]));
+    played.parameters.swivels[g] = worker(0).swivels[g].glance(bare(g, clip, paths[g]));
   }
   if (!player.expand_freeing(clip, played.parameters).outcome.met(problem_->reach.tolerance)) {
     return played;
@@ -233,8 +234,8 @@ void LayeredScorer::refine_swivels(const ReducedClip& clip, LayeredParameters& p
   const std::vector<HandPath> paths = own.player.hand_paths(clip);
   for (std::size_t g = 0; g < swivel_goals(); ++g) {
     const RolledOut played = own.player.expand(clip, parameters);
-    parameters.swivels[g] =
-        own.swivels[g].find(arm_feedback(*problem_, g, paths[g], played.motion.clip));
+    parameters.swivels[g] = own.swivels[g].find(
+        arm_feedback(*problem_, g, paths[g], played.motion.clip, hand_turn(*problem_, clip, g)));
   }
 }
 

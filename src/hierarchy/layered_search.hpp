@@ -65,7 +65,7 @@ class LayeredScorer {
   Worker& worker(int index);
   [[nodiscard]] std::size_t swivel_goals() const { return start_.swivels.size(); }
   // a path of an upper motion as the lower layer is told of it, without obstacles
-  [[nodiscard]] ArmFeedback bare(std::size_t goal, HandPath path) const;
+  [[nodiscard]] ArmFeedback bare(std::size_t goal, const ReducedClip& clip, HandPath path) const;
   [[nodiscard]] double judged(const RolledOut& played) const;
   void retake_weights(const ReducedClip& clip, const Feedback& feedback, Played& played);
   void refine_swivels(const ReducedClip& clip, LayeredParameters& parameters);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "layered_ways.hpp"
 
+#include <algorithm>
 #include <array>
 #include <shigusa/hierarchy/generator.hpp>
 #include <utility>
@@ -19,7 +20,8 @@ constexpr int kHalvings = 6;
 // joints of the upper layer that are given a weight of kHeavy: those whose own way to the goal may
 // lead the hand into a singularity that the others keep it from.
 constexpr std::array<double, 6> kLengths{0.0, 1.0, 2.0, 4.0, 8.0, 12.0};
-constexpr std::array<const char*, 4> kHeavyJoints{nullptr, "shoulder.abduction", "ankle.", "hip."};
+constexpr std::array<const char*, 5> kHeavyJoints{nullptr, "shoulder.abduction", "ankle.", "hip.",
+                                                  "spine."};
 constexpr double kHeavy = 15.0;
 
 // the same paths, to be left at a share of their length
@@ -104,6 +106,11 @@ class PartPlayer {
 std::vector<LayeredParameters> probes(std::span<const Layer> layers) {
   std::vector<LayeredParameters> all;
   for (const char* heavy : kHeavyJoints) {
+    const auto has_it = [heavy](const LayerGene& gene) {
+      return gene.name.find(heavy) != gene.name.npos;
+    };
+    const std::vector<LayerGene>& genes = layers[0].genes;
+    if (heavy != nullptr && std::none_of(genes.begin(), genes.end(), has_it)) continue;
     for (const double legs : kLengths) {
       for (const double arms : kLengths) {
         LayeredParameters probe;

@@ -53,7 +53,9 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
       const ReducedLimb& limb = body.limbs[i];
       if (limb.joints.kind != LimbKind::arm || limb.joints.effector != goal.effector) continue;
       moves_[i] = true;
-      targets_.push_back({.link = limb.slide, .chain = chain_to(body, limb.slide)});
+      targets_.push_back(
+          {.link = limb.slide, .carrier = limb.carrier, .chain = chain_to(body, limb.slide)});
+      add_clavicle(limb);
     }
   }
   SHG_CHECK(targets_.size() == problem.goals.size(), "each goal is for an arm of the layer's body");
@@ -62,7 +64,8 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
     if (limb.joints.kind != LimbKind::leg) continue;
     moves_[i] = true;
     if (limb.joints.carries) continue;
-    const int foot = limb.slide + 1;  // the ankle's hinge
+    // the last of the ankle's freedoms, which follow the slide
+    const int foot = limb.slide + (limb.joints.inversion < 0 ? 1 : 2);
     targets_.push_back({.link = foot,
                         .contact = true,
                         .position = placed_.origin[index(foot)],
@@ -87,6 +90,8 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
   change_.resize(q_.size());
   jacobian_.resize(rows_ * q_.size());
   residual_.resize(rows_);
+  force_.resize(q_.size());
+  if (problem.hold_limits) limits_.emplace(body, used_);
 }
 
 void ReducedRollout::set_up(const LayerParameters& parameters) {
@@ -97,7 +102,10 @@ void ReducedRollout::set_up(const LayerParameters& parameters) {
     const JointWeight& joint = parameters.joints[d];
     inverse_[d] =
         joint.locked || body_->dofs[d].kind == ReducedDof::Kind::slide ? 0.0 : 1.0 / joint.weight;
+    const int shared = body_->dofs[d].weight_of;
+    if (shared >= 0) inverse_[d] = inverse_[index(shared)];
   }
+  if (limits_) limits_->reset(inverse_);
   for (std::size_t i = 0; i < body_->limbs.size(); ++i) {
     const ReducedLimb& limb = body_->limbs[i];
     const double share = parameters.contractions[i] / kLayerGeneMax;
@@ -150,6 +158,7 @@ void ReducedRollout::run(const LayerParameters& parameters, ReducedClip& clip) {
   clip.values.clear();
   clip.trunk.clear();
   clip.hands.assign(problem_->goals.size(), {});
+  clip.carriers.assign(problem_->goals.size(), {});
   keep_frame(clip);
   clip.path_error = clip.foot_error = 0.0;
   for (int frame = 1; frame <= problem_->steps; ++frame) {
@@ -177,6 +186,8 @@ void ReducedRollout::keep_frame(ReducedClip& clip) const {
   clip.trunk.push_back({placed_.rotation[trunk], placed_.origin[trunk]});
   for (std::size_t g = 0; g < clip.hands.size(); ++g) {
     clip.hands[g].push_back(placed_.origin[index(targets_[g].link)]);
+    const auto carrier = index(targets_[g].carrier);
+    clip.carriers[g].push_back({placed_.rotation[carrier], placed_.origin[carrier]});
   }
 }
 
@@ -219,9 +230,19 @@ void ReducedRollout::step(int frame, bool first) {
       reference_[d] = stretched ? stretched_[d] - q_[d] : 0.0;
     }
   }
+  if (first) {
+    if (limits_) limits_->soften(q_, inverse_);
+    draw_clavicles();
+  } else {
+    for (const Clavicle& clavicle : clavicles_) {
+      reference_[index(clavicle.elevation)] = reference_[index(clavicle.protraction)] = 0.0;
+    }
+  }
   fill_rows();
+  if (limits_) limits_->lean_with_length(jacobian_);
   take_off_reference();
   solve();
+  if (limits_ && first) limits_->learn(force_, change_);
   double largest = 0.0;
   for (std::size_t d = 0; d < q_.size(); ++d) {
     if (body_->dofs[d].kind == ReducedDof::Kind::hinge) largest = max(largest, abs(change_[d]));
@@ -230,6 +251,10 @@ void ReducedRollout::step(int frame, bool first) {
   const double scale = limit / max(largest, limit);
   for (std::size_t d = 0; d < q_.size(); ++d) {
     q_[d] += change_[d] * (body_->dofs[d].kind == ReducedDof::Kind::hinge ? scale : 1.0);
+  }
+  if (limits_) {
+    limits_->follow_length(change_, q_);
+    limits_->hold(q_, inverse_);
   }
   place_reduced(*body_, q_, placed_);
 }
@@ -300,6 +325,7 @@ void ReducedRollout::solve() {
   for (const std::size_t d : used_) {
     double force = 0.0;
     for (std::size_t r = 0; r < rows_; ++r) force += jacobian_[r * dofs + d] * residual_[r];
+    force_[d] = force;
     change_[d] = reference_[d] + force * inverse_[d];
   }
 }

@@ -63,9 +63,11 @@ SwivelSearch::Best SwivelSearch::best_of_grid(const ArmFeedback& told, int point
 
 double SwivelSearch::score(const ArmFeedback& told, double swivel) {
   const auto frames = static_cast<int>(told.path.size());
-  Clip clip{
-      .dofs = kArmDofs, .frames = frames, .frame_time = told.duration / (frames - 1), .angles = {}};
-  moved_.run(told.path, swivel, clip.angles);
+  Clip clip{.dofs = arm_->dof_count(),
+            .frames = frames,
+            .frame_time = told.duration / (frames - 1),
+            .angles = {}};
+  moved_.run(told.path, swivel, clip.angles, told.turn);
   double cost = 0.0;
   for (const LimitExcess& over : limit_excess(*arm_, clip)) cost += kSwivelOver + over.excess;
   if (jolts(clip)) cost += kSwivelOver;

@@ -38,6 +38,11 @@ double HingedLimb::direction(double bend) const {
   return atan2(near_ * first.sin + far_ * second.sin, near_ * first.cos + far_ * second.cos);
 }
 
+double plane_turn(const Vec3d& far, double across) {
+  const double away = sqrt(far.x * far.x + far.y * far.y);
+  return atan2(far.y, far.x) - acos(across / max(away, abs(across)));
+}
+
 Mat3d ball_rotation(const BallTurns& turns) {
   const Mat3d flexed = rotation(Axis::x, turns.x);
   return rotated(rotated(flexed, Axis::z, sin_cos(turns.z)), Axis::y, sin_cos(turns.y));

@@ -63,10 +63,11 @@ void read_texts(JsonReader& reader, const char* key, std::vector<std::string>& t
   }
 }
 
-// The freedoms of a person from a file where nothing is said: all, but the published method and the
+// The freedoms of a person from a file where nothing is said: all, but the published method and its
 // layers are of bodies like the paper's.
 BodyExtent usual_extent(Preset preset) {
-  return preset == Preset::flat ? BodyExtent::human : BodyExtent::full;
+  const bool whole = preset == Preset::flat || preset == Preset::human;
+  return whole ? BodyExtent::human : BodyExtent::full;
 }
 
 void check_character(JsonReader& reader, const CharacterSpec& c) {

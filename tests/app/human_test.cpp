@@ -35,7 +35,7 @@ class Human : public testing::Test {
 };
 
 TEST_F(Human, HandArrivesAndFeetStay) {
-  for (const char* body : {"half_body", "full_body"}) {
+  for (const char* body : {"half_body", "full_body", "human"}) {
     const ProgramRun done = reach({"--character", body});
     EXPECT_EQ(done.exit_code, 0) << done.err;
     const StoredRun stored(work_, "out");
@@ -44,8 +44,30 @@ TEST_F(Human, HandArrivesAndFeetStay) {
     EXPECT_EQ(stored.summary().at("search"), "cma_es");
     EXPECT_TRUE(stored.candidate(1).at("over_limit").empty());
     EXPECT_TRUE(parameters("out").at("arms").at("right_arm").contains("swivel_rad"));
-    EXPECT_EQ(parameters("out").contains("rest"), std::string(body) == "full_body");
+    EXPECT_EQ(parameters("out").contains("rest"), std::string(body) != "half_body");
   }
+}
+
+TEST_F(Human, TurnsTheHandOfABodyWithWrists) {
+  const ProgramRun done = reach({"--character", "human", "--palm", "right_hand=up"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  const Json goal = StoredRun(work_, "out").candidate(1).at("reached").at(0);
+  EXPECT_LE(goal.at("rotation_error_deg").get<double>(), 0.5);
+  const ProgramRun refused = reach({"--palm", "right_hand=up"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("layers bring hands to positions"));
+}
+
+TEST_F(Human, MirrorsAndEditsAWholeHuman) {
+  ASSERT_EQ(reach({"--character", "human"}).exit_code, 0);
+  ASSERT_EQ(run({"mirror", "out", "--formats", "csv"}).exit_code, 0);
+  const Json score = StoredRun(work_, "out").candidate(1).at("score");
+  const Json image = StoredRun(work_, "out/mirror-1").candidate(1).at("score");
+  // the body stands on the same foot, and only rounding tells its two legs apart
+  EXPECT_NEAR(image.get<double>(), score.get<double>(), 1e-3);
+  const ProgramRun edited =
+      run({"edit", "out", "--formats", "csv", "--set", "hip.flexion.weight=3"});
+  EXPECT_EQ(edited.exit_code, 0) << edited.err;
 }
 
 TEST_F(Human, TaskFileNamesThePreset) {

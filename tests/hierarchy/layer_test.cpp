@@ -67,10 +67,15 @@ TEST(PaperLayers, RefuseABodyThatIsNoPerson) {
 std::vector<BodyModel> people() {
   Landmarks lifted = standing_landmarks(1.7, 0.1);
   lift_leg(lifted.right_leg, 1.0);
-  return {half_body(), full_body(),
+  return {half_body(),
+          full_body(),
           build_human(asymmetric_person(), {"asymmetric", BodyExtent::full, 1.6, 60.0}),
           build_human(asymmetric_person(), {"half_asymmetric", BodyExtent::half, 1.6, 60.0}),
-          build_human(lifted, {"right_leg_up", BodyExtent::full, 1.7, 70.0})};
+          build_human(lifted, {"right_leg_up", BodyExtent::full, 1.7, 70.0}),
+          human_body(),
+          human_body({.base = Side::left}),
+          build_human(asymmetric_person(), {"whole_asymmetric", BodyExtent::human, 1.6, 60.0}),
+          build_human(lifted, {"whole_leg_up", BodyExtent::human, 1.7, 70.0})};
 }
 
 TEST(ReducedBody, StartsWithHandsFeetAndTrunkWhereTheBodyHasThem) {
@@ -93,8 +98,10 @@ TEST(ReducedBody, StartsWithHandsFeetAndTrunkWhereTheBodyHasThem) {
       } else if (!limb.joints.carries) {
         const Vec3d& ankle = whole.origin[static_cast<std::size_t>(limb.joints.ankle)];
         EXPECT_LT(norm(at.origin[slide] - ankle), 1e-12) << body.name();
-        const Mat3d& foot = whole.link_rotation(limb.joints.ankle);
-        EXPECT_LT(rotation_chord(at.rotation[slide + 1], foot), 1e-12);
+        const bool inverts = limb.joints.inversion >= 0;
+        const Mat3d& foot =
+            whole.link_rotation(inverts ? limb.joints.inversion : limb.joints.ankle);
+        EXPECT_LT(rotation_chord(at.rotation[slide + (inverts ? 2 : 1)], foot), 1e-12);
       }
     }
   }

@@ -23,18 +23,21 @@ inline constexpr double kCollisionGrowth = 4.0;
 struct ArmFeedback {
   const BodyModel* arm = nullptr;  // an arm_body
   HandPath path;
+  EffectorTurn turn{};    // of the hand at the end, in the frame of `path`
   double duration = 1.0;  // s
   // the capsules of the rest of the body, frame after frame, in the frame of `path`; (frames)
   std::vector<std::vector<Capsule>> obstacles;
-  std::vector<Capsule> limb;  // of the arm's last link, in its frame
+  std::vector<Capsule> limb;  // of the arm from the elbow on, by its own links
 };
 
-// `clip` is the whole body's motion, in which the arm may be anything.
+// `clip` is the whole body's motion, in which the arm may be anything; `turn` is of a hand that
+// turns.
 [[nodiscard]] ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal,
-                                       const HandPath& path, const Clip& clip);
+                                       const HandPath& path, const Clip& clip,
+                                       const EffectorTurn& turn = {});
 
-// How deep the arm's last link gets (m, at least 0, less what it is at the start) in what is told
-// of in a motion of the arm alone; 0 where nothing is. `placed` is scratch memory.
+// How deep the arm gets from the elbow on (m, at least 0, less what it is at the start) in what is
+// told of in a motion of the arm alone; 0 where nothing is. `placed` is scratch memory.
 [[nodiscard]] double depth_along(const ArmFeedback& feedback, const Clip& clip,
                                  Kinematics<double>& placed);
 

@@ -11,13 +11,20 @@
 namespace shigusa {
 
 inline constexpr int kArmDofs = 4;
+// … and with forearm and wrist, for a hand that turns.
+inline constexpr int kTurningArmDofs = 7;
 
 // Of shoulder flexion, abduction and rotation, and elbow flexion.
 using ArmWeights = std::array<JointWeight, kArmDofs>;
 
 // An arm alone, on a trunk that stands upright and does not move: the body of the layer below. The
-// base's frame is the trunk's with the origin in the shoulder; the arm starts as the body's does.
-[[nodiscard]] BodyModel arm_body(const BodyModel& body, const BodyLimb& arm);
+// base's frame is that of the link that carries it with the origin in the shoulder; the arm starts
+// as the body's does. It has kArmDofs, and holds what is beyond the elbow as it is at the start;
+// `turning`, of an arm with a wrist: kTurningArmDofs.
+[[nodiscard]] BodyModel arm_body(const BodyModel& body, const BodyLimb& arm, bool turning = false);
+
+// The body's dofs that those of an arm_body are, in its order.
+[[nodiscard]] std::vector<int> arm_dofs(const BodyLimb& arm, bool turning);
 
 // Moves the hand of an arm_body along a path of any shape, by weighted IK with three steps a frame:
 // what three lengths' worth of path leave to choose is where the elbow goes. Holds its scratch

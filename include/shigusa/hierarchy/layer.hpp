@@ -10,6 +10,8 @@
 
 namespace shigusa {
 
+inline constexpr double kUnlimited = 1e9;  // rad
+
 // One freedom of a reduced body, and the link that it moves: a hinge turns about `axis`, a slide
 // moves along it.
 struct ReducedDof {
@@ -21,6 +23,9 @@ struct ReducedDof {
   Axis axis = Axis::x;  // in the parent's frame …
   double sign = 1.0;    // … and its direction
   double start = 0.0;   // rad or m
+  int weight_of = -1;   // an earlier dof whose weight it goes by; -1: its own
+  double lower = -kUnlimited;  // rad, where limits are held
+  double upper = kUnlimited;   // rad
 };
 
 // How the length of a limb goes from the start to the final one.
@@ -32,11 +37,23 @@ enum class LengthLaw {
 
 // A limb of a reduced body: one rigid rod of variable length.
 struct ReducedLimb {
-  BodyLimb joints;        // what it stands for
-  int slide = 0;          // dof that is its length
+  BodyLimb joints;  // what it stands for
+  int slide = 0;    // dof that is its length
+  // of a leg whose ankle inverts: dof of its line's lean, whose limits are the ankle's; else -1
+  int lean = -1;
+  int carrier = -1;  // of an arm: link that its shoulder is in
+  // of an arm on a clavicle, which goes with it by PostureLaw: dofs, else -1
+  int elevation = -1;
+  int protraction = -1;
   double longest = 0.0;   // m, hand to shoulder or ankle to hip in the leg's plane: contraction 0
   double shortest = 0.0;  // m: contraction 1
   LengthLaw law = LengthLaw::schedule;  // of an arm that has a goal
+};
+
+// A freedom that a reduced body has as the whole one has it: of the spine or a clavicle.
+struct TrunkJoint {
+  int dof = 0;      // of the reduced body
+  int of_body = 0;  // of the whole one
 };
 
 // A body with fewer freedoms, on which a layer moves.
@@ -44,6 +61,7 @@ struct ReducedBody {
   Transformd base{};
   std::vector<ReducedDof> dofs;
   int trunk = -1;                  // link
+  std::vector<TrunkJoint> joints;  // what arms hang on, from the trunk on
   std::vector<ReducedLimb> limbs;  // legs, then arms
 };
 
@@ -117,7 +135,9 @@ inline constexpr double kSwivelMax = radians(90.0);
 // Three layers: the paper's upper one; then for each arm the swivel of its elbow, all that a hand's
 // way leaves open of an arm of four freedoms; then "rest", the final angles of what no goal moves,
 // scored by `criteria` on the whole body, so that a free arm balances what the others do, and by
-// the torque that it takes itself, so that it hangs where it need not. Fails as paper_layers does.
+// the torque that it takes itself, so that it hangs where it need not. Of a body with a neck
+// PostureLaw moves head, clavicles and the free shoulder, and "rest" has the free elbow alone; its
+// arms have wrists, which turn hands. Fails as paper_layers does.
 [[nodiscard]] Result<std::vector<Layer>> human_layers(
     const BodyModel& body, const CriteriaSettings& criteria = {},
     LayerReading reading = LayerReading::shared_contractions);

@@ -21,13 +21,18 @@ struct LayeredProblem {
 };
 
 // Where the upper layer leads one arm: the way of its hand as its shoulder sees it.
-using HandPath = std::vector<Vec3d>;  // (frames) m, in the trunk's frame
+using HandPath = std::vector<Vec3d>;  // (frames) m, in the frame of the link that carries the arm
+
+// What is wanted of a goal's hand at the end of an upper motion, in its path's last frame.
+[[nodiscard]] EffectorTurn hand_turn(const LayeredProblem& problem, const ReducedClip& clip,
+                                     std::size_t goal);
 
 // Plays a hierarchy from the top: the reduced body moves, then its rods become limbs again. Legs
 // follow in closed form from where the pelvis is (paper, section 3.4; rule R3), their feet where
 // they stand; arms that have a goal move along the path that the rod's end took, by weights or by
-// their swivel; what has a final angle goes to it with minimum jerk; the rest stays as it is.
-// Holds its scratch memory: make one per thread. The problem outlives it.
+// their swivel; what has a final angle goes to it with minimum jerk; head, free arm and its
+// clavicle follow PostureLaw, where the problem has it; the rest stays as it is. Holds its scratch
+// memory: make one per thread. The problem outlives it.
 class LayeredPlayer {
  public:
   explicit LayeredPlayer(const LayeredProblem& problem);
@@ -53,10 +58,11 @@ class LayeredPlayer {
   [[nodiscard]] RolledOut expand_freeing(const ReducedClip& clip, LayeredParameters& parameters);
 
  private:
-  using ArmAngles = std::vector<std::vector<double>>;  // [goal] (frames × kArmDofs) rad
+  using ArmAngles = std::vector<std::vector<double>>;  // [goal] (frames × dofs of the arm) rad
   struct LegLine {
-    double lean = 0.0;    // rad
+    double lean = 0.0;    // rad, in the leg's plane
     double length = 0.0;  // m
+    double turn = 0.0;    // rad, about the foot's z: of the leg's plane, where the ankle inverts
   };
   // What moves a goal's arm: one of the two, with its place among the parameters.
   struct GoalArm {
@@ -72,13 +78,15 @@ class LayeredPlayer {
   [[nodiscard]] LegLine leg_line(const BodyLimb& leg, const ReducedClip& clip, int frame) const;
   void bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
                 std::span<double> angles) const;
+  [[nodiscard]] double inversion(const BodyLimb& leg, const LegLine& line) const;
+  void follow_law(int frame, std::span<double> angles);
   void check_counts(const LayeredParameters& parameters) const;
-  double move_arm(std::size_t goal, const HandPath& path, const LayeredParameters& parameters,
-                  std::vector<double>& angles);
+  double move_arm(std::size_t goal, const ReducedClip& clip, const HandPath& path,
+                  const LayeredParameters& parameters, std::vector<double>& angles);
   [[nodiscard]] RolledOut expanded(const ReducedClip& clip, const ArmAngles& arm_angles,
                                    std::span<const double> finals);
   [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles,
-                                   std::span<const double> finals) const;
+                                   std::span<const double> finals);
   [[nodiscard]] ReachOutcome measured(Motion& motion);
 
   const LayeredProblem* problem_;
@@ -87,8 +95,11 @@ class LayeredPlayer {
   Kinematics<double> start_;
   Kinematics<double> placed_;
   ClipDynamics whole_;
-  std::vector<GoalArm> arms_;        // (goals)
-  std::vector<Final> finals_;        // in the layers' order
+  std::vector<GoalArm> arms_;       // (goals)
+  std::vector<Final> finals_;       // in the layers' order
+  std::vector<TrunkJoint> joints_;  // those that carry an arm with a goal
+  PostureLaw<double> law_;
+  std::vector<double> drawn_;        // (dofs) rad, by the law
   std::vector<PelvisRange> ranges_;  // (legs)
 };
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/hierarchy/layer.hpp>
+#include <optional>
+#include <shigusa/hierarchy/reduced_limits.hpp>
 #include <shigusa/rollout/parameters.hpp>
+#include <shigusa/rollout/posture_law.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <span>
 #include <vector>
@@ -37,9 +39,10 @@ struct LayerParameters {
 // The angles and lengths of a reduced body's dofs, frame after frame, and where that brings it.
 struct ReducedClip {
   int dofs = 0;
-  std::vector<double> values;             // (frames × dofs) rad or m
-  std::vector<Transformd> trunk;          // (frames) X_WB of the trunk's link
-  std::vector<std::vector<Vec3d>> hands;  // [goal][frame] m, world
+  std::vector<double> values;                     // (frames × dofs) rad or m
+  std::vector<Transformd> trunk;                  // (frames) X_WB of the trunk's link
+  std::vector<std::vector<Vec3d>> hands;          // [goal][frame] m, world
+  std::vector<std::vector<Transformd>> carriers;  // [goal][frame] of the link with the shoulder
   double path_error = 0.0;  // m, largest distance of a hand from its path at any frame
   double foot_error = 0.0;  // m, the same of planted feet; their tilt counts by kContactLength
 
@@ -65,6 +68,8 @@ struct ReducedClip {
 // are drawn to, a metre of difference counting as kLegStiffness rad², and neither leg gets longer
 // than `longest`. Each frame takes two steps, the second for what joints on arcs leave the first
 // short by.
+// Where the problem holds limits, so does this (ReducedLimits). Clavicles of arms with goals go
+// with the line from shoulder to hand by PostureLaw, where the problem has it.
 //
 // Holds its scratch memory: make one per thread. Layer and problem outlive it.
 class ReducedRollout {
@@ -76,6 +81,7 @@ class ReducedRollout {
  private:
   struct Target {
     int link = 0;
+    int carrier = -1;  // of a hand: the link with its shoulder
     bool contact = false;
     Vec3d position{};     // m, world
     Mat3d orientation{};  // of a contact's link
@@ -86,6 +92,9 @@ class ReducedRollout {
   void set_up(const LayerParameters& parameters);
   void set_up_ways();
   void step(int frame, bool first);
+  void add_clavicle(const ReducedLimb& limb);
+  [[nodiscard]] PostureLaw<double>::Shrug<double> shrugged(int slide, int elevation) const;
+  void draw_clavicles();
   void keep_frame(ReducedClip& clip) const;
   void fill_rows();
   void take_off_reference();
@@ -104,12 +113,23 @@ class ReducedRollout {
   std::vector<double> stretched_;      // (dofs) m, of slides: what they never exceed if drawn
   // (dofs) of slides by LengthLaw::way, (frames) m: what they are shorter by; else empty
   std::vector<std::vector<double>> shorter_;
-  std::vector<bool> given_;        // (dofs) of slides: exactly their length, not drawn to it
-  std::vector<double> inverse_;    // (dofs)
-  std::vector<double> reference_;  // (dofs) what slides are to change by
-  std::vector<double> jacobian_;   // (rows × dofs)
-  std::vector<double> residual_;   // (rows)
-  std::vector<double> change_;     // (dofs)
+  std::vector<bool> given_;  // (dofs) of slides: exactly their length, not drawn to it
+  // A clavicle's freedoms, and what they are where its law wants nothing (rad).
+  struct Clavicle {
+    int slide = 0;  // the arm's
+    int elevation = 0;
+    int protraction = 0;
+    double elevation_start = 0.0;
+    double protraction_start = 0.0;
+  };
+  std::vector<Clavicle> clavicles_;      // of arms with goals
+  std::vector<double> force_;            // (dofs) Jᵀλ of the last step
+  std::optional<ReducedLimits> limits_;  // where the problem holds them
+  std::vector<double> inverse_;          // (dofs)
+  std::vector<double> reference_;        // (dofs) what slides are to change by
+  std::vector<double> jacobian_;         // (rows × dofs)
+  std::vector<double> residual_;         // (rows)
+  std::vector<double> change_;           // (dofs)
 };
 
 // rad²/m²: what being off its length by a metre costs a leg of two, beside a freedom of weight 1.

@@ -37,6 +37,11 @@ class HingedLimb {
   double far_turn_;   // … and the second one's in its own
 };
 
+// The turn about z (rad) that brings a plane of that x, square to it, through the point `far` of
+// positive y: how an ankle inverts for a leg's plane to go through the hip. Nearer to the z axis
+// than `across`, the plane gets as near as it can.
+[[nodiscard]] double plane_turn(const Vec3d& far, double across);
+
 // Angles of the ball joints of a body, whose relative rotation is R = Rx(x) · Rz(z) · Ry(y): from
 // the piece that carries, to the limb (or its transpose, where the limb carries the trunk).
 struct BallTurns {

@@ -49,6 +49,18 @@ class PostureLaw {
     }
   }
 
+  // Elevation and protraction (rad) that go with an arm that points along a unit vector in the
+  // frame of the chest, beside those of one that hangs.
+  template <class U>
+  struct Shrug {
+    U elevation;
+    U protraction;
+  };
+  template <class U>
+  static Shrug<U> shrugged(const Vec3<U>& along) {
+    return {(U(1) + along.y) * U(0.5 * kClavicleRises), along.z * U(kClavicleAhead)};
+  }
+
  private:
   using T = Element<S>;
   struct Freedom {
@@ -132,10 +144,10 @@ class PostureLaw {
     arm.flexion.start -= static_cast<T>(hangs.first);
     arm.abduction.start -= static_cast<T>(hangs.second);
     if (!arm.has_clavicle) return;
-    const Pair<double> rises =
-        shrugged(standing.link_rotation(arm.chest), standing.link_rotation(arm.upper));
-    arm.elevation.start -= static_cast<T>(rises.first);
-    arm.protraction.start -= static_cast<T>(rises.second);
+    const Shrug<double> rises = shrugged(
+        transpose_times(standing.link_rotation(arm.chest), -standing.link_rotation(arm.upper).cy));
+    arm.elevation.start -= static_cast<T>(rises.elevation);
+    arm.protraction.start -= static_cast<T>(rises.protraction);
   }
 
   // of the way that is left
@@ -180,13 +192,6 @@ class PostureLaw {
     return {atan2(down.z, -down.y) * U(kArmHangs), atan2(down.x, level) * side * U(kArmHangs)};
   }
 
-  // elevation and protraction of a clavicle on this chest, whose arm is turned so
-  template <class U>
-  static Pair<U> shrugged(const Mat3<U>& chest, const Mat3<U>& upper) {
-    const Vec3<U> along = transpose_times(chest, -upper.cy);
-    return {(U(1) + along.y) * U(0.5 * kClavicleRises), along.z * U(kClavicleAhead)};
-  }
-
   void hang(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
     const Pair<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
@@ -196,9 +201,10 @@ class PostureLaw {
 
   void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
              std::span<S> reference) const {
-    const Pair<S> wanted = shrugged(now.link_rotation(arm.chest), now.link_rotation(arm.upper));
-    draw_to(arm.elevation, wanted.first, S(1), angles, reference);
-    draw_to(arm.protraction, wanted.second, S(1), angles, reference);
+    const Shrug<S> wanted =
+        shrugged(transpose_times(now.link_rotation(arm.chest), -now.link_rotation(arm.upper).cy));
+    draw_to(arm.elevation, wanted.elevation, S(1), angles, reference);
+    draw_to(arm.protraction, wanted.protraction, S(1), angles, reference);
   }
 
   bool looks_ = false;
