@@ -6,6 +6,8 @@ called_from=$PWD # paths that a caller gives are meant from there
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DEBIAN_FRONTEND=noninteractive
 jobs=$(nproc)
+# what ccache keeps serves other clones on this machine too
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
 
 # say TEXT: one line on what comes next, and when
 say() { printf '== %(%H:%M:%S)T %s\n' -1 "$*"; }
