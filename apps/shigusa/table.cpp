@@ -19,18 +19,42 @@ std::string most_over(const std::vector<LimitExcess>& over_limit) {
   return fmt::format("{} by {:.0f}°", over_limit.front().dof, degrees(over_limit.front().excess));
 }
 
+std::string least_margin(const std::optional<SupportMargins>& support) {
+  return support ? fmt::format("{:.0f}", 1e3 * support->centre_of_mass.distance) : "-";
+}
+
+// Which candidates a person could not stand through; empty where none.
+std::string balance_note(const Generation& generation) {
+  std::size_t fall = 0;
+  double most = 0.0;
+  for (const Candidate& candidate : generation.candidates) {
+    if (!candidate.support || candidate.support->centre_of_mass.distance >= 0.0) continue;
+    ++fall;
+    most = std::max(most, -candidate.support->centre_of_mass.distance);
+  }
+  if (fall == 0) return {};
+  return fmt::format(
+      "the centre of mass leaves the feet by up to {:.0f} mm in {} of {} candidates: who stands "
+      "like this has to step, hold on or fall",
+      1e3 * most, fall, generation.candidates.size());
+}
+
 }  // namespace
 
 std::string score_table(const Score& score, const FinalPosture& ends,
-                        const std::vector<LimitExcess>& over_limit) {
+                        const std::vector<LimitExcess>& over_limit,
+                        const std::optional<SupportMargins>& support) {
   std::string head = fmt::format("{:>7}", "score");
   std::string row = fmt::format("{:>7.4f}", score.total);
   for (const ScoreTerm& term : score.terms) {
     head += fmt::format("  {:>{}}", term.name, column_width(term));
     row += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
   }
-  return head + fmt::format("  {:<20}  {}\n", "ends as", "most over its limit") + row +
-         fmt::format("  {:<20}  {}\n", posture_words(ends), most_over(over_limit));
+  return head +
+         fmt::format("  {:>10}  {:<20}  {}\n", "balance mm", "ends as", "most over its limit") +
+         row +
+         fmt::format("  {:>10}  {:<20}  {}\n", least_margin(support), posture_words(ends),
+                     most_over(over_limit));
 }
 
 std::string candidate_table(const Generation& generation) {
@@ -45,7 +69,7 @@ std::string candidate_table(const Generation& generation) {
                                  [](const ContactResult& foot) { return foot.heel.has_value(); });
   text += fmt::format("  {:>9}  {:>9}  ", "error mm", "slide mm");
   if (heels) text += fmt::format("{:>8}  ", "heels mm");
-  text += fmt::format("{:<20}  {}\n", "ends as", "most over its limit");
+  text += fmt::format("{:>10}  {:<20}  {}\n", "balance mm", "ends as", "most over its limit");
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     const Candidate& candidate = generation.candidates[i];
     text += fmt::format("{:>4}  {:>7.4f}", i + 1, candidate.score.total);
@@ -63,7 +87,8 @@ std::string candidate_table(const Generation& generation) {
     }
     text += fmt::format("  {:>9.3f}  {:>9.3f}  ", 1e3 * error, 1e3 * slide);
     if (heels) text += fmt::format("{:>8.1f}  ", 1e3 * lift);
-    text += fmt::format("{:<20}  ", posture_words(candidate.final_posture));
+    text += fmt::format("{:>10}  {:<20}  ", least_margin(candidate.support),
+                        posture_words(candidate.final_posture));
     text += most_over(candidate.over_limit) + "\n";
   }
   return text;
@@ -103,6 +128,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
   }
   const bool reached = generation.status == ReachStatus::reached;
   if (reached && !generation.fewer.empty()) note("candidates", generation.fewer);
+  if (const std::string falls = balance_note(generation); !falls.empty()) note("balance", falls);
   if (!reached) {
     const std::string turn =
         generation.remaining_turn > 0.0

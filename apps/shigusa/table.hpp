@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <shigusa/shigusa.hpp>
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@ namespace shigusa::app {
 
 // The same of a motion that is no candidate.
 [[nodiscard]] std::string score_table(const Score& score, const FinalPosture& ends,
-                                      const std::vector<LimitExcess>& over_limit);
+                                      const std::vector<LimitExcess>& over_limit,
+                                      const std::optional<SupportMargins>& support);
 
 // What happened, in one line: status, body, goals, counts and time.
 [[nodiscard]] std::string headline(const Task& task, const Generation& generation,

@@ -108,6 +108,7 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
     if (foot.heel) candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip);
   }
   candidate.over_limit = limit_excess(body, rolled.motion.clip);
+  candidate.support = support_margins(body, rolled.motion);
   const Clip& clip = rolled.motion.clip;
   candidate.collides = deepest_collision(body, rolled.motion.clip, task_criteria(task).collision);
   candidate.final_posture =

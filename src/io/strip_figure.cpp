@@ -219,7 +219,7 @@ void Painter::legend(double base, const StripOverlay& overlay) {
   if (!overlay.hand_path.empty()) {
     const Point sample[] = {{x, middle}, {x + 12.0, middle}};
     canvas_.line(sample, kPath, 0.7);
-    entry(12.0, "hand path");
+    entry(12.0, "path");
   }
   if (!overlay.centre_of_mass.empty()) {
     mass({x + kMassRadius, middle});

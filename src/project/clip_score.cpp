@@ -82,7 +82,7 @@ Landmarks start_of(const CharacterSpec& character, const BodyModel& body) {
 class ClipPlayer {
  public:
   ClipPlayer(const BodyModel& body, const CriteriaSettings& criteria)
-      : body_(body), placed_(body), work_(body), criteria_(body, criteria) {}
+      : body_(body), placed_(body), work_(body), criteria_(body, criteria), support_(body) {}
 
   Motion play(const Clip& clip, int first, int last) {
     const auto dofs = static_cast<std::size_t>(clip.dofs);
@@ -106,8 +106,16 @@ class ClipPlayer {
           inverse_dynamics<double>(body_, placed_, speeds, accelerations, work_, torques);
       bear_on_feet<double>(body_, placed_, now, ground, torques);
       const Vec3d com = centre_of_mass(body_, work_);
-      criteria_.add({now, torques, com, speeds, accelerations, &placed_, clip.frame_time,
-                     pressure(ground, floor_height(body_))});
+      const MotionFrame<double> frame{now,
+                                      torques,
+                                      com,
+                                      speeds,
+                                      accelerations,
+                                      &placed_,
+                                      clip.frame_time,
+                                      pressure(ground, floor_height(body_))};
+      criteria_.add(frame);
+      support_.add(frame);
       motion.clip.angles.insert(motion.clip.angles.end(), now.begin(), now.end());
       motion.torques.insert(motion.torques.end(), torques.begin(), torques.end());
       motion.centre_of_mass.push_back(com);
@@ -116,12 +124,14 @@ class ClipPlayer {
   }
 
   [[nodiscard]] const BuiltInCriteria<double>& criteria() const { return criteria_; }
+  [[nodiscard]] const SupportMeter& support() const { return support_; }
 
  private:
   const BodyModel& body_;
   Kinematics<double> placed_;
   DynamicsWorkspace<double> work_;
   BuiltInCriteria<double> criteria_;
+  SupportMeter support_;
 };
 
 Score summed(const BuiltInCriteria<double>& criteria, const BodyModel& body, const Motion& motion,
@@ -255,6 +265,7 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   result.motion = player.play(smooth, first, first + last - settings.first);
   result.score = summed(player.criteria(), recorded.body, result.motion, settings.criteria);
   result.over_limit = limit_excess(recorded.body, result.motion.clip);
+  result.support = player.support().margins();
   result.collides =
       deepest_collision(recorded.body, result.motion.clip, settings.criteria.collision);
   PostureMeter meter(recorded.body);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/project/clip_score.hpp>
 
-#include "json_text.hpp"
+#include "measures_json.hpp"
 
 namespace shigusa {
 namespace {
@@ -46,22 +46,7 @@ std::string format_clip_score(const std::string& clip, const RecordedMotion& rec
   for (const ScoreTerm& term : score.score.terms) json["criteria"][term.name] = term.penalty;
   json["follows"] = follows_to_json(score.fit, settings.first);
   json["feet"] = feet_to_json(recorded, score.fit);
-  json["over_limit"] = Json::array();
-  for (const LimitExcess& excess : score.over_limit) {
-    json["over_limit"].push_back({{"dof", excess.dof}, {"excess_deg", degrees(excess.excess)}});
-  }
-  if (score.collides.depth > 0.0) {
-    json["collision"] = {{"depth_mm", score.collides.depth * kMillimetres},
-                         {"limb", score.collides.limb},
-                         {"other", score.collides.other},
-                         {"time_s", score.collides.time}};
-  }
-  json["final_posture"] = {{"words", posture_words(score.final_posture)},
-                           {"knee_flexion_deg", degrees(score.final_posture.knee_flexion)},
-                           {"trunk_turn_deg", degrees(score.final_posture.trunk_turn)}};
-  if (score.final_posture.stoop_squat_index) {
-    json["final_posture"]["stoop_squat_index"] = *score.final_posture.stoop_squat_index;
-  }
+  add_measures(score.over_limit, score.support, score.collides, score.final_posture, json);
   const auto measured = recorded.body.doubts();
   json["doubts"] = std::vector<std::string>(measured.begin(), measured.end());
   for (const std::string& doubt : score.doubts) json["doubts"].push_back(doubt);

@@ -4,6 +4,7 @@
 #include <shigusa/project/result_file.hpp>
 
 #include "character_export.hpp"
+#include "measures_json.hpp"
 #include "parameters_json.hpp"
 #include "task_json.hpp"
 
@@ -131,15 +132,6 @@ Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate
   return list;
 }
 
-Json posture_to_json(const FinalPosture& posture) {
-  Json json{{"words", posture_words(posture)},
-            {"knee_flexion_deg", degrees(posture.knee_flexion)},
-            {"trunk_turn_deg", degrees(posture.trunk_turn)},
-            {"elbow_swivel_deg", degrees(posture.elbow_swivel)}};
-  if (posture.stoop_squat_index) json["stoop_squat_index"] = *posture.stoop_squat_index;
-  return json;
-}
-
 Json candidate_to_json(const CharacterSpec& character, const Task& task,
                        const Generation& generation, std::size_t index,
                        const CandidateFiles* files) {
@@ -153,17 +145,9 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(character, candidate);
-  json["over_limit"] = Json::array();
-  for (const LimitExcess& excess : candidate.over_limit) {
-    json["over_limit"].push_back({{"dof", excess.dof}, {"excess_deg", degrees(excess.excess)}});
-  }
-  if (candidate.collides.depth > 0.0) {
-    json["collision"] = {{"depth_mm", candidate.collides.depth * kMillimetres},
-                         {"limb", candidate.collides.limb},
-                         {"other", candidate.collides.other},
-                         {"time_s", candidate.collides.time}};
-  }
-  json["final_posture"] = posture_to_json(candidate.final_posture);
+  add_measures(candidate.over_limit, candidate.support, candidate.collides, candidate.final_posture,
+               json);
+  json["final_posture"]["elbow_swivel_deg"] = degrees(candidate.final_posture.elbow_swivel);
   json["duration_s"] = generation.duration;
   json["frames"] = candidate.motion.clip.frames;
   if (candidate.layered) {

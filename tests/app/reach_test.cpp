@@ -116,6 +116,22 @@ TEST_F(Reach, BothHandsHaveTheirGoals) {
   expect_promises_kept(stored);
 }
 
+// Feet planted, hands as far behind as nobody gets without falling.
+TEST_F(Reach, TellsInWordsWhereAPersonCouldNotStand) {
+  const auto least_mm = [&] {
+    const StoredRun stored(work_, "out");
+    return stored.candidate(1).at("support").at("centre_of_mass").at("least_mm").get<double>();
+  };
+  const ProgramRun behind = reach({"--character", "human", "--goal", "right_hand=-0.2,1,-1.5"});
+  EXPECT_EQ(behind.exit_code, 0) << behind.err;
+  EXPECT_THAT(behind.err, testing::HasSubstr("balance: note: the centre of mass leaves the feet by"));
+  EXPECT_LT(least_mm(), -100.0);
+  const ProgramRun ahead = reach({"--character", "human", "--goal", "right_hand=-0.2,1.2,0.5"});
+  EXPECT_EQ(ahead.exit_code, 0) << ahead.err;
+  EXPECT_THAT(ahead.err, testing::Not(testing::HasSubstr("balance")));
+  EXPECT_GT(least_mm(), 20.0);
+}
+
 TEST_F(Reach, CriteriaOfTheCallReplaceThoseOfTheTaskFile) {
   const std::string task = work_.put("task.json",
                                      R"({"preset": "paper", "criteria": {"work": {"weight": 0.5}},

@@ -4,6 +4,7 @@
 #include <optional>
 #include <shigusa/core/progress.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/criteria/support_margin.hpp>
 #include <shigusa/hierarchy/final_posture.hpp>
 #include <shigusa/hierarchy/layered_parameters.hpp>
 #include <shigusa/hierarchy/task.hpp>
@@ -73,7 +74,8 @@ struct Candidate {
   std::vector<GoalResult> goals;
   double path_error = 0.0;  // m, largest distance from the path at any frame that follows it
   std::vector<ContactResult> contacts;
-  std::vector<LimitExcess> over_limit;  // the worst first
+  std::vector<LimitExcess> over_limit;      // the worst first
+  std::optional<SupportMargins> support{};  // of a body that stands
   FinalPosture final_posture;
   // Of layered presets, what the motion is generated from; `parameters` are empty then.
   std::optional<LayeredParameters> layered{};
