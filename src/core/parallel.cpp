@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
+#include <vector>
 
 #ifdef SHIGUSA_HAS_TBB
 #include <tbb/global_control.h>
@@ -9,7 +12,6 @@
 #include <tbb/task_arena.h>
 #endif
 #ifdef SHIGUSA_THREAD_SANITIZER
-#include <vector>
 extern "C" {
 void __tsan_acquire(void* address);
 void __tsan_release(void* address);
@@ -66,6 +68,59 @@ struct Order {
 };
 #endif
 
+// Where calls run. A worker takes some tens of microseconds to join one, and looks for more work
+// for a while before it leaves, so arenas are kept; each call has one for itself, as threads that
+// share one would wait for each other's work.
+class Arenas {
+ public:
+  std::unique_ptr<tbb::task_arena> take(int workers) {
+    const std::lock_guard lock(mutex_);
+    if (workers > allowed_) {  // more threads than cores, where they are asked for
+      allowed_ = workers;
+      control_.reset();  // the least of two would hold
+      control_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                       static_cast<std::size_t>(workers));
+    }
+    for (auto kept = idle_.rbegin(); kept != idle_.rend(); ++kept) {
+      if ((*kept)->max_concurrency() != workers) continue;
+      std::unique_ptr<tbb::task_arena> arena = std::move(*kept);
+      idle_.erase(kept.base() - 1);
+      return arena;
+    }
+    return std::make_unique<tbb::task_arena>(workers);
+  }
+
+  void give_back(std::unique_ptr<tbb::task_arena> arena) {
+    const std::lock_guard lock(mutex_);
+    if (idle_.size() == kMostIdle) idle_.erase(idle_.begin());
+    idle_.push_back(std::move(arena));
+  }
+
+ private:
+  static constexpr std::size_t kMostIdle = 16;
+  std::mutex mutex_;
+  std::unique_ptr<tbb::global_control> control_;
+  int allowed_ = tbb::this_task_arena::max_concurrency();
+  std::vector<std::unique_ptr<tbb::task_arena>> idle_;
+};
+
+class Arena {
+ public:
+  explicit Arena(int workers) : arena_(all().take(workers)) {}
+  ~Arena() { all().give_back(std::move(arena_)); }
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+
+  tbb::task_arena* operator->() { return arena_.get(); }
+
+ private:
+  static Arenas& all() {
+    static Arenas arenas;
+    return arenas;
+  }
+  std::unique_ptr<tbb::task_arena> arena_;
+};
+
 }  // namespace
 #endif
 
@@ -82,12 +137,9 @@ void parallel_for(int count, int threads, const std::function<void(int, int)>& w
 #ifdef SHIGUSA_HAS_TBB
   const int workers = std::min(thread_count(threads), count);
   if (workers > 1) {
-    // more threads than cores, where they are asked for
-    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                      static_cast<std::size_t>(workers));
-    tbb::task_arena arena(workers);
+    Arena arena(workers);
     Order order(workers);
-    arena.execute([&] {
+    arena->execute([&] {
       tbb::parallel_for(
           0, count,
           [&](int index) {

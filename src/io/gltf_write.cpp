@@ -135,6 +135,12 @@ class AnimationAdder {
         buffers_(json_.elements(json_.member(root_, "buffers"))) {}
 
   [[nodiscard]] Result<void> check() const {
+    for (const char* added : {"accessors", "animations", "buffers", "bufferViews"}) {
+      const Value list = json_.member(root_, added);
+      if (list && !json_.text_of(list).starts_with('[')) {
+        return wrong(fmt::format("{} is not a list", added));
+      }
+    }
     for (const char* list : {"buffers", "images"}) {
       if (auto own = refers_to_no_file(list); !own) return own;
     }

@@ -124,7 +124,8 @@ TEST_F(Reach, TellsInWordsWhereAPersonCouldNotStand) {
   };
   const ProgramRun behind = reach({"--character", "human", "--goal", "right_hand=-0.2,1,-1.5"});
   EXPECT_EQ(behind.exit_code, 0) << behind.err;
-  EXPECT_THAT(behind.err, testing::HasSubstr("balance: note: the centre of mass leaves the feet by"));
+  EXPECT_THAT(behind.err,
+              testing::HasSubstr("balance: note: the centre of mass leaves the feet by"));
   EXPECT_LT(least_mm(), -100.0);
   const ProgramRun ahead = reach({"--character", "human", "--goal", "right_hand=-0.2,1.2,0.5"});
   EXPECT_EQ(ahead.exit_code, 0) << ahead.err;

@@ -5,6 +5,7 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/parallel.hpp>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace shigusa {
@@ -81,6 +82,23 @@ TEST(ParallelFor, WhatACallThrowsIsPassedOn) {
     };
     EXPECT_THROW(parallel_for(100, threads, work), std::runtime_error) << threads;
   }
+}
+
+TEST(ParallelFor, ServesSeveralThreadsAtOnce) {
+  std::vector<long> totals(3);
+  std::vector<std::thread> callers;
+  for (long& total : totals) {
+    callers.emplace_back([&total] {
+      for (int round = 0; round < 50; ++round) {
+        std::vector<long> sums(3);
+        parallel_for(
+            20, 3, [&](int index, int worker) { sums[static_cast<std::size_t>(worker)] += index; });
+        for (const long sum : sums) total += sum;
+      }
+    });
+  }
+  for (std::thread& caller : callers) caller.join();
+  for (const long total : totals) EXPECT_EQ(total, 50L * 190);
 }
 
 TEST(ParallelFor, WorksWithinItself) {

@@ -146,6 +146,12 @@ TEST(AddAnimations, TellsWhatItCannotKeep) {
   no_chunk.replace(8, 4, word_bytes(static_cast<std::uint32_t>(no_chunk.size())));
   EXPECT_THAT(added(no_chunk, {turning()}).error().message, HasSubstr("there is none"));
   EXPECT_FALSE(added("no JSON", {turning()}));
+  for (const char* list : {"accessors", "animations", "buffers", "bufferViews"}) {
+    nlohmann::json odd = person_gltf();
+    odd[list] = nlohmann::json::object();
+    EXPECT_THAT(added(odd.dump(), {turning()}).error().message,
+                HasSubstr(std::string(list) + " is not a list"));
+  }
 }
 
 TEST(FormatVrmAnimation, IsAFileOfBonesAndTheirMotion) {
