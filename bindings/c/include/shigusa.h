@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT */
+/* shigusa's C interface: the one door by which games, browsers and other languages come in.
+ *
+ * A character is a body with what its file tells; a result is what a task came to: candidates with
+ * their motions. Tasks, results and descriptions are UTF-8 JSON, the same objects that the command
+ * line reads and writes (docs/task.schema.json, docs/result.schema.json). Units are metres,
+ * kilograms, seconds and radians, the world is right-handed with +Y up, and a body faces +Z with
+ * its left at +X.
+ *
+ * Every function but those that free or tell a version returns a status, and on failure leaves what
+ * its pointers point to as it was; shigusa_message() then says in a sentence what is wrong, where,
+ * and what is allowed. No C++ exception comes out, and null pointers are refused
+ * (SHIGUSA_INVALID_ARGUMENT) where nothing else is said. Objects may be used from one thread at a
+ * time, different objects from several at once; a result keeps what it needs of its character, so
+ * either may be freed first.
+ *
+ * Within one SHIGUSA_ABI_VERSION functions and numbers are only added. */
+#ifndef SHIGUSA_H
+#define SHIGUSA_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__EMSCRIPTEN__)
+#define SHIGUSA_API __attribute__((used, visibility("default")))
+#elif defined(__GNUC__)
+#define SHIGUSA_API __attribute__((visibility("default")))
+#else
+#define SHIGUSA_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SHIGUSA_ABI_VERSION 1
+
+/* The SHIGUSA_ABI_VERSION that the library was built with, and its own version ("0.1.0"). */
+SHIGUSA_API uint32_t shigusa_abi_version(void);
+SHIGUSA_API const char* shigusa_version(void);
+
+typedef int32_t shigusa_status;
+enum {
+  SHIGUSA_OK = 0,
+  SHIGUSA_INVALID_ARGUMENT = 1, /* a value is outside what is allowed */
+  SHIGUSA_NOT_FOUND = 2,        /* no file, joint or effector of that name */
+  SHIGUSA_PARSE = 3,            /* bytes that do not follow their format */
+  SHIGUSA_IO = 4,               /* the operating system refused */
+  SHIGUSA_UNSUPPORTED = 5,      /* understood, but outside what this build does */
+  SHIGUSA_CANCELLED = 6,        /* stopped before there was anything to give */
+  SHIGUSA_OUT_OF_MEMORY = 7,
+  SHIGUSA_FAULT = 8 /* a fault of the library itself: please report it */
+};
+
+/* What the calling thread's last failure was about, "" if none failed yet. Valid until this thread's
+ * next failure. */
+SHIGUSA_API const char* shigusa_message(void);
+
+/* Text or a file, owned by the caller. Text ends with a zero that `size` does not count. */
+typedef struct shigusa_bytes shigusa_bytes;
+SHIGUSA_API const char* shigusa_bytes_data(const shigusa_bytes* bytes);
+SHIGUSA_API size_t shigusa_bytes_size(const shigusa_bytes* bytes);
+SHIGUSA_API void shigusa_bytes_free(shigusa_bytes* bytes); /* null is allowed */
+
+/* ---- Characters ------------------------------------------------------------------------------ */
+
+typedef struct shigusa_character shigusa_character;
+
+/* `spec`: the `character` of a task file, such as {"source": "human", "stature_m": 1.6} or
+ * {"source": "hero.vrm", "map": {"right_hand": "Bone_17"}}. For a file `source` is its name, whose
+ * ending tells the format (bvh, gltf, glb, vrm, urdf), and `file` its bytes; for a built-in body
+ * (half_body, full_body, human) `file` is null and `file_size` 0. No file is ever opened. */
+SHIGUSA_API shigusa_status shigusa_character_create(const char* spec, const void* file,
+                                                    size_t file_size,
+                                                    shigusa_character** character);
+SHIGUSA_API void shigusa_character_free(shigusa_character* character); /* null is allowed */
+
+/* What was understood: the object that `shigusa body --json` prints, with the nodes that
+ * SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS move: "nodes": [{"name", "parent" (index or -1),
+ * "offset" [x, y, z], "file_node" (of glTF: index in the file)}], "node_unit_m" (metres per unit of
+ * their translations), and "support_polygon" [[x, z], …] (m, what the feet stand on). */
+SHIGUSA_API shigusa_status shigusa_character_describe(const shigusa_character* character,
+                                                      shigusa_bytes** json);
+
+/* ---- Motions --------------------------------------------------------------------------------- */
+
+typedef struct shigusa_result shigusa_result;
+
+/* How a caller watches and stops a search. `report` is called on the calling thread now and then,
+ * with the share of the budget that is used (0..1), motions scored and the lowest score so far; it
+ * returns 0 to go on, anything else to stop with the best so far. */
+typedef struct shigusa_watch {
+  int32_t (*report)(void* user, double fraction, int32_t evaluations, double best_score);
+  void* user;
+} shigusa_watch;
+
+/* Searches motions. `task` is a task file's text; `character`, where given, takes the place of the
+ * task's own; null: the task's, which must need no file. `watch` may be null. A goal out of reach is
+ * no failure: the result's status says so, and its one candidate ends as near as it gets.
+ * `threads`: 0 for one a core; changes no result. */
+SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
+                                            int32_t threads, const shigusa_watch* watch,
+                                            shigusa_result** result);
+
+/* Generates a result's motions again from its JSON (summary.json), without a search. `character` as
+ * above: with it they can leave on its own skeleton. It must be the one of the result. */
+SHIGUSA_API shigusa_status shigusa_restore(const shigusa_character* character, const char* summary,
+                                           shigusa_result** result);
+
+/* Generates a candidate's motion again with changed parameters: a result of one candidate.
+ * `assignments`: JSON list of what `shigusa edit --set` takes, ["squat_deg=60", …]; none or null
+ * leaves all as it is. Candidates count from 1. */
+SHIGUSA_API shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
+                                          const char* assignments, shigusa_result** edited);
+
+/* All candidates with the other side's hands and feet. */
+SHIGUSA_API shigusa_status shigusa_mirror(const shigusa_result* result, shigusa_result** mirrored);
+
+SHIGUSA_API void shigusa_result_free(shigusa_result* result); /* null is allowed */
+
+/* Candidates in it, lowest score first; 0 of null. */
+SHIGUSA_API int32_t shigusa_result_candidates(const shigusa_result* result);
+
+/* The object of summary.json, but for `files`, which are none; what shigusa_restore takes. */
+SHIGUSA_API shigusa_status shigusa_result_describe(const shigusa_result* result,
+                                                   shigusa_bytes** json);
+
+/* The parameters of a candidate that a person edits, in order: [{"name", "group" (joint, limb or
+ * "posture"), "kind" ("weight", "angle", "share" or "locked"), "value", "low", "high", "scale"
+ * ("linear" or "log"), "unit" ("", "deg", …), "locked"}]. `name=value` is an assignment. */
+SHIGUSA_API shigusa_status shigusa_result_parameters(const shigusa_result* result,
+                                                     int32_t candidate, shigusa_bytes** json);
+
+/* A candidate as a file: "bvh", "csv", "svg", "png", "pdf", "glb" or "vrma". A build without cairo
+ * has no png and no pdf (SHIGUSA_UNSUPPORTED). Candidate 0: all of them in one GLB. */
+SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candidate,
+                                                 const char* format, shigusa_bytes** file);
+
+/* What can be read of each frame of a candidate. */
+typedef int32_t shigusa_series;
+enum {
+  SHIGUSA_TIME = 0,           /* 1 column: s */
+  SHIGUSA_ANGLES = 1,         /* a column a freedom, in the order of the description's joints: rad */
+  SHIGUSA_TORQUES = 2,        /* the same: N·m */
+  SHIGUSA_CENTRE_OF_MASS = 3, /* x, y, z: m, world */
+  /* how far inside what the feet stand on the plumb line of the centre of mass and the floor's
+   * centre of pressure are, less than 0 outside: m; no columns of a body without feet */
+  SHIGUSA_SUPPORT = 4,
+  SHIGUSA_EFFECTORS = 5,         /* x, y, z of each goal's effector: m, world */
+  SHIGUSA_NODE_TRANSLATIONS = 6, /* x, y, z of each node in its parent: units of node_unit_m */
+  SHIGUSA_NODE_ROTATIONS = 7     /* x, y, z, w of each node in its parent */
+};
+
+/* A table of frames × columns, row by row; `values` stays valid until the result is freed. */
+SHIGUSA_API shigusa_status shigusa_result_series(const shigusa_result* result, int32_t candidate,
+                                                 shigusa_series series, const double** values,
+                                                 size_t* frames, size_t* columns);
+
+/* ---- Recorded motion ------------------------------------------------------------------------- */
+
+/* The criteria of a clip's motion (BVH, or an animation of glTF, VRM or VRMA): the object that
+ * `shigusa score --json` prints. `options` may be null, or {"criteria": "default", "first": 0,
+ * "last": 80, "animation": "Take 1", "cutoff_hz": 6}. */
+SHIGUSA_API shigusa_status shigusa_score_clip(const char* name, const void* file, size_t file_size,
+                                              const char* options, shigusa_bytes** json);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// What goes in and out of the engine. JSON objects are those of the command line (docs/task.schema.json,
+// docs/result.schema.json); units are metres, kilograms, seconds, radians; +Y is up, a body faces +Z, its left
+// is +X; quaternions are [x, y, z, w].
+
+export type Vec3 = [number, number, number];
+export type Quat = [number, number, number, number];
+
+/** The `character` of a task file. A file's bytes go beside it, its name is `source`. */
+export interface CharacterSpec {
+  source: string;
+  stature_m?: number;
+  mass_kg?: number;
+  sex?: 'male' | 'female';
+  extent?: 'human' | 'full' | 'half';
+  frame?: number;
+  animation?: string;
+  seat_m?: number;
+  heels?: boolean;
+  map?: Record<string, string>;
+}
+
+export interface JointDescription {
+  name: string; // "right_shoulder.flexion"
+  parent: string | null;
+  limits_rad: [number, number];
+  strength_nm: [number, number];
+  start_rad: number;
+}
+
+export interface NodeDescription {
+  name: string;
+  parent: number; // index, or -1
+  offset: Vec3; // at rest, in units of node_unit_m
+  file_node?: number; // of glTF: its index in the file
+}
+
+/** What was understood of a character: `shigusa body --json` and its nodes. */
+export interface CharacterDescription {
+  name: string;
+  stature_m: number;
+  mass_kg: number;
+  dof: number;
+  joints: JointDescription[];
+  effectors: string[];
+  places: { effector: string; node: string; start_m: Vec3 }[];
+  humanoid: Record<string, string>;
+  doubts: string[];
+  nodes: NodeDescription[];
+  node_unit_m: number;
+  support_polygon: [number, number][];
+  placement?: { unit_m: number; origin: Vec3; left: Vec3; up: Vec3; ahead: Vec3 };
+}
+
+export interface Goal {
+  effector: string;
+  position_m: Vec3;
+  rotation_xyzw?: Quat;
+  load_kg?: number;
+  tolerance_m?: Vec3;
+}
+
+/** A task file; keys that are not named here are in docs/task.schema.json. */
+export interface Task {
+  version?: 1;
+  goals: Goal[];
+  preset?: string;
+  criteria?: string | Record<string, unknown>;
+  seed?: number;
+  candidates?: number;
+  evaluations?: number;
+  fixed?: string[];
+  duration_s?: number;
+  [key: string]: unknown;
+}
+
+export interface CandidateSummary {
+  rank: number;
+  score: number;
+  criteria: Record<string, number>;
+  reached: { effector: string; joint: string; goal_m: Vec3; reached_m: Vec3; error_mm: number }[];
+  final_posture: { words: string; knee_flexion_deg: number; trunk_turn_deg: number };
+  support?: { centre_of_mass: { least_mm: number; time_s: number }; pressure: { least_mm: number; time_s: number } };
+  collision?: { depth_mm: number; limb: string; other: string; time_s: number };
+  duration_s: number;
+  frames: number;
+  [key: string]: unknown;
+}
+
+/** The object of summary.json. */
+export interface Summary {
+  version: 1;
+  status: 'reached' | 'unreachable';
+  remaining_mm: number;
+  seed: number;
+  evaluations: number;
+  candidates: CandidateSummary[];
+  [key: string]: unknown;
+}
+
+/** A parameter that a person edits; `${name}=${value}` is an assignment. */
+export interface Parameter {
+  name: string;
+  group: string;
+  kind: 'weight' | 'angle' | 'share' | 'locked';
+  value: number;
+  low: number;
+  high: number;
+  scale: 'linear' | 'log';
+  unit: string;
+  locked: boolean;
+}
+
+/** A table of frames × columns, row by row. */
+export interface Series {
+  frames: number;
+  columns: number;
+  values: Float64Array;
+}
+
+export const seriesNames = [
+  'time', 'angles', 'torques', 'centre_of_mass', 'support', 'effectors', 'node_translations', 'node_rotations',
+] as const;
+export type SeriesName = (typeof seriesNames)[number];
+
+/** One motion with all that can be read of it. */
+export interface Candidate {
+  summary: CandidateSummary;
+  parameters: Parameter[];
+  series: Record<SeriesName, Series>;
+}
+
+export interface Generated {
+  summary: Summary;
+  candidates: Candidate[];
+  engine_ms: number; // inside the engine, without the way to and from the worker
+}
+
+export interface Progress {
+  fraction: number; // 0..1
+  evaluations: number;
+  best_score: number;
+}
+
+export interface GenerateOptions {
+  signal?: AbortSignal; // aborted: the promise is rejected with an AbortError
+  onProgress?: (progress: Progress) => void;
+}
+
+export type ExportFormat = 'bvh' | 'csv' | 'svg' | 'glb' | 'vrma';
+
+/** What the engine refuses: a code of the C interface and a sentence for a person. */
+export interface EngineFailure {
+  code: 'invalid_argument' | 'not_found' | 'parse' | 'io' | 'unsupported' | 'cancelled' | 'out_of_memory' | 'fault';
+  message: string;
+}
+
+/** A character that the engine has; plain data, so that it survives a worker's end. */
+export interface Character {
+  readonly id: number;
+  readonly spec: CharacterSpec;
+  readonly bytes?: Uint8Array;
+  readonly description: CharacterDescription;
+}
+
+/** The engine: computes in workers of its own, one for searches and one for what must be quick. Failures
+ *  reject with an Error whose `failure` is an EngineFailure. */
+export interface Engine {
+  open(spec: CharacterSpec, bytes?: Uint8Array): Promise<Character>;
+  close(character: Character): void;
+  /** A whole search. An abort ends it at once. */
+  generate(character: Character, task: Task, options?: GenerateOptions): Promise<Generated>;
+  /** A quick search for a goal that is being dragged; of calls that wait the newest alone is answered, the
+   *  others resolve to undefined. */
+  preview(character: Character, task: Task): Promise<Generated | undefined>;
+  /** A candidate (from 1) anew, with changed parameters; like preview, the newest call alone is answered. */
+  replay(character: Character, summary: Summary, candidate: number, assignments: string[]): Promise<Generated | undefined>;
+  /** All candidates of a result anew, from its JSON. */
+  restore(character: Character, summary: Summary): Promise<Generated>;
+  mirror(character: Character, summary: Summary): Promise<Generated>;
+  /** `candidate` 0: all, in one GLB. */
+  export(character: Character, summary: Summary, candidate: number, format: ExportFormat): Promise<Uint8Array>;
+  scoreClip(name: string, bytes: Uint8Array, options?: object): Promise<object>;
+  dispose(): void;
+}
