@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A character drawn with the mesh of its own glTF or VRM file.
+import { Group, LoadingManager, type Material, Mesh, MeshStandardMaterial, type Object3D } from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import type { Character } from '../../../bindings/wasm/src/types';
+import type { Figure } from './mannequin';
+import { placementMatrix } from './pose';
+
+/** Nothing outside the file is fetched: what names another file is refused. */
+function innerFilesOnly(): LoadingManager {
+  const manager = new LoadingManager();
+  manager.setURLModifier((url) => (/^(blob:|data:)/.test(url) ? url : 'data:,'));
+  return manager;
+}
+
+export async function makeGltfFigure(character: Character): Promise<Figure> {
+  const bytes = character.bytes!;
+  const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
+  const gltf = await new GLTFLoader(innerFilesOnly()).parseAsync(buffer, '');
+  const byIndex = new Map<number, Object3D>();
+  for (const [item, reference] of gltf.parser.associations) {
+    const index = (reference as { nodes?: number } | undefined)?.nodes;
+    if (index !== undefined && 'isObject3D' in item) byIndex.set(index, item as Object3D);
+  }
+  const root = new Group();
+  root.matrixAutoUpdate = false;
+  root.matrix.copy(placementMatrix(character.description));
+  root.add(gltf.scene);
+  const object = new Group();
+  object.add(root);
+  let drawn = 0;
+  gltf.scene.traverse((item) => {
+    if (!(item instanceof Mesh)) return;
+    ++drawn;
+    item.castShadow = true;
+    item.receiveShadow = true;
+    item.frustumCulled = false;
+    item.material = Array.isArray(item.material) ? item.material.map(lit) : lit(item.material as Material);
+  });
+  if (drawn === 0) throw new Error('no mesh');
+  const nodes = character.description.nodes.map((node) =>
+    node.file_node === undefined ? undefined : byIndex.get(node.file_node));
+  return { object, nodes, skin: new MeshStandardMaterial(), joints: new MeshStandardMaterial() };
+}
+
+/** Metal without surroundings to mirror would be black. */
+function lit(material: Material): Material {
+  if (material instanceof MeshStandardMaterial) material.metalness = Math.min(material.metalness, 0.2);
+  return material;
+}
