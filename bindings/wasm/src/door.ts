@@ -203,6 +203,11 @@ export class Door {
     return this.calls.module.UTF8ToString(this.calls.module._shigusa_version());
   }
 
+  /** What the module has taken of memory, most of it free again: it never shrinks. */
+  get memoryBytes(): number {
+    return this.calls.module.HEAPU8.length;
+  }
+
   character(spec: CharacterSpec, bytes?: Uint8Array): DoorCharacter {
     return this.calls.with((scratch) => {
       const text = scratch.text(JSON.stringify(spec));
