@@ -13,22 +13,33 @@ SupportMeter::SupportMeter(const BodyModel& body)
 void SupportMeter::add(const MotionFrame<double>& frame) {
   if (!stands_) return;
   const Vec3d& c = frame.centre_of_mass;
-  const double mass = zone_.inside({c.x, 1.0, c.z}, frame.angles);
-  const double pressure = zone_.inside(frame.pressure, frame.angles) * per_weight_;
-  if (!seen_ || mass < least_.centre_of_mass.distance) least_.centre_of_mass = {mass, time_};
-  if (!seen_ || pressure < least_.pressure.distance) least_.pressure = {pressure, time_};
-  seen_ = true;
-  time_ += frame.frame_time;
+  frames_.push_back({zone_.inside({c.x, 1.0, c.z}, frame.angles),
+                     zone_.inside(frame.pressure, frame.angles) * per_weight_});
+  frame_time_ = frame.frame_time;
 }
 
 std::optional<SupportMargins> SupportMeter::margins() const {
-  return seen_ ? std::optional(least_) : std::nullopt;
+  if (frames_.empty()) return std::nullopt;
+  SupportMargins least{{frames_[0].centre_of_mass, 0.0}, {frames_[0].pressure, 0.0}};
+  const auto take = [](SupportMargin& margin, double distance, double time) {
+    if (distance < margin.distance) margin = {distance, time};
+  };
+  for (std::size_t f = 1; f < frames_.size(); ++f) {
+    const double time = static_cast<double>(f) * frame_time_;
+    take(least.centre_of_mass, frames_[f].centre_of_mass, time);
+    take(least.pressure, frames_[f].pressure, time);
+  }
+  return least;
+}
+
+SupportMeter measure_support(const BodyModel& body, const Motion& motion) {
+  SupportMeter meter(body);
+  show_motion(body, motion, true, meter);
+  return meter;
 }
 
 std::optional<SupportMargins> support_margins(const BodyModel& body, const Motion& motion) {
-  SupportMeter meter(body);
-  show_motion(body, motion, true, meter);
-  return meter.margins();
+  return measure_support(body, motion).margins();
 }
 
 }  // namespace shigusa

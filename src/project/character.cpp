@@ -236,8 +236,22 @@ int rig_node(const CharacterSpec& spec, std::string_view body_node) {
   return -1;
 }
 
-Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path) {
+Result<void> attach_rig(CharacterSpec& spec, const CharacterSpec& measured) {
   constexpr double kSame = 1e-6;  // m
+  if (!spec.landmarks || !measured.rig || apart(*spec.landmarks, *measured.landmarks) > kSame) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("is not the person of the result, {}, who may have been mirrored or changed "
+                    "since",
+                    spec.source),
+        measured.source);
+  }
+  spec.rig = measured.rig;
+  return {};
+}
+
+Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path) {
+  Result<void> attached;
   // the stature stands in a result whether it was given or measured
   for (const std::optional<double>& stature : {std::optional<double>{}, spec.stature}) {
     CharacterSpec fresh{.source = path.string(),
@@ -251,16 +265,10 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
       if (stature) return measured;
       continue;
     }
-    if (!spec.landmarks || !fresh.rig || apart(*spec.landmarks, *fresh.landmarks) > kSame) continue;
-    spec.rig = std::move(fresh.rig);
-    return {};
+    attached = attach_rig(spec, fresh);
+    if (attached) return attached;
   }
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("is not the person of the result, {}, who may have been mirrored or changed "
-                  "since",
-                  spec.source),
-      path.filename().string());
+  return fail(attached.error().code, attached.error().message, path.filename().string());
 }
 
 Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {

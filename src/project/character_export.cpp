@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/project/export.hpp>
 
 namespace shigusa {
 namespace {
@@ -123,7 +124,7 @@ class VrmSkeleton {
 
 }  // namespace
 
-std::string animation_name(const CharacterSpec& character, std::size_t rank) {
+std::string candidate_animation(const CharacterSpec& character, std::size_t rank) {
   const std::string plain = fmt::format("shigusa candidate {}", rank);
   if (!character.rig) return plain;
   const auto& taken = character.rig->animations;

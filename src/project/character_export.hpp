@@ -8,10 +8,6 @@
 
 namespace shigusa {
 
-// "shigusa candidate 1": the animation of the candidate of that rank; "… (2)" where the character's
-// file has one of that name.
-[[nodiscard]] std::string animation_name(const CharacterSpec& character, std::size_t rank);
-
 // Motions of a body on its character's own skeleton. Borrows the rig.
 class CharacterExporter {
  public:

@@ -27,20 +27,22 @@ struct MotionFile {
   std::vector<std::string> doubts;
 };
 
-Result<MotionFile> read_motion(const std::filesystem::path& path, const std::string& animation) {
-  const std::string name = path.filename().string();
-  const FileKind kind = file_kind(name);
-  if (kind == FileKind::bvh) {
+Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
+                                const std::string& animation) {
+  if (file_kind(name) == FileKind::bvh) {
     if (!animation.empty()) return holds_one_motion(name);
-    Result<SkeletonMotion> motion = read_bvh(path);
+    Result<SkeletonMotion> motion = parse_bvh(bytes, name);
     if (!motion) return tl::unexpected(motion.error());
     return MotionFile{std::move(*motion), {}, {}};
   }
-  if (kind == FileKind::gltf || file_ending(name) == ".vrma") {
-    Result<GltfMotion> file = read_gltf_animation(path, {.animation = animation});
-    if (!file) return tl::unexpected(file.error());
-    return MotionFile{std::move(file->motion), file->character.humanoid, std::move(file->doubts)};
-  }
+  Result<GltfMotion> file = parse_gltf_animation(bytes, name, {.animation = animation});
+  if (!file) return tl::unexpected(file.error());
+  return MotionFile{std::move(file->motion), file->character.humanoid, std::move(file->doubts)};
+}
+
+Result<void> check_clip_name(const std::string& name) {
+  const FileKind kind = file_kind(name);
+  if (kind == FileKind::bvh || kind == FileKind::gltf || file_ending(name) == ".vrma") return {};
   return fail(ErrorCode::invalid_argument,
               "is no clip that can be scored; allowed are .bvh, .glb, .gltf, .vrm and .vrma", name);
 }
@@ -175,13 +177,24 @@ void doubt(const ScoreSettings& settings, ClipScore& result) {
 Result<RecordedMotion> read_recorded(const std::filesystem::path& path, CharacterSpec character,
                                      int first, const std::string& animation) {
   const std::string name = path.filename().string();
+  if (const auto can = check_clip_name(name); !can) return tl::unexpected(can.error());
+  const Result<std::string> bytes = read_character_bytes(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (character.source == path.string()) character.source = name;
+  return parse_recorded(*bytes, name, std::move(character), first, animation);
+}
+
+Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string& name,
+                                      CharacterSpec character, int first,
+                                      const std::string& animation) {
   if (is_robot(character)) {
     return fail(ErrorCode::invalid_argument,
                 character.source + " is a robot; recorded motion is scored on people", "character");
   }
-  Result<MotionFile> file = read_motion(path, animation);
+  if (const auto can = check_clip_name(name); !can) return tl::unexpected(can.error());
+  Result<MotionFile> file = parse_motion(bytes, name, animation);
   if (!file) return tl::unexpected(file.error());
-  const bool own = character.source == path.string();
+  const bool own = character.source == name;
   if (!own) {
     if (const auto measured = measure_character(character, {}); !measured) {
       return tl::unexpected(measured.error());

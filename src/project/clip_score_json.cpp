@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/project/clip_score.hpp>
+#include <shigusa/project/task_file.hpp>
+#include <utility>
 
+#include "json_reader.hpp"
 #include "measures_json.hpp"
 
 namespace shigusa {
 namespace {
 
 constexpr double kMillimetres = 1000.0;  // per metre
+constexpr int kFrameMost = 1'000'000'000;
+constexpr double kCutoffMost = 1e6;  // Hz
 
 Json follows_to_json(const ClipFit& fit, int first) {
   return {{"mean_mm", fit.mean_distance * kMillimetres},
@@ -29,6 +34,31 @@ Json feet_to_json(const RecordedMotion& recorded, const ClipFit& fit) {
 }
 
 }  // namespace
+
+Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view name) {
+  const Result<Json> json = parse_json(text, name);
+  if (!json) return tl::unexpected(json.error());
+  JsonReader reader(*json, std::string(name) + ": ");
+  ClipRequest request;
+  std::vector<std::pair<std::string, const CriteriaPreset*>> known;
+  for (const CriteriaPreset& preset : criteria_presets()) known.emplace_back(preset.name, &preset);
+  const CriteriaPreset* mixture = nullptr;
+  reader.choice<const CriteriaPreset*>("criteria", mixture, known);
+  if (mixture != nullptr) request.settings.criteria = mixture->settings();
+  reader.integer("first", request.settings.first, 0, kFrameMost);
+  if (reader.has("last")) {
+    reader.integer("last", request.settings.last.emplace(), 0, kFrameMost);
+  }
+  reader.number("smoothed_hz", request.settings.cutoff, 0.0, kCutoffMost);
+  reader.text("animation", request.animation);
+  if (reader.has("character")) {
+    auto spec = parse_character_spec(reader.value("character").dump(), name);
+    if (!spec) return tl::unexpected(spec.error());
+    request.character = std::move(*spec);
+  }
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return request;
+}
 
 std::string format_clip_score(const std::string& clip, const RecordedMotion& recorded,
                               const ScoreSettings& settings, const ClipScore& score) {

@@ -215,19 +215,6 @@ Result<std::string> export_any(const CharacterExporter* character, const Task& t
   return export_candidate(task, candidate, format);
 }
 
-Result<void> write_one_file(const std::filesystem::path& folder, const CharacterSpec& spec,
-                            const CharacterExporter& character, const Task& task,
-                            const Generation& generation) {
-  std::vector<GltfAnimation> animations;
-  for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
-    animations.push_back(character.animation(task.body, generation.candidates[i].motion.clip,
-                                             animation_name(spec, i + 1)));
-  }
-  const Result<std::string> bytes = character.glb(animations);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return write_file(folder / kOneFile, *bytes);
-}
-
 }  // namespace
 
 std::vector<ExportFormat> usual_formats(const CharacterSpec& character) {
@@ -274,6 +261,20 @@ Result<std::string> export_candidate(const CharacterSpec& character, const Task&
   return export_any(exporter ? &*exporter : nullptr, task, candidate, format, animation);
 }
 
+Result<std::string> export_all(const CharacterSpec& character, const Task& task,
+                               const std::vector<Candidate>& candidates) {
+  if (const auto can = check_formats(character, {ExportFormat::glb}); !can) {
+    return tl::unexpected(can.error());
+  }
+  const CharacterExporter exporter(*character.rig);
+  std::vector<GltfAnimation> animations;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    animations.push_back(exporter.animation(task.body, candidates[i].motion.clip,
+                                            candidate_animation(character, i + 1)));
+  }
+  return exporter.glb(animations);
+}
+
 Result<std::string> write_result(const std::filesystem::path& folder, const TaskFile& file,
                                  const Task& task, const Generation& generation,
                                  const RunInfo& info, const ExportSettings& settings) {
@@ -286,7 +287,9 @@ Result<std::string> write_result(const std::filesystem::path& folder, const Task
   for (const ExportFormat format : settings.formats) {
     const bool one = settings.one_file && format == ExportFormat::glb;
     if (one) {
-      const auto written = write_one_file(folder, file.character, *character, task, generation);
+      const auto bytes = export_all(file.character, task, generation.candidates);
+      if (!bytes) return tl::unexpected(bytes.error());
+      const auto written = write_file(folder / kOneFile, *bytes);
       if (!written) return tl::unexpected(written.error());
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -295,7 +298,7 @@ Result<std::string> write_result(const std::filesystem::path& folder, const Task
       if (one) continue;
       const Result<std::string> bytes =
           export_any(character ? &*character : nullptr, task, generation.candidates[i], format,
-                     animation_name(file.character, i + 1));
+                     candidate_animation(file.character, i + 1));
       if (!bytes) return tl::unexpected(bytes.error());
       if (const auto written = write_file(folder / name, *bytes); !written) {
         return tl::unexpected(written.error());

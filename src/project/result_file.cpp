@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
 #include <shigusa/io/file.hpp>
+#include <shigusa/project/export.hpp>
 #include <shigusa/project/result_file.hpp>
 
 #include "character_export.hpp"
@@ -160,7 +161,7 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   if (files != nullptr) {
     for (const auto& [format, name] : *files) json["files"][format] = name;
     if (files->contains("glb")) {
-      json["glb_animation"] = animation_name(character, index + 1);
+      json["glb_animation"] = candidate_animation(character, index + 1);
       json["glb_unit_m"] = character.rig->rig.placement.unit;
     }
   }

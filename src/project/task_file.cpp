@@ -261,6 +261,17 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   return task;
 }
 
+Result<CharacterSpec> parse_character_spec(std::string_view text, std::string_view name) {
+  Result<Json> json = parse_json(text, name);
+  if (!json) return tl::unexpected(json.error());
+  const Json holder{{"character", std::move(*json)}};
+  JsonReader reader(holder, std::string(name) + ": ");
+  CharacterSpec spec;
+  read_character(reader, spec);
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return spec;
+}
+
 Result<TaskFile> parse_task(std::string_view text, std::string_view name) {
   const Result<Json> json = parse_json(text, name);
   if (!json) return tl::unexpected(json.error());

@@ -126,8 +126,9 @@ SHIGUSA_API shigusa_status shigusa_result_describe(const shigusa_result* result,
                                                    shigusa_bytes** json);
 
 /* The parameters of a candidate that a person edits, in order: [{"name", "group" (joint, limb or
- * "posture"), "kind" ("weight", "angle", "share" or "locked"), "value", "low", "high", "scale"
- * ("linear" or "log"), "unit" ("", "deg", …), "locked"}]. `name=value` is an assignment. */
+ * "posture"), "kind" ("weight", "angle" or "share"), "value", "low", "high", "scale"
+ * ("linear" or "log"), "unit" ("" or "deg"), "locked"}]. "NAME=VALUE" is an assignment, and of
+ * "right_knee.flexion.weight" also "right_knee.flexion.locked=true". */
 SHIGUSA_API shigusa_status shigusa_result_parameters(const shigusa_result* result,
                                                      int32_t candidate, shigusa_bytes** json);
 
@@ -160,7 +161,8 @@ SHIGUSA_API shigusa_status shigusa_result_series(const shigusa_result* result, i
 
 /* The criteria of a clip's motion (BVH, or an animation of glTF, VRM or VRMA): the object that
  * `shigusa score --json` prints. `options` may be null, or {"criteria": "default", "first": 0,
- * "last": 80, "animation": "Take 1", "cutoff_hz": 6}. */
+ * "last": 80, "smoothed_hz": 6, "animation": "Take 1", "character": "human"}; without a character it
+ * is scored on its own person. */
 SHIGUSA_API shigusa_status shigusa_score_clip(const char* name, const void* file, size_t file_size,
                                               const char* options, shigusa_bytes** json);
 

@@ -102,7 +102,7 @@ export interface Summary {
 export interface Parameter {
   name: string;
   group: string;
-  kind: 'weight' | 'angle' | 'share' | 'locked';
+  kind: 'weight' | 'angle' | 'share'; // of a weight also `${name with .locked for .weight}=true`
   value: number;
   low: number;
   high: number;

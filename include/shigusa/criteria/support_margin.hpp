@@ -6,6 +6,7 @@
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/motion/motion.hpp>
+#include <vector>
 
 namespace shigusa {
 
@@ -26,26 +27,34 @@ struct SupportMargins {
   SupportMargin pressure;
 };
 
-// Takes a motion frame by frame and keeps the least of each.
+// Both in one frame (m, inside the support polygon; less than 0 outside).
+struct SupportFrame {
+  double centre_of_mass = 0.0;
+  double pressure = 0.0;
+};
+
+// Takes a motion frame by frame.
 class SupportMeter {
  public:
   explicit SupportMeter(const BodyModel& body);
 
   void add(const MotionFrame<double>& frame);
 
-  // Nothing of a body without feet, or with feet of no size.
+  // (frames), or none of a body without feet, or with feet of no size.
+  [[nodiscard]] const std::vector<SupportFrame>& frames() const { return frames_; }
+  // The least of each. Nothing of a body without feet, or with feet of no size.
   [[nodiscard]] std::optional<SupportMargins> margins() const;
 
  private:
   bool stands_;
   double per_weight_;  // 1/N
   SupportZone<double> zone_;
-  SupportMargins least_;
-  double time_ = 0.0;
-  bool seen_ = false;
+  std::vector<SupportFrame> frames_;
+  double frame_time_ = 0.0;  // s
 };
 
 // Of a whole motion that is at rest before and after.
+[[nodiscard]] SupportMeter measure_support(const BodyModel& body, const Motion& motion);
 [[nodiscard]] std::optional<SupportMargins> support_margins(const BodyModel& body,
                                                             const Motion& motion);
 

@@ -96,6 +96,10 @@ struct CharacterSpec {
 [[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
                                              const std::filesystem::path& folder);
 
+// Gives a person who was measured before the rig of the same one, measured with it. Fails where it
+// is another person's: joints that stand elsewhere by more than 1 µm.
+[[nodiscard]] Result<void> attach_rig(CharacterSpec& spec, const CharacterSpec& measured);
+
 // Finds the rig of a person who was measured before in their file. Fails where the file cannot be
 // read or holds another person: joints that stand elsewhere by more than 1 µm.
 [[nodiscard]] Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path);

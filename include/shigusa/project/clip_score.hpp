@@ -8,6 +8,7 @@
 #include <shigusa/kinematics/clip_fit.hpp>
 #include <shigusa/project/character.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shigusa {
@@ -26,6 +27,15 @@ struct ScoreSettings {
   std::optional<int> last{};      // … the last one included; the file's last when not given
   double cutoff = kMotionCutoff;  // Hz, of low_pass; 0 takes the angles as they are
 };
+
+// A clip's scoring as JSON asks for it: {"criteria": "default", "first": 0, "last": 80,
+// "smoothed_hz": 6, "animation": "Take 1", "character": …}, all of which may be left out.
+struct ClipRequest {
+  ScoreSettings settings{};
+  std::string animation{};
+  std::optional<CharacterSpec> character{};  // the clip's own person when not given
+};
+[[nodiscard]] Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view name);
 
 // What a clip's motion is like on a body.
 struct ClipScore {
@@ -54,6 +64,12 @@ struct RecordedMotion {
 [[nodiscard]] Result<RecordedMotion> read_recorded(const std::filesystem::path& clip,
                                                    CharacterSpec character, int first,
                                                    const std::string& animation = {});
+
+// The same of a file in memory, whose name tells its kind; character.source is that name where the
+// clip's person is meant.
+[[nodiscard]] Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string& name,
+                                                    CharacterSpec character, int first,
+                                                    const std::string& animation = {});
 
 // Scores the frames by the criteria that generated motions are scored by. Speeds and accelerations
 // see the frames around them; where the file begins or ends it goes on as it came. Fails where

@@ -57,4 +57,12 @@ struct ExportSettings {
                                                    const Candidate& candidate, ExportFormat format,
                                                    const std::string& animation = "shigusa");
 
+// The animation that the candidate of a rank (from 1) is called by: "shigusa candidate 1", or "…
+// (2)" where the character's file has one of that name.
+[[nodiscard]] std::string candidate_animation(const CharacterSpec& character, std::size_t rank);
+
+// All candidates as animations of one GLB. Fails as check_formats does.
+[[nodiscard]] Result<std::string> export_all(const CharacterSpec& character, const Task& task,
+                                             const std::vector<Candidate>& candidates);
+
 }  // namespace shigusa

@@ -38,6 +38,10 @@ struct TaskFile {
   std::optional<std::vector<std::string>> contacts{};  // see Task
 };
 
+// Parses what stands under "character" in a task: an object, or a source alone as a JSON text.
+[[nodiscard]] Result<CharacterSpec> parse_character_spec(std::string_view text,
+                                                         std::string_view name);
+
 // Parses a task. Errors name the place ("task.json: goals[0].position_m"), the value seen and what
 // is allowed; a misspelt key gets the nearest one suggested.
 [[nodiscard]] Result<TaskFile> parse_task(std::string_view text, std::string_view name);

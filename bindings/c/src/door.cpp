@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "door.hpp"
+
+#include <cstring>
+
+namespace shigusa::door {
+namespace {
+
+// Room of its own, so that a message is told even where memory is not to be had.
+constexpr std::size_t kMessageBytes = 1024;
+thread_local char last_message[kMessageBytes] = "";
+
+shigusa_status status_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::invalid_argument:
+      return SHIGUSA_INVALID_ARGUMENT;
+    case ErrorCode::not_found:
+      return SHIGUSA_NOT_FOUND;
+    case ErrorCode::parse:
+      return SHIGUSA_PARSE;
+    case ErrorCode::io:
+      return SHIGUSA_IO;
+    case ErrorCode::unsupported:
+      return SHIGUSA_UNSUPPORTED;
+    case ErrorCode::cancelled:
+      return SHIGUSA_CANCELLED;
+  }
+  return SHIGUSA_FAULT;
+}
+
+// As many bytes of UTF-8 text as fit, without half a character.
+std::size_t fitting(const std::string& text) {
+  std::size_t size = std::min(text.size(), kMessageBytes - 1);
+  const auto continues = [&](std::size_t at) {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  while (size > 0 && continues(size)) --size;
+  return size;
+}
+
+}  // namespace
+
+shigusa_status refuse(shigusa_status status, const std::string& message) {
+  const std::size_t size = fitting(message);
+  std::memcpy(last_message, message.data(), size);
+  last_message[size] = '\0';
+  return status;
+}
+
+shigusa_status refuse(const Error& error) { return refuse(status_of(error.code), error.to_string()); }
+
+shigusa_status give(std::string text, shigusa_bytes** bytes) {
+  *bytes = new shigusa_bytes{std::move(text)};
+  return SHIGUSA_OK;
+}
+
+}  // namespace shigusa::door
+
+extern "C" {
+
+uint32_t shigusa_abi_version(void) { return SHIGUSA_ABI_VERSION; }
+
+const char* shigusa_version(void) { return SHIGUSA_VERSION; }
+
+const char* shigusa_message(void) { return shigusa::door::last_message; }
+
+const char* shigusa_bytes_data(const shigusa_bytes* bytes) {
+  return bytes == nullptr ? "" : bytes->text.c_str();
+}
+
+size_t shigusa_bytes_size(const shigusa_bytes* bytes) {
+  return bytes == nullptr ? 0 : bytes->text.size();
+}
+
+void shigusa_bytes_free(shigusa_bytes* bytes) { delete bytes; }
+
+}  // extern "C"

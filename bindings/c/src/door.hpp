@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+#pragma once
+
+#include <shigusa.h>
+
+#include <new>
+#include <shigusa/core/result.hpp>
+#include <shigusa/shigusa.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What the handles of shigusa.h are.
+
+struct shigusa_bytes {
+  std::string text;
+};
+
+struct shigusa_character {
+  shigusa::CharacterSpec spec;  // measured
+};
+
+struct shigusa_result {
+  shigusa::TaskFile file;
+  shigusa::Task task;
+  shigusa::Generation generation;
+  shigusa::RunInfo info;
+  // [candidate][series] tables that were asked for, made at the first time
+  mutable std::vector<std::vector<std::vector<double>>> series{};
+};
+
+namespace shigusa::door {
+
+// Keeps what shigusa_message() tells, and returns the status of it.
+shigusa_status refuse(shigusa_status status, const std::string& message);
+shigusa_status refuse(const Error& error);
+
+// The status of what `work`, a function to shigusa_status, comes to: no exception leaves it.
+template <class Work>
+shigusa_status guarded(Work&& work) noexcept {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return refuse(SHIGUSA_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::exception& error) {
+    return refuse(SHIGUSA_FAULT, error.what());
+  } catch (...) {
+    return refuse(SHIGUSA_FAULT, "an unknown fault");
+  }
+}
+
+// Refuses null pointers by name.
+template <class Pointer, class... More>
+bool any_null(const char** name, const char* first_name, Pointer first, More... more) {
+  if (first == nullptr) {
+    *name = first_name;
+    return true;
+  }
+  if constexpr (sizeof...(more) > 0) return any_null(name, more...);
+  return false;
+}
+template <class... Pointers>
+shigusa_status need(Pointers... named) {
+  const char* name = nullptr;
+  if (!any_null(&name, named...)) return SHIGUSA_OK;
+  return refuse(SHIGUSA_INVALID_ARGUMENT, std::string(name) + " is null");
+}
+
+// Gives text to the caller.
+shigusa_status give(std::string text, shigusa_bytes** bytes);
+
+}  // namespace shigusa::door

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include <atomic>
+#include <chrono>
+#include <shigusa/core/parallel.hpp>
+#include <shigusa/project/editable_parameters.hpp>
+#include <shigusa/project/replay.hpp>
+
+#include "door.hpp"
+
+using namespace shigusa;
+using namespace shigusa::door;
+
+namespace {
+
+// The character in the place of the task's own.
+void put_character(const shigusa_character* character, TaskFile& file) {
+  if (character != nullptr) file.character = character->spec;
+}
+
+// No file is ever opened: a character that needs one comes by shigusa_character_create.
+Result<Task> task_of(TaskFile& file) {
+  if (!is_complete(file.character)) {
+    return fail(ErrorCode::invalid_argument,
+                "is of the file " + file.character.source + ": give the character by its bytes",
+                "task: character");
+  }
+  return make_task(file, {});
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
+// How the caller watches. Stops the search once the caller says so.
+Progress watched_by(const shigusa_watch* watch, std::atomic<bool>& stop) {
+  Progress progress;
+  progress.cancel = &stop;
+  if (watch == nullptr || watch->report == nullptr) return progress;
+  progress.report = [watch, &stop](const ProgressReport& report) {
+    const auto answer =
+        watch->report(watch->user, report.fraction, report.evaluations, report.best_score);
+    if (answer != 0) stop = true;
+  };
+  return progress;
+}
+
+shigusa_status keep(TaskFile file, Task task, Generation generation, RunInfo info,
+                    shigusa_result** result) {
+  *result =
+      new shigusa_result{std::move(file), std::move(task), std::move(generation), std::move(info)};
+  return SHIGUSA_OK;
+}
+
+// A result of what `work`, a function of a task and what is stored, generates.
+template <class Work>
+shigusa_status replayed(StoredResult stored, const char* how, Work&& work,
+                        shigusa_result** result) {
+  Result<Task> task = task_of(stored.task);
+  if (!task) return refuse(task.error());
+  const auto begin = std::chrono::steady_clock::now();
+  Result<Generation> generation = work(*task, stored);
+  if (!generation) return refuse(generation.error());
+  RunInfo info{.search = how};
+  info.elapsed_ms = milliseconds_since(begin);
+  return keep(std::move(stored.task), std::move(*task), std::move(*generation), std::move(info),
+              result);
+}
+
+shigusa_status no_candidate(const shigusa_result& result, int32_t candidate) {
+  return refuse(SHIGUSA_INVALID_ARGUMENT,
+                "candidate " + std::to_string(candidate) +
+                    " does not exist; the result has the candidates 1 to " +
+                    std::to_string(result.generation.candidates.size()));
+}
+
+bool has_candidate(const shigusa_result& result, int32_t candidate) {
+  return candidate >= 1 && static_cast<size_t>(candidate) <= result.generation.candidates.size();
+}
+
+}  // namespace
+
+extern "C" {
+
+shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
+                                int32_t threads, const shigusa_watch* watch,
+                                shigusa_result** result) {
+  return guarded([&] {
+    if (const auto null = need("task", task, "result", result)) return null;
+    if (threads < 0 || threads > kMaxThreads) {
+      return refuse(SHIGUSA_INVALID_ARGUMENT, "threads are " + std::to_string(threads) +
+                                                  "; allowed are 0 (all cores) to 1024");
+    }
+    Result<TaskFile> file = parse_task(task, "task");
+    if (!file) return refuse(file.error());
+    put_character(character, *file);
+    Result<Task> asked = task_of(*file);
+    if (!asked) return refuse(asked.error());
+    asked->batch.threads = threads;
+    if (const auto checked = check_task(*asked); !checked) return refuse(checked.error());
+    std::atomic<bool> stop{false};
+    const auto begin = std::chrono::steady_clock::now();
+    Result<Generation> generation = generate(*asked, watched_by(watch, stop));
+    if (!generation) return refuse(generation.error());
+    RunInfo info;
+    info.search = search_name(asked->search.value_or(preset_search(asked->preset)));
+    info.threads = thread_count(threads);
+    info.simd = simd_name(asked->batch.simd);
+    info.elapsed_ms = milliseconds_since(begin);
+    return keep(std::move(*file), std::move(*asked), std::move(*generation), std::move(info),
+                result);
+  });
+}
+
+shigusa_status shigusa_restore(const shigusa_character* character, const char* summary,
+                               shigusa_result** result) {
+  return guarded([&] {
+    if (const auto null = need("summary", summary, "result", result)) return null;
+    Result<StoredResult> stored = parse_result(summary, "result");
+    if (!stored) return refuse(stored.error());
+    if (character != nullptr && character->spec.rig) {
+      const auto attached = attach_rig(stored->task.character, character->spec);
+      if (!attached) return refuse(attached.error());
+    }
+    return replayed(std::move(*stored), "restore", replay_all, result);
+  });
+}
+
+shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
+                              const char* assignments, shigusa_result** edited) {
+  return guarded([&] {
+    if (const auto null = need("result", result, "edited", edited)) return null;
+    const auto changes =
+        parse_assignments(assignments == nullptr ? "[]" : assignments, "assignments");
+    if (!changes) return refuse(changes.error());
+    const auto work = [&](const Task& task, StoredResult& stored) {
+      return replay(task, stored, candidate, *changes);
+    };
+    return replayed(stored_result(result->file, result->generation), "edit", work, edited);
+  });
+}
+
+shigusa_status shigusa_mirror(const shigusa_result* result, shigusa_result** mirrored) {
+  return guarded([&] {
+    if (const auto null = need("result", result, "mirrored", mirrored)) return null;
+    StoredResult stored = stored_result(result->file, result->generation);
+    if (const auto done = mirror_result(stored); !done) return refuse(done.error());
+    // a person who is not alike on both sides is another one in the mirror
+    CharacterSpec& character = stored.task.character;
+    if (character.rig && !attach_rig(character, result->file.character)) character.rig.reset();
+    return replayed(std::move(stored), "mirror", replay_all, mirrored);
+  });
+}
+
+void shigusa_result_free(shigusa_result* result) { delete result; }
+
+int32_t shigusa_result_candidates(const shigusa_result* result) {
+  return result == nullptr ? 0 : static_cast<int32_t>(result->generation.candidates.size());
+}
+
+shigusa_status shigusa_result_describe(const shigusa_result* result, shigusa_bytes** json) {
+  return guarded([&] {
+    if (const auto null = need("result", result, "json", json)) return null;
+    return give(format_result(result->file, result->task, result->generation, result->info, {}),
+                json);
+  });
+}
+
+shigusa_status shigusa_result_parameters(const shigusa_result* result, int32_t candidate,
+                                         shigusa_bytes** json) {
+  return guarded([&] {
+    if (const auto null = need("result", result, "json", json)) return null;
+    if (!has_candidate(*result, candidate)) return no_candidate(*result, candidate);
+    const auto list = editable_parameters(
+        result->task, result->generation.candidates[static_cast<size_t>(candidate - 1)]);
+    if (!list) return refuse(list.error());
+    return give(format_parameters(*list), json);
+  });
+}
+
+shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candidate,
+                                     const char* format, shigusa_bytes** file) {
+  return guarded([&] {
+    if (const auto null = need("result", result, "format", format, "file", file)) return null;
+    const auto formats = parse_formats(format);
+    if (!formats) return refuse(formats.error());
+    if (formats->size() != 1) return refuse(SHIGUSA_INVALID_ARGUMENT, "one format at a time");
+    const auto& all = result->generation.candidates;
+    if (candidate == 0) {
+      if (formats->front() != ExportFormat::glb) {
+        return refuse(SHIGUSA_INVALID_ARGUMENT, "all candidates in one file are a glb");
+      }
+      Result<std::string> bytes = export_all(result->file.character, result->task, all);
+      return bytes ? give(std::move(*bytes), file) : refuse(bytes.error());
+    }
+    if (!has_candidate(*result, candidate)) return no_candidate(*result, candidate);
+    const auto rank = static_cast<size_t>(candidate);
+    Result<std::string> bytes =
+        export_candidate(result->file.character, result->task, all[rank - 1], formats->front(),
+                         candidate_animation(result->file.character, rank));
+    return bytes ? give(std::move(*bytes), file) : refuse(bytes.error());
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/criteria/support_margin.hpp>
+#include <shigusa/project/node_motion.hpp>
+
+#include "door.hpp"
+
+using namespace shigusa;
+using namespace shigusa::door;
+
+namespace {
+
+constexpr size_t kSeries = SHIGUSA_NODE_ROTATIONS + 1;
+
+void add(const Vec3d& v, std::vector<double>& table) {
+  table.insert(table.end(), {v.x, v.y, v.z});
+}
+
+// The table of one series, frame by frame.
+std::vector<double> table_of(const shigusa_result& result, const Candidate& candidate,
+                             shigusa_series series) {
+  const Motion& motion = candidate.motion;
+  const auto frames = static_cast<size_t>(motion.clip.frames);
+  std::vector<double> table;
+  switch (series) {
+    case SHIGUSA_TIME:
+      for (size_t f = 0; f < frames; ++f) {
+        table.push_back(static_cast<double>(f) * motion.clip.frame_time);
+      }
+      break;
+    case SHIGUSA_ANGLES:
+      return motion.clip.angles;
+    case SHIGUSA_TORQUES:
+      return motion.torques;
+    case SHIGUSA_CENTRE_OF_MASS:
+      for (const Vec3d& at : motion.centre_of_mass) add(at, table);
+      break;
+    case SHIGUSA_SUPPORT: {
+      const SupportMeter meter = measure_support(result.task.body, motion);
+      for (const SupportFrame& frame : meter.frames()) {
+        table.insert(table.end(), {frame.centre_of_mass, frame.pressure});
+      }
+      break;
+    }
+    case SHIGUSA_EFFECTORS:
+      for (size_t f = 0; f < frames; ++f) {
+        for (const std::vector<Vec3d>& effector : motion.effectors) add(effector[f], table);
+      }
+      break;
+    default: {
+      const auto nodes = node_motion(result.file.character, result.task.body, motion.clip);
+      for (const LocalTransform& local : nodes) {
+        if (series == SHIGUSA_NODE_TRANSLATIONS) {
+          add(local.translation, table);
+        } else {
+          const Quatd& q = local.rotation;
+          table.insert(table.end(), {q.x, q.y, q.z, q.w});
+        }
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, int32_t candidate,
+                                                shigusa_series series, const double** values,
+                                                size_t* frames, size_t* columns) {
+  return guarded([&] {
+    if (const auto null =
+            need("result", result, "values", values, "frames", frames, "columns", columns)) {
+      return null;
+    }
+    const auto& all = result->generation.candidates;
+    if (candidate < 1 || static_cast<size_t>(candidate) > all.size()) {
+      return refuse(SHIGUSA_INVALID_ARGUMENT,
+                    "candidate " + std::to_string(candidate) + " does not exist");
+    }
+    if (series < 0 || static_cast<size_t>(series) >= kSeries) {
+      return refuse(SHIGUSA_INVALID_ARGUMENT,
+                    "series " + std::to_string(series) + " is none that this build knows");
+    }
+    const auto index = static_cast<size_t>(candidate - 1);
+    auto& kept = result->series;
+    if (kept.empty()) kept.assign(all.size(), std::vector<std::vector<double>>(kSeries));
+    std::vector<double>& table = kept[index][static_cast<size_t>(series)];
+    if (table.empty()) table = table_of(*result, all[index], series);
+    *values = table.data();
+    *frames = static_cast<size_t>(all[index].motion.clip.frames);
+    *columns = *frames == 0 ? 0 : table.size() / *frames;
+    return shigusa_status{SHIGUSA_OK};
+  });
+}

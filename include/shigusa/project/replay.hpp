@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/project/result_file.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+// Parses a JSON list of assignments: ["squat_deg=60", "right_knee.weight=3"].
+[[nodiscard]] Result<std::vector<std::string>> parse_assignments(std::string_view text,
+                                                                 std::string_view name);
+
+// Motions of stored parameters; `task` is make_task of the result's. Candidates count from 1; these
+// fail where there is none of that number, naming how many there are.
+
+// One candidate's anew from what the assignments (see assign_parameter) make of its parameters,
+// which stay changed.
+[[nodiscard]] Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
+                                        std::span<const std::string> assignments = {});
+// All of them, in the result's order.
+[[nodiscard]] Result<Generation> replay_all(const Task& task, StoredResult& stored);
+
+// Turns the result into its mirror image: task and parameters on the other side.
+[[nodiscard]] Result<void> mirror_result(StoredResult& stored);
+
+// A result as it would be read back from its file.
+[[nodiscard]] StoredResult stored_result(const TaskFile& file, const Generation& generation);
+
+}  // namespace shigusa
