@@ -5,6 +5,7 @@ import type { Document, State } from './state/model';
 import type { Studio } from './state/studio';
 import { taskOf } from './state/task';
 import type { Timings } from './state/timings';
+import type { View } from './view/view';
 
 export interface Inspection {
   readonly state: Readonly<State>;
@@ -16,6 +17,8 @@ export interface Inspection {
   readonly time: number;
   /** Where a goal's effector is at the end of the chosen motion, by the engine's own series, m. */
   hand(effector?: string): Vec3 | null;
+  /** Where a handle is in the page, px. */
+  handle(effector: string): [number, number] | null;
 }
 
 declare global {
@@ -24,7 +27,7 @@ declare global {
   }
 }
 
-export function expose(studio: Studio): void {
+export function expose(studio: Studio, view: View): void {
   const inspection: Inspection = {
     get state() {
       return studio.store.state;
@@ -47,6 +50,7 @@ export function expose(studio: Studio): void {
     get time() {
       return studio.clock.time;
     },
+    handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {
       const candidate = studio.chosen();
       if (!candidate) return null;

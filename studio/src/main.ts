@@ -42,8 +42,8 @@ async function start(): Promise<void> {
     const theme = localStorage.getItem('shigusa.theme');
     studio.store.set({ language: preferredLanguage(), theme: theme === 'light' || theme === 'dark' ? theme : ('auto' as State['theme']) });
     waiting.remove();
-    new Page(studio, root);
-    expose(studio);
+    const page = new Page(studio, root);
+    expose(studio, page.view);
     window.addEventListener('hashchange', () => void firstTask(studio));
     await firstTask(studio);
   } catch (error) {

@@ -26,7 +26,7 @@ export class Page {
   private readonly canvas = h('canvas', { class: 'view', tabIndex: 0, role: 'application' });
   private readonly stage = h('div', { class: 'stage' });
   private readonly label = h('div', { class: 'handle-label', hidden: true });
-  private readonly view: View;
+  readonly view: View;
   private readonly thumbnails: Thumbnails;
 
   constructor(private readonly studio: Studio, private readonly root: HTMLElement) {

@@ -115,7 +115,7 @@ export class AdjustPanel implements Panel {
     });
     slider.range.dataset['parameter'] = parameter.name;
     let lock: HTMLButtonElement | null = null;
-    if (parameter.kind === 'weight' || parameter.kind === 'locked') {
+    if (parameter.kind === 'weight') {
       const button = h('button', {
         type: 'button', class: 'icon-button lock', 'aria-pressed': String(parameter.locked), 'aria-label': t('lock', { name: label }), title: t('lock', { name: label }),
         onClick: () => void this.studio.edit({ [`${kJointOf(parameter.name)}.locked`]: String(button.getAttribute('aria-pressed') !== 'true') }),

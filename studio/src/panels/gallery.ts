@@ -67,7 +67,8 @@ export class Gallery implements Panel {
     this.showMode(document);
     if (!document || !result) return;
     const order = ranking(document);
-    order.forEach((index, place) => this.updateCard(document, index, place));
+    const highest = Math.max(0.05, ...order.flatMap((index) => Object.values(candidateAt(document, index)?.summary.criteria ?? {})));
+    order.forEach((index, place) => this.updateCard(document, index, place, highest));
     const elements = order.map((index) => this.cards.get(index)!.element);
     // only where the order has changed, so that the focus stays
     if (elements.some((element, i) => this.list.children[i] !== element)) fill(this.list, ...elements);
@@ -102,7 +103,8 @@ export class Gallery implements Panel {
     return { element, pick, canvas, strip, words, score, bars, compare };
   }
 
-  private updateCard(document: Document, index: number, place: number): void {
+  /** `highest`: the largest penalty of all cards, which is a full bar. */
+  private updateCard(document: Document, index: number, place: number, highest: number): void {
     const card = this.cards.get(index);
     const candidate = candidateAt(document, index);
     if (!card || !candidate) return;
@@ -122,7 +124,7 @@ export class Gallery implements Panel {
     const penalties = Object.entries(candidate.summary.criteria).filter(([name]) => (document.weights[name] ?? 0) > 0);
     fill(card.bars, ...penalties.map(([name, penalty]) => {
       const bar = h('i', { title: `${criterionName(name)}: ${round(penalty)}` });
-      bar.style.setProperty('--share', String(Math.max(Math.min(penalty, 1), 0.03)));
+      bar.style.setProperty('--share', String(Math.max(penalty / highest, 0.04)));
       return bar;
     }));
     void this.drawStrip(card, candidate, index);

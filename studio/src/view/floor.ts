@@ -26,7 +26,7 @@ float lines(vec2 p, float step, float width) {
 void main() {
   float far = length(place);
   float fade = 1.0 - smoothstep(1.2, ${kRadius.toFixed(1)}, far);
-  float grid = max(lines(place, 0.5, 0.002) * 0.34, lines(place, 1.0, 0.003) * 0.6);
+  float grid = max(lines(place, 0.5, 0.002) * 0.22, lines(place, 1.0, 0.003) * 0.38);
   grid *= 1.0 - smoothstep(0.8, 3.6, far);
   gl_FragColor = vec4(mix(floorColor, gridColor, grid), fade * 0.9);
   #include <colorspace_fragment>

@@ -62,8 +62,8 @@ export class Stage {
 
   /** Looks at a body of this stature from the front right, as strip figures do. */
   frame(stature: number): void {
-    const middle = new Vector3(0, 0.5 * stature, 0.14 * stature);
-    const away = new Vector3(-0.62, 0.3, 1).normalize().multiplyScalar(2.45 * stature);
+    const middle = new Vector3(0, 0.49 * stature, 0.12 * stature);
+    const away = new Vector3(-0.62, 0.3, 1).normalize().multiplyScalar(2.2 * stature);
     this.orbit.target.copy(middle);
     this.camera.position.copy(middle).add(away);
     this.orbit.update();

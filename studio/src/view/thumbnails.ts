@@ -71,7 +71,7 @@ export class Thumbnails {
     this.colour();
     const stature = character.description.stature_m;
     const middle = new Vector3(0, 0.5 * stature, 0.12 * stature);
-    this.camera.position.copy(middle).add(new Vector3(-0.62, 0.22, 1).normalize().multiplyScalar(2.5 * stature));
+    this.camera.position.copy(middle).add(new Vector3(-0.62, 0.22, 1).normalize().multiplyScalar(2.15 * stature));
     this.camera.lookAt(middle);
   }
 

@@ -181,6 +181,17 @@ export class View {
     return node ? node.getWorldPosition(new Vector3()) : null;
   }
 
+  /** Where a handle is in the page, px; for tests. */
+  handleOnScreen(effector: string): [number, number] | null {
+    const { document } = this.studio;
+    const goal = document?.goals.find((g) => g.effector === effector);
+    const place = goal ? new Vector3(...goal.position_m) : this.place(effector);
+    if (!place) return null;
+    const box = this.stage.renderer.domElement.getBoundingClientRect();
+    const p = place.project(this.stage.camera);
+    return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
+  }
+
   dispose(): void {
     for (const end of this.ends) end();
     this.handles.dispose();
