@@ -33,7 +33,7 @@ export class Page {
     this.stage.append(this.canvas, this.label);
     root.append(this.stage);
     this.view = new View(studio, this.stage, this.canvas, (effector, x, y) => this.hover(effector, x, y));
-    this.thumbnails = new Thumbnails(studio);
+    this.thumbnails = new Thumbnails(studio, () => this.view.stage.quality.moving.thumbnails);
     studio.store.subscribe((state, previous) => {
       if (state.language !== previous.language) this.build();
       if (state.theme !== previous.theme) this.paint();

@@ -14,14 +14,19 @@ export const handleEffectors = ['right_hand', 'left_hand', 'head', 'right_foot',
 export function effectorsOf(character: Character): string[] {
   const { effectors, places } = character.description;
   const named = new Set([...effectors, ...places.map((place) => place.effector)]);
+  // the foot that the body stands on has no place of its own, and can be asked to lift all the same
+  if (named.has('left_foot')) named.add('right_foot');
   const known = handleEffectors.filter((name) => named.has(name));
   return [...known, ...effectors.filter((name) => !(known as string[]).includes(name))];
 }
 
 /** Where an effector is before the motion, m. */
 export function startOf(character: Character, effector: string): Vec3 {
-  const place = character.description.places.find((p) => p.effector === effector);
-  return place ? [...place.start_m] : [0, character.description.stature_m / 2, 0.2];
+  const of = (name: string): Vec3 | undefined => character.description.places.find((p) => p.effector === name)?.start_m;
+  const place = of(effector);
+  if (place) return [...place];
+  const other = effector === 'right_foot' ? of('left_foot') : undefined;
+  return other ? [-other[0], other[1], other[2]] : [0, character.description.stature_m / 2, 0.2];
 }
 
 function firstGoal(character: Character): Goal {

@@ -42,14 +42,14 @@ export function trunk(height: number, scale: number): BufferGeometry {
   const rings: Ring[] = kTrunk.map(([share, wide, deep, z]) => ({
     y: share * height, wide: wide * scale, deep: deep * scale, z: z * scale, square: 2.35,
   }));
-  return loft(smoothRings(rings, 4));
+  return loft(smoothRings(rings, 3));
 }
 
 /** The head about the joint below it; `top`: its height above that. */
 export function head(top: number, scale: number): BufferGeometry {
   const chin = -0.058 * scale;
   const half = (top - chin) / 2;
-  const skull = new SphereGeometry(1, 48, 36);
+  const skull = new SphereGeometry(1, 36, 28);
   const points = skull.getAttribute('position');
   for (let i = 0; i < points.count; ++i) {
     const y = points.getY(i);
@@ -111,7 +111,7 @@ export function foot(ball_z: number, scale: number): BufferGeometry {
     y: z * scale * (z > 0 ? stretch : 1), wide: wide * scale, deep: (high / 2) * scale, z: -(high / 2) * scale, square: 2.7,
   }));
   // the loft's +Y becomes ahead and its -Z up
-  return loft(smoothRings(rings, 4)).rotateX(Math.PI / 2);
+  return loft(smoothRings(rings, 2)).rotateX(Math.PI / 2);
 }
 
 /** The toes about their joint, which is `high` above the sole; `inner`: 1 where the big toe is at +X. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A built-in body's motion as GLB: the mannequin as it is drawn, on the body's own nodes.
 import {
-  AnimationClip, InterpolateLinear, type KeyframeTrack, QuaternionKeyframeTrack, VectorKeyframeTrack,
+  AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, VectorKeyframeTrack,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import type { Candidate, Character } from '../../../bindings/wasm/src/types';
@@ -23,6 +23,9 @@ export async function drawnGlb(character: Character, candidate: Candidate): Prom
       }
       return out;
     };
+    figure.object.traverse((item) => {
+      if (item instanceof Mesh) (item.geometry as BufferGeometry).normalizeNormals();
+    });
     const tracks: KeyframeTrack[] = [];
     figure.nodes.forEach((node, n) => {
       if (!node || 3 * n >= places.columns) return;

@@ -14,7 +14,7 @@ export interface Ring {
   square?: number; // exponent of the super-ellipse, 2 is round
 }
 
-const kAround = 40;
+const kAround = 32;
 
 /** A closed surface through rings from below, the ends drawn together; normals are smooth. */
 export function loft(rings: readonly Ring[]): BufferGeometry {
@@ -102,21 +102,21 @@ export function limb(a: Vector3, b: Vector3, profile: readonly (readonly [share:
     const angle = (Math.PI / 2) * (k / 6);
     points.push(new Vector2(first * Math.sin(angle), -first * Math.cos(angle)));
   }
-  const fine = smoothRings(profile.map(([share, radius]) => ({ y: share * length, wide: radius, deep: radius })), 5);
+  const fine = smoothRings(profile.map(([share, radius]) => ({ y: share * length, wide: radius, deep: radius })), 3);
   for (const ring of fine) points.push(new Vector2(ring.wide, ring.y));
   for (let k = 1; k <= 6; ++k) {
     const angle = (Math.PI / 2) * (k / 6);
     points.push(new Vector2(Math.max(last * Math.cos(angle), 0), length + last * Math.sin(angle)));
   }
-  return lay(new LatheGeometry(points, 28), a, b);
+  return lay(new LatheGeometry(points, 22), a, b);
 }
 
 export function ball(centre: Vector3, radius: number): BufferGeometry {
-  return new SphereGeometry(radius, 24, 18).translate(centre.x, centre.y, centre.z);
+  return new SphereGeometry(radius, 18, 14).translate(centre.x, centre.y, centre.z);
 }
 
 export function capsule(a: Vector3, b: Vector3, radius: number): BufferGeometry {
   const length = a.distanceTo(b);
-  const geometry = new CapsuleGeometry(radius, length, 5, 12).translate(0, length / 2, 0);
+  const geometry = new CapsuleGeometry(radius, length, 3, 9).translate(0, length / 2, 0);
   return lay(geometry, a, b);
 }

@@ -6,6 +6,9 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Floor } from './floor';
 import { type Palette, palettes } from './palette';
+import { type Quality, QualityControl } from './quality';
+
+const kRest = 0.25; // s without movement until the fine picture
 
 export class Stage {
   readonly scene = new Scene();
@@ -17,8 +20,11 @@ export class Stage {
   private readonly key = new DirectionalLight(0xffffff, 2);
   private readonly rim = new DirectionalLight(0xffffff, 0.8);
   private readonly fill = new HemisphereLight(0xffffff, 0x888888, 1);
+  readonly quality = new QualityControl();
+  private drawn: Quality = this.quality.still;
   private dirty = true;
   private last = 0;
+  private rested = 0; // s since something moved
   private ended = false;
   /** Called before each picture with the time since the last one, s; true: something moves. */
   onFrame: (seconds: number) => boolean = () => false;
@@ -28,7 +34,6 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = false;
     this.orbit.minDistance = 0.8;
@@ -88,6 +93,7 @@ export class Stage {
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2) * this.drawn.pixels);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     // a narrow picture shows the same width of the world as a square one
@@ -99,14 +105,33 @@ export class Stage {
   private readonly tick = (now: number): void => {
     if (this.ended) return;
     requestAnimationFrame(this.tick);
-    const seconds = Math.min((now - this.last) / 1000, 0.1);
+    const seconds = (now - this.last) / 1000;
     this.last = now;
-    if (this.onFrame(seconds)) this.dirty = true;
-    if (!this.dirty) return;
+    if (this.onFrame(Math.min(seconds, 0.1))) this.dirty = true;
+    if (this.dirty) {
+      // a picture after a rest says nothing of speed
+      if (this.rested === 0) this.quality.measure(seconds);
+      this.rested = 0;
+      this.draw(this.quality.moving);
+      return;
+    }
+    this.rested += seconds;
+    if (this.rested > kRest && this.drawn !== this.quality.still) this.draw(this.quality.still);
+  };
+
+  private draw(quality: Quality): void {
+    if (quality !== this.drawn) {
+      const { shadow } = this.key;
+      this.drawn = quality;
+      shadow.mapSize.set(quality.shadow, quality.shadow);
+      shadow.map?.dispose();
+      shadow.map = null;
+      this.resize();
+    }
     this.dirty = false;
     this.onDraw();
     this.renderer.render(this.scene, this.camera);
-  };
+  }
 
   dispose(): void {
     this.ended = true;

@@ -128,6 +128,10 @@ export class View {
       for (const place of character.description.places) {
         this.nodeOf.set(place.effector, character.description.nodes.findIndex((node) => node.name === place.node));
       }
+      if (!this.nodeOf.has('right_foot')) {
+        const name = character.description.humanoid['right_foot'] ?? 'right_foot';
+        this.nodeOf.set('right_foot', character.description.nodes.findIndex((node) => node.name === name));
+      }
       this.handles.setEffectors(effectorsOf(character));
       this.overlays.setSupport(character.description);
       this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
