@@ -20,7 +20,7 @@ after(async () => {
 const distance = (a, b) => Math.hypot(...a.map((value, k) => value - b[k]));
 
 test('a person reaches on opening, and a sentence says what to drag', async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
+  const { page, context, errors } = await openStudio(browser, site.url, { reducedMotion: 'no-preference' });
   await settled(page);
   const now = await state(page);
   assert.equal(now.candidates, 5);

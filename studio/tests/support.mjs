@@ -34,9 +34,9 @@ export function launch() {
   return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
 }
 
-/** A page that is open and has its first motions; `errors` gets what the console complains of. */
+/** A page that is open, with motions that do not loop, as drawing by software takes all of a machine; `errors` gets what the console complains of. */
 export async function openStudio(browser, url, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, ...options });
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, reducedMotion: 'reduce', ...options });
   const page = await context.newPage();
   const errors = [];
   page.on('console', (message) => {

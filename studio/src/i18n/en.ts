@@ -9,7 +9,7 @@ export const en = {
   gotIt: 'Got it',
   viewLabel: 'Three-dimensional view. Arrow keys move the selected goal sideways and up, Page Up and Page Down ahead and back, with Shift further.',
   undo: 'Undo', redo: 'Redo', mirror: 'Mirror', help: 'Help', close: 'Close',
-  language: 'Language', theme: 'Theme', themeAuto: 'as the system', themeLight: 'light', themeDark: 'dark',
+  language: 'Language', theme: 'Theme', themeAuto: 'Theme: auto', themeLight: 'Theme: light', themeDark: 'Theme: dark',
   // search
   searching: 'Searching …', cancel: 'Cancel', searchAgain: 'Search again', best: 'best {score}',
   cancelled: 'The search was stopped.',
@@ -21,7 +21,7 @@ export const en = {
   compare: 'Compare', compareWith: 'Compare with motion {n}', comparing: 'compared',
   beside: 'side by side', over: 'overlaid', strip: 'Poses of motion {n} from its beginning to its end',
   edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
-  knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
+  unsteady: 'leaves its feet by {cm} cm', knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
   // timeline
   play: 'Play', pause: 'Pause', time: 'Time', speed: 'Speed', loop: 'Loop', overlays: 'Paths and balance', seconds: '{t} s',
   // tabs

@@ -16,6 +16,7 @@ interface Card {
   words: HTMLElement;
   score: HTMLElement;
   bars: HTMLElement;
+  warning: HTMLElement;
   compare: HTMLButtonElement;
 }
 
@@ -35,6 +36,12 @@ function differenceOf(document: Document, index: number): string {
   const ways = [[spread(knees), t('knees', { deg: Math.round(knees(index)) })], [spread(turn), t('turned', { deg: Math.round(Math.abs(turn(index))) })],
     [spread(swivel), t('elbow', { deg: Math.round(swivel(index)) })]] as const;
   return `${words} · ${[...ways].sort((a, b) => b[0] - a[0])[0]![1]}`;
+}
+
+/** Where nobody could stand: how far the plumb line leaves the feet. */
+function unsteady(candidate: Candidate): string {
+  const least = candidate.summary.support?.centre_of_mass.least_mm ?? 0;
+  return least < 0 ? t('unsteady', { cm: round(-least / 10, 0) }) : '';
 }
 
 export class Gallery implements Panel {
@@ -92,15 +99,16 @@ export class Gallery implements Panel {
 
   private makeCard(index: number): Card {
     const canvas = h('canvas', { class: 'thumbnail', 'aria-hidden': 'true' });
-    const strip = h('img', { class: 'strip', alt: t('strip', { n: index + 1 }) });
+    const strip = h('img', { class: 'strip' });
     const words = h('span', { class: 'words' });
     const score = h('span', { class: 'score' });
     const bars = h('span', { class: 'bars', 'aria-hidden': 'true' });
+    const warning = h('span', { class: 'warning' });
     const pick = h('button', { type: 'button', class: 'pick', onClick: () => this.studio.choose(index) },
-      canvas, h('span', { class: 'about' }, words, strip, bars, score));
-    const compare = iconButton('compare', t('compareWith', { n: index + 1 }), () => this.studio.compare(index), { class: 'icon-button compare' });
+      canvas, h('span', { class: 'about' }, words, strip, bars, score, warning));
+    const compare = iconButton('compare', t('compare'), () => this.studio.compare(index), { class: 'icon-button compare' });
     const element = h('li', { class: 'card' }, pick, compare);
-    return { element, pick, canvas, strip, words, score, bars, compare };
+    return { element, pick, canvas, strip, words, score, bars, warning, compare };
   }
 
   /** `highest`: the largest penalty of all cards, which is a full bar. */
@@ -116,7 +124,8 @@ export class Gallery implements Panel {
     card.element.classList.toggle('chosen', chosen);
     card.element.classList.toggle('compared', compared);
     card.pick.setAttribute('aria-pressed', String(chosen));
-    card.pick.setAttribute('aria-label', `${t('candidate', { n: place + 1 })}: ${words}, ${t('score')} ${score}${edited ? `, ${t('edited')}` : ''}`);
+card.strip.alt = t('strip', { n: place + 1 });
+    card.compare.setAttribute('aria-label', t('compareWith', { n: place + 1 }));
     card.compare.setAttribute('aria-pressed', String(compared));
     card.compare.hidden = chosen;
     fill(card.words, h('b', {}, `${place + 1}`), ` ${words}`);
@@ -127,6 +136,8 @@ export class Gallery implements Panel {
       bar.style.setProperty('--share', String(Math.max(penalty / highest, 0.04)));
       return bar;
     }));
+    card.warning.textContent = unsteady(candidate);
+    card.warning.hidden = card.warning.textContent === '';
     void this.drawStrip(card, candidate, index);
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A character drawn with the mesh of its own glTF or VRM file.
-import { Group, LoadingManager, type Material, Mesh, MeshStandardMaterial, type Object3D } from 'three';
+import { Group, LoadingManager, type Material, Mesh, MeshStandardMaterial, type Object3D, TextureLoader } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Character } from '../../../bindings/wasm/src/types';
 import type { Figure } from './mannequin';
@@ -13,10 +13,24 @@ function innerFilesOnly(): LoadingManager {
   return manager;
 }
 
+/** What a data: address holds, for a loader of three. */
+function loadData(url: string, onLoad: (data: ArrayBuffer) => void, _onProgress: unknown, onError: (error: Error) => void): void {
+  const text = /^data:[^,]*;base64,(.*)$/s.exec(url)?.[1];
+  if (text === undefined) onError(new Error('the file names another file'));
+  else onLoad(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer);
+}
+
 export async function makeGltfFigure(character: Character): Promise<Figure> {
   const bytes = character.bytes!;
   const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
-  const gltf = await new GLTFLoader(innerFilesOnly()).parseAsync(buffer, '');
+  const manager = innerFilesOnly();
+  const loader = new GLTFLoader(manager).register((parser) => {
+    // by elements and by hand: the page may not connect to anything, not even to blob: and data:
+    parser.textureLoader = new TextureLoader(manager);
+    (parser as unknown as { fileLoader: object }).fileLoader = { load: loadData };
+    return { name: 'inner_files' };
+  });
+  const gltf = await loader.parseAsync(buffer, '');
   const byIndex = new Map<number, Object3D>();
   for (const [item, reference] of gltf.parser.associations) {
     const index = (reference as { nodes?: number } | undefined)?.nodes;

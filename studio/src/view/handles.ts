@@ -39,7 +39,8 @@ export class Handles {
 
   constructor(private readonly stage: Stage, private readonly canvas: HTMLCanvasElement, private readonly events: HandleEvents) {
     this.gizmo = new TransformControls(stage.camera, canvas);
-    this.gizmo.setSize(0.62);
+    this.gizmo.setSize(0.7);
+    this.gizmo.setColors('#d94f4f', '#4fa84f', '#4f7fd9', '#ffb347');
     this.gizmo.addEventListener('change', () => stage.invalidate());
     this.gizmo.addEventListener('dragging-changed', (event) => {
       stage.orbit.enabled = !event.value;
@@ -83,7 +84,7 @@ export class Handles {
       handle.goal = goal !== undefined;
       const isSelected = handle.effector === selected && handle.goal;
       handle.sprite.material = isSelected ? this.materials.selected : handle.goal ? this.materials.goal : this.materials.idle;
-      const size = isSelected ? 0.05 : handle.goal ? 0.04 : 0.019;
+      const size = isSelected ? 0.042 : handle.goal ? 0.022 : 0.016;
       handle.sprite.scale.setScalar(size);
       if (isSelected) chosen = handle;
       if (this.dragged?.handle === handle || (isSelected && this.gizmo.dragging)) continue;
@@ -150,7 +151,7 @@ export class Handles {
     event.stopImmediatePropagation();
     this.canvas.setPointerCapture(event.pointerId);
     this.stage.orbit.enabled = false;
-    this.canvas.focus({ preventScroll: true });
+    this.canvas.focus({ preventScroll: true, focusVisible: false } as FocusOptions);
     const normal = this.stage.camera.getWorldDirection(new Vector3());
     const plane = new Plane().setFromNormalAndCoplanarPoint(normal, handle.sprite.position);
     this.aim(event);
@@ -214,7 +215,7 @@ function draw(material: SpriteMaterial, colour: string, selected: boolean): void
   const pen = canvas.getContext('2d')!;
   pen.clearRect(0, 0, 128, 128);
   if (selected) {
-    pen.globalAlpha = 0.28;
+    pen.globalAlpha = 0.2;
     pen.fillStyle = colour;
     pen.beginPath();
     pen.arc(64, 64, 62, 0, 7);
@@ -223,9 +224,9 @@ function draw(material: SpriteMaterial, colour: string, selected: boolean): void
   }
   pen.fillStyle = colour;
   pen.strokeStyle = 'rgba(255,255,255,0.95)';
-  pen.lineWidth = 8;
+  pen.lineWidth = selected ? 6 : 10;
   pen.beginPath();
-  pen.arc(64, 64, selected ? 38 : 50, 0, 7);
+  pen.arc(64, 64, selected ? 27 : 50, 0, 7);
   pen.fill();
   pen.stroke();
   material.map!.needsUpdate = true;

@@ -78,9 +78,19 @@ export class Thumbnails {
     if (!figure || !character) return;
     this.scene.add(figure.object);
     this.colour();
-    const stature = character.description.stature_m;
-    const middle = new Vector3(0, 0.49 * stature, 0.12 * stature);
-    this.camera.position.copy(middle).add(new Vector3(-0.62, 0.22, 1).normalize().multiplyScalar(2.15 * stature));
+  }
+
+  /** The body and what it reaches for, in one picture. */
+  private aim(candidate: Candidate): void {
+    const stature = this.character!.description.stature_m;
+    const middle = new Vector3(0, 0.49 * stature, 0.1 * stature);
+    let away = 2.15 * stature;
+    for (const { reached_m: place } of candidate.summary.reached) {
+      const beyond = Math.max(Math.hypot(place[0], place[2]) - 0.4 * stature, 0) + Math.max(place[1] - stature, 0);
+      away = Math.max(away, 2.15 * stature + 1.6 * beyond);
+      if (beyond > 0) middle.lerp(new Vector3(place[0], middle.y, place[2]), 0.35);
+    }
+    this.camera.position.copy(middle).add(new Vector3(-0.62, 0.22, 1).normalize().multiplyScalar(away));
     this.camera.lookAt(middle);
   }
 
@@ -129,6 +139,7 @@ export class Thumbnails {
     const { height } = film.pictures;
     poseNodes(this.figure.nodes, film.candidate, (film.candidate.summary.duration_s * picture) / (kPictures - 1));
     this.renderer.setSize(width, height, false);
+    this.aim(film.candidate);
     this.camera.aspect = width / height;
     this.camera.fov = this.camera.aspect < 0.9 ? 30 * (0.9 / this.camera.aspect) : 30;
     this.camera.updateProjectionMatrix();
