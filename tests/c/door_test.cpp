@@ -249,7 +249,7 @@ TEST(CInterface, RefusesWithACodeAndASentence) {
           SHIGUSA_INVALID_ARGUMENT, "by its bytes");
   refused(shigusa_generate(human.get(), kLowReach, -1, nullptr, &result), SHIGUSA_INVALID_ARGUMENT,
           "threads");
-  refused(shigusa_restore(nullptr, "{}", &result), SHIGUSA_PARSE, "version");
+  refused(shigusa_restore(nullptr, "{}", &result), SHIGUSA_PARSE, "not a result");
   EXPECT_EQ(character, nullptr);
   EXPECT_EQ(result, nullptr);
 
