@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: MIT */
+// SPDX-License-Identifier: MIT
 #include <shigusa.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/layer.hpp>
 #include <shigusa/hierarchy/limb_library.hpp>
@@ -32,7 +31,7 @@ class Hash {
   void add(std::uint64_t x) {
     for (int k = 0; k < 8; ++k) value_ = (value_ ^ ((x >> (8 * k)) & 0xFF)) * 0x100000001B3ULL;
   }
-  void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+  void add(double x) { add(__builtin_bit_cast(std::uint64_t, x)); }
   void add(const Vec3d& v) {
     for (int k = 0; k < 3; ++k) add(v[k]);
   }
@@ -231,7 +230,7 @@ std::string LimbLibrary::bytes() const {
     if (!cells_[c].built) continue;
     put(text, static_cast<std::uint16_t>(c));
     put(text, code_of(cells_[c].genes));
-    put(text, std::bit_cast<std::uint32_t>(cells_[c].score));
+    put(text, __builtin_bit_cast(std::uint32_t, cells_[c].score));
   }
   Hash sum;
   sum.add(text);
@@ -252,7 +251,7 @@ bool LimbLibrary::take(std::string_view bytes) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto number = get<std::uint16_t>(rest);
     const auto code = get<std::uint16_t>(rest);
-    const auto score = std::bit_cast<float>(get<std::uint32_t>(rest));
+    const auto score = __builtin_bit_cast(float, get<std::uint32_t>(rest));
     if (number >= kLimbCells || cells_[number].built) continue;
     cells_[number] = {true, genes_of(code), score};
     ++built_;

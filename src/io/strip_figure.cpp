@@ -269,8 +269,9 @@ Result<std::string> draw_strip(const SkeletonMotion& motion, const StripOverlay&
                 "png_dpi");
   }
 
-  Canvas canvas(format, width, height, pixels);
-  Painter painter(canvas, *strip, settings, width);
+  const auto canvas = make_canvas(format, width, height, pixels);
+  if (!canvas) return tl::unexpected<Error>(canvas.error());
+  Painter painter(**canvas, *strip, settings, width);
   painter.floor();
   for (const Slot& slot : strip->slots) painter.slot(slot);
   painter.time_labels(times, motion.clip.frame_time);
@@ -278,9 +279,9 @@ Result<std::string> draw_strip(const SkeletonMotion& motion, const StripOverlay&
   painter.scale_bar(legend);
   for (std::size_t i = 0; i < caption.size(); ++i) {
     const double base = text + static_cast<double>(i + 1) * kLine * kCaptionText;
-    canvas.text({kMargin, base}, caption[i], kCaptionText, kInk, Align::left);
+    (*canvas)->text({kMargin, base}, caption[i], kCaptionText, kInk, Align::left);
   }
-  return canvas.finish();
+  return (*canvas)->finish();
 }
 
 }  // namespace shigusa

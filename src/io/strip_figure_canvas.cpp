@@ -1,40 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "strip_figure_canvas.hpp"
 
-#include <cairo-pdf.h>
-#include <cairo-svg.h>
-
 #include <algorithm>
-#include <exception>
 #include <shigusa/math/scalar.hpp>
+
+#ifdef SHIGUSA_HAS_CAIRO
+#include "strip_figure_cairo.hpp"
+#else
+#include "strip_figure_svg.hpp"
+#endif
 
 namespace shigusa::strip {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
-
-// Called from C: no exception may leave.
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
-  try {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-  } catch (const std::exception&) {
-    return CAIRO_STATUS_NO_MEMORY;
-  }
-}
-
-// Outlines and widths without rounding to pixels, so that all formats have the same layout.
-cairo_font_options_t* font_options() {
-  cairo_font_options_t* options = cairo_font_options_create();
-  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
-  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-  return options;
-}
-
-cairo_font_face_t* font_face() {
-  return cairo_toy_font_face_create("DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                                    CAIRO_FONT_WEIGHT_NORMAL);
-}
 
 double distance(Point a, Point b) {
   return sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
@@ -70,57 +49,6 @@ double turn_to(const Disc& disc, const Disc& next, double angle) {
   return max(turn, 0.0);
 }
 
-// Goes once around the discs, from arc to arc along the common tangents.
-void trace_hull(cairo_t* context, const std::vector<Disc>& discs) {
-  std::size_t current = 0;
-  const auto east = [&](std::size_t i) { return discs[i].centre.x + discs[i].radius; };
-  for (std::size_t i = 1; i < discs.size(); ++i) current = east(i) > east(current) ? i : current;
-  double angle = 0.0;
-  cairo_new_path(context);
-  for (std::size_t step = 0; step <= 2 * discs.size() && angle < kTurn; ++step) {
-    double turn = kTurn - angle;
-    std::size_t next = current;
-    for (std::size_t i = 0; i < discs.size(); ++i) {
-      const double t = i == current ? kTurn : turn_to(discs[current], discs[i], angle);
-      if (t < turn) {
-        turn = t;
-        next = i;
-      }
-    }
-    const Disc& disc = discs[current];
-    cairo_arc(context, disc.centre.x, disc.centre.y, disc.radius, angle, angle + turn);
-    angle = next == current ? kTurn : angle + turn;
-    current = next;
-  }
-  cairo_close_path(context);
-}
-
-// Cairo numbers the surfaces of a process and names the drawing after that number.
-void drop_surface_number(std::string& svg) {
-  const std::string_view name = " id=\"surface";
-  const std::size_t begin = svg.find(name);
-  if (begin == std::string::npos) return;
-  const std::size_t end = svg.find('"', begin + name.size());
-  svg.erase(begin, end + 1 - begin);
-}
-
-cairo_surface_t* create_surface(FigureFormat format, double width, double height, double scale,
-                                std::string* bytes) {
-  switch (format) {
-    case FigureFormat::svg:
-      return cairo_svg_surface_create_for_stream(append, bytes, width, height);
-    case FigureFormat::pdf: {
-      cairo_surface_t* pdf = cairo_pdf_surface_create_for_stream(append, bytes, width, height);
-      // a date of the day would make each run's file another one
-      cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-      return pdf;
-    }
-    default:
-      return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width * scale + 0.5),
-                                        static_cast<int>(height * scale + 0.5));
-  }
-}
-
 }  // namespace
 
 std::size_t code_point_length(std::string_view text) {
@@ -142,19 +70,11 @@ std::size_t code_point_length(std::string_view text) {
 }
 
 double text_width(const std::string& text, double size) {
-  cairo_font_options_t* options = font_options();
-  cairo_font_face_t* face = font_face();
-  cairo_matrix_t scale;
-  cairo_matrix_t identity;
-  cairo_matrix_init_scale(&scale, size, size);
-  cairo_matrix_init_identity(&identity);
-  cairo_scaled_font_t* font = cairo_scaled_font_create(face, &scale, &identity, options);
-  cairo_text_extents_t extents{};
-  cairo_scaled_font_text_extents(font, text.c_str(), &extents);
-  cairo_scaled_font_destroy(font);
-  cairo_font_face_destroy(face);
-  cairo_font_options_destroy(options);
-  return extents.x_advance;
+#ifdef SHIGUSA_HAS_CAIRO
+  return cairo_text_width(text, size);
+#else
+  return svg_text_width(text, size);
+#endif
 }
 
 std::vector<std::string> wrap_text(std::string_view text, double size, double width) {
@@ -176,96 +96,42 @@ std::vector<std::string> wrap_text(std::string_view text, double size, double wi
   return lines;
 }
 
-Canvas::Canvas(FigureFormat format, double width, double height, double pixels_per_point)
-    : format_(format),
-      surface_(create_surface(format, width, height, pixels_per_point, bytes_.get())),
-      context_(cairo_create(surface_.get())) {
-  if (format == FigureFormat::png) cairo_scale(context_.get(), pixels_per_point, pixels_per_point);
-  cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
-  cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
-  cairo_font_options_t* options = font_options();
-  cairo_set_font_options(context_.get(), options);
-  cairo_font_options_destroy(options);
-  cairo_font_face_t* face = font_face();
-  cairo_set_font_face(context_.get(), face);
-  cairo_font_face_destroy(face);
-  source({0xffffff});
-  cairo_paint(context_.get());
-}
-
-void Canvas::source(Colour colour) {
-  const auto part = [&](int shift) { return ((colour.rgb >> shift) & 0xff) / 255.0; };
-  cairo_set_source_rgb(context_.get(), part(16), part(8), part(0));
-}
-
-void Canvas::hull(std::span<const Disc> discs, Colour fill, double rim) {
-  if (discs.empty()) return;
-  trace_hull(context_.get(), outermost(discs));
-  if (rim > 0.0) {
-    source({0xffffff});
-    cairo_set_line_width(context_.get(), 2.0 * rim);
-    cairo_stroke_preserve(context_.get());
+std::vector<Arc> hull_outline(std::span<const Disc> all) {
+  const std::vector<Disc> discs = outermost(all);
+  std::vector<Arc> outline;
+  std::size_t current = 0;
+  const auto east = [&](std::size_t i) { return discs[i].centre.x + discs[i].radius; };
+  for (std::size_t i = 1; i < discs.size(); ++i) current = east(i) > east(current) ? i : current;
+  double angle = 0.0;
+  for (std::size_t step = 0; step <= 2 * discs.size() && angle < kTurn; ++step) {
+    double turn = kTurn - angle;
+    std::size_t next = current;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+      const double t = i == current ? kTurn : turn_to(discs[current], discs[i], angle);
+      if (t < turn) {
+        turn = t;
+        next = i;
+      }
+    }
+    outline.push_back({discs[current], angle, angle + turn});
+    angle = next == current ? kTurn : angle + turn;
+    current = next;
   }
-  source(fill);
-  cairo_fill(context_.get());
+  return outline;
 }
 
-void Canvas::ring(Disc disc, Colour colour, double width) {
-  source(colour);
-  cairo_set_line_width(context_.get(), width);
-  cairo_new_path(context_.get());
-  cairo_arc(context_.get(), disc.centre.x, disc.centre.y, disc.radius, 0.0, kTurn);
-  cairo_close_path(context_.get());
-  cairo_stroke(context_.get());
-}
-
-void Canvas::line(std::span<const Point> points, Colour colour, double width, double dash) {
-  if (points.empty()) return;
-  source(colour);
-  cairo_set_line_width(context_.get(), width);
-  cairo_set_dash(context_.get(), &dash, dash > 0.0 ? 1 : 0, 0.0);
-  cairo_new_path(context_.get());
-  for (const Point& point : points) cairo_line_to(context_.get(), point.x, point.y);
-  cairo_stroke(context_.get());
-  cairo_set_dash(context_.get(), nullptr, 0, 0.0);
-}
-
-void Canvas::quartered(Disc disc, Colour colour) {
-  const Point c = disc.centre;
-  hull(std::span(&disc, 1), {0xffffff}, 0.25 * disc.radius);
-  source(colour);
-  for (const double start : {0.0, kPi}) {
-    cairo_new_path(context_.get());
-    cairo_move_to(context_.get(), c.x, c.y);
-    cairo_arc(context_.get(), c.x, c.y, disc.radius, start, start + 0.5 * kPi);
-    cairo_close_path(context_.get());
-    cairo_fill(context_.get());
+Result<std::unique_ptr<Canvas>> make_canvas(FigureFormat format, double width, double height,
+                                            double pixels_per_point) {
+#ifdef SHIGUSA_HAS_CAIRO
+  return std::make_unique<CairoCanvas>(format, width, height, pixels_per_point);
+#else
+  (void)pixels_per_point;
+  if (format != FigureFormat::svg) {
+    return fail(ErrorCode::unsupported, "this build has no cairo, which draws PNG and PDF; use svg",
+                "strip figure");
   }
-  ring(disc, colour, 0.25 * disc.radius);
-}
-
-void Canvas::text(Point at, const std::string& text, double size, Colour colour, Align align) {
-  const double share = align == Align::left ? 0.0 : align == Align::centre ? 0.5 : 1.0;
-  source(colour);
-  cairo_set_font_size(context_.get(), size);
-  cairo_new_path(context_.get());
-  cairo_move_to(context_.get(), at.x - share * text_width(text, size), at.y);
-  cairo_text_path(context_.get(), text.c_str());
-  cairo_fill(context_.get());
-}
-
-Result<std::string> Canvas::finish() {
-  cairo_status_t status = cairo_status(context_.get());
-  if (status == CAIRO_STATUS_SUCCESS && format_ == FigureFormat::png) {
-    status = cairo_surface_write_to_png_stream(surface_.get(), append, bytes_.get());
-  }
-  cairo_surface_finish(surface_.get());
-  if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface_.get());
-  if (status != CAIRO_STATUS_SUCCESS) {
-    return fail(ErrorCode::io, cairo_status_to_string(status), "strip figure");
-  }
-  if (format_ == FigureFormat::svg) drop_surface_number(*bytes_);
-  return std::move(*bytes_);
+  return std::make_unique<SvgCanvas>(width, height);
+#endif
 }
 
 }  // namespace shigusa::strip

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cairo.h>
-
 #include <cstdint>
 #include <memory>
 #include <shigusa/io/strip_figure.hpp>
@@ -39,40 +37,40 @@ enum class Align { left, centre, right };
 // Lines of at most that width: broken at spaces, or inside words that are longer than a line.
 [[nodiscard]] std::vector<std::string> wrap_text(std::string_view text, double size, double width);
 
-// A white page of one of the formats. It keeps to filled and stroked paths: text, clips, groups and
-// patterns would put numbered names into SVG that differ from run to run. Text becomes outlines,
-// which also look the same where its font is missing.
+// Part of a disc's rim, from one angle to a larger one; radians, from the x axis towards y.
+struct Arc {
+  Disc disc;
+  double from = 0.0;
+  double to = 0.0;
+};
+
+// Once around the convex hull of discs, at least one: arcs that common tangents join.
+[[nodiscard]] std::vector<Arc> hull_outline(std::span<const Disc> discs);
+
+// A white page of one of the formats.
 class Canvas {
  public:
-  Canvas(FigureFormat format, double width, double height, double pixels_per_point);
+  virtual ~Canvas() = default;
 
   // The convex hull of discs, filled, with a white rim of the given width around it.
-  void hull(std::span<const Disc> discs, Colour fill, double rim = 0.0);
-  void ring(Disc disc, Colour colour, double width);
+  virtual void hull(std::span<const Disc> discs, Colour fill, double rim = 0.0) = 0;
+  virtual void ring(Disc disc, Colour colour, double width) = 0;
   // A line through the points with round ends; `dash` is the length of dashes and gaps, 0 for none.
-  void line(std::span<const Point> points, Colour colour, double width, double dash = 0.0);
+  virtual void line(std::span<const Point> points, Colour colour, double width,
+                    double dash = 0.0) = 0;
   // A disc in black and white quarters, as centres of mass are marked in drawings.
-  void quartered(Disc disc, Colour colour);
+  virtual void quartered(Disc disc, Colour colour) = 0;
   // `at` is on the base line.
-  void text(Point at, const std::string& text, double size, Colour colour, Align align);
+  virtual void text(Point at, const std::string& text, double size, Colour colour, Align align) = 0;
 
-  // The file's bytes; the canvas is of no use afterwards. Fails when the library refused, for lack
+  // The file's bytes; the canvas is of no use afterwards. Fails when a library refused, for lack
   // of memory for instance.
-  [[nodiscard]] Result<std::string> finish();
-
- private:
-  struct Destroy {
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  };
-
-  void source(Colour colour);
-
-  FigureFormat format_;
-  // on the heap because the surface writes to it through a pointer
-  std::unique_ptr<std::string> bytes_ = std::make_unique<std::string>();
-  std::unique_ptr<cairo_surface_t, Destroy> surface_;
-  std::unique_ptr<cairo_t, Destroy> context_;
+  [[nodiscard]] virtual Result<std::string> finish() = 0;
 };
+
+// Width and height in points. Fails with ErrorCode::unsupported on PNG and PDF where this build has
+// no cairo.
+[[nodiscard]] Result<std::unique_ptr<Canvas>> make_canvas(FigureFormat format, double width,
+                                                          double height, double pixels_per_point);
 
 }  // namespace shigusa::strip

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 // Scalar functions of the kernel for S = double. The kernel calls sin_cos, sqrt, atan2, select, …
@@ -82,12 +81,12 @@ struct SinCos {
   const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(in_range ? n : 0.0));
   // by bits, as nobody can foretell the quadrant: an odd one has the two exchanged, and the sign of
   // the sine is bit 1 of it, of the cosine that of its successor
-  auto sine_bits = std::bit_cast<std::uint64_t>(sine);
-  auto cosine_bits = std::bit_cast<std::uint64_t>(cosine);
+  auto sine_bits = __builtin_bit_cast(std::uint64_t, sine);
+  auto cosine_bits = __builtin_bit_cast(std::uint64_t, cosine);
   const std::uint64_t exchanged = (sine_bits ^ cosine_bits) & (0 - (quadrant & 1));
   sine_bits ^= exchanged ^ ((quadrant & 2) << 62);
   cosine_bits ^= exchanged ^ (((quadrant + 1) & 2) << 62);
-  return {std::bit_cast<double>(sine_bits), std::bit_cast<double>(cosine_bits)};
+  return {__builtin_bit_cast(double, sine_bits), __builtin_bit_cast(double, cosine_bits)};
 }
 
 // Angle of the vector (x, y) in (-π, π], the sign of a zero disregarded; atan2(0, 0) = 0. Absolute

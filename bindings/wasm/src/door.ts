@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// The C interface (bindings/c/include/shigusa.h) in one thread, as classes. Every call computes before it
+// returns: pages use engine.ts, which has workers do that. What is made here lives outside JavaScript's memory
+// until its free().
+import createModule, { type ShigusaModule } from './module/shigusa.mjs';
+import {
+  seriesNames, type Candidate, type CharacterDescription, type CharacterSpec, type EngineFailure, type ExportFormat,
+  type Generated, type Parameter, type Progress, type Series, type SeriesName, type Summary, type Task,
+} from './types.js';
+
+/** What the engine refused. */
+export class EngineError extends Error {
+  constructor(readonly failure: EngineFailure) {
+    super(failure.message);
+    this.name = 'EngineError';
+  }
+}
+
+/** The codes in the order of the C interface's statuses, from 1 on. */
+const codes: readonly EngineFailure['code'][] = [
+  'invalid_argument', 'not_found', 'parse', 'io', 'unsupported', 'cancelled', 'out_of_memory', 'fault',
+];
+
+const abiVersion = 1;
+
+/** Called now and then during a search; true stops it with the best so far. */
+export type Watch = (progress: Progress) => boolean | void;
+
+/** Memory of the module that calls hand texts, bytes and results through; given back together. */
+class Scratch {
+  private readonly pointers: number[] = [];
+
+  constructor(private readonly module: ShigusaModule) {}
+
+  room(size: number): number {
+    const pointer = this.module._malloc(Math.max(size, 1));
+    if (pointer === 0) throw new EngineError({ code: 'out_of_memory', message: `no memory for ${size} bytes` });
+    this.pointers.push(pointer);
+    return pointer;
+  }
+
+  text(text: string): number {
+    const size = this.module.lengthBytesUTF8(text) + 1;
+    const pointer = this.room(size);
+    this.module.stringToUTF8(text, pointer, size);
+    return pointer;
+  }
+
+  bytes(bytes: Uint8Array): number {
+    const pointer = this.room(bytes.length);
+    this.module.HEAPU8.set(bytes, pointer);
+    return pointer;
+  }
+
+  free(): void {
+    for (const pointer of this.pointers.reverse()) this.module._free(pointer);
+  }
+}
+
+/** The module and what all calls need. */
+class Calls {
+  constructor(readonly module: ShigusaModule) {}
+
+  /** Runs calls that may fail; their scratch memory is given back in any case. */
+  with<T>(work: (scratch: Scratch) => T): T {
+    const scratch = new Scratch(this.module);
+    try {
+      return work(scratch);
+    } finally {
+      scratch.free();
+    }
+  }
+
+  check(status: number): void {
+    if (status === 0) return;
+    const message = this.module.UTF8ToString(this.module._shigusa_message());
+    throw new EngineError({ code: codes[status - 1] ?? 'fault', message });
+  }
+
+  /** The pointer that `call` stores where it is told to. */
+  made(scratch: Scratch, call: (at: number) => number): number {
+    const at = scratch.room(4);
+    this.check(call(at));
+    return this.word(at);
+  }
+
+  word(at: number): number {
+    return this.module.HEAPU32[at >>> 2] as number;
+  }
+
+  bytes(scratch: Scratch, call: (at: number) => number): Uint8Array {
+    const bytes = this.made(scratch, call);
+    const begin = this.module._shigusa_bytes_data(bytes);
+    const copy = this.module.HEAPU8.slice(begin, begin + this.module._shigusa_bytes_size(bytes));
+    this.module._shigusa_bytes_free(bytes);
+    return copy;
+  }
+
+  json<T>(scratch: Scratch, call: (at: number) => number): T {
+    return JSON.parse(new TextDecoder().decode(this.bytes(scratch, call))) as T;
+  }
+}
+
+/** A body with what its file tells. */
+export class DoorCharacter {
+  constructor(private readonly calls: Calls, readonly pointer: number) {}
+
+  describe(): CharacterDescription {
+    return this.calls.with((scratch) =>
+      this.calls.json<CharacterDescription>(scratch, (at) =>
+        this.calls.module._shigusa_character_describe(this.pointer, at)));
+  }
+
+  free(): void {
+    this.calls.module._shigusa_character_free(this.pointer);
+  }
+}
+
+/** What a task came to: candidates with their motions. Candidates count from 1. */
+export class DoorResult {
+  constructor(private readonly calls: Calls, readonly pointer: number) {}
+
+  get candidates(): number {
+    return this.calls.module._shigusa_result_candidates(this.pointer);
+  }
+
+  /** summary.json as the command line writes it, less the names of files. */
+  summaryText(): string {
+    return this.calls.with((scratch) => new TextDecoder().decode(
+      this.calls.bytes(scratch, (at) => this.calls.module._shigusa_result_describe(this.pointer, at))));
+  }
+
+  parameters(candidate: number): Parameter[] {
+    return this.calls.with((scratch) => this.calls.json<Parameter[]>(scratch, (at) =>
+      this.calls.module._shigusa_result_parameters(this.pointer, candidate, at)));
+  }
+
+  /** A copy, which outlives the result. */
+  series(candidate: number, name: SeriesName): Series {
+    const { module } = this.calls;
+    return this.calls.with((scratch) => {
+      const at = scratch.room(12);
+      this.calls.check(module._shigusa_result_series(
+        this.pointer, candidate, seriesNames.indexOf(name), at, at + 4, at + 8));
+      const begin = this.calls.word(at) >>> 3;
+      const frames = this.calls.word(at + 4);
+      const columns = this.calls.word(at + 8);
+      return { frames, columns, values: module.HEAPF64.slice(begin, begin + frames * columns) };
+    });
+  }
+
+  /** Candidate 0: all of them in one GLB. */
+  export(candidate: number, format: ExportFormat | 'png' | 'pdf'): Uint8Array {
+    return this.calls.with((scratch) => {
+      const name = scratch.text(format);
+      return this.calls.bytes(scratch, (at) =>
+        this.calls.module._shigusa_result_export(this.pointer, candidate, name, at));
+    });
+  }
+
+  /** A candidate's motion anew, with changed parameters: a result of one candidate. */
+  replay(candidate: number, assignments: readonly string[]): DoorResult {
+    return this.calls.with((scratch) => {
+      const list = scratch.text(JSON.stringify(assignments));
+      return new DoorResult(this.calls, this.calls.made(scratch, (at) =>
+        this.calls.module._shigusa_replay(this.pointer, candidate, list, at)));
+    });
+  }
+
+  mirror(): DoorResult {
+    return this.calls.with((scratch) => new DoorResult(this.calls, this.calls.made(scratch, (at) =>
+      this.calls.module._shigusa_mirror(this.pointer, at))));
+  }
+
+  /** All that can be read of it. */
+  read(): Omit<Generated, 'engine_ms'> {
+    const summary = JSON.parse(this.summaryText()) as Summary;
+    const candidates = summary.candidates.map((candidate, i): Candidate => ({
+      summary: candidate,
+      parameters: this.parameters(i + 1),
+      series: Object.fromEntries(seriesNames.map((name) => [name, this.series(i + 1, name)])) as
+        Record<SeriesName, Series>,
+    }));
+    return { summary, candidates };
+  }
+
+  free(): void {
+    this.calls.module._shigusa_result_free(this.pointer);
+  }
+}
+
+/** The functions that begin something. */
+export class Door {
+  private readonly calls: Calls;
+
+  constructor(module: ShigusaModule) {
+    this.calls = new Calls(module);
+    const abi = module._shigusa_abi_version();
+    if (abi !== abiVersion) throw new Error(`shigusa.wasm has ABI ${abi}; this script is for ${abiVersion}`);
+  }
+
+  get version(): string {
+    return this.calls.module.UTF8ToString(this.calls.module._shigusa_version());
+  }
+
+  /** What the module has taken of memory, most of it free again: it never shrinks. */
+  get memoryBytes(): number {
+    return this.calls.module.HEAPU8.length;
+  }
+
+  character(spec: CharacterSpec, bytes?: Uint8Array): DoorCharacter {
+    return this.calls.with((scratch) => {
+      const text = scratch.text(JSON.stringify(spec));
+      const file = bytes === undefined ? 0 : scratch.bytes(bytes);
+      return new DoorCharacter(this.calls, this.calls.made(scratch, (at) =>
+        this.calls.module._shigusa_character_create(text, file, bytes?.length ?? 0, at)));
+    });
+  }
+
+  /** `task` may be text as well; without a character it has its own, which needs no file. */
+  generate(character: DoorCharacter | null, task: Task | string, watch?: Watch): DoorResult {
+    const { module } = this.calls;
+    return this.calls.with((scratch) => {
+      const text = scratch.text(typeof task === 'string' ? task : JSON.stringify(task));
+      let thrown: { error: unknown } | undefined;
+      // nothing may be thrown through the module, which would not unwind
+      module.report = (fraction, evaluations, best_score) => {
+        try {
+          return watch?.({ fraction, evaluations, best_score }) === true;
+        } catch (error) {
+          thrown = { error };
+          return true;
+        }
+      };
+      const pointer = watch === undefined ? 0 : module._shigusa_script_watch();
+      const result = new DoorResult(this.calls, this.calls.made(scratch, (at) =>
+        module._shigusa_generate(character?.pointer ?? 0, text, 1, pointer, at)));
+      if (thrown === undefined) return result;
+      result.free();
+      throw thrown.error;
+    });
+  }
+
+  /** A result's motions anew from its JSON; with the character they can leave on its own skeleton. */
+  restore(character: DoorCharacter | null, summary: Summary | string): DoorResult {
+    return this.calls.with((scratch) => {
+      const text = scratch.text(typeof summary === 'string' ? summary : JSON.stringify(summary));
+      return new DoorResult(this.calls, this.calls.made(scratch, (at) =>
+        this.calls.module._shigusa_restore(character?.pointer ?? 0, text, at)));
+    });
+  }
+
+  scoreClip(name: string, bytes: Uint8Array, options?: object): object {
+    return this.calls.with((scratch) => {
+      const title = scratch.text(name);
+      const file = scratch.bytes(bytes);
+      const chosen = options === undefined ? 0 : scratch.text(JSON.stringify(options));
+      return this.calls.json<object>(scratch, (at) =>
+        this.calls.module._shigusa_score_clip(title, file, bytes.length, chosen, at));
+    });
+  }
+}
+
+/** Starts the engine in this thread. `wasm`: shigusa.wasm, compiled or its bytes. */
+export async function openDoor(wasm: WebAssembly.Module | Uint8Array<ArrayBuffer>): Promise<Door> {
+  const compiled = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
+  return new Promise((resolve, reject) => {
+    createModule({
+      instantiateWasm: (imports, received) => {
+        WebAssembly.instantiate(compiled, imports).then(received, reject);
+        return {};
+      },
+    }).then((module) => resolve(new Door(module)), reject);
+  });
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// The engine of a page: two workers that share one compiled module. Searches have one for themselves, as an
+// abort ends it; the other one does what must be quick.
+import { EngineError } from './door.js';
+import { Lane } from './lane.js';
+import type { Character, CharacterSpec, Engine, ExportFormat, GenerateOptions, Generated, Summary, Task } from './types.js';
+
+export { EngineError } from './door.js';
+export * from './types.js';
+
+export interface EngineSettings {
+  /** Where shigusa.wasm is; else beside this script. */
+  moduleUrl?: string | URL;
+  /** The module itself, where it is at hand. */
+  wasm?: WebAssembly.Module;
+  /** Makes a worker of worker.ts. */
+  createWorker?: () => Worker;
+}
+
+/** Loads the module and starts the workers. Fails with an EngineError: `io` where the module cannot be
+ *  fetched, `unsupported` where this machine's WebAssembly cannot run it. */
+export async function createEngine(settings: EngineSettings = {}): Promise<Engine> {
+  const wasm = settings.wasm ??
+    (await compile(settings.moduleUrl ?? new URL('./module/shigusa.wasm', import.meta.url)));
+  const engine = new WorkerEngine(wasm, settings.createWorker ?? createWorker);
+  try {
+    await engine.ready();
+  } catch (error) {
+    engine.dispose();
+    throw error;
+  }
+  return engine;
+}
+
+function createWorker(): Worker {
+  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'shigusa' });
+}
+
+async function compile(url: string | URL): Promise<WebAssembly.Module> {
+  let bytes: ArrayBuffer;
+  try {
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`status ${response.status}`);
+    // while it comes, where the server tells its type
+    if (response.headers.get('content-type')?.startsWith('application/wasm') === true) {
+      return await WebAssembly.compileStreaming(Promise.resolve(response));
+    }
+    bytes = await response.arrayBuffer();
+  } catch (error) {
+    if (error instanceof WebAssembly.CompileError) throw cannotRun(error);
+    throw new EngineError({ code: 'io', message: `cannot load ${url}: ${said(error)}` });
+  }
+  try {
+    return await WebAssembly.compile(bytes);
+  } catch (error) {
+    throw cannotRun(error);
+  }
+}
+
+function cannotRun(error: unknown): EngineError {
+  return new EngineError({
+    code: 'unsupported',
+    message: `WebAssembly here cannot run shigusa, which needs SIMD and exceptions: ${said(error)}`,
+  });
+}
+
+function said(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+class WorkerEngine implements Engine {
+  private readonly search: Lane;
+  private readonly quick: Lane;
+  private opened = 0;
+
+  constructor(wasm: WebAssembly.Module, createWorker: () => Worker) {
+    this.search = new Lane(createWorker, wasm);
+    this.quick = new Lane(createWorker, wasm);
+  }
+
+  async ready(): Promise<void> {
+    await this.quick.run({ call: { kind: 'version' } });
+  }
+
+  async open(spec: CharacterSpec, bytes?: Uint8Array): Promise<Character> {
+    const id = ++this.opened;
+    const data = bytes === undefined ? { id, spec } : { id, spec, bytes };
+    try {
+      const description = await always(this.quick.run({ call: { kind: 'open', character: id }, character: data }));
+      return { ...data, description };
+    } catch (error) {
+      this.quick.forget(id);
+      throw error;
+    }
+  }
+
+  close(character: Character): void {
+    this.search.forget(character.id);
+    this.quick.forget(character.id);
+  }
+
+  generate(character: Character, task: Task, options: GenerateOptions = {}): Promise<Generated> {
+    const { signal, onProgress } = options;
+    const progress = onProgress !== undefined;
+    return always(this.search.run({
+      call: { kind: 'generate', character: character.id, task, progress }, character, signal, onProgress,
+    }));
+  }
+
+  preview(character: Character, task: Task): Promise<Generated | undefined> {
+    return this.quick.run({
+      call: { kind: 'generate', character: character.id, task, progress: false }, character, slot: 'preview',
+    });
+  }
+
+  replay(
+    character: Character, summary: Summary, candidate: number, assignments: string[],
+  ): Promise<Generated | undefined> {
+    return this.quick.run({
+      call: { kind: 'replay', character: character.id, summary, candidate, assignments }, character, slot: 'replay',
+    });
+  }
+
+  restore(character: Character, summary: Summary): Promise<Generated> {
+    return always(this.quick.run({ call: { kind: 'restore', character: character.id, summary }, character }));
+  }
+
+  mirror(character: Character, summary: Summary): Promise<Generated> {
+    return always(this.quick.run({ call: { kind: 'mirror', character: character.id, summary }, character }));
+  }
+
+  export(character: Character, summary: Summary, candidate: number, format: ExportFormat): Promise<Uint8Array> {
+    return always(this.quick.run({
+      call: { kind: 'export', character: character.id, summary, candidate, format }, character,
+    }));
+  }
+
+  scoreClip(name: string, bytes: Uint8Array, options?: object): Promise<object> {
+    return always(this.quick.run({ call: { kind: 'score', name, bytes, options } }));
+  }
+
+  dispose(): void {
+    this.search.dispose();
+    this.quick.dispose();
+  }
+}
+
+/** The answer of a call without a slot, which no other call takes the place of. */
+async function always<T>(answer: Promise<T | undefined>): Promise<T> {
+  return (await answer) as T;
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// What goes between engine.ts and its workers. A worker gets the module first, then what it must know of
+// characters and calls, one at a time; it answers each call once, after any progress.
+import type {
+  CharacterDescription, CharacterSpec, EngineFailure, ExportFormat, Generated, Progress, Summary, Task,
+} from './types.js';
+
+export type Call =
+  | { kind: 'version' }
+  | { kind: 'open'; character: number }
+  | { kind: 'generate'; character: number; task: Task; progress: boolean }
+  | { kind: 'replay'; character: number; summary: Summary; candidate: number; assignments: string[] }
+  | { kind: 'restore'; character: number; summary: Summary }
+  | { kind: 'mirror'; character: number; summary: Summary }
+  | { kind: 'export'; character: number; summary: Summary; candidate: number; format: ExportFormat }
+  | { kind: 'score'; name: string; bytes: Uint8Array; options: object | undefined };
+
+export interface Answers {
+  version: string;
+  open: CharacterDescription;
+  generate: Generated;
+  replay: Generated;
+  restore: Generated;
+  mirror: Generated;
+  export: Uint8Array;
+  score: object;
+}
+
+export type Answer = Answers[Call['kind']];
+
+export type ToWorker =
+  | { type: 'start'; wasm: WebAssembly.Module }
+  | { type: 'know'; character: number; spec: CharacterSpec; bytes: Uint8Array | undefined }
+  | { type: 'forget'; character: number }
+  | { type: 'call'; id: number; call: Call };
+
+export type FromWorker =
+  | { type: 'progress'; id: number; progress: Progress }
+  | { type: 'done'; id: number; answer: Answer }
+  /** `broken`: the module may be in no state to go on with. */
+  | { type: 'failed'; id: number; failure: EngineFailure; broken: boolean };

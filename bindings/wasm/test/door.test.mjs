@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { EngineError } from '../dist/door.js';
+import { openedDoor, smallTask } from './support.mjs';
+
+const door = await openedDoor();
+const human = door.character({ source: 'human' });
+
+/** The failure of what `work` throws. */
+function failureOf(work) {
+  try {
+    work();
+  } catch (error) {
+    assert.ok(error instanceof EngineError, String(error));
+    return error.failure;
+  }
+  assert.fail('nothing was refused');
+}
+
+const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} and ${b}`);
+
+test('a character tells its joints, places and nodes', () => {
+  const said = human.describe();
+  assert.equal(said.joints.length, said.dof);
+  assert.ok(said.places.some((place) => place.effector === 'right_hand'));
+  assert.ok(said.nodes.length > 15);
+  for (const [i, node] of said.nodes.entries()) assert.ok(node.parent < i, node.name);
+  assert.ok(said.support_polygon.length >= 3);
+});
+
+test('stature is as it was asked for', () => {
+  const small = door.character({ source: 'human', stature_m: 1.5 });
+  near(small.describe().stature_m, 1.5, 1e-9);
+  small.free();
+});
+
+test('a search gives candidates that reach, with all of their series', () => {
+  const result = door.generate(human, smallTask);
+  const { summary, candidates } = result.read();
+  assert.equal(summary.status, 'reached');
+  assert.equal(candidates.length, result.candidates);
+  assert.ok(candidates.length >= 2);
+  const { nodes, joints } = human.describe();
+  for (const { summary: told, series, parameters } of candidates) {
+    assert.ok(told.reached[0].error_mm < 1);
+    for (const table of Object.values(series)) {
+      assert.equal(table.frames, told.frames);
+      assert.equal(table.values.length, table.frames * table.columns);
+      assert.ok(table.values.every(Number.isFinite));
+    }
+    assert.equal(series.angles.columns, joints.length);
+    assert.equal(series.torques.columns, joints.length);
+    assert.equal(series.node_translations.columns, 3 * nodes.length);
+    assert.equal(series.node_rotations.columns, 4 * nodes.length);
+    near(series.time.values.at(-1), told.duration_s, 0.02);
+    const hand = series.effectors.values.slice(-3);
+    for (const [i, x] of smallTask.goals[0].position_m.entries()) near(hand[i], x, 1e-3);
+    assert.ok(parameters.length > 0);
+    for (const parameter of parameters) {
+      assert.ok(parameter.low <= parameter.value && parameter.value <= parameter.high, parameter.name);
+    }
+  }
+  result.free();
+});
+
+test('a search tells how far it is', () => {
+  const told = [];
+  door.generate(human, smallTask, (progress) => void told.push(progress)).free();
+  assert.ok(told.length > 1);
+  assert.ok(told.every(({ fraction }, i) => fraction >= (told[i - 1]?.fraction ?? 0) && fraction <= 1));
+  assert.ok(told.at(-1).evaluations > told[0].evaluations);
+  assert.ok(Number.isFinite(told.at(-1).best_score));
+});
+
+test('a search that is stopped gives the best so far, or nothing', () => {
+  const long = { ...smallTask, evaluations: 200000 };
+  const begin = performance.now();
+  let calls = 0;
+  const result = door.generate(human, long, () => ++calls > 5);
+  assert.ok(JSON.parse(result.summaryText()).evaluations < 100000);
+  assert.ok(performance.now() - begin < 20000);
+  result.free();
+});
+
+test('what a watch throws comes out of the search', () => {
+  assert.throws(() => door.generate(human, smallTask, () => {
+    throw new RangeError('enough');
+  }), RangeError);
+});
+
+test('a goal out of reach is no failure', () => {
+  const goals = [{ effector: 'right_hand', position_m: [-0.25, 2.6, 1.5] }];
+  const result = door.generate(human, { ...smallTask, goals });
+  const { summary } = result.read();
+  assert.equal(summary.status, 'unreachable');
+  assert.ok(summary.remaining_mm > 100);
+  result.free();
+});
+
+test('what is refused has a code and a sentence', () => {
+  assert.equal(failureOf(() => door.character({ source: 'dragon' })).code, 'invalid_argument');
+  const parse = failureOf(() => door.generate(human, '{"goals": ['));
+  assert.equal(parse.code, 'parse');
+  assert.match(parse.message, /task/);
+  const goals = [{ effector: 'tail', position_m: [0, 1, 0] }];
+  const effector = failureOf(() => door.generate(human, { ...smallTask, goals }));
+  assert.equal(effector.code, 'not_found');
+  assert.match(effector.message, /tail/);
+  const bytes = new TextEncoder().encode('HIERARCHY\nROOT');
+  assert.equal(failureOf(() => door.character({ source: 'a.bvh' }, bytes)).code, 'parse');
+  assert.equal(failureOf(() => door.character({ source: 'a.urdf' }, bytes)).code, 'unsupported');
+  const result = door.generate(human, smallTask);
+  assert.equal(failureOf(() => result.export(1, 'png')).code, 'unsupported');
+  assert.equal(failureOf(() => result.export(99, 'bvh')).code, 'invalid_argument');
+  assert.equal(failureOf(() => result.replay(1, ['squat_deg=much'])).code, 'invalid_argument');
+  result.free();
+});
+
+test('a result is restored from its JSON, bit for bit', () => {
+  const result = door.generate(human, smallTask);
+  const again = door.restore(human, result.summaryText());
+  for (const name of ['angles', 'torques', 'node_rotations']) {
+    assert.deepEqual(again.series(1, name), result.series(1, name));
+  }
+  assert.deepEqual(again.export(1, 'bvh'), result.export(1, 'bvh'));
+  // also from what JavaScript made of the text
+  const third = door.restore(human, JSON.parse(result.summaryText()));
+  assert.deepEqual(third.series(1, 'angles'), result.series(1, 'angles'));
+  for (const one of [third, again, result]) one.free();
+});
+
+test('a replay changes what it is told to and still reaches', () => {
+  const result = door.generate(human, smallTask);
+  const squat = result.parameters(1).find((parameter) => parameter.name === 'squat_deg');
+  assert.ok(squat);
+  const edited = result.replay(1, [`squat_deg=${squat.value > 40 ? 20 : 60}`]);
+  assert.equal(edited.candidates, 1);
+  const { summary, series } = edited.read().candidates[0];
+  assert.ok(summary.reached[0].error_mm < 1);
+  assert.notDeepEqual(series.angles, result.series(1, 'angles'));
+  edited.free();
+  result.free();
+});
+
+test('in the mirror the other hand reaches', () => {
+  const result = door.generate(human, smallTask);
+  const mirrored = result.mirror();
+  const [reached] = mirrored.read().candidates[0].summary.reached;
+  assert.equal(reached.effector, 'left_hand');
+  near(reached.goal_m[0], -smallTask.goals[0].position_m[0], 1e-9);
+  mirrored.free();
+  result.free();
+});
+
+test('candidates leave as BVH, CSV and SVG', () => {
+  const result = door.generate(human, smallTask);
+  const text = (format) => new TextDecoder().decode(result.export(1, format));
+  assert.match(text('bvh'), /^HIERARCHY/);
+  assert.match(text('csv'), /^time/);
+  const svg = text('svg');
+  assert.match(svg, /^<\?xml[^]*<svg[^]*<\/svg>\n$/);
+  result.free();
+});
+
+test('a motion that left as BVH is read as a character and scored', () => {
+  const result = door.generate(human, smallTask);
+  const bvh = result.export(1, 'bvh');
+  const person = door.character({ source: 'person.bvh' }, bvh);
+  near(person.describe().stature_m, human.describe().stature_m, 0.05);
+  person.free();
+  const score = door.scoreClip('person.bvh', bvh);
+  assert.ok(typeof score === 'object' && JSON.stringify(score).includes('torque'));
+  result.free();
+});
+
+test('memory is given back', () => {
+  const round = () => {
+    const person = door.character({ source: 'human' });
+    const result = door.generate(person, { ...smallTask, evaluations: 100 });
+    result.read();
+    result.export(1, 'svg');
+    result.free();
+    person.free();
+  };
+  const bytes = () => round() ?? door.memoryBytes;
+  bytes();
+  const before = bytes();
+  for (let i = 0; i < 30; ++i) round();
+  assert.equal(bytes(), before);
+});

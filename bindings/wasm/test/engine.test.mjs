@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { createEngine, EngineError } from '../dist/engine.js';
+import { NodeWorker } from './node_worker.mjs';
+import { openedDoor, sleep, smallTask, wasmBytes } from './support.mjs';
+
+const wasm = await WebAssembly.compile(wasmBytes);
+const createWorker = () => new NodeWorker();
+const engine = await createEngine({ wasm, createWorker });
+after(() => engine.dispose());
+const human = await engine.open({ source: 'human' });
+const longTask = { ...smallTask, evaluations: 500000 };
+const summaryLess = ({ elapsed_ms: _, ...summary }) => summary;
+
+test('a search in a worker is the search of the door', async () => {
+  const progress = [];
+  const there = await engine.generate(human, smallTask, { onProgress: (told) => void progress.push(told) });
+  const door = await openedDoor();
+  const result = door.generate(door.character({ source: 'human' }), smallTask);
+  const here = result.read();
+  assert.deepEqual(summaryLess(there.summary), summaryLess(here.summary));
+  assert.deepEqual(there.candidates, here.candidates);
+  assert.ok(there.engine_ms > 0);
+  assert.ok(progress.length > 0);
+});
+
+test('an abort ends the search at once, and the next one works', async () => {
+  const controller = new AbortController();
+  const ended = NodeWorker.ended;
+  let asked = 0;
+  const search = engine.generate(human, longTask, {
+    signal: controller.signal,
+    onProgress: () => {
+      asked ||= performance.now();
+      controller.abort();
+    },
+  });
+  await assert.rejects(search, { name: 'AbortError' });
+  assert.ok(performance.now() - asked < 100);
+  assert.equal(NodeWorker.ended, ended + 1);
+  const next = await engine.generate(human, smallTask);
+  assert.equal(next.summary.status, 'reached');
+});
+
+test('a search that waits is taken out by its abort, and the one that runs goes on', async () => {
+  const controller = new AbortController();
+  const first = engine.generate(human, smallTask);
+  const second = engine.generate(human, longTask, { signal: controller.signal });
+  controller.abort();
+  await assert.rejects(second, { name: 'AbortError' });
+  assert.equal((await first).summary.status, 'reached');
+  await assert.rejects(engine.generate(human, smallTask, { signal: AbortSignal.abort() }), { name: 'AbortError' });
+});
+
+test('of previews that wait the newest alone is answered', async () => {
+  const goals = (y) => [{ effector: 'right_hand', position_m: [-0.25, y, 0.5] }];
+  const previews = [0.5, 0.6, 0.7, 0.8].map((y) => engine.preview(human, { ...smallTask, goals: goals(y) }));
+  const answers = await Promise.all(previews);
+  assert.deepEqual(answers.map((answer) => answer !== undefined), [true, false, false, true]);
+  assert.equal(answers[3].summary.candidates[0].reached[0].goal_m[1], 0.8);
+});
+
+test('a preview does not wait for a search', async () => {
+  const controller = new AbortController();
+  const search = engine.generate(human, longTask, { signal: controller.signal });
+  search.catch(() => {});
+  const preview = await engine.preview(human, { ...smallTask, evaluations: 100 });
+  assert.equal(preview.summary.status, 'reached');
+  controller.abort();
+  await assert.rejects(search, { name: 'AbortError' });
+});
+
+test('a summary is enough to replay, mirror, restore and export', async () => {
+  const { summary, candidates } = await engine.generate(human, smallTask);
+  const squat = candidates[0].parameters.find((parameter) => parameter.name === 'squat_deg').value;
+  const edited = await engine.replay(human, summary, 1, [`squat_deg=${squat > 40 ? 20 : 60}`]);
+  assert.equal(edited.candidates.length, 1);
+  const again = await engine.replay(human, summary, 1, []);
+  assert.deepEqual(again.candidates[0].series, candidates[0].series);
+  const restored = await engine.restore(human, summary);
+  assert.deepEqual(restored.candidates.map(({ series }) => series), candidates.map(({ series }) => series));
+  const mirrored = await engine.mirror(human, summary);
+  assert.equal(mirrored.summary.candidates[0].reached[0].effector, 'left_hand');
+  const bvh = await engine.export(human, summary, 1, 'bvh');
+  assert.match(new TextDecoder().decode(bvh), /^HIERARCHY/);
+  const score = await engine.scoreClip('a.bvh', bvh);
+  assert.equal(typeof score, 'object');
+});
+
+test('failures have a code and a sentence, and do not stop the engine', async () => {
+  const goals = [{ effector: 'tail', position_m: [0, 1, 0] }];
+  const failure = await engine.generate(human, { ...smallTask, goals }).catch((error) => error);
+  assert.ok(failure instanceof EngineError);
+  assert.equal(failure.failure.code, 'not_found');
+  assert.match(failure.failure.message, /tail/);
+  await assert.rejects(engine.open({ source: 'dragon' }), { name: 'EngineError' });
+  assert.equal((await engine.generate(human, smallTask)).summary.status, 'reached');
+});
+
+test('characters are told apart, and one that was closed can be asked for again', async () => {
+  const small = await engine.open({ source: 'human', stature_m: 1.5 });
+  const tall = await engine.open({ source: 'human', stature_m: 1.9 });
+  assert.ok(small.description.stature_m < tall.description.stature_m);
+  const first = await engine.generate(small, smallTask);
+  engine.close(small);
+  const second = await engine.generate(small, smallTask);
+  assert.deepEqual(second.candidates, first.candidates);
+  engine.close(small);
+  engine.close(tall);
+});
+
+test('a worker that dies fails its call, and another takes its place', async () => {
+  const workers = [];
+  const mortal = await createEngine({ wasm, createWorker: () => workers[workers.push(new NodeWorker()) - 1] });
+  const person = await mortal.open({ source: 'human' });
+  const search = mortal.generate(person, longTask);
+  await sleep(50);
+  workers[0].onerror({ message: 'it died', preventDefault() {} });
+  await assert.rejects(search, (error) => error.failure.code === 'fault');
+  assert.equal((await mortal.generate(person, smallTask)).summary.status, 'reached');
+  mortal.dispose();
+});
+
+test('an engine that is closed refuses what waits and what comes', async () => {
+  const brief = await createEngine({ wasm, createWorker });
+  const person = await brief.open({ source: 'human' });
+  const search = brief.generate(person, longTask);
+  brief.dispose();
+  await assert.rejects(search, (error) => error.failure.code === 'cancelled');
+  await assert.rejects(brief.generate(person, smallTask), (error) => error.failure.code === 'cancelled');
+});
+
+test('a module that cannot be fetched is told', async () => {
+  await assert.rejects(createEngine({ moduleUrl: 'data:text/plain,none', createWorker }),
+    (error) => error.failure.code === 'unsupported');
+  await assert.rejects(createEngine({ moduleUrl: 'http://127.0.0.1:1/shigusa.wasm', createWorker }),
+    (error) => error.failure.code === 'io');
+});

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The same task and seed give the same bytes here as from the native program, whose path is in SHIGUSA_BINARY.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { openedDoor } from './support.mjs';
+
+const binary = process.env.SHIGUSA_BINARY;
+const folder = await mkdtemp(join(tmpdir(), 'shigusa-'));
+after(() => rm(folder, { recursive: true }));
+
+const door = await openedDoor();
+const evaluations = 1000;
+const atTheFeet = [{ effector: 'right_hand', position_m: [-0.05, 0.1, 0.3] }];
+const lowFrontLeft = [{ effector: 'right_hand', position_m: [0.25, 0.55, 0.5] }];
+
+const tasks = {
+  half_body: { character: 'half_body', preset: 'paper', goals: lowFrontLeft },
+  full_body: { character: 'full_body', preset: 'paper', goals: lowFrontLeft },
+  default_criteria: { character: 'half_body', preset: 'paper', criteria: 'default', goals: atTheFeet },
+  flat: { character: 'human', preset: 'flat', goals: atTheFeet },
+  two_phases: { character: 'half_body', preset: 'flat', phases: 2, goals: atTheFeet },
+  layers: { character: 'full_body', preset: 'layers', goals: lowFrontLeft },
+  human: { character: 'full_body', preset: 'human', goals: lowFrontLeft },
+};
+
+/** A summary without what tells how it was computed, and where its files are. */
+function comparable(text) {
+  const summary = JSON.parse(text);
+  for (const key of ['elapsed_ms', 'threads', 'simd']) delete summary[key];
+  JSON.stringify(summary, (key, value) => {
+    // a limb library on disk would spare the search of its cells
+    if (value !== null && typeof value === 'object') delete value.cells_searched;
+    return value;
+  });
+  for (const candidate of summary.candidates) delete candidate.files;
+  return summary;
+}
+
+for (const [name, task] of Object.entries(tasks)) {
+  test(`${name} has the bytes of the native program`, { skip: binary === undefined && 'no SHIGUSA_BINARY' }, async () => {
+    const text = JSON.stringify({ version: 1, ...task, seed: 1, evaluations });
+    const file = join(folder, `${name}.json`);
+    const out = join(folder, name);
+    await writeFile(file, text);
+    const ran = spawnSync(binary, ['reach', file, '--out', out, '--formats', 'bvh,csv'], {
+      encoding: 'utf8', env: { ...process.env, SHIGUSA_CACHE: join(folder, 'cache') },
+    });
+    assert.equal(ran.status, 0, ran.stderr);
+
+    const begin = performance.now();
+    const result = door.generate(null, text);
+    console.log(`# ${name}: ${Math.round(performance.now() - begin)} ms here, native ` +
+      `${Math.round(JSON.parse(await readFile(join(out, 'summary.json'), 'utf8')).elapsed_ms)} ms`);
+    const native = comparable(await readFile(join(out, 'summary.json'), 'utf8'));
+    const here = comparable(result.summaryText());
+    // the text tells numbers by their shortest digits, so equal values are equal bits
+    assert.deepEqual(here, native);
+    for (let candidate = 1; candidate <= result.candidates; ++candidate) {
+      for (const format of ['bvh', 'csv']) {
+        const bytes = await readFile(join(out, `candidate-${candidate}.${format}`));
+        assert.ok(bytes.equals(result.export(candidate, format)), `candidate-${candidate}.${format} differs`);
+      }
+    }
+    result.free();
+  });
+}
