@@ -8,6 +8,7 @@
 
 #include "candidate.hpp"
 #include "delivery.hpp"
+#include "joint_progress.hpp"
 #include "layered_generator.hpp"
 #include "pareto.hpp"
 #include "searched.hpp"
@@ -165,10 +166,11 @@ Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
 
 // Searches the first `most` ways, then one more at a time, until something arrives.
 void search_ways(const Task& task, std::span<const ReachProblem> ways, std::size_t most,
-                 const Progress& progress, Generation& generation) {
+                 JointProgress& progress, Generation& generation) {
   for (; most <= ways.size(); ++most) {
     const auto search = task.pareto ? search_front : search_best;
-    search(task, ways.first(most), progress, generation);
+    // where one way does it, as nearly always, that is all
+    search(task, ways.first(most), progress.part(1.0), generation);
     if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) return;
   }
 }
@@ -199,11 +201,12 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
   Generation generation;
   generation.duration = problem->duration;
-  search_ways(task, ways, 1, progress, generation);
+  JointProgress joint(progress);
+  search_ways(task, ways, 1, joint, generation);
   for (int other = 1; other <= kOtherGuides && goes_on(reach, generation); ++other) {
     const ClosestReach again = closest_reach(*problem, {.other = other});
     if (!again.reached()) continue;
-    search_ways(task, ways_to_goal(*problem, again), 2, progress, generation);
+    search_ways(task, ways_to_goal(*problem, again), 2, joint, generation);
   }
   if (generation.candidates.empty()) {
     generation.candidates.push_back(only_candidate(task, ways, uniform_parameters(task.body)));

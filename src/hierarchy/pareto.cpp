@@ -9,6 +9,7 @@
 
 #include "candidate.hpp"
 #include "choice.hpp"
+#include "joint_progress.hpp"
 #include "searched.hpp"
 #include "ways.hpp"
 
@@ -161,12 +162,13 @@ void search_front(const Task& task, std::span<const ReachProblem> ways, const Pr
   const std::vector<CriteriaSettings> mixtures = pareto_mixtures(task.criteria);
   const int share = task.evaluations.value_or(kFlatEvaluations) / static_cast<int>(mixtures.size());
   std::vector<Candidate> all;
+  JointProgress joint(progress);
   for (const CriteriaSettings& mixture : mixtures) {
     Task part = task;
     part.criteria = mixture;
     part.evaluations = std::max(share, kPaperPopulation);
     Searched searched(ways.back(), part);
-    const SearchResult found = searched.run(progress);
+    const SearchResult found = searched.run(joint.part(1.0 / static_cast<double>(mixtures.size())));
     generation.evaluations += found.evaluations;
     generation.generations += found.generations;
     generation.rejected_nan += found.rejected_nan;

@@ -9,8 +9,9 @@
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/search/cma_es.hpp>
 #include <string>
-#include <thread>
 #include <utility>
+
+#include "joint_progress.hpp"
 
 namespace shigusa {
 namespace {
@@ -81,17 +82,21 @@ SearchResult Searched::run(const Progress& progress) {
   const Niche all_knees = !paper && space_.find("squat") < 0 ? stiff_knees() : Niche{};
   const bool styled = !paper && static_cast<int>(kStyleShare * budget) >= kLeastStyleBudget;
   const Part all{all_knees, {}, styled ? static_cast<int>(kFreeShare * budget) : budget};
-  SearchResult found = run_part(all, scorer, progress);
+  JointProgress joint(progress);
+  const auto share = [&](const Part& part) { return static_cast<double>(part.budget) / budget; };
+  SearchResult found = run_part(all, scorer, joint.part(share(all)));
   archive_.add(scorer.archive());
   if (styled && found.end != SearchEnd::cancelled) {
-    run_parts(styles(scorer.guess(), budget), progress, found);
+    const std::vector<Part> parts = styles(scorer.guess(), budget);
+    std::vector<Progress> watched;
+    for (const Part& part : parts) watched.push_back(joint.part(share(part)));
+    run_parts(parts, watched, found);
   }
   return found;
 }
 
-// Parts know nothing of each other, so that they run side by side. Progress is reported by those
-// that run on the caller's thread.
-void Searched::run_parts(const std::vector<Part>& parts, const Progress& progress,
+// Parts know nothing of each other, so that they run side by side.
+void Searched::run_parts(const std::vector<Part>& parts, const std::vector<Progress>& watched,
                          SearchResult& all) {
   // other people's functions are called from one thread, and whole motions take all of them
   const bool together = !task_.own_search && !scores_whole_motions(task_, criteria_);
@@ -101,12 +106,9 @@ void Searched::run_parts(const std::vector<Part>& parts, const Progress& progres
     scorers.emplace_back(problem_, task_, criteria_, space_, together ? 1 : threads);
   }
   std::vector<SearchResult> found(parts.size());
-  const auto caller = std::this_thread::get_id();
   const auto run = [&](int index, int) {
-    Progress own = progress;
-    if (std::this_thread::get_id() != caller) own.report = {};
     const auto i = static_cast<std::size_t>(index);
-    found[i] = run_part(parts[i], scorers[i], own);
+    found[i] = run_part(parts[i], scorers[i], watched[i]);
   };
   parallel_for(static_cast<int>(parts.size()), together ? threads : 1, run);
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -145,7 +147,14 @@ SearchResult Searched::run_part(const Part& part, PointScorer& scorer,
   if (task_.preset != Preset::paper && part.niche.empty() && part.from.empty())
     found = begin_bent(searched, part.budget);
   if (part.budget > found.evaluations) {
-    SearchResult rest = search_with(searched, part.budget - found.evaluations, progress);
+    Progress own = progress;
+    if (progress.report) {
+      own.report = [&](ProgressReport report) {
+        report.evaluations += found.evaluations;
+        progress.report(report);
+      };
+    }
+    SearchResult rest = search_with(searched, part.budget - found.evaluations, own);
     found.final_population = std::move(rest.final_population);
     add(std::move(rest), found);
   }

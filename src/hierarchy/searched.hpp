@@ -57,7 +57,8 @@ class Searched {
   void bind(Niche& niche, std::string_view mode, double low, double high) const;
   static void take_in(const Niche& niche, std::span<double> points, std::size_t genes);
   SearchResult run_part(const Part& part, PointScorer& scorer, const Progress& progress) const;
-  void run_parts(const std::vector<Part>& parts, const Progress& progress, SearchResult& all);
+  void run_parts(const std::vector<Part>& parts, const std::vector<Progress>& watched,
+                 SearchResult& all);
   [[nodiscard]] std::vector<double> postures() const;
   [[nodiscard]] SearchResult begin_bent(SearchProblem& searched, int budget) const;
   SearchResult search_with(const SearchProblem& searched, int budget,

@@ -308,6 +308,29 @@ TEST(Generate, ReportsItsProgress) {
   EXPECT_NEAR(reports.back().best_score, generation.best_seen_score, kReplayTolerance);
 }
 
+TEST(Generate, ProgressOfASearchInPartsNeverGoesBack) {
+  Task task = task_for(full_body(), kFrontLow);
+  task.preset = Preset::flat;
+  for (const int threads : {1, 2}) {
+    task.batch.threads = threads;
+    std::vector<ProgressReport> reports;
+    const Progress progress{.report = [&](const ProgressReport& r) { reports.push_back(r); }};
+    const Generation generation = generated(task, progress);
+    ASSERT_FALSE(reports.empty());
+    for (std::size_t i = 1; i < reports.size(); ++i) {
+      EXPECT_GE(reports[i].fraction, reports[i - 1].fraction);
+      EXPECT_GE(reports[i].evaluations, reports[i - 1].evaluations);
+      EXPECT_LE(reports[i].best_score, reports[i - 1].best_score);
+    }
+    EXPECT_LT(reports.front().fraction, 0.1);
+    EXPECT_LE(reports.back().fraction, 1.0);
+    EXPECT_LE(reports.back().evaluations, generation.evaluations);
+    if (threads > 1) continue;  // the last to end may do so on another thread
+    EXPECT_GT(reports.back().fraction, 0.95);
+    EXPECT_EQ(reports.back().evaluations, generation.evaluations);
+  }
+}
+
 // How far the right elbow bends at the most, as a share of a straight angle.
 UserCriterion elbow_bend() {
   return {.name = "elbow_bend",

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <limits>
+#include <shigusa/core/progress.hpp>
+#include <shigusa/math/scalar.hpp>
+#include <thread>
+
+namespace shigusa {
+
+// Progress of work in parts, each of which reports as if it were all: their shares and motions add
+// up, and the lowest score of any stays. Parts may run side by side; what they report is passed on
+// from the thread that made this.
+class JointProgress {
+ public:
+  explicit JointProgress(const Progress& whole) : whole_(whole) {}
+  JointProgress(const JointProgress&) = delete;
+  JointProgress& operator=(const JointProgress&) = delete;
+
+  // For a part that is such a share of the whole (0..1); those that nobody foresaw may bring the
+  // sum above 1. Not called while parts run; this and `whole` outlive the part.
+  [[nodiscard]] Progress part(double share) {
+    Progress own = whole_;
+    if (!whole_.report) return own;
+    Slot& slot = slots_.emplace_back();
+    own.report = [this, &slot, share](const ProgressReport& report) {
+      slot.fraction = share * report.fraction;
+      slot.evaluations = report.evaluations;
+      if (std::this_thread::get_id() == caller_) pass_on(report);
+    };
+    return own;
+  }
+
+ private:
+  struct Slot {
+    std::atomic<double> fraction{0.0};
+    std::atomic<int> evaluations{0};
+  };
+
+  void pass_on(ProgressReport report) {
+    if (report.evaluations > 0) best_ = min(best_, report.best_score);
+    report.fraction = 0.0;
+    report.evaluations = 0;
+    for (const Slot& slot : slots_) {
+      report.fraction += slot.fraction;
+      report.evaluations += slot.evaluations;
+    }
+    report.fraction = min(report.fraction, 1.0);
+    report.best_score = best_;
+    whole_.report(report);
+  }
+
+  const Progress& whole_;
+  const std::thread::id caller_ = std::this_thread::get_id();
+  std::deque<Slot> slots_;
+  double best_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace shigusa
