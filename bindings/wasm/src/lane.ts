@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One worker and the calls that wait for it. It computes one call at a time, and cannot be spoken to
 // meanwhile: to stop it is to end it, and another takes its place.
-import { EngineError } from './door.js';
+import { EngineError } from './errors.js';
 import type { Answers, Call, FromWorker, ToWorker } from './messages.js';
 import type { Character, Progress } from './types.js';
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a worker does with its messages.
-import { EngineError, openDoor, type Door, type DoorCharacter, type DoorResult } from './door.js';
+import { openDoor, type Door, type DoorCharacter, type DoorResult } from './door.js';
+import { EngineError } from './errors.js';
 import type { Answer, Call, FromWorker, ToWorker } from './messages.js';
 import type { CharacterSpec, Generated, Summary } from './types.js';
 
