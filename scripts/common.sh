@@ -56,3 +56,13 @@ run_tests() {
       { print }'
   fi
 }
+
+# npm_packages FOLDER: what its lock file names, unless it is there already
+npm_packages() {
+  local lock
+  lock=$(sha256sum "$1/package-lock.json" | cut -d ' ' -f 1)
+  [ ! -e "$1/node_modules/.lock-$lock" ] || return 0
+  say "fetching the npm packages of $1, as locked"
+  quietly npm ci --prefix "$1" --no-audit --no-fund --ignore-scripts
+  touch "$1/node_modules/.lock-$lock"
+}

@@ -107,6 +107,13 @@ struct BodyOptions {
   bool json = false;
 };
 
+struct StudioOptions {
+  int port = 0;        // any that is free
+  bool open = true;    // in the person's browser
+  std::string folder;  // of the built page; empty: where it is installed, or in the source tree
+};
+
+int studio(const StudioOptions& options);
 int reach(const ReachOptions& options);
 int edit(const EditOptions& options);
 int render(const RenderOptions& options);

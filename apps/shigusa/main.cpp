@@ -201,6 +201,16 @@ void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
   c->callback([&] { exit_code = score(o); });
 }
 
+void add_studio(CLI::App& app, StudioOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand(
+      "studio", "Serve the studio, a page for the browser, to this machine alone, and open it");
+  c->add_option("--port", o.port, "Port (default 0: any that is free)")
+      ->check(whole_number(0, 65535));
+  c->add_flag("!--no-open", o.open, "Do not open a browser; the address is printed");
+  c->add_option("--folder", o.folder, "Folder of the built page (default: the installed one)");
+  c->callback([&] { exit_code = studio(o); });
+}
+
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
   c->add_option("source", o.source,
@@ -225,12 +235,14 @@ int main(int argc, char** argv) {
   RenderOptions render_options;
   ScoreOptions score_options;
   BodyOptions body_options;
+  StudioOptions studio_options;
   add_reach(app, reach_options, exit_code);
   add_edit(app, edit_options, exit_code);
   add_mirror(app, mirror_options, exit_code);
   add_render(app, render_options, exit_code);
   add_score(app, score_options, exit_code);
   add_body(app, body_options, exit_code);
+  add_studio(app, studio_options, exit_code);
   try {
     app.parse(argc, argv);
     // a full disk behind a redirected output shows only now

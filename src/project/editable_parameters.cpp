@@ -85,7 +85,7 @@ Result<std::vector<EditableParameter>> layered_list(const Task& task,
       list.push_back(weight(prefix + member.name, group, *member.joint));
     } else if (member.angle != nullptr) {
       const bool swivel = member.kind == LayerGeneKind::swivel;
-      const std::string name = swivel ? prefix + "swivel_deg" : prefix + member.name + ".final_deg";
+      const std::string name = swivel ? prefix + "swivel_deg" : member.name + ".final_deg";
       list.push_back({name, limb_group(swivel ? member.layer : member.name), EditableKind::angle,
                       degrees(*member.angle), degrees(member.low), degrees(member.high), false});
     } else if (!member.contraction.empty()) {

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: MIT */
+// SPDX-License-Identifier: MIT
 /* shigusa's C interface: the one door by which games, browsers and other languages come in.
  *
  * A character is a body with what its file tells; a result is what a task came to: candidates with

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "c/handles.hpp"
+#include "support/gltf_file.hpp"
+
+namespace shigusa_c_test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(CInterface, TellsItsVersion) {
+  EXPECT_EQ(shigusa_abi_version(), static_cast<uint32_t>(SHIGUSA_ABI_VERSION));
+  EXPECT_THAT(shigusa_version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+}
+
+TEST(CInterface, DescribesWhatItUnderstood) {
+  const Character human = character_of(R"({"source": "human", "stature_m": 1.6})");
+  const Json told = Json::parse(text_of(shigusa_character_describe, human.get()));
+  EXPECT_EQ(told.at("stature_m"), 1.6);
+  EXPECT_EQ(told.at("joints").size(), told.at("dof"));
+  EXPECT_EQ(told.at("node_unit_m"), 1.0);
+  EXPECT_GE(told.at("support_polygon").size(), 4U);
+  int roots = 0;
+  for (size_t i = 0; i < told.at("nodes").size(); ++i) {
+    const int parent = told.at("nodes").at(i).at("parent");
+    EXPECT_LT(parent, static_cast<int>(i));
+    roots += parent < 0 ? 1 : 0;
+  }
+  EXPECT_EQ(roots, 1);
+}
+
+TEST(CInterface, ABodyFromBytesMovesTheNodesOfItsFile) {
+  const std::string file = shigusa::testing_support::person_gltf().dump();
+  const Character person = character_of(R"({"source": "person.gltf"})", file);
+  const Json told = Json::parse(text_of(shigusa_character_describe, person.get()));
+  EXPECT_TRUE(told.at("nodes").at(0).contains("file_node"));
+  const Outcome result = outcome_of(
+      person.get(), R"({"goals": [{"effector": "right_hand", "position_m": [-0.2, 1.1, 0.35]}]})");
+  const Table turns = table_of(result.get(), 1, SHIGUSA_NODE_ROTATIONS);
+  EXPECT_EQ(turns.columns, 4 * told.at("nodes").size());
+  EXPECT_THAT(text_of(shigusa_result_export, result.get(), 1, "glb"), testing::StartsWith("glTF"));
+  EXPECT_THAT(text_of(shigusa_result_export, result.get(), 0, "glb"),
+              HasSubstr("shigusa candidate 2"));
+}
+
+// Forward kinematics of the nodes, by nothing but the table.
+TEST(CInterface, NodesBringTheHandToItsGoal) {
+  const Character human = character_of(R"("human")");
+  const Json nodes = Json::parse(text_of(shigusa_character_describe, human.get())).at("nodes");
+  const Outcome result = outcome_of(human.get(), kLowReach);
+  const Json summary = json_of(result.get());
+  for (int32_t k = 1; k <= shigusa_result_candidates(result.get()); ++k) {
+    const Table moves = table_of(result.get(), k, SHIGUSA_NODE_TRANSLATIONS);
+    const Table turns = table_of(result.get(), k, SHIGUSA_NODE_ROTATIONS);
+    const size_t last = moves.frames - 1;
+    const Json& reached = summary.at("candidates").at(static_cast<size_t>(k - 1)).at("reached");
+    // from the hand up to the root, p = translation + rotation · p
+    double p[3] = {0, 0, 0};
+    int node = -1;
+    for (size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes.at(i).at("name") == reached.at(0).at("joint")) node = static_cast<int>(i);
+    }
+    ASSERT_GE(node, 0);
+    for (; node >= 0; node = nodes.at(static_cast<size_t>(node)).at("parent")) {
+      const auto n = static_cast<size_t>(node);
+      const double x = turns.at(last, 4 * n), y = turns.at(last, 4 * n + 1);
+      const double z = turns.at(last, 4 * n + 2), w = turns.at(last, 4 * n + 3);
+      const double c[3] = {y * p[2] - z * p[1] + w * p[0], z * p[0] - x * p[2] + w * p[1],
+                           x * p[1] - y * p[0] + w * p[2]};
+      const double r[3] = {p[0] + 2 * (y * c[2] - z * c[1]), p[1] + 2 * (z * c[0] - x * c[2]),
+                           p[2] + 2 * (x * c[1] - y * c[0])};
+      for (size_t a = 0; a < 3; ++a) p[a] = r[a] + moves.at(last, 3 * n + a);
+    }
+    const double goal[3] = {-0.2, 0.9, 0.5};
+    for (size_t a = 0; a < 3; ++a) EXPECT_NEAR(p[a], goal[a], 1e-3) << k;
+  }
+}
+
+TEST(CInterface, SeriesAreOfOneLength) {
+  const Character human = character_of(R"("human")");
+  const Outcome result = outcome_of(human.get(), kLowReach);
+  const Table time = table_of(result.get(), 1, SHIGUSA_TIME);
+  const Json candidate = json_of(result.get()).at("candidates").at(0);
+  EXPECT_EQ(time.frames, candidate.at("frames"));
+  EXPECT_NEAR(time.values.back(), candidate.at("duration_s"), 1e-9);
+  for (const shigusa_series series : {SHIGUSA_ANGLES, SHIGUSA_TORQUES}) {
+    EXPECT_EQ(table_of(result.get(), 1, series).columns, 45U);
+  }
+  EXPECT_EQ(table_of(result.get(), 1, SHIGUSA_CENTRE_OF_MASS).columns, 3U);
+  EXPECT_EQ(table_of(result.get(), 1, SHIGUSA_EFFECTORS).columns, 3U);
+  const Table support = table_of(result.get(), 1, SHIGUSA_SUPPORT);
+  double least = 1e9;
+  for (size_t f = 0; f < support.frames; ++f) least = std::fmin(least, support.at(f, 0));
+  EXPECT_NEAR(1e3 * least, candidate.at("support").at("centre_of_mass").at("least_mm"), 1e-6);
+}
+
+TEST(CInterface, AnEditedParameterKeepsTheHandOnItsGoal) {
+  const Character human = character_of(R"("human")");
+  const Outcome result = outcome_of(human.get(), kLowReach);
+  const Json list = Json::parse(text_of(shigusa_result_parameters, result.get(), 1));
+  EXPECT_EQ(list.at(0).at("name"), "squat_deg");
+  for (const Json& each : list) {
+    EXPECT_LE(each.at("low"), each.at("value")) << each;
+    EXPECT_LE(each.at("value"), each.at("high")) << each;
+  }
+  shigusa_result* edited = nullptr;
+  ASSERT_EQ(
+      shigusa_replay(result.get(), 1, R"(["squat_deg=80", "right_elbow.locked=true"])", &edited),
+      SHIGUSA_OK)
+      << shigusa_message();
+  const Outcome held(edited);
+  const Json told = json_of(edited).at("candidates").at(0);
+  EXPECT_LT(told.at("reached").at(0).at("error_mm"), 1.0);
+  const Json after = Json::parse(text_of(shigusa_result_parameters, edited, 1));
+  EXPECT_NEAR(after.at(0).at("value"), 80.0, 1e-9);
+  EXPECT_NE(text_of(shigusa_result_export, result.get(), 1, "bvh"),
+            text_of(shigusa_result_export, edited, 1, "bvh"));
+}
+
+TEST(CInterface, AResultComesBackFromItsJson) {
+  const Character human = character_of(R"("human")");
+  const Outcome result = outcome_of(human.get(), kLowReach);
+  const std::string summary = text_of(shigusa_result_describe, result.get());
+  shigusa_result* restored = nullptr;
+  ASSERT_EQ(shigusa_restore(nullptr, summary.c_str(), &restored), SHIGUSA_OK) << shigusa_message();
+  const Outcome held(restored);
+  ASSERT_EQ(shigusa_result_candidates(restored), shigusa_result_candidates(result.get()));
+  for (int32_t k = 1; k <= shigusa_result_candidates(restored); ++k) {
+    EXPECT_EQ(text_of(shigusa_result_export, result.get(), k, "bvh"),
+              text_of(shigusa_result_export, restored, k, "bvh"));
+  }
+  shigusa_result* image = nullptr;
+  ASSERT_EQ(shigusa_mirror(restored, &image), SHIGUSA_OK) << shigusa_message();
+  const Outcome mirrored(image);
+  EXPECT_EQ(json_of(image).at("goals").at(0).at("effector"), "left_hand");
+}
+
+// The layered presets have parameters of their own; each is assigned by the name it is told by.
+TEST(CInterface, EveryParameterOfEveryPresetCanBeSetByItsName) {
+  const Character human = character_of(R"("human")");
+  for (const char* preset : {"flat", "paper", "human"}) {
+    Json task = Json::parse(kLowReach);
+    task["preset"] = preset;
+    task["candidates"] = 1;
+    const Outcome result = outcome_of(human.get(), task.dump());
+    ASSERT_EQ(shigusa_result_candidates(result.get()), 1);
+    const Json list = Json::parse(text_of(shigusa_result_parameters, result.get(), 1));
+    Json assignments = Json::array();
+    for (const Json& each : list) {
+      const std::string name = each.at("name");
+      assignments.push_back(name + "=" + each.at("value").dump());
+      if (each.at("locked") == true) {
+        assignments.push_back(name.substr(0, name.rfind('.')) + ".locked=true");
+      }
+    }
+    shigusa_result* again = nullptr;
+    ASSERT_EQ(shigusa_replay(result.get(), 1, assignments.dump().c_str(), &again), SHIGUSA_OK)
+        << preset << ": " << shigusa_message();
+    const Outcome held(again);
+    const Json after = Json::parse(text_of(shigusa_result_parameters, again, 1));
+    ASSERT_EQ(after.size(), list.size());
+    for (size_t i = 0; i < list.size(); ++i) {
+      EXPECT_EQ(after[i].at("name"), list[i].at("name"));
+      EXPECT_NEAR(after[i].at("value"), list[i].at("value"), 1e-9) << list[i];
+      EXPECT_EQ(after[i].at("locked"), list[i].at("locked")) << list[i];
+    }
+  }
+}
+
+TEST(CInterface, ReportsProgressAndStopsWhenTold) {
+  const Character human = character_of(R"("human")");
+  struct Seen {
+    int calls = 0;
+    int stop_at = 0;
+    int32_t evaluations = 0;
+  };
+  const auto report = [](void* user, double fraction, int32_t evaluations, double) -> int32_t {
+    auto& seen = *static_cast<Seen*>(user);
+    EXPECT_GE(fraction, 0.0);
+    EXPECT_LE(fraction, 1.0);
+    seen.evaluations = evaluations;
+    return ++seen.calls == seen.stop_at ? 1 : 0;
+  };
+  const auto run = [&](Seen& seen) {
+    const shigusa_watch watch{report, &seen};
+    shigusa_result* made = nullptr;
+    EXPECT_EQ(shigusa_generate(human.get(), kLowReach, 1, &watch, &made), SHIGUSA_OK);
+    return Outcome(made);
+  };
+  Seen all;
+  (void)run(all);
+  Seen stopped{.stop_at = 3};
+  const Outcome early = run(stopped);
+  EXPECT_GT(all.calls, 6);
+  EXPECT_LT(stopped.evaluations, all.evaluations);
+  EXPECT_EQ(json_of(early.get()).at("search_detail").at("end"), "cancelled");
+}
+
+TEST(CInterface, GivesTheSameBytesFromSeveralThreads) {
+  std::vector<std::string> files(3);
+  std::vector<std::thread> threads;
+  for (std::string& file : files) {
+    threads.emplace_back([&file] {
+      const Character human = character_of(R"("human")");
+      file = text_of(shigusa_result_export, outcome_of(human.get(), kLowReach).get(), 1, "csv");
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(files[0], files[1]);
+  EXPECT_EQ(files[0], files[2]);
+}
+
+TEST(CInterface, ScoresAClip) {
+  const Character human = character_of(R"("human")");
+  const Outcome result = outcome_of(human.get(), kLowReach);
+  const std::string bvh = text_of(shigusa_result_export, result.get(), 1, "bvh");
+  const std::string json = text_of(shigusa_score_clip, "reach.bvh", bvh.data(), bvh.size(),
+                                   R"({"criteria": "paper", "smoothed_hz": 0})");
+  EXPECT_TRUE(Json::parse(json).at("criteria").contains("torque"));
+}
+
+TEST(CInterface, RefusesWithACodeAndASentence) {
+  const Character human = character_of(R"("human")");
+  shigusa_character* character = nullptr;
+  shigusa_result* result = nullptr;
+  shigusa_bytes* bytes = nullptr;
+  const auto refused = [](shigusa_status status, shigusa_status expected, const char* words) {
+    EXPECT_EQ(status, expected) << shigusa_message();
+    EXPECT_THAT(shigusa_message(), HasSubstr(words));
+  };
+  refused(shigusa_character_create(nullptr, nullptr, 0, &character), SHIGUSA_INVALID_ARGUMENT,
+          "spec is null");
+  refused(shigusa_character_create("{", nullptr, 0, &character), SHIGUSA_PARSE, "character");
+  refused(shigusa_character_create(R"({"source": "hman"})", nullptr, 0, &character), SHIGUSA_PARSE,
+          "human");
+  refused(shigusa_character_create(R"({"source": "hero.glb"})", nullptr, 0, &character),
+          SHIGUSA_INVALID_ARGUMENT, "bytes");
+  refused(shigusa_character_create(R"({"source": "hero.glb"})", "no glTF", 7, &character),
+          SHIGUSA_PARSE, "hero.glb");
+  refused(shigusa_character_create(R"("human")", "x", 1, &character), SHIGUSA_INVALID_ARGUMENT,
+          "needs no file");
+  refused(shigusa_generate(nullptr, "{}", 0, nullptr, &result), SHIGUSA_INVALID_ARGUMENT, "goal");
+  refused(shigusa_generate(nullptr, R"({"character": "/etc/person.bvh"})", 0, nullptr, &result),
+          SHIGUSA_INVALID_ARGUMENT, "by its bytes");
+  refused(shigusa_generate(human.get(), kLowReach, -1, nullptr, &result), SHIGUSA_INVALID_ARGUMENT,
+          "threads");
+  refused(shigusa_restore(nullptr, "{}", &result), SHIGUSA_PARSE, "not a result");
+  EXPECT_EQ(character, nullptr);
+  EXPECT_EQ(result, nullptr);
+
+  const Outcome made = outcome_of(human.get(), kLowReach);
+  refused(shigusa_replay(made.get(), 9, nullptr, &result), SHIGUSA_INVALID_ARGUMENT,
+          "candidate 9 does not exist");
+  refused(shigusa_replay(made.get(), 1, R"(["squatt_deg=3"])", &result), SHIGUSA_NOT_FOUND,
+          "squat");
+  refused(shigusa_replay(made.get(), 1, R"("squat_deg=3")", &result), SHIGUSA_PARSE, "list");
+  refused(shigusa_result_export(made.get(), 1, "fbx", &bytes), SHIGUSA_INVALID_ARGUMENT, "fbx");
+  refused(shigusa_result_export(made.get(), 1, "glb", &bytes), SHIGUSA_INVALID_ARGUMENT, "glb");
+  refused(shigusa_score_clip("x.bvh", "x", 1, nullptr, &bytes), SHIGUSA_PARSE, "x.bvh");
+  const double* values = nullptr;
+  size_t size = 0;
+  refused(shigusa_result_series(made.get(), 1, 99, &values, &size, &size), SHIGUSA_INVALID_ARGUMENT,
+          "series 99");
+  EXPECT_EQ(bytes, nullptr);
+}
+
+TEST(CInterface, AGoalOutOfReachIsNoFailure) {
+  const Character human = character_of(R"("human")");
+  const Outcome result = outcome_of(
+      human.get(), R"({"goals": [{"effector": "right_hand", "position_m": [0, 3, 0]}]})");
+  EXPECT_EQ(json_of(result.get()).at("status"), "unreachable");
+  EXPECT_GT(json_of(result.get()).at("remaining_mm"), 100.0);
+}
+
+TEST(CInterface, FreesNothing) {
+  shigusa_character_free(nullptr);
+  shigusa_result_free(nullptr);
+  shigusa_bytes_free(nullptr);
+  EXPECT_EQ(shigusa_result_candidates(nullptr), 0);
+  EXPECT_EQ(shigusa_bytes_size(nullptr), 0U);
+}
+
+}  // namespace
+}  // namespace shigusa_c_test
