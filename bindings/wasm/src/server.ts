@@ -41,7 +41,8 @@ export class Server {
         this.characters.set(message.character, { spec: message.spec, bytes: message.bytes });
         break;
       case 'forget':
-        this.forget(message.character);
+        // after the calls that came before
+        this.door.then(() => this.forget(message.character), () => {});
         break;
       case 'call':
         void this.answer(message.id, message.call);
