@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a worker does with its messages.
-import { EngineError, openDoor, type Door, type DoorCharacter, type DoorResult } from './door.js';
+import { openDoor, type Door, type DoorCharacter, type DoorResult } from './door.js';
+import { EngineError } from './errors.js';
 import type { Answer, Call, FromWorker, ToWorker } from './messages.js';
 import type { CharacterSpec, Generated, Summary } from './types.js';
 
@@ -40,7 +41,8 @@ export class Server {
         this.characters.set(message.character, { spec: message.spec, bytes: message.bytes });
         break;
       case 'forget':
-        this.forget(message.character);
+        // after the calls that came before
+        this.door.then(() => this.forget(message.character), () => {});
         break;
       case 'call':
         void this.answer(message.id, message.call);

@@ -110,6 +110,11 @@ test('characters are told apart, and one that was closed can be asked for again'
   engine.close(tall);
 });
 
+test('a task that no message can carry is refused, and the engine goes on', async () => {
+  await assert.rejects(engine.generate(human, { ...smallTask, seed: () => 1 }), { name: 'DataCloneError' });
+  assert.equal((await engine.generate(human, smallTask)).summary.status, 'reached');
+});
+
 test('a worker that dies fails its call, and another takes its place', async () => {
   const workers = [];
   const mortal = await createEngine({ wasm, createWorker: () => workers[workers.push(new NodeWorker()) - 1] });
