@@ -4,7 +4,7 @@ import { Group, LoadingManager, type Material, Mesh, MeshStandardMaterial, type 
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Character } from '../../../bindings/wasm/src/types';
 import type { Figure } from './mannequin';
-import { placementMatrix } from './pose';
+import { worldMatrix } from './pose';
 
 /** Nothing outside the file is fetched: what names another file is refused. */
 function innerFilesOnly(): LoadingManager {
@@ -38,7 +38,7 @@ export async function makeGltfFigure(character: Character): Promise<Figure> {
   }
   const root = new Group();
   root.matrixAutoUpdate = false;
-  root.matrix.copy(placementMatrix(character.description));
+  root.matrix.copy(worldMatrix(character.description));
   root.add(gltf.scene);
   const object = new Group();
   object.add(root);

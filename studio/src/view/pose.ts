@@ -56,25 +56,27 @@ export function poseNodes(nodes: readonly (MovedNode | undefined)[], candidate: 
   }
 }
 
-/** From the nodes' own axes and unit to the world: p = unit · (left, up, ahead)ᵀ (q - origin). */
-export function placementMatrix(description: CharacterDescription): Matrix4 {
-  const placement = description.placement;
-  if (!placement) return new Matrix4().makeScale(description.node_unit_m, description.node_unit_m, description.node_unit_m);
-  const { left, up, ahead, origin, unit_m: unit } = placement;
+/** From the nodes that a motion moves to the world. A motion's nodes stand in the world's own axes, in the file's
+ *  unit; where the file is mirrored, as no rotation leads out of a mirror, they stand as in the file:
+ *  p = unit · (left, up, ahead)ᵀ (q - origin). */
+export function worldMatrix(description: CharacterDescription): Matrix4 {
+  const unit = description.node_unit_m;
+  const scale = new Matrix4().makeScale(unit, unit, unit);
+  if (!description.placement) return scale;
+  const { left, up, ahead, origin } = description.placement;
+  const mirrored = new Vector3(...left).cross(new Vector3(...up)).dot(new Vector3(...ahead)) < 0;
+  if (!mirrored) return scale;
   const turn = new Matrix4().set(
     left[0], left[1], left[2], 0, up[0], up[1], up[2], 0, ahead[0], ahead[1], ahead[2], 0, 0, 0, 0, 1,
   );
-  return new Matrix4()
-    .makeScale(unit, unit, unit)
-    .multiply(turn)
-    .multiply(new Matrix4().makeTranslation(-origin[0], -origin[1], -origin[2]));
+  return scale.multiply(turn).multiply(new Matrix4().makeTranslation(-origin[0], -origin[1], -origin[2]));
 }
 
-/** The nodes of a description at rest, below a group that stands them into the world. */
+/** The nodes of a description, unturned, below a group that stands them into the world. */
 export function makeNodes(description: CharacterDescription): { root: Group; nodes: Bone[] } {
   const root = new Group();
   root.matrixAutoUpdate = false;
-  root.matrix.copy(placementMatrix(description));
+  root.matrix.copy(worldMatrix(description));
   const nodes = description.nodes.map((node) => {
     const bone = new Bone();
     bone.name = node.name;

@@ -160,6 +160,8 @@ export class View {
     const document = state.document;
     if (!this.figure || !document) return;
     const time = state.dragging && shown ? shown.summary.duration_s : this.studio.clock.time;
+    // unturned, a file's bones may stand anywhere
+    this.figure.object.visible = shown !== null || !document.character.bytes;
     if (shown) poseNodes(this.figure.nodes, shown, time);
     const compared = this.compared();
     const apart = compared && state.compareMode === 'beside' ? kBeside * document.character.description.stature_m : 0;
