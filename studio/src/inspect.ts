@@ -17,6 +17,8 @@ export interface Inspection {
   readonly time: number;
   /** Where a goal's effector is at the end of the chosen motion, by the engine's own series, m. */
   hand(effector?: string): Vec3 | null;
+  /** Where an effector's node is drawn now, m. */
+  drawn(effector: string): Vec3 | null;
   /** Where a handle is in the page, px. */
   handle(effector: string): [number, number] | null;
 }
@@ -50,6 +52,7 @@ export function expose(studio: Studio, view: View): void {
     get time() {
       return studio.clock.time;
     },
+    drawn: (effector) => view.drawn(effector),
     handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {
       const candidate = studio.chosen();

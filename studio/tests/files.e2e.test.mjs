@@ -50,6 +50,10 @@ test('each character that is a person is drawn and reaches', { skip: files.lengt
       assert.equal(now.status, 'reached', `${file} is ${now.status}`);
       const hand = await page.evaluate(() => window.shigusa.hand());
       assert.ok(distance(hand, now.goals[0].position_m) < 2e-3);
+      await page.waitForFunction(() => window.shigusa.time === window.shigusa.document.result.summary.candidates[window.shigusa.chosen].duration_s);
+      await page.waitForTimeout(500);
+      const drawn = await page.evaluate(() => window.shigusa.drawn('right_hand'));
+      assert.ok(distance(drawn, hand) < 2e-3, `drawn at ${drawn}, not ${hand}`);
       if (process.env.SHIGUSA_SHOTS) {
         await page.waitForTimeout(1500);
         await page.screenshot({ path: join(process.env.SHIGUSA_SHOTS, `${file}.png`) });

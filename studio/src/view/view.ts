@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The picture in three dimensions: shows what the state holds, and tells what a person drags.
 import { Vector3 } from 'three';
-import type { Candidate, Character } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
 import { candidateAt, type State } from '../state/model';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -12,6 +12,12 @@ import { poseNodes } from './pose';
 import { Stage } from './stage';
 
 const kBeside = 0.55; // shares of the stature between two that are compared
+
+/** Of the body's name for a bone the node: of a file by its bone map, a hand for its grip. */
+function nodeOfBone({ description }: Character, bone: string): number {
+  const named = description.humanoid[bone] ?? description.humanoid[bone.replace(/_grip$/, '')] ?? bone;
+  return description.nodes.findIndex((node) => node.name === named);
+}
 
 export class View {
   readonly stage: Stage;
@@ -125,13 +131,8 @@ export class View {
     if (figure && character) {
       this.stage.scene.add(figure.object);
       this.nodeOf.clear();
-      for (const place of character.description.places) {
-        this.nodeOf.set(place.effector, character.description.nodes.findIndex((node) => node.name === place.node));
-      }
-      if (!this.nodeOf.has('right_foot')) {
-        const name = character.description.humanoid['right_foot'] ?? 'right_foot';
-        this.nodeOf.set('right_foot', character.description.nodes.findIndex((node) => node.name === name));
-      }
+      for (const place of character.description.places) this.nodeOf.set(place.effector, nodeOfBone(character, place.node));
+      if (!this.nodeOf.has('right_foot')) this.nodeOf.set('right_foot', nodeOfBone(character, 'right_foot'));
       this.handles.setEffectors(effectorsOf(character));
       this.overlays.setSupport(character.description);
       this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
@@ -185,6 +186,15 @@ export class View {
   private place(effector: string): Vector3 | null {
     const node = this.figure?.nodes[this.nodeOf.get(effector) ?? -1];
     return node ? node.getWorldPosition(new Vector3()) : null;
+  }
+
+  /** Where an effector's node is drawn, m; for tests. */
+  drawn(effector: string): Vec3 | null {
+    const reached = this.studio.chosen()?.summary.reached.find((r) => r.effector === effector);
+    if (!reached || !this.character || !this.figure) return null;
+    const file = reached['gltf_node' as keyof typeof reached] as unknown as number | undefined;
+    const index = this.character.description.nodes.findIndex((node) => (file === undefined ? node.name === reached.joint : node.file_node === file));
+    return (this.figure.nodes[index]?.getWorldPosition(new Vector3()).toArray() as Vec3 | undefined) ?? null;
   }
 
   /** Where a handle is in the page, px; for tests. */
