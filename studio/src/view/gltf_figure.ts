@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A character drawn with the mesh of its own glTF or VRM file.
-import { Group, LoadingManager, type Material, Mesh, MeshStandardMaterial, type Object3D, TextureLoader } from 'three';
+import { Box3, Group, LoadingManager, type Material, Mesh, MeshStandardMaterial, type Object3D, TextureLoader, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Character } from '../../../bindings/wasm/src/types';
 import type { Figure } from './mannequin';
@@ -54,7 +54,11 @@ export async function makeGltfFigure(character: Character): Promise<Figure> {
   if (drawn === 0) throw new Error('no mesh');
   const nodes = character.description.nodes.map((node) =>
     node.file_node === undefined ? undefined : byIndex.get(node.file_node));
-  return { object, nodes, skin: new MeshStandardMaterial(), joints: new MeshStandardMaterial() };
+  object.updateMatrixWorld(true);
+  const size = new Box3().setFromObject(gltf.scene).getSize(new Vector3());
+  // how the file lies is not known before it moves, so its longest side counts, but for arms held out
+  const height = Math.max(character.description.stature_m, 0.9 * Math.max(size.x, size.y, size.z));
+  return { object, nodes, height, skin: new MeshStandardMaterial(), joints: new MeshStandardMaterial() };
 }
 
 /** Metal without surroundings to mirror would be black. */

@@ -14,6 +14,7 @@ export interface Figure {
   object: Group;
   /** By index of the description's nodes. */
   nodes: (Object3D | undefined)[];
+  height: number; // m, of all that is drawn
   skin: MeshStandardMaterial;
   joints: MeshStandardMaterial;
 }
@@ -215,5 +216,5 @@ export function makeMannequin(description: CharacterDescription): Figure | null 
     addArm(builder, side);
     addLeg(builder, side);
   }
-  return { object, nodes: builder.nodes, skin: builder.skin, joints: builder.joints };
+  return { object, nodes: builder.nodes, height: description.stature_m, skin: builder.skin, joints: builder.joints };
 }

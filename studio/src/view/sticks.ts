@@ -31,5 +31,5 @@ export function makeSticks(description: CharacterDescription): Figure {
     add(node.parent, new Mesh(capsule(start, end, radius), skin));
     add(index, new Mesh(ball(end, radius * 1.2), joints));
   });
-  return { object, nodes, skin, joints };
+  return { object, nodes, height: description.stature_m, skin, joints };
 }

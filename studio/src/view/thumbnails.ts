@@ -82,7 +82,7 @@ export class Thumbnails {
 
   /** The body and what it reaches for, in one picture. */
   private aim(candidate: Candidate): void {
-    const stature = this.character!.description.stature_m;
+    const stature = this.figure!.height;
     const middle = new Vector3(0, 0.49 * stature, 0.1 * stature);
     let away = 2.15 * stature;
     for (const { reached_m: place } of candidate.summary.reached) {

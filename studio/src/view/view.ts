@@ -136,7 +136,7 @@ export class View {
       this.handles.setEffectors(effectorsOf(character));
       this.overlays.setSupport(character.description);
       this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
-      this.stage.frame(character.description.stature_m);
+      this.stage.frame(figure.height);
     }
     await this.setOther();
     this.colour();
