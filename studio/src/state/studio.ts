@@ -41,8 +41,10 @@ export class Studio {
   private publish(document: Document, more: Partial<State> = {}): void {
     const candidate = candidateAt(document, document.chosen);
     if (candidate !== null) this.clock.duration = candidate.summary.duration_s;
+    const { selected } = this.store.state;
     this.store.set({
       document,
+      selected: goalOf(document, selected) ? selected : (document.goals[0]?.effector ?? selected),
       canUndo: this.history?.canUndo ?? false,
       canRedo: this.history?.canRedo ?? false,
       ...more,
