@@ -12,7 +12,7 @@ import { launch, openStudio, serve, settled, state } from './support.mjs';
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
 const files = existsSync(folder) ? readdirSync(folder).sort() : [];
 /** Files that no person can be read from. */
-const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|BrainStem|Acrobot|\.xml$|\.tsv$/;
+const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|BrainStem|\.urdf$|\.xml$|\.tsv$/;
 
 let site;
 let browser;

@@ -59,7 +59,7 @@ export const en = {
   saved: '{name} is saved.', glbDrawn: 'the mannequin as drawn here', vrmaOnly: 'for VRM characters',
   // failures
   failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged: its task cannot be read.',
-  unknownFile: '{name}: only VRM, GLB, glTF and BVH characters, robots in URDF and results in JSON can be opened.',
+  unknownFile: '{name}: only characters in VRM, GLB, glTF and BVH and results in JSON can be opened.',
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',
   noSimd: 'This browser has no WebAssembly SIMD, which the engine needs: Chrome and Edge have it since 91, Firefox since 89, Safari since 16.4.',
   noWebgl: 'This browser shows no WebGL 2, which the picture needs. It may be switched off in its settings.',

@@ -49,7 +49,7 @@ export const ja: Record<Key, string> = {
   link: 'リンクをコピー', linkCopied: 'リンクをコピーしました。', linkShown: 'このリンクをコピーしてください：', openResult: '結果を開く…',
   saved: '{name} を保存しました。', glbDrawn: 'ここに描かれた人形', vrmaOnly: 'VRM キャラクター用',
   failedFile: '{name} を読めません。', failed: 'うまくいきませんでした。', badLink: 'リンクが壊れていて、課題を読めません。',
-  unknownFile: '{name}：開けるのは VRM・GLB・glTF・BVH のキャラクター、URDF のロボット、JSON の結果です。',
+  unknownFile: '{name}：開けるのは VRM・GLB・glTF・BVH のキャラクターと JSON の結果です。',
   noWasm: 'このブラウザには、エンジンに必要な WebAssembly がありません。最近の Firefox、Chrome、Edge、Safari をお使いください。',
   noSimd: 'このブラウザには、エンジンに必要な WebAssembly SIMD がありません。Chrome・Edge は 91、Firefox は 89、Safari は 16.4 以降にあります。',
   noWebgl: 'このブラウザでは、表示に必要な WebGL 2 が使えません。設定で無効になっているかもしれません。',

@@ -22,7 +22,7 @@ export class BodyPanel implements Panel {
 
   constructor(private readonly studio: Studio) {
     const input = h('input', {
-      type: 'file', accept: '.vrm,.glb,.gltf,.bvh,.urdf,.json', hidden: true,
+      type: 'file', accept: '.vrm,.glb,.gltf,.bvh,.json', hidden: true,
       onChange: () => {
         const file = input.files?.[0];
         if (file) void openFile(studio, file);

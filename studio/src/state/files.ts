@@ -6,7 +6,7 @@ import type { Document, SearchSettings } from './model';
 import { newDocument } from './start';
 import type { Studio } from './studio';
 
-const kCharacters = ['glb', 'gltf', 'vrm', 'bvh', 'urdf'];
+const kCharacters = ['glb', 'gltf', 'vrm', 'bvh'];
 const kMostBytes = 200e6;
 const kBuiltIn = ['human', 'full_body', 'half_body'];
 

@@ -62,6 +62,11 @@ export class History<T> {
     return this.present;
   }
 
+  /** Every value that can come back, and the present one. */
+  all(): T[] {
+    return [...this.past, this.present, ...this.future];
+  }
+
   reset(value: T): void {
     this.past = [];
     this.future = [];

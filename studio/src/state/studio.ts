@@ -1,55 +1,19 @@
 // SPDX-License-Identifier: MIT
 // What a person can do, in one place: each panel and key calls these. Steps that undo knows go through `commit`.
-import type { Candidate, Character, Engine, Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
-import { failureOf } from '../engine/connect';
-import { Clock } from './clock';
-import { History } from './history';
-import { type Document, type Notice, type State, candidateAt, chosenCandidate, goalOf, initialState } from './model';
+import type { Candidate, Character, Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
+import type { History } from './history';
 import { ranking } from './criteria';
-import { Store } from './store';
+import { candidateAt, type Document, goalOf } from './model';
+import { startOf } from './start';
 import { previewTask, taskOf } from './task';
 import { Timings } from './timings';
-import { startOf } from './start';
+import { Workbench } from './workbench';
 
-export class Studio {
-  readonly store = new Store<State>(initialState);
-  readonly clock = new Clock();
+export class Studio extends Workbench {
   readonly timings = new Timings();
-  private history: History<Document> | null = null;
   private running: AbortController | null = null;
 
-  constructor(readonly engine: Engine) {}
-
-  get document(): Document | null {
-    return this.store.state.document;
-  }
-
   // ---- Steps -------------------------------------------------------------------------------------
-
-  commit(document: Document, key?: string): void {
-    if (this.history === null) this.history = new History(document);
-    else this.history.push(document, key);
-    this.publish(document);
-  }
-
-  /** What came of the last step. */
-  private amend(document: Document): void {
-    this.history?.amend(document);
-    this.publish(document);
-  }
-
-  private publish(document: Document, more: Partial<State> = {}): void {
-    const candidate = candidateAt(document, document.chosen);
-    if (candidate !== null) this.clock.duration = candidate.summary.duration_s;
-    const { selected } = this.store.state;
-    this.store.set({
-      document,
-      selected: goalOf(document, selected) ? selected : (document.goals[0]?.effector ?? selected),
-      canUndo: this.history?.canUndo ?? false,
-      canRedo: this.history?.canRedo ?? false,
-      ...more,
-    });
-  }
 
   undo(): void {
     this.goBack((history) => history.undo());
@@ -310,29 +274,6 @@ export class Studio {
     }
   }
 
-  // ---- Playing -----------------------------------------------------------------------------------
-
-  play(playing: boolean): void {
-    if (playing && this.clock.time >= this.clock.duration) this.clock.time = 0;
-    this.store.set({ playing });
-  }
-
-  scrub(time: number): void {
-    this.store.set({ playing: false });
-    this.clock.time = time;
-  }
-
-  // ---- Messages ----------------------------------------------------------------------------------
-
-  tell(notice: Notice | null): void {
-    this.store.set({ notice });
-  }
-
-  fail(error: unknown, about?: string): void {
-    const failure = failureOf(error);
-    if (failure !== null) this.tell({ kind: 'failure', failure, about });
-  }
-
   // ---- What files are made of --------------------------------------------------------------------
 
   async exported(format: 'bvh' | 'csv' | 'svg' | 'glb' | 'vrma', index?: number): Promise<Uint8Array> {
@@ -357,14 +298,5 @@ export class Studio {
 
   open(spec: Character['spec'], bytes?: Uint8Array): Promise<Character> {
     return this.engine.open(spec, bytes);
-  }
-
-  chosen(): Candidate | null {
-    return chosenCandidate(this.document);
-  }
-
-  shown(): Candidate | null {
-    const { document, preview } = this.store.state;
-    return preview ?? (document === null ? null : candidateAt(document, document.chosen));
   }
 }

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// The document on the table: its steps, what is shown of it and when, and what is told about it.
+import type { Candidate, Character, Engine } from '../../../bindings/wasm/src/types';
+import { failureOf } from '../engine/connect';
+import { Clock } from './clock';
+import { History } from './history';
+import { candidateAt, chosenCandidate, type Document, goalOf, initialState, type Notice, type State } from './model';
+import { Store } from './store';
+
+export class Workbench {
+  readonly store = new Store<State>(initialState);
+  readonly clock = new Clock();
+  protected history: History<Document> | null = null;
+  private characters = new Set<Character>();
+
+  constructor(readonly engine: Engine) {}
+
+  get document(): Document | null {
+    return this.store.state.document;
+  }
+
+  commit(document: Document, key?: string): void {
+    if (this.history === null) this.history = new History(document);
+    else this.history.push(document, key);
+    this.forget(document.character);
+    this.publish(document);
+  }
+
+  /** What came of the last step. */
+  protected amend(document: Document): void {
+    this.history?.amend(document);
+    this.publish(document);
+  }
+
+  protected publish(document: Document, more: Partial<State> = {}): void {
+    const candidate = candidateAt(document, document.chosen);
+    if (candidate !== null) this.clock.duration = candidate.summary.duration_s;
+    const { selected } = this.store.state;
+    this.store.set({
+      document,
+      selected: goalOf(document, selected) ? selected : (document.goals[0]?.effector ?? selected),
+      canUndo: this.history?.canUndo ?? false,
+      canRedo: this.history?.canRedo ?? false,
+      ...more,
+    });
+  }
+
+  /** Lets go of characters that no step has any more. */
+  private forget(now: Character): void {
+    if (this.characters.has(now)) return;
+    this.characters.add(now);
+    const needed = new Set(this.history!.all().map((document) => document.character));
+    for (const character of this.characters) {
+      if (needed.has(character)) continue;
+      this.characters.delete(character);
+      this.engine.close(character);
+    }
+  }
+
+  // ---- Playing -----------------------------------------------------------------------------------
+
+  play(playing: boolean): void {
+    if (playing && this.clock.time >= this.clock.duration) this.clock.time = 0;
+    this.store.set({ playing });
+  }
+
+  scrub(time: number): void {
+    this.store.set({ playing: false });
+    this.clock.time = time;
+  }
+
+  // ---- Messages ----------------------------------------------------------------------------------
+
+  tell(notice: Notice | null): void {
+    this.store.set({ notice });
+  }
+
+  fail(error: unknown, about?: string): void {
+    const failure = failureOf(error);
+    if (failure !== null) this.tell({ kind: 'failure', failure, about });
+  }
+
+  chosen(): Candidate | null {
+    return chosenCandidate(this.document);
+  }
+
+  shown(): Candidate | null {
+    const { document, preview } = this.store.state;
+    return preview ?? (document === null ? null : candidateAt(document, document.chosen));
+  }
+}
