@@ -64,16 +64,17 @@ void set_up(httplib::Server& server, const int& port) {
                               {"Cross-Origin-Resource-Policy", "same-origin"},
                               {"Cache-Control", "no-cache"}});
   // a page of the network that gives its own name this address gets nothing
-  server.set_pre_routing_handler([&port](const httplib::Request& request,
-                                         httplib::Response& response) {
-    const std::string host = request.get_header_value("Host");
-    for (const char* name : {kLoopback, "localhost"}) {
-      if (host == fmt::format("{}:{}", name, port)) return httplib::Server::HandlerResponse::Unhandled;
-    }
-    response.status = 421;
-    response.set_content("This server is for this machine alone.\n", "text/plain");
-    return httplib::Server::HandlerResponse::Handled;
-  });
+  server.set_pre_routing_handler(
+      [&port](const httplib::Request& request, httplib::Response& response) {
+        const std::string host = request.get_header_value("Host");
+        for (const char* name : {kLoopback, "localhost"}) {
+          if (host == fmt::format("{}:{}", name, port))
+            return httplib::Server::HandlerResponse::Unhandled;
+        }
+        response.status = 421;
+        response.set_content("This server is for this machine alone.\n", "text/plain");
+        return httplib::Server::HandlerResponse::Handled;
+      });
 }
 
 // Shows the page in the person's browser; where that cannot be done they have the address.
