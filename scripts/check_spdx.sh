@@ -5,8 +5,10 @@
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
-# every file of ours in which a comment can stand; scripts are known by their first two characters
-find . \( -name .git -o -path ./build -o -path ./out -o -name node_modules \) -prune -o -type f -print |
+# every file of ours in which a comment can stand, not what builds leave among them; scripts are known
+# by their first two characters
+find . \( -name .git -o -path ./build -o -path ./out -o -name node_modules -o -path './*/dist' \
+  -o -name shigusa.mjs \) -prune -o -type f -print |
   LC_ALL=C sort | {
     bad=0
     while IFS= read -r file; do

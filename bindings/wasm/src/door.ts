@@ -2,19 +2,14 @@
 // The C interface (bindings/c/include/shigusa.h) in one thread, as classes. Every call computes before it
 // returns: pages use engine.ts, which has workers do that. What is made here lives outside JavaScript's memory
 // until its free().
+import { EngineError } from './errors.js';
 import createModule, { type ShigusaModule } from './module/shigusa.mjs';
 import {
   seriesNames, type Candidate, type CharacterDescription, type CharacterSpec, type EngineFailure, type ExportFormat,
   type Generated, type Parameter, type Progress, type Series, type SeriesName, type Summary, type Task,
 } from './types.js';
 
-/** What the engine refused. */
-export class EngineError extends Error {
-  constructor(readonly failure: EngineFailure) {
-    super(failure.message);
-    this.name = 'EngineError';
-  }
-}
+export { EngineError } from './errors.js';
 
 /** The codes in the order of the C interface's statuses, from 1 on. */
 const codes: readonly EngineFailure['code'][] = [

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The engine of a page: two workers that share one compiled module. Searches have one for themselves, as an
 // abort ends it; the other one does what must be quick.
-import { EngineError } from './door.js';
+import { EngineError } from './errors.js';
 import { Lane } from './lane.js';
 import type { Character, CharacterSpec, Engine, ExportFormat, GenerateOptions, Generated, Summary, Task } from './types.js';
 
-export { EngineError } from './door.js';
+export { EngineError } from './errors.js';
 export * from './types.js';
 
 export interface EngineSettings {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One worker and the calls that wait for it. It computes one call at a time, and cannot be spoken to
 // meanwhile: to stop it is to end it, and another takes its place.
-import { EngineError } from './door.js';
+import { EngineError } from './errors.js';
 import type { Answers, Call, FromWorker, ToWorker } from './messages.js';
 import type { Character, Progress } from './types.js';
 
@@ -97,14 +97,23 @@ export class Lane {
     const job = this.waiting.shift();
     if (job === undefined) return;
     this.running = job;
+    try {
+      this.send(job);
+    } catch (error) { // it holds what no message can carry, such as a function
+      this.leave(job);
+      job.reject(error);
+      this.next();
+    }
+  }
+
+  private send({ id, request: { call, character } }: Job): void {
     if (this.worker === undefined) this.start();
-    const { call, character } = job.request;
     if (character !== undefined && !this.known.has(character.id)) {
       const { id, spec, bytes } = character;
-      this.known.add(id);
       this.post({ type: 'know', character: id, spec, bytes });
+      this.known.add(id);
     }
-    this.post({ type: 'call', id: job.id, call });
+    this.post({ type: 'call', id, call });
   }
 
   private receive(message: FromWorker): void {

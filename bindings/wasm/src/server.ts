@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a worker does with its messages.
-import { EngineError, openDoor, type Door, type DoorCharacter, type DoorResult } from './door.js';
+import { openDoor, type Door, type DoorCharacter, type DoorResult } from './door.js';
+import { EngineError } from './errors.js';
 import type { Answer, Call, FromWorker, ToWorker } from './messages.js';
 import type { CharacterSpec, Generated, Summary } from './types.js';
 
@@ -40,7 +41,8 @@ export class Server {
         this.characters.set(message.character, { spec: message.spec, bytes: message.bytes });
         break;
       case 'forget':
-        this.forget(message.character);
+        // after the calls that came before
+        this.door.then(() => this.forget(message.character), () => {});
         break;
       case 'call':
         void this.answer(message.id, message.call);
@@ -52,11 +54,12 @@ export class Server {
       const answer = this.compute(await this.door, id, call);
       this.send({ type: 'done', id, answer }, transferable(answer));
     } catch (error) {
-      const refused = error instanceof EngineError;
-      const message = error instanceof Error ? error.message : String(error);
-      this.send({
-        type: 'failed', id, failure: refused ? error.failure : { code: 'fault', message }, broken: !refused,
-      }, []);
+      const failure = error instanceof EngineError
+        ? error.failure
+        : { code: 'fault' as const, message: error instanceof Error ? error.message : String(error) };
+      // a module's memory never shrinks: one that has taken all there is gives it back by its end
+      const broken = failure.code === 'fault' || failure.code === 'out_of_memory';
+      this.send({ type: 'failed', id, failure, broken }, []);
     }
   }
 

@@ -85,6 +85,10 @@ template <int N>
 }
 template <int N>
 [[nodiscard]] inline Pack<float, N> sqrt(const Pack<float, N>& a) {
+#ifdef __wasm_simd128__
+  // there compilers leave loops over lanes as they are
+  if constexpr (N == 4) return Pack<float, N>(__builtin_wasm_sqrt_f32x4(a.lanes));
+#endif
   Pack<float, N> root;
   // one instruction where the set has it
   for (int lane = 0; lane < N; ++lane) root.lanes[lane] = __builtin_sqrtf(a.lanes[lane]);
@@ -92,6 +96,10 @@ template <int N>
 }
 template <int N>
 [[nodiscard]] inline bool any(const Mask<N>& condition) {
+#ifdef __wasm_simd128__
+  typedef signed char Bytes __attribute__((vector_size(16)));
+  if constexpr (N == 4) return __builtin_wasm_any_true_v128((Bytes)condition.lanes) != 0;
+#endif
   std::int32_t bits = 0;
   for (int lane = 0; lane < N; ++lane) bits |= condition.lanes[lane];
   return bits != 0;
