@@ -57,6 +57,11 @@ void set_up(httplib::Server& server, const int& port) {
   server.set_file_extension_and_mimetype_mapping("vrm", "model/gltf-binary");
   server.set_file_extension_and_mimetype_mapping("woff2", "font/woff2");
   server.set_payload_max_length(kMostRequestBytes);
+  // by itself it would share a port that another program listens on
+  server.set_socket_options([](int socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
   server.set_default_headers({{"Content-Security-Policy", kPolicy},
                               {"X-Content-Type-Options", "nosniff"},
                               {"Referrer-Policy", "no-referrer"},
