@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The engine's names of joints, parameters and criteria, and its words for postures, as people say them.
+
+export interface BodyWords {
+  sides: Record<string, string>;
+  joints: Record<string, string>;
+  axes: Record<string, string>;
+  parameters: Record<string, string>;
+  groups: Record<string, string>;
+  criteria: Record<string, string>;
+  posture: Record<string, string>;
+  join: (side: string, rest: string) => string;
+}
+
+export const englishBody: BodyWords = {
+  sides: { left: 'left', right: 'right' },
+  joints: {
+    ankle: 'ankle', knee: 'knee', hip: 'hip', hips: 'hips', spine: 'lower back', chest: 'middle back', upper_chest: 'upper back', neck: 'neck', head: 'head',
+    clavicle: 'collarbone', shoulder: 'shoulder', elbow: 'elbow', wrist: 'wrist', hand: 'hand', foot: 'foot', toes: 'toes', trunk: 'trunk',
+    arm: 'arm', leg: 'leg', legs: 'legs', arms: 'arms',
+  },
+  axes: {
+    flexion: 'flexion', abduction: 'abduction', rotation: 'rotation', inversion: 'inversion', lateral: 'side bend',
+    elevation: 'elevation', protraction: 'protraction', deviation: 'deviation',
+  },
+  parameters: {
+    squat: 'Squat', lean: 'Lean', round: 'Round back', twist: 'Twist', elbow: 'Elbow', swivel: 'Elbow out', wrist: 'Wrist',
+    delay: 'Delay', bow: 'Bow up', skew: 'Skew', sway: 'Sway sideways', contraction: 'Bend', final: 'Final angle', side: 'Side bend', switch: 'Change at', turn: 'Turn',
+  },
+  groups: {
+    posture: 'Posture', path: 'Path of the hand', trunk: 'Trunk', legs: 'Legs', arms: 'Arms', right_leg: 'Right leg', left_leg: 'Left leg',
+    right_arm: 'Right arm', left_arm: 'Left arm', head: 'Head',
+  },
+  criteria: {
+    joint_range: 'Joint limits', balance: 'Upright balance', torque: 'Joint torque', balance_zone: 'Balance', discomfort: 'Comfort',
+    joint_acceleration: 'Smoothness', work: 'Work', low_back: 'Lower back', head: 'Head and gaze', collision: 'Collision', centre_of_pressure: 'Stays standing',
+  },
+  posture: {},
+  join: (side, rest) => (side === '' ? rest : `${side} ${rest}`),
+};
+
+export const japaneseBody: BodyWords = {
+  sides: { left: '左', right: '右' },
+  joints: {
+    ankle: '足首', knee: '膝', hip: '股関節', hips: '腰', spine: '腰椎', chest: '胸椎', upper_chest: '上部胸椎', neck: '首', head: '頭',
+    clavicle: '鎖骨', shoulder: '肩', elbow: '肘', wrist: '手首', hand: '手', foot: '足', toes: 'つま先', trunk: '体幹',
+    arm: '腕', leg: '脚', legs: '両脚', arms: '両腕',
+  },
+  axes: {
+    flexion: '屈曲', abduction: '外転', rotation: '回旋', inversion: '内がえし', lateral: '側屈',
+    elevation: '挙上', protraction: '前方突出', deviation: '橈尺屈',
+  },
+  parameters: {
+    squat: 'しゃがみ', lean: '前傾', round: '背中の丸め', twist: 'ひねり', elbow: '肘', swivel: '肘の張り', wrist: '手首',
+    delay: '遅れ', bow: '上への弧', skew: '速さの偏り', sway: '横への弧', contraction: '曲げ', final: '最終角', side: '側屈', switch: '切り替え', turn: '回転',
+  },
+  groups: {
+    posture: '姿勢', path: '手の軌道', trunk: '体幹', legs: '脚', arms: '腕', right_leg: '右脚', left_leg: '左脚', right_arm: '右腕', left_arm: '左腕', head: '頭',
+  },
+  criteria: {
+    joint_range: '関節の限界', balance: '直立の釣り合い', torque: '関節トルク', balance_zone: '釣り合い', discomfort: '楽さ',
+    joint_acceleration: '滑らかさ', work: '仕事量', low_back: '腰の負担', head: '頭と視線', collision: '衝突', centre_of_pressure: '立っていられる',
+  },
+  posture: {
+    squat: 'しゃがむ', stoop: 'かがむ', 'half squat': '中腰', upright: '直立', 'turned left': '左にひねる', 'turned right': '右にひねる',
+    'elbow out': '肘を張る', 'elbow in': '肘を締める', 'knees bent': '膝を曲げる', 'straight knees': '膝を伸ばす', leaning: '傾く', 'leaning left': '左に傾く',
+    'leaning right': '右に傾く', 'on tiptoe': 'つま先立ち', 'heels up': 'かかとを上げる', 'leaning ahead': '前に傾く', 'leaning back': '後ろに傾く', standing: '立つ',
+  },
+  join: (side, rest) => side + rest,
+};

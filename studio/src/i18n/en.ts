@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// What the page says. {name} stands for a value.
+export const en = {
+  title: 'shigusa studio',
+  tagline: 'natural whole-body motion',
+  loading: 'Starting the engine …',
+  hint: 'Drag the orange ball: the body reaches for it.',
+  hintMore: 'Or drag a small blue one: the other hand, the head, a foot.',
+  gotIt: 'Got it',
+  viewLabel: 'Three-dimensional view. Arrow keys move the selected goal sideways and up, Page Up and Page Down ahead and back, with Shift further.',
+  undo: 'Undo', redo: 'Redo', mirror: 'Mirror', help: 'Help', close: 'Close',
+  language: 'Language', theme: 'Theme', themeAuto: 'Theme: auto', themeLight: 'Theme: light', themeDark: 'Theme: dark',
+  // search
+  searching: 'Searching …', cancel: 'Cancel', searchAgain: 'Search again', best: 'best {score}',
+  cancelled: 'The search was stopped.',
+  unreachable: 'Out of reach: the closest motion ends {cm} cm short of the goal.',
+  editMisses: 'With these values the motion ends {cm} cm short of the goal.',
+  previewMisses: '{cm} cm out of reach',
+  // gallery
+  candidates: 'Motions', candidate: 'Motion {n}', chosen: 'chosen', score: 'score', lowerIsBetter: 'lower is better',
+  compare: 'Compare', compareWith: 'Compare with motion {n}', comparing: 'compared',
+  beside: 'side by side', over: 'overlaid', strip: 'Poses of motion {n} from its beginning to its end',
+  edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
+  unsteady: 'leaves its feet by {cm} cm', knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
+  // timeline
+  play: 'Play', pause: 'Pause', time: 'Time', speed: 'Speed', loop: 'Loop', overlays: 'Paths and balance', seconds: '{t} s',
+  // tabs
+  goals: 'Goals', adjust: 'Adjust', criteria: 'Criteria', body: 'Body', plots: 'Plots', take: 'Save',
+  panels: 'Panels',
+  // goals
+  goalsIntro: 'Where hands, feet and head shall be. Metres from the floor between the feet.',
+  left: 'left', up: 'up', ahead: 'ahead', load: 'Load', kg: 'kg', turn: 'Give a rotation', rings: 'Turn by rings',
+  reachedBy: 'met', short: '{cm} cm short', duration: 'Duration', auto: 'by distance', s: 's',
+  method: 'Search', flat: 'all at once', human: 'in layers', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
+  remove: 'Remove', seed: 'Other random numbers',
+  // adjust
+  adjustIntro: 'How the body gets there. The goal stays met while you change it; the mark is what the search found.',
+  weightsIntro: 'Stiffness of each joint: the larger, the less it moves beside the others.',
+  reset: 'Reset', searchRest: 'Keep these, search the rest', kept: 'Kept by the search: {n}', release: 'Release all',
+  lock: 'Lock {name}', noMotion: 'No motion yet.', value: 'Value of {name}', searchValue: 'found by the search: {value}',
+  // criteria
+  criteriaIntro: 'What counts. Motions are ranked anew at once; search again to find others.',
+  penalty: 'penalty {value}', notScored: 'not scored yet: search again', resetWeights: 'As at first',
+  // body
+  bodyIntro: 'A built-in body, or drop a VRM, GLB or BVH file onto the page.', builtIn: 'Built-in body',
+  bodyHuman: 'person, 45 freedoms', bodyFull: 'person, 18 freedoms', bodyHalf: 'one arm and leg, 9 freedoms',
+  stature: 'Stature', mass: 'Mass', sex: 'Strength of', male: 'a man', female: 'a woman', heels: 'Heels may lift', m: 'm',
+  openFile: 'Open a file …', understood: 'What was understood', facts: '{stature} m, {mass} kg, {dof} freedoms',
+  doubts: 'Guessed', boneMap: 'Bones', bone: 'Bone', node: 'Node of the file', nothing: '—', apply: 'Apply',
+  opening: 'Reading {name} …', dropHere: 'Drop a VRM, GLB or BVH file, or a result',
+  // plots
+  plotsIntro: 'Point at a plot to move the time.', angles: 'Joint angles, share of the range', torques: 'Torques, share of the strength',
+  margin: 'Centre of mass inside the feet, cm', handSpeed: 'Speed of the goal’s hand, m/s', mostUsed: 'most used',
+  limit: 'limit', noSupport: 'This body has no feet to stand on.', com: 'centre of mass', cop: 'pressure',
+  // take away
+  takeIntro: 'Of the chosen motion, unless something else is said.', animation: 'Animation', figure: 'Figure', again: 'To go on later',
+  glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: 'Strip, SVG', png: 'Strip, PNG', task: 'Task, JSON', result: 'Result, JSON',
+  link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
+  saved: '{name} is saved.', glbDrawn: 'the mannequin as drawn here', vrmaOnly: 'for VRM characters',
+  // failures
+  failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged: its task cannot be read.',
+  unknownFile: '{name}: only VRM, GLB, glTF and BVH characters, robots in URDF and results in JSON can be opened.',
+  noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',
+  noSimd: 'This browser has no WebAssembly SIMD, which the engine needs: Chrome and Edge have it since 91, Firefox since 89, Safari since 16.4.',
+  noWebgl: 'This browser shows no WebGL 2, which the picture needs. It may be switched off in its settings.',
+  engineFailed: 'The engine did not start.', tooLarge: '{name} is larger than 200 MB.', dismiss: 'Dismiss',
+  // help
+  helpTitle: 'How to use it',
+  help1: 'Drag the orange ball to where the hand shall be. The body follows while you drag; when you let go, five different motions are searched.',
+  help2: 'Choose one on the left. Compare it with another, change how it goes under Adjust, and weigh what counts under Criteria.',
+  help3: 'Save takes it away as GLB, VRMA, BVH or CSV, as a figure, or as a link.',
+  help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',
+  keys: 'Keys',
+  keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal, in the view', keyBrackets: 'next goal, in the view',
+  keyUndo: 'undo, redo', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keyHelp: 'this page',
+};
+
+export type Key = keyof typeof en;

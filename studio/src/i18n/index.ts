@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The language that the page speaks.
+import { type BodyWords, englishBody, japaneseBody } from './body_words';
+import { en, type Key } from './en';
+import { ja } from './ja';
+
+export type Language = 'en' | 'ja';
+export type { Key };
+
+let language: Language = 'en';
+
+export function setLanguage(next: Language): void {
+  language = next;
+  document.documentElement.lang = next;
+}
+
+export function preferredLanguage(): Language {
+  const kept = localStorage.getItem('shigusa.language');
+  if (kept === 'en' || kept === 'ja') return kept;
+  return navigator.languages.some((name) => name.startsWith('ja')) && navigator.language.startsWith('ja') ? 'ja' : 'en';
+}
+
+export function t(key: Key, values: Record<string, string | number> = {}): string {
+  const text = (language === 'ja' ? ja : en)[key];
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+}
+
+function words(): BodyWords {
+  return language === 'ja' ? japaneseBody : englishBody;
+}
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** "right_shoulder" as a person says it; what is not known stays as it is. */
+export function jointName(name: string): string {
+  const table = words();
+  const match = /^(left|right)_(.+)$/.exec(name);
+  const rest = match?.[2] ?? name;
+  const joint = table.joints[rest] ?? rest.replaceAll('_', ' ');
+  return capital(table.join(match ? (table.sides[match[1]!] ?? '') : '', joint));
+}
+
+/** "right_knee.flexion" */
+export function freedomName(name: string): string {
+  const [joint = '', axis = ''] = name.split('.');
+  const spoken = words().axes[axis] ?? axis.replaceAll('_', ' ');
+  return `${jointName(joint)} ${spoken}`.trim();
+}
+
+/** "squat_deg", "right_knee.flexion.weight", "right_arm.swivel_deg", "bow". */
+export function parameterName(name: string): string {
+  const table = words();
+  if (name.endsWith('.weight')) {
+    const parts = name.slice(0, -'.weight'.length).split('.');
+    return freedomName(parts.slice(-2).join('.'));
+  }
+  const parts = name.replace(/_deg$/, '').split('.');
+  const last = parts[parts.length - 1] ?? name;
+  const match = /^(left|right)_(.+)$/.exec(last);
+  const spoken = table.parameters[match?.[2] ?? last];
+  if (parts.length > 1) {
+    const place = parts.slice(0, -1).map(jointName).join(' ');
+    return `${place} ${(spoken ?? last).toLowerCase()}`;
+  }
+  return spoken ?? jointName(last);
+}
+
+export function groupName(group: string): string {
+  return words().groups[group] ?? jointName(group);
+}
+
+export function criterionName(name: string): string {
+  return words().criteria[name] ?? name.replaceAll('_', ' ');
+}
+
+/** How a motion ends: "stoop, turned left". */
+export function postureWords(text: string): string {
+  const table = words().posture;
+  const separator = language === 'ja' ? '・' : ', ';
+  return text.split(', ').map((word) => table[word] ?? word).join(separator);
+}

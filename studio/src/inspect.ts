@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// window.shigusa: the page's state to read, for tests and for the curious.
+import type { Vec3 } from '../../bindings/wasm/src/types';
+import type { Document, State } from './state/model';
+import type { Studio } from './state/studio';
+import { taskOf } from './state/task';
+import type { Timings } from './state/timings';
+import type { View } from './view/view';
+
+export interface Inspection {
+  readonly state: Readonly<State>;
+  readonly document: Document | null;
+  readonly task: object | null;
+  readonly chosen: number;
+  readonly words: readonly string[];
+  readonly timings: Timings;
+  readonly time: number;
+  /** Where a goal's effector is at the end of the chosen motion, by the engine's own series, m. */
+  hand(effector?: string): Vec3 | null;
+  /** Where an effector's node is drawn now, m. */
+  drawn(effector: string): Vec3 | null;
+  /** Where a handle is in the page, px. */
+  handle(effector: string): [number, number] | null;
+}
+
+declare global {
+  interface Window {
+    shigusa?: Inspection;
+  }
+}
+
+export function expose(studio: Studio, view: View): void {
+  const inspection: Inspection = {
+    get state() {
+      return studio.store.state;
+    },
+    get document() {
+      return studio.document;
+    },
+    get task() {
+      return studio.document ? taskOf(studio.document) : null;
+    },
+    get chosen() {
+      return studio.document?.chosen ?? -1;
+    },
+    get words() {
+      return studio.document?.result?.candidates.map((c) => c.summary.final_posture.words) ?? [];
+    },
+    get timings() {
+      return studio.timings;
+    },
+    get time() {
+      return studio.clock.time;
+    },
+    drawn: (effector) => view.drawn(effector),
+    handle: (effector) => view.handleOnScreen(effector),
+    hand(effector) {
+      const candidate = studio.chosen();
+      if (!candidate) return null;
+      const { effectors } = candidate.series;
+      const index = effector === undefined ? 0 : candidate.summary.reached.findIndex((r) => r.effector === effector);
+      const first = (effectors.frames - 1) * effectors.columns + 3 * index;
+      return index < 0 ? null : [effectors.values[first]!, effectors.values[first + 1]!, effectors.values[first + 2]!];
+    },
+  };
+  Object.defineProperty(window, 'shigusa', { value: Object.freeze(inspection) });
+}

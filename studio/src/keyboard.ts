@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Keys for everything that a pointer does. What is typed into a field stays there.
+import type { Vec3 } from '../../bindings/wasm/src/types';
+import { ranking } from './state/criteria';
+import { goalOf } from './state/model';
+import type { Studio } from './state/studio';
+
+const kStep = 0.01; // m
+const kLongStep = 0.1;
+const kFrame = 1 / 60; // s
+const kPause = 350; // ms after the last key until the whole search begins
+
+const kMoves: Record<string, Vec3> = {
+  // seen from the front, a person's left is at the right
+  ArrowRight: [1, 0, 0], ArrowLeft: [-1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0], PageUp: [0, 0, 1], PageDown: [0, 0, -1],
+};
+
+export class Keyboard {
+  private timer = 0;
+  private target: { effector: string; position: Vec3 } | null = null;
+
+  constructor(private readonly studio: Studio, private readonly canvas: HTMLElement, private readonly openHelp: () => void) {
+    document.addEventListener('keydown', this.key);
+  }
+
+  private readonly key = (event: KeyboardEvent): void => {
+    const { target } = event;
+    if (document.querySelector('dialog[open]')) return;
+    const field = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+    const typing = field && !(target instanceof HTMLInputElement && (target.type === 'range' || target.type === 'checkbox'));
+    if ((event.ctrlKey || event.metaKey) && !event.altKey) {
+      if (typing) return;
+      if (event.key.toLowerCase() === 'z') this.done(event, () => (event.shiftKey ? this.studio.redo() : this.studio.undo()));
+      if (event.key.toLowerCase() === 'y') this.done(event, () => this.studio.redo());
+      return;
+    }
+    if (event.key === 'Escape') return this.escape();
+    if (typing || event.altKey) return;
+    if (target === this.canvas && this.moveGoal(event)) return;
+    this.plain(event, target);
+  };
+
+  private plain(event: KeyboardEvent, target: EventTarget | null): void {
+    const digit = /^Digit([1-9])$/.exec(event.code)?.[1];
+    if (digit !== undefined) return this.done(event, () => this.pick(Number(digit) - 1, event.shiftKey));
+    const presses = target instanceof HTMLButtonElement || target instanceof HTMLInputElement || (target instanceof HTMLElement && target.tagName === 'SUMMARY');
+    if (event.key === ' ' && !presses) return this.done(event, () => this.studio.play(!this.studio.store.state.playing));
+    if (event.key === ',' || event.key === '.') {
+      return this.done(event, () => this.studio.scrub(this.studio.clock.time + (event.key === '.' ? kFrame : -kFrame)));
+    }
+    if (event.key.toLowerCase() === 'm') return this.done(event, () => void this.studio.mirror());
+    if (event.key === '?') return this.done(event, this.openHelp);
+  }
+
+  private done(event: KeyboardEvent, action: () => void): void {
+    event.preventDefault();
+    action();
+  }
+
+  /** By the order on the page. */
+  private pick(place: number, compare: boolean): void {
+    const { document } = this.studio;
+    if (!document) return;
+    const index = ranking(document)[place];
+    if (index === undefined) return;
+    if (compare) this.studio.compare(index);
+    else this.studio.choose(index);
+  }
+
+  private escape(): void {
+    if (this.studio.store.state.search) {
+      this.studio.cancel();
+      this.studio.store.set({ preview: null });
+      this.studio.tell({ kind: 'text', key: 'cancelled' });
+    } else {
+      this.studio.tell(null);
+    }
+  }
+
+  private moveGoal(event: KeyboardEvent): boolean {
+    const { document, store } = this.studio;
+    if (!document) return false;
+    if (event.key === '[' || event.key === ']') {
+      const effectors = document.goals.map((goal) => goal.effector);
+      const now = effectors.indexOf(store.state.selected);
+      const next = (now + (event.key === ']' ? 1 : -1) + effectors.length) % effectors.length;
+      this.studio.select(effectors[next]!);
+      return true;
+    }
+    const way = kMoves[event.key];
+    const goal = goalOf(document, store.state.selected) ?? document.goals[0];
+    if (!way || !goal) return false;
+    event.preventDefault();
+    const from = this.target?.effector === goal.effector ? this.target.position : goal.position_m;
+    const step = event.shiftKey ? kLongStep : kStep;
+    const position: Vec3 = [from[0] + way[0] * step, Math.max(from[1] + way[1] * step, kStep), from[2] + way[2] * step];
+    this.target = { effector: goal.effector, position };
+    void this.studio.dragGoal(goal.effector, position);
+    window.clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => {
+      this.target = null;
+      void this.studio.dropGoal(goal.effector, position);
+    }, kPause);
+    return true;
+  }
+
+  dispose(): void {
+    window.clearTimeout(this.timer);
+    document.removeEventListener('keydown', this.key);
+  }
+}

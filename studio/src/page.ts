@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The page: bars, view and panels put together. Made anew where the language changes.
+import { jointName, setLanguage, t } from './i18n';
+import { Keyboard } from './keyboard';
+import { AdjustPanel } from './panels/adjust';
+import { BodyPanel } from './panels/body';
+import { CriteriaPanel } from './panels/criteria';
+import { h, type Panel } from './panels/dom';
+import { Gallery } from './panels/gallery';
+import { GoalsPanel } from './panels/goals';
+import { helpDialog } from './panels/help';
+import { Notices } from './panels/notices';
+import { PlotsPanel } from './panels/plots';
+import { Tabs } from './panels/tabs';
+import { TakePanel } from './panels/take';
+import { Timeline } from './panels/timeline';
+import { TopBar } from './panels/topbar';
+import { openFile } from './state/files';
+import type { Studio } from './state/studio';
+import { Thumbnails } from './view/thumbnails';
+import { View } from './view/view';
+
+export class Page {
+  private panels: Panel[] = [];
+  private keyboard: Keyboard | null = null;
+  private readonly canvas = h('canvas', { class: 'view', tabIndex: 0, role: 'application' });
+  private readonly stage = h('div', { class: 'stage' });
+  private readonly label = h('div', { class: 'handle-label', hidden: true });
+  readonly view: View;
+  private readonly thumbnails: Thumbnails;
+
+  constructor(private readonly studio: Studio, private readonly root: HTMLElement) {
+    this.stage.append(this.canvas, this.label);
+    root.append(this.stage);
+    this.view = new View(studio, this.stage, this.canvas, (effector, x, y) => this.hover(effector, x, y));
+    this.thumbnails = new Thumbnails(studio, () => this.view.stage.quality.moving.thumbnails);
+    studio.store.subscribe((state, previous) => {
+      if (state.language !== previous.language) this.build();
+      if (state.theme !== previous.theme) this.paint();
+    });
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.paint());
+    const calm = matchMedia('(prefers-reduced-motion: reduce)');
+    this.thumbnails.still = calm.matches;
+    if (calm.matches) studio.store.set({ loop: false });
+    this.dropFiles();
+    this.build();
+    this.paint();
+  }
+
+  private paint(): void {
+    const { theme } = this.studio.store.state;
+    document.documentElement.dataset['theme'] = theme;
+    localStorage.setItem('shigusa.theme', theme);
+    this.view.paint();
+    this.thumbnails.paint(this.view.stage.palette);
+  }
+
+  private build(): void {
+    const { language } = this.studio.store.state;
+    setLanguage(language);
+    localStorage.setItem('shigusa.language', language);
+    document.title = t('title');
+    this.keyboard?.dispose();
+    for (const panel of this.panels) panel.dispose();
+    const { studio } = this;
+    const dialog = helpDialog();
+    const openHelp = (): void => dialog.showModal();
+    const gallery = new Gallery(studio, this.thumbnails);
+    const timeline = new Timeline(studio);
+    const notices = new Notices(studio);
+    const tabs = new Tabs(studio, {
+      goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
+      body: new BodyPanel(studio), plots: new PlotsPanel(studio), take: new TakePanel(studio),
+    });
+    const top = new TopBar(studio, openHelp);
+    this.panels = [gallery, timeline, notices, tabs, top];
+    this.canvas.setAttribute('aria-label', t('viewLabel'));
+    this.stage.replaceChildren(this.canvas, this.label, notices.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere')));
+    const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, timeline.element), tabs.element);
+    this.root.replaceChildren(top.element, main, dialog);
+    this.keyboard = new Keyboard(studio, this.canvas, openHelp);
+  }
+
+  private hover(effector: string | null, x: number, y: number): void {
+    this.label.hidden = effector === null;
+    if (effector === null) return;
+    this.label.textContent = jointName(effector);
+    this.label.style.transform = `translate(${x + 14}px, ${y - 30}px)`;
+  }
+
+  private dropFiles(): void {
+    const { body } = document;
+    body.addEventListener('dragover', (event) => {
+      event.preventDefault();
+      body.classList.add('dropping');
+    });
+    body.addEventListener('dragleave', (event) => {
+      if (event.relatedTarget === null) body.classList.remove('dropping');
+    });
+    body.addEventListener('drop', (event) => {
+      event.preventDefault();
+      body.classList.remove('dropping');
+      const file = event.dataTransfer?.files[0];
+      if (file) void openFile(this.studio, file);
+    });
+  }
+}

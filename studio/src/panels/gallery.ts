@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// The candidates as cards: a moving picture, the word that tells one from the others, its strip, a bar for each criterion.
+import type { Candidate } from '../../../bindings/wasm/src/types';
+import { criterionName, postureWords, t } from '../i18n';
+import { ranking, scoreOf } from '../state/criteria';
+import { candidateAt, type Document } from '../state/model';
+import type { Studio } from '../state/studio';
+import type { Thumbnails } from '../view/thumbnails';
+import { fill, h, iconButton, type Panel, round } from './dom';
+
+interface Card {
+  element: HTMLElement;
+  pick: HTMLButtonElement;
+  canvas: HTMLCanvasElement;
+  strip: HTMLImageElement;
+  words: HTMLElement;
+  score: HTMLElement;
+  bars: HTMLElement;
+  warning: HTMLElement;
+  compare: HTMLButtonElement;
+}
+
+/** What tells a candidate from those with the same words. */
+function differenceOf(document: Document, index: number): string {
+  const posture = (i: number): Candidate['summary']['final_posture'] | undefined => candidateAt(document, i)?.summary.final_posture;
+  const mine = posture(index);
+  if (!mine) return '';
+  const count = document.result?.candidates.length ?? 0;
+  const twins = Array.from({ length: count }, (_, i) => i).filter((i) => i !== index && posture(i)?.words === mine.words);
+  const words = postureWords(mine.words);
+  if (twins.length === 0) return words;
+  const swivel = (i: number): number => Number((posture(i) as Record<string, unknown> | undefined)?.['elbow_swivel_deg'] ?? 0);
+  const spread = (of: (i: number) => number): number => Math.max(...twins.map((i) => Math.abs(of(i) - of(index))));
+  const knees = (i: number): number => posture(i)?.knee_flexion_deg ?? 0;
+  const turn = (i: number): number => posture(i)?.trunk_turn_deg ?? 0;
+  const ways = [[spread(knees), t('knees', { deg: Math.round(knees(index)) })], [spread(turn), t('turned', { deg: Math.round(Math.abs(turn(index))) })],
+    [spread(swivel), t('elbow', { deg: Math.round(swivel(index)) })]] as const;
+  return `${words} · ${[...ways].sort((a, b) => b[0] - a[0])[0]![1]}`;
+}
+
+/** Where nobody could stand: how far the plumb line leaves the feet. */
+function unsteady(candidate: Candidate): string {
+  const least = candidate.summary.support?.centre_of_mass.least_mm ?? 0;
+  return least < 0 ? t('unsteady', { cm: round(-least / 10, 0) }) : '';
+}
+
+export class Gallery implements Panel {
+  readonly element: HTMLElement;
+  private readonly list = h('ol', { class: 'cards' });
+  private readonly mode = h('div', { class: 'segmented', role: 'group', 'aria-label': t('compare') });
+  private readonly empty = h('p', { class: 'quiet' }, t('noCandidates'));
+  private cards = new Map<number, Card>();
+  private strips = new Map<Candidate, string>();
+  private result: Document['result'] = null;
+  private readonly end: () => void;
+
+  constructor(private readonly studio: Studio, private readonly thumbnails: Thumbnails) {
+    this.element = h('section', { class: 'gallery', 'aria-label': t('candidates') },
+      h('header', {}, h('h2', {}, t('candidates')), this.mode), this.empty, this.list);
+    this.end = studio.store.subscribe((state, previous) => {
+      if (state.document !== previous.document || state.compareMode !== previous.compareMode) this.update();
+    });
+    this.update();
+  }
+
+  private update(): void {
+    const { document } = this.studio;
+    const result = document?.result ?? null;
+    if (result !== this.result) {
+      this.result = result;
+      this.rebuild(document);
+    }
+    this.empty.hidden = result !== null;
+    this.showMode(document);
+    if (!document || !result) return;
+    const order = ranking(document);
+    const highest = Math.max(0.05, ...order.flatMap((index) => Object.values(candidateAt(document, index)?.summary.criteria ?? {})));
+    order.forEach((index, place) => this.updateCard(document, index, place, highest));
+    const elements = order.map((index) => this.cards.get(index)!.element);
+    // only where the order has changed, so that the focus stays
+    if (elements.some((element, i) => this.list.children[i] !== element)) fill(this.list, ...elements);
+  }
+
+  private showMode(document: Document | null): void {
+    this.mode.hidden = document?.compared == null;
+    const { compareMode } = this.studio.store.state;
+    fill(this.mode, ...(['beside', 'over'] as const).map((mode) =>
+      h('button', { type: 'button', 'aria-pressed': String(mode === compareMode), onClick: () => this.studio.store.set({ compareMode: mode }) }, t(mode))));
+  }
+
+  private rebuild(document: Document | null): void {
+    this.cards.clear();
+    this.freeStrips();
+    fill(this.list);
+    const count = document?.result?.candidates.length ?? 0;
+    for (let index = 0; index < count; ++index) this.cards.set(index, this.makeCard(index));
+    this.thumbnails.show(Array.from({ length: count }, (_, index) => this.cards.get(index)!.canvas));
+  }
+
+  private makeCard(index: number): Card {
+    const canvas = h('canvas', { class: 'thumbnail', 'aria-hidden': 'true' });
+    const strip = h('img', { class: 'strip' });
+    const words = h('span', { class: 'words' });
+    const score = h('span', { class: 'score' });
+    const bars = h('span', { class: 'bars', 'aria-hidden': 'true' });
+    const warning = h('span', { class: 'warning' });
+    const pick = h('button', { type: 'button', class: 'pick', onClick: () => this.studio.choose(index) },
+      canvas, h('span', { class: 'about' }, words, strip, bars, score, warning));
+    const compare = iconButton('compare', t('compare'), () => this.studio.compare(index), { class: 'icon-button compare' });
+    const element = h('li', { class: 'card' }, pick, compare);
+    return { element, pick, canvas, strip, words, score, bars, warning, compare };
+  }
+
+  /** `highest`: the largest penalty of all cards, which is a full bar. */
+  private updateCard(document: Document, index: number, place: number, highest: number): void {
+    const card = this.cards.get(index);
+    const candidate = candidateAt(document, index);
+    if (!card || !candidate) return;
+    const chosen = index === document.chosen;
+    const compared = index === document.compared;
+    const edited = document.edits[index] !== undefined;
+    const words = differenceOf(document, index);
+    const score = round(scoreOf(candidate, document.weights), 3);
+    card.element.classList.toggle('chosen', chosen);
+    card.element.classList.toggle('compared', compared);
+    card.pick.setAttribute('aria-pressed', String(chosen));
+card.strip.alt = t('strip', { n: place + 1 });
+    card.compare.setAttribute('aria-label', t('compareWith', { n: place + 1 }));
+    card.compare.setAttribute('aria-pressed', String(compared));
+    card.compare.hidden = chosen;
+    fill(card.words, h('b', {}, `${place + 1}`), ` ${words}`);
+    fill(card.score, `${t('score')} ${score}`, edited ? h('em', {}, t('edited')) : null);
+    const penalties = Object.entries(candidate.summary.criteria).filter(([name]) => (document.weights[name] ?? 0) > 0);
+    fill(card.bars, ...penalties.map(([name, penalty]) => {
+      const bar = h('i', { title: `${criterionName(name)}: ${round(penalty)}` });
+      bar.style.setProperty('--share', String(Math.max(penalty / highest, 0.04)));
+      return bar;
+    }));
+    card.warning.textContent = unsteady(candidate);
+    card.warning.hidden = card.warning.textContent === '';
+    void this.drawStrip(card, candidate, index);
+  }
+
+  private async drawStrip(card: Card, candidate: Candidate, index: number): Promise<void> {
+    if (this.strips.has(candidate)) {
+      card.strip.src = this.strips.get(candidate)!;
+      return;
+    }
+    const svg = await this.studio.strip(index, candidate);
+    if (!svg || this.cards.get(index) !== card) return;
+    const url = URL.createObjectURL(new Blob([svg as BlobPart], { type: 'image/svg+xml' }));
+    this.strips.set(candidate, url);
+    card.strip.src = url;
+  }
+
+  private freeStrips(): void {
+    for (const url of this.strips.values()) URL.revokeObjectURL(url);
+    this.strips.clear();
+  }
+
+  dispose(): void {
+    this.end();
+    this.freeStrips();
+  }
+}

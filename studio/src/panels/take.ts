@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Take away: animation files, figures, the task and the result, a link.
+import { type Key, t } from '../i18n';
+import { openFile } from '../state/files';
+import type { Studio } from '../state/studio';
+import { canTake, link, save, type Taken, takeAway } from '../state/take_away';
+import { button, fill, h, type Panel } from './dom';
+
+const kGroups: readonly (readonly [Key, readonly Taken[]])[] = [
+  ['animation', ['glb', 'vrma', 'bvh', 'csv']],
+  ['figure', ['svg', 'png']],
+  ['again', ['result', 'task']],
+];
+
+export class TakePanel implements Panel {
+  readonly element: HTMLElement;
+  private readonly buttons = new Map<Taken, HTMLButtonElement>();
+  private readonly shown = h('div');
+  private readonly end: () => void;
+
+  constructor(private readonly studio: Studio) {
+    const input = h('input', {
+      type: 'file', accept: '.json', hidden: true,
+      onChange: () => {
+        const file = input.files?.[0];
+        if (file) void openFile(studio, file);
+        input.value = '';
+      },
+    });
+    const groups = kGroups.map(([title, formats]) => h('section', {}, h('h3', {}, t(title)),
+      h('div', { class: 'take' }, ...formats.map((format) => {
+        const element = button(t(format), () => void this.take(format), { 'data-format': format });
+        this.buttons.set(format, element);
+        return element;
+      }))));
+    groups[2]?.append(h('div', { class: 'take' }, button(t('link'), () => void this.copyLink(), { 'data-format': 'link' }),
+      button(t('openResult'), () => input.click()), input), this.shown);
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('takeIntro')), ...groups);
+    this.end = studio.store.subscribe(() => this.update());
+    this.update();
+  }
+
+  private update(): void {
+    for (const [format, element] of this.buttons) {
+      element.disabled = !canTake(this.studio, format);
+      if (format === 'vrma') element.title = element.disabled ? t('vrmaOnly') : '';
+    }
+  }
+
+  private async take(format: Taken): Promise<void> {
+    try {
+      const { name, bytes } = await takeAway(this.studio, format);
+      save(name, bytes);
+      this.studio.tell({ kind: 'text', key: 'saved', values: { name } });
+    } catch (error) {
+      this.studio.fail(error);
+    }
+  }
+
+  private async copyLink(): Promise<void> {
+    const text = link(this.studio);
+    try {
+      await navigator.clipboard.writeText(text);
+      this.studio.tell({ kind: 'text', key: 'linkCopied' });
+      fill(this.shown);
+    } catch {
+      // no clipboard: the person copies it
+      const field = h('input', { type: 'text', value: text, 'aria-label': t('linkShown') });
+      fill(this.shown, h('label', { class: 'stack' }, t('linkShown'), field));
+      field.readOnly = true;
+      field.select();
+    }
+  }
+
+  dispose(): void {
+    this.end();
+  }
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+import { type Language, t } from '../i18n';
+import type { State } from '../state/model';
+import type { Studio } from '../state/studio';
+import { h, iconButton, type Panel, select } from './dom';
+
+export class TopBar implements Panel {
+  readonly element: HTMLElement;
+  private readonly end: () => void;
+
+  constructor(studio: Studio, openHelp: () => void) {
+    const { store } = studio;
+    const undo = iconButton('undo', t('undo'), () => studio.undo());
+    const redo = iconButton('redo', t('redo'), () => studio.redo());
+    const mirror = iconButton('mirror', t('mirror'), () => void studio.mirror());
+    const language = select(t('language'), [['en', 'English'], ['ja', '日本語']], store.state.language, (value) =>
+      store.set({ language: value as Language }));
+    const theme = select(t('theme'), [['auto', t('themeAuto')], ['light', t('themeLight')], ['dark', t('themeDark')]], store.state.theme, (value) =>
+      store.set({ theme: value as State['theme'] }));
+    this.element = h('header', { class: 'topbar' },
+      h('h1', {}, h('img', { src: './favicon.svg', alt: '' }), h('span', {}, 'shigusa'), h('small', {}, t('tagline'))),
+      h('div', { class: 'tools' }, undo, redo, mirror),
+      h('div', { class: 'tools' }, theme, language, iconButton('help', t('help'), openHelp)));
+    const update = (): void => {
+      undo.disabled = !store.state.canUndo;
+      redo.disabled = !store.state.canRedo;
+      mirror.disabled = !store.state.document?.result;
+    };
+    this.end = store.subscribe(update);
+    update();
+  }
+
+  dispose(): void {
+    this.end();
+  }
+}

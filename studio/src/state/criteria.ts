@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The criteria's names and weights (docs/criteria.md).
+import type { Candidate } from '../../../bindings/wasm/src/types';
+import { candidateAt, type Document } from './model';
+
+/** The mixture `default`; what is 0 is not computed. */
+export const defaultWeights: Readonly<Record<string, number>> = {
+  joint_range: 0.25,
+  balance_zone: 0.2,
+  discomfort: 0.27,
+  joint_acceleration: 0.22,
+  low_back: 0.2,
+  collision: 0.5,
+  centre_of_pressure: 0.35,
+  balance: 0,
+  torque: 0,
+  work: 0,
+  head: 0,
+};
+
+export function sameAsDefault(weights: Readonly<Record<string, number>>): boolean {
+  return Object.keys(defaultWeights).every((name) => (weights[name] ?? 0) === defaultWeights[name]);
+}
+
+/** Σ weight · penalty, lower is better. What a motion was not scored by counts nothing: search again to know it. */
+export function scoreOf(candidate: Candidate, weights: Readonly<Record<string, number>>): number {
+  let sum = 0;
+  for (const [name, penalty] of Object.entries(candidate.summary.criteria)) sum += (weights[name] ?? 0) * penalty;
+  return sum;
+}
+
+/** Criteria that have a weight now and that the motions at hand were not scored by. */
+export function unknownCriteria(document: Document): string[] {
+  const known = document.result?.candidates[0]?.summary.criteria ?? {};
+  return Object.keys(document.weights).filter((name) => (document.weights[name] ?? 0) > 0 && !(name in known));
+}
+
+/** Indices of the candidates, lowest score first. */
+export function ranking(document: Document): number[] {
+  const count = document.result?.candidates.length ?? 0;
+  const scores = Array.from({ length: count }, (_, index) => {
+    const candidate = candidateAt(document, index);
+    return candidate === null ? Infinity : scoreOf(candidate, document.weights);
+  });
+  return scores.map((_, index) => index).sort((a, b) => (scores[a] ?? 0) - (scores[b] ?? 0) || a - b);
+}

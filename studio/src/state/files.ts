@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Files and links that come in: characters, results, tasks.
+import type { CharacterSpec, Generated, Goal, Summary, Task } from '../../../bindings/wasm/src/types';
+import { defaultWeights } from './criteria';
+import type { Document, SearchSettings } from './model';
+import { newDocument } from './start';
+import type { Studio } from './studio';
+
+const kCharacters = ['glb', 'gltf', 'vrm', 'bvh', 'urdf'];
+const kMostBytes = 200e6;
+const kBuiltIn = ['human', 'full_body', 'half_body'];
+
+const endingOf = (name: string): string => name.toLowerCase().split('.').pop() ?? '';
+
+/** Opens what was dropped or picked; what cannot be opened is told, and everything stays as it was. */
+export async function openFile(studio: Studio, file: File): Promise<void> {
+  const ending = endingOf(file.name);
+  if (!kCharacters.includes(ending) && ending !== 'json') {
+    return studio.tell({ kind: 'text', key: 'unknownFile', values: { name: file.name } });
+  }
+  if (file.size > kMostBytes) return studio.tell({ kind: 'text', key: 'tooLarge', values: { name: file.name } });
+  studio.store.set({ opening: file.name, notice: null });
+  try {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (ending === 'json') await openJson(studio, new TextDecoder().decode(bytes));
+    else await openCharacter(studio, { source: file.name }, bytes);
+  } catch (error) {
+    studio.fail(error, file.name);
+  } finally {
+    studio.store.set({ opening: null });
+  }
+}
+
+export async function openCharacter(studio: Studio, spec: CharacterSpec, bytes?: Uint8Array): Promise<void> {
+  const character = await studio.open(spec, bytes);
+  const old = studio.document;
+  const fresh = newDocument(character);
+  // of the same body in another size or map, goals stay
+  const same = old !== null && old.character.spec.source === spec.source && old.character.bytes === bytes;
+  const document: Document = same ? { ...fresh, goals: old.goals, weights: old.weights, settings: old.settings } : fresh;
+  void studio.begin(document).catch((error: unknown) => studio.fail(error));
+}
+
+async function openJson(studio: Studio, text: string): Promise<void> {
+  const value: unknown = JSON.parse(text);
+  if (typeof value !== 'object' || value === null) throw new SyntaxError('no result and no task');
+  if (Array.isArray((value as Summary).candidates)) await openResult(studio, value as Summary);
+  else if (Array.isArray((value as Task).goals)) await openTask(studio, value as Task);
+  else throw new SyntaxError('neither a result ("candidates") nor a task ("goals")');
+}
+
+export async function openResult(studio: Studio, summary: Summary): Promise<void> {
+  const task = summary['task'] as Task & { character?: CharacterSpec | string };
+  const character = await characterOf(studio, task.character);
+  const result: Generated = await studio.engine.restore(character, summary);
+  await studio.begin({ ...documentOf(newDocument(character, task.goals), task), result });
+}
+
+export async function openTask(studio: Studio, task: Task & { character?: CharacterSpec | string }): Promise<void> {
+  const character = await characterOf(studio, task.character);
+  await studio.begin(documentOf(newDocument(character, task.goals), task));
+}
+
+/** The character of a task: the one at hand where it is of the same file, as that has its mesh. */
+async function characterOf(studio: Studio, named: CharacterSpec | string | undefined): Promise<Document['character']> {
+  const spec: CharacterSpec = typeof named === 'string' ? { source: named } : (named ?? { source: 'full_body' });
+  const now = studio.document?.character;
+  if (now?.bytes && now.spec.source === spec.source) return now;
+  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && kBuiltIn.includes(spec.source)) return now;
+  return studio.open(spec);
+}
+
+function documentOf(document: Document, task: Task): Document {
+  const settings: SearchSettings = {
+    preset: (task.preset ?? 'flat') as SearchSettings['preset'],
+    seed: task.seed ?? 0,
+    evaluations: task.evaluations ?? null,
+    duration_s: task.duration_s ?? null,
+  };
+  const weights: Record<string, number> = { ...defaultWeights };
+  if (typeof task.criteria === 'object') {
+    for (const [name, entry] of Object.entries(task.criteria)) {
+      const weight = (entry as { weight?: number } | null)?.weight;
+      if (typeof weight === 'number') weights[name] = weight;
+    }
+  }
+  return { ...document, goals: task.goals.map((goal: Goal) => ({ ...goal })), settings, weights, fixed: task.fixed ?? [] };
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What undo and redo go over: earlier and later values, the newest last.
+
+/** Results are large (about a megabyte), so old ones are let go. */
+const kMostSteps = 60;
+
+export class History<T> {
+  private past: T[] = [];
+  private future: T[] = [];
+  private key: string | undefined;
+
+  constructor(private present: T) {}
+
+  get value(): T {
+    return this.present;
+  }
+  get canUndo(): boolean {
+    return this.past.length > 0;
+  }
+  get canRedo(): boolean {
+    return this.future.length > 0;
+  }
+
+  /** A step. Steps in a row that have the same key, as those of one slider's drag, are one. */
+  push(value: T, key?: string): void {
+    if (key === undefined || key !== this.key) {
+      this.past.push(this.present);
+      if (this.past.length > kMostSteps) this.past.shift();
+    }
+    this.key = key;
+    this.present = value;
+    this.future = [];
+  }
+
+  /** Changes the present without a step: what a step came to later, such as a search's result. */
+  amend(value: T): void {
+    this.present = value;
+  }
+
+  /** The next step is one of its own, whatever its key. */
+  endRun(): void {
+    this.key = undefined;
+  }
+
+  undo(): T {
+    const earlier = this.past.pop();
+    if (earlier !== undefined) {
+      this.future.push(this.present);
+      this.present = earlier;
+    }
+    this.key = undefined;
+    return this.present;
+  }
+
+  redo(): T {
+    const later = this.future.pop();
+    if (later !== undefined) {
+      this.past.push(this.present);
+      this.present = later;
+    }
+    this.key = undefined;
+    return this.present;
+  }
+
+  reset(value: T): void {
+    this.past = [];
+    this.future = [];
+    this.key = undefined;
+    this.present = value;
+  }
+}

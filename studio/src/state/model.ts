@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// What the page knows. A document is what undo goes back over; it is never changed, only replaced. A session is
+// the rest: what is shown and what is going on.
+import type { Candidate, Character, EngineFailure, Generated, Goal, Summary } from '../../../bindings/wasm/src/types';
+
+/** What a person changed of a candidate, and the motion that came of it. */
+export interface Edit {
+  readonly base: { readonly summary: Summary; readonly candidate: number }; // what the assignments change
+  readonly assignments: Readonly<Record<string, string>>; // by parameter; "name.locked" for locks
+  readonly generated: Generated; // of one candidate
+}
+
+/** What is asked of the search beside the goals. */
+export interface SearchSettings {
+  readonly preset: 'flat' | 'human' | 'layers' | 'paper';
+  readonly seed: number;
+  readonly evaluations: number | null; // null: the preset's own
+  readonly duration_s: number | null; // null: from the distance
+}
+
+export interface Document {
+  readonly character: Character;
+  readonly goals: readonly Goal[];
+  readonly weights: Readonly<Record<string, number>>; // of the criteria
+  readonly fixed: readonly string[]; // assignments that the search keeps
+  readonly settings: SearchSettings;
+  readonly result: Generated | null;
+  readonly chosen: number; // index in result.candidates
+  readonly compared: number | null; // index of the one beside it
+  readonly edits: Readonly<Record<number, Edit>>; // by index
+}
+
+export type Notice =
+  | { kind: 'failure'; failure: EngineFailure; about?: string }
+  | { kind: 'text'; key: string; values?: Record<string, string | number> };
+
+export type Tab = 'goals' | 'adjust' | 'criteria' | 'body' | 'plots' | 'take';
+export type CompareMode = 'beside' | 'over';
+
+export interface State {
+  readonly document: Document | null;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  /** What a drag's quick search found; shown in place of the candidate while it lasts. */
+  readonly preview: Candidate | null;
+  readonly previewRemaining_mm: number;
+  readonly dragging: boolean;
+  readonly search: { fraction: number; best: number } | null;
+  readonly opening: string | null; // a file's name
+  readonly notice: Notice | null;
+  readonly selected: string; // effector
+  readonly hint: boolean; // the sentence that says what to drag
+  readonly playing: boolean;
+  readonly loop: boolean;
+  readonly speed: number;
+  readonly tab: Tab;
+  readonly compareMode: CompareMode;
+  readonly overlays: boolean; // paths, centre of mass, support
+  readonly language: 'en' | 'ja';
+  readonly theme: 'auto' | 'light' | 'dark';
+}
+
+export const initialState: State = {
+  document: null,
+  canUndo: false,
+  canRedo: false,
+  preview: null,
+  previewRemaining_mm: 0,
+  dragging: false,
+  search: null,
+  opening: null,
+  notice: null,
+  selected: 'right_hand',
+  hint: true,
+  playing: true,
+  loop: true,
+  speed: 1,
+  tab: 'goals',
+  compareMode: 'beside',
+  overlays: true,
+  language: 'en',
+  theme: 'auto',
+};
+
+/** The candidate of an index, with what a person changed of it. */
+export function candidateAt(document: Document, index: number): Candidate | null {
+  return document.edits[index]?.generated.candidates[0] ?? document.result?.candidates[index] ?? null;
+}
+
+export function chosenCandidate(document: Document | null): Candidate | null {
+  return document === null ? null : candidateAt(document, document.chosen);
+}
+
+export function goalOf(document: Document, effector: string): Goal | undefined {
+  return document.goals.find((goal) => goal.effector === effector);
+}

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+// What a person can do, in one place: each panel and key calls these. Steps that undo knows go through `commit`.
+import type { Candidate, Character, Engine, Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
+import { failureOf } from '../engine/connect';
+import { Clock } from './clock';
+import { History } from './history';
+import { type Document, type Notice, type State, candidateAt, chosenCandidate, goalOf, initialState } from './model';
+import { ranking } from './criteria';
+import { Store } from './store';
+import { previewTask, taskOf } from './task';
+import { Timings } from './timings';
+import { startOf } from './start';
+
+export class Studio {
+  readonly store = new Store<State>(initialState);
+  readonly clock = new Clock();
+  readonly timings = new Timings();
+  private history: History<Document> | null = null;
+  private running: AbortController | null = null;
+
+  constructor(readonly engine: Engine) {}
+
+  get document(): Document | null {
+    return this.store.state.document;
+  }
+
+  // ---- Steps -------------------------------------------------------------------------------------
+
+  commit(document: Document, key?: string): void {
+    if (this.history === null) this.history = new History(document);
+    else this.history.push(document, key);
+    this.publish(document);
+  }
+
+  /** What came of the last step. */
+  private amend(document: Document): void {
+    this.history?.amend(document);
+    this.publish(document);
+  }
+
+  private publish(document: Document, more: Partial<State> = {}): void {
+    const candidate = candidateAt(document, document.chosen);
+    if (candidate !== null) this.clock.duration = candidate.summary.duration_s;
+    const { selected } = this.store.state;
+    this.store.set({
+      document,
+      selected: goalOf(document, selected) ? selected : (document.goals[0]?.effector ?? selected),
+      canUndo: this.history?.canUndo ?? false,
+      canRedo: this.history?.canRedo ?? false,
+      ...more,
+    });
+  }
+
+  undo(): void {
+    this.goBack((history) => history.undo());
+  }
+
+  redo(): void {
+    this.goBack((history) => history.redo());
+  }
+
+  private goBack(step: (history: History<Document>) => Document): void {
+    if (this.history === null) return;
+    this.cancel();
+    const document = step(this.history);
+    this.publish(document, { preview: null, notice: null });
+    if (document.result === null) void this.search();
+  }
+
+  // ---- Goals -------------------------------------------------------------------------------------
+
+  select(effector: string): void {
+    this.store.set({ selected: effector });
+  }
+
+  private withGoal(document: Document, goal: Goal): Document {
+    const others = document.goals.filter((other) => other.effector !== goal.effector);
+    const index = document.goals.findIndex((other) => other.effector === goal.effector);
+    const goals = index < 0 ? [...others, goal] : document.goals.map((old, i) => (i === index ? goal : old));
+    return { ...document, goals };
+  }
+
+  private moved(document: Document, effector: string, position: Vec3, rotation?: Quat): Goal {
+    const goal: Goal = { ...(goalOf(document, effector) ?? { effector }), position_m: position };
+    if (rotation !== undefined) goal.rotation_xyzw = rotation;
+    return goal;
+  }
+
+  /** While a goal is dragged: the body follows by a quick search. */
+  async dragGoal(effector: string, position: Vec3, rotation?: Quat): Promise<void> {
+    const document = this.document;
+    if (document === null) return;
+    const since = performance.now();
+    this.cancel();
+    this.store.set({ dragging: true, selected: effector, hint: false });
+    const trial = this.withGoal(document, this.moved(document, effector, position, rotation));
+    try {
+      const found = await this.engine.preview(document.character, previewTask(trial));
+      const candidate = found?.candidates[0];
+      if (!found || !candidate || !this.store.state.dragging) return;
+      this.store.set({ preview: candidate, previewRemaining_mm: found.summary.remaining_mm });
+      this.timings.add(this.timings.dragToPose, since, found.engine_ms);
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** A goal is where it shall be: the whole search. */
+  dropGoal(effector: string, position: Vec3, rotation?: Quat): Promise<void> {
+    const document = this.document;
+    if (document === null) return Promise.resolve();
+    this.store.set({ dragging: false, selected: effector, hint: false });
+    this.commit(this.withGoal(document, this.moved(document, effector, position, rotation)));
+    return this.search();
+  }
+
+  /** Other settings of a goal: a load, a rotation or none. */
+  changeGoal(effector: string, change: (goal: Goal) => Goal): Promise<void> {
+    const document = this.document;
+    const goal = document && goalOf(document, effector);
+    if (!document || !goal) return Promise.resolve();
+    this.commit(this.withGoal(document, change(goal)));
+    return this.search();
+  }
+
+  addGoal(effector: string): Promise<void> {
+    const document = this.document;
+    if (document === null || goalOf(document, effector)) return Promise.resolve();
+    return this.dropGoal(effector, startOf(document.character, effector));
+  }
+
+  removeGoal(effector: string): Promise<void> {
+    const document = this.document;
+    if (document === null || document.goals.length < 2) return Promise.resolve();
+    this.commit({ ...document, goals: document.goals.filter((goal) => goal.effector !== effector) });
+    return this.search();
+  }
+
+  // ---- Search ------------------------------------------------------------------------------------
+
+  /** All candidates anew for the document as it is; ends an earlier search. */
+  async search(): Promise<void> {
+    const document = this.document;
+    if (document === null) return;
+    this.cancel();
+    const controller = new AbortController();
+    this.running = controller;
+    const since = performance.now();
+    this.store.set({ search: { fraction: 0, best: Infinity }, notice: null });
+    try {
+      const result = await this.engine.generate(document.character, taskOf(document), {
+        signal: controller.signal,
+        onProgress: (progress) => {
+          if (this.running !== controller) return;
+          this.store.set({ search: { fraction: progress.fraction, best: progress.best_score } });
+        },
+      });
+      if (this.running !== controller) return;
+      this.timings.add(this.timings.search, since, result.engine_ms);
+      const now = this.document ?? document;
+      const found: Document = { ...now, result, chosen: 0, compared: null, edits: {} };
+      this.amend({ ...found, chosen: ranking(found)[0] ?? 0 });
+      this.clock.time = 0;
+      this.store.set({ preview: null, playing: true });
+      if (result.summary.status === 'unreachable') {
+        this.tell({ kind: 'text', key: 'unreachable', values: { cm: (result.summary.remaining_mm / 10).toFixed(1) } });
+      }
+    } catch (error) {
+      if (this.running === controller) this.store.set({ preview: null });
+      this.fail(error);
+    } finally {
+      if (this.running === controller) {
+        this.running = null;
+        this.store.set({ search: null });
+      }
+    }
+  }
+
+  /** The same with other random numbers. */
+  searchAgain(seed = true): Promise<void> {
+    const document = this.document;
+    if (document === null) return Promise.resolve();
+    const settings = { ...document.settings, seed: document.settings.seed + (seed && document.result ? 1 : 0) };
+    this.commit({ ...document, settings });
+    return this.search();
+  }
+
+  cancel(): void {
+    this.running?.abort();
+    this.running = null;
+    this.store.set({ search: null });
+  }
+
+  // ---- Candidates --------------------------------------------------------------------------------
+
+  choose(index: number): void {
+    const document = this.document;
+    if (document === null || candidateAt(document, index) === null || index === document.chosen) return;
+    this.commit({ ...document, chosen: index, compared: document.compared === index ? null : document.compared });
+    this.clock.time = 0;
+    this.store.set({ playing: true, preview: null });
+  }
+
+  /** Shows another candidate beside the chosen one; again: no more. */
+  compare(index: number): void {
+    const document = this.document;
+    if (document === null || index === document.chosen) return;
+    this.commit({ ...document, compared: document.compared === index ? null : index });
+  }
+
+  // ---- Parameters --------------------------------------------------------------------------------
+
+  /** Plays the chosen candidate anew with changed parameters. Changes of one `drag` are one step. */
+  async edit(assignments: Readonly<Record<string, string>>, drag?: string): Promise<void> {
+    const document = this.document;
+    if (!document?.result) return;
+    const since = performance.now();
+    const index = document.chosen;
+    const old = document.edits[index];
+    const base = old?.base ?? { summary: document.result.summary, candidate: index + 1 };
+    const all = { ...old?.assignments, ...assignments };
+    const list = Object.entries(all).map(([name, value]) => `${name}=${value}`);
+    try {
+      const generated = await this.engine.replay(document.character, base.summary, base.candidate, list);
+      const now = this.document;
+      if (!generated || !now || now.result !== document.result || now.chosen !== index) return;
+      const edits = { ...now.edits, [index]: { base, assignments: all, generated } };
+      this.commit({ ...now, edits }, drag === undefined ? undefined : `edit ${index} ${drag}`);
+      this.timings.add(this.timings.sliderToMotion, since, generated.engine_ms);
+      const missed = generated.summary.status === 'unreachable';
+      this.store.set({
+        preview: null,
+        notice: missed
+          ? { kind: 'text', key: 'editMisses', values: { cm: (generated.summary.remaining_mm / 10).toFixed(1) } }
+          : null,
+      });
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  resetEdits(): void {
+    const document = this.document;
+    if (document === null || document.edits[document.chosen] === undefined) return;
+    const edits = { ...document.edits };
+    delete edits[document.chosen];
+    this.commit({ ...document, edits });
+  }
+
+  /** The same with the other side's hands and feet. */
+  async mirror(): Promise<void> {
+    const document = this.document;
+    if (!document?.result) return;
+    this.cancel();
+    try {
+      const { character } = document;
+      const result = await this.engine.mirror(character, document.result.summary);
+      const edits: Record<number, Document['edits'][number]> = {};
+      for (const [index, edit] of Object.entries(document.edits)) {
+        const generated = await this.engine.mirror(character, edit.generated.summary);
+        edits[Number(index)] = { base: { summary: generated.summary, candidate: 1 }, assignments: {}, generated };
+      }
+      if (this.document !== document) return;
+      const task = result.summary['task'] as { goals: Goal[]; fixed?: string[] };
+      this.commit({ ...document, result, edits, goals: task.goals, fixed: task.fixed ?? [] });
+      this.store.set({ selected: task.goals[0]?.effector ?? this.store.state.selected });
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** Keeps what is locked or given and searches the rest. */
+  searchRest(fixed: readonly string[]): Promise<void> {
+    const document = this.document;
+    if (document === null) return Promise.resolve();
+    this.commit({ ...document, fixed: [...fixed] });
+    return this.search();
+  }
+
+  // ---- Criteria ----------------------------------------------------------------------------------
+
+  weigh(name: string, weight: number, drag: string): void {
+    const document = this.document;
+    if (document === null) return;
+    this.commit({ ...document, weights: { ...document.weights, [name]: weight } }, `weigh ${drag}`);
+  }
+
+  // ---- Whole documents ---------------------------------------------------------------------------
+
+  /** A document that is complete but for its motions. */
+  begin(document: Document): Promise<void> {
+    this.cancel();
+    this.commit(document);
+    this.store.set({ selected: document.goals[0]?.effector ?? 'right_hand', preview: null, notice: null });
+    if (document.result !== null) return Promise.resolve();
+    void this.glance(document);
+    return this.search();
+  }
+
+  /** Something to see while the first search runs. */
+  private async glance(document: Document): Promise<void> {
+    try {
+      const found = await this.engine.preview(document.character, previewTask(document));
+      const candidate = found?.candidates[0];
+      if (!candidate || this.document !== document || this.store.state.dragging) return;
+      this.clock.duration = candidate.summary.duration_s;
+      this.store.set({ preview: candidate, previewRemaining_mm: found.summary.remaining_mm });
+    } catch {
+      // the search tells what is wrong
+    }
+  }
+
+  // ---- Playing -----------------------------------------------------------------------------------
+
+  play(playing: boolean): void {
+    if (playing && this.clock.time >= this.clock.duration) this.clock.time = 0;
+    this.store.set({ playing });
+  }
+
+  scrub(time: number): void {
+    this.store.set({ playing: false });
+    this.clock.time = time;
+  }
+
+  // ---- Messages ----------------------------------------------------------------------------------
+
+  tell(notice: Notice | null): void {
+    this.store.set({ notice });
+  }
+
+  fail(error: unknown, about?: string): void {
+    const failure = failureOf(error);
+    if (failure !== null) this.tell({ kind: 'failure', failure, about });
+  }
+
+  // ---- What files are made of --------------------------------------------------------------------
+
+  async exported(format: 'bvh' | 'csv' | 'svg' | 'glb' | 'vrma', index?: number): Promise<Uint8Array> {
+    const document = this.document;
+    if (!document?.result) throw new Error('no motion');
+    const which = index ?? document.chosen;
+    const edit = document.edits[which];
+    const [summary, candidate] = edit ? [edit.generated.summary, 1] : [document.result.summary, which + 1];
+    return this.engine.export(document.character, summary, candidate, format);
+  }
+
+  /** The strip figure as SVG; null where the body has none, or where it has been replaced meanwhile. */
+  async strip(index: number, candidate: Candidate): Promise<Uint8Array | null> {
+    const document = this.document;
+    if (document === null || candidateAt(document, index) !== candidate) return null;
+    try {
+      return await this.exported('svg', index);
+    } catch {
+      return null;
+    }
+  }
+
+  open(spec: Character['spec'], bytes?: Uint8Array): Promise<Character> {
+    return this.engine.open(spec, bytes);
+  }
+
+  chosen(): Candidate | null {
+    return chosenCandidate(this.document);
+  }
+
+  shown(): Candidate | null {
+    const { document, preview } = this.store.state;
+    return preview ?? (document === null ? null : candidateAt(document, document.chosen));
+  }
+}

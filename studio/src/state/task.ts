@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// A document as a task file, and the link that carries one.
+import type { CharacterSpec, Task } from '../../../bindings/wasm/src/types';
+import { sameAsDefault } from './criteria';
+import type { Document } from './model';
+
+/** Motions that a drag's search may score: enough to see how the body goes, few enough to follow the hand. */
+const kPreviewEvaluations = 16;
+
+export function taskOf(document: Document): Task {
+  const task: Task = { version: 1, goals: document.goals.map((goal) => ({ ...goal })), preset: document.settings.preset };
+  if (document.settings.seed !== 0) task.seed = document.settings.seed;
+  if (document.settings.evaluations !== null) task.evaluations = document.settings.evaluations;
+  if (document.settings.duration_s !== null) task.duration_s = document.settings.duration_s;
+  if (document.fixed.length > 0) task.fixed = [...document.fixed];
+  if (!sameAsDefault(document.weights)) {
+    task.criteria = Object.fromEntries(Object.entries(document.weights).map(([name, weight]) => [name, { weight }]));
+  }
+  return task;
+}
+
+export function previewTask(document: Document): Task {
+  return { ...taskOf(document), preset: 'flat', candidates: 1, evaluations: kPreviewEvaluations };
+}
+
+/** The task with its character, complete: a file's person as measured, where a result tells. */
+export function completeTask(document: Document): Record<string, unknown> {
+  const measured = document.result?.summary['task'] as { character?: unknown } | undefined;
+  return { ...taskOf(document), character: measured?.character ?? document.character.spec };
+}
+
+const kFragment = '#task=';
+
+export function linkOf(document: Document, page: string): string {
+  const bytes = new TextEncoder().encode(JSON.stringify(completeTask(document)));
+  let text = '';
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  const base64 = btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+  return page.split('#')[0] + kFragment + base64;
+}
+
+/** The task of a link; null where there is none. Throws a SyntaxError where it is damaged. */
+export function taskOfLink(fragment: string): (Task & { character?: CharacterSpec | string }) | null {
+  if (!fragment.startsWith(kFragment)) return null;
+  let text: string;
+  try {
+    text = atob(fragment.slice(kFragment.length).replaceAll('-', '+').replaceAll('_', '/'));
+  } catch {
+    throw new SyntaxError('not base64');
+  }
+  const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  const value: unknown = JSON.parse(new TextDecoder().decode(bytes));
+  if (typeof value !== 'object' || value === null || !Array.isArray((value as Task).goals)) {
+    throw new SyntaxError('no task');
+  }
+  return value as Task;
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A built-in body's motion as GLB: the mannequin as it is drawn, on the body's own nodes.
+import {
+  AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, VectorKeyframeTrack,
+} from 'three';
+import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
+import type { Candidate, Character } from '../../../bindings/wasm/src/types';
+import { disposeFigure, makeFigure } from './figures';
+import { palettes } from './palette';
+
+export async function drawnGlb(character: Character, candidate: Candidate): Promise<Uint8Array> {
+  const figure = await makeFigure(character);
+  try {
+    figure.skin.color = palettes.light.skin;
+    figure.joints.color = palettes.light.joints;
+    figure.object.name = character.description.name;
+    const { time, node_translations: places, node_rotations: turns } = candidate.series;
+    const times = Array.from(time.values.subarray(0, time.frames));
+    const column = (values: Float64Array, columns: number, first: number, width: number): number[] => {
+      const out: number[] = [];
+      for (let f = 0; f < time.frames; ++f) {
+        for (let k = 0; k < width; ++k) out.push(values[f * columns + first + k] ?? 0);
+      }
+      return out;
+    };
+    figure.object.traverse((item) => {
+      if (item instanceof Mesh) (item.geometry as BufferGeometry).normalizeNormals();
+    });
+    const tracks: KeyframeTrack[] = [];
+    figure.nodes.forEach((node, n) => {
+      if (!node || 3 * n >= places.columns) return;
+      if (node.name === '') node.name = `${node.parent?.name ?? 'node'}_end`;
+      tracks.push(
+        new VectorKeyframeTrack(`${node.uuid}.position`, times, column(places.values, places.columns, 3 * n, 3), InterpolateLinear),
+        new QuaternionKeyframeTrack(`${node.uuid}.quaternion`, times, column(turns.values, turns.columns, 4 * n, 4)),
+      );
+    });
+    const clip = new AnimationClip('shigusa', candidate.summary.duration_s, tracks);
+    const file = await new GLTFExporter().parseAsync(figure.object, { binary: true, animations: [clip], onlyVisible: false });
+    return new Uint8Array(file as ArrayBuffer);
+  } finally {
+    disposeFigure(figure);
+  }
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Which figure a character is drawn as, and letting go of one.
+import { Mesh, type Object3D, SkinnedMesh, type Texture } from 'three';
+import type { Character } from '../../../bindings/wasm/src/types';
+import { type Figure, makeMannequin } from './mannequin';
+import { makeSticks } from './sticks';
+
+export type { Figure } from './mannequin';
+
+export async function makeFigure(character: Character): Promise<Figure> {
+  const ending = character.spec.source.toLowerCase().split('.').pop() ?? '';
+  if (character.bytes && ['glb', 'gltf', 'vrm'].includes(ending)) {
+    try {
+      const { makeGltfFigure } = await import('./gltf_figure');
+      return await makeGltfFigure(character);
+    } catch {
+      // a file without a mesh, or one that three cannot read: its joints can be drawn all the same
+    }
+  }
+  if (ending === 'urdf') return makeSticks(character.description);
+  return makeMannequin(character.description) ?? makeSticks(character.description);
+}
+
+export function disposeFigure(figure: Figure): void {
+  figure.object.removeFromParent();
+  figure.object.traverse((item: Object3D) => {
+    if (!(item instanceof Mesh)) return;
+    item.geometry.dispose();
+    for (const material of [item.material].flat()) {
+      for (const value of Object.values(material as object)) {
+        if (typeof value === 'object' && value !== null && 'isTexture' in value) (value as Texture).dispose();
+      }
+      material.dispose();
+    }
+    if (item instanceof SkinnedMesh) item.skeleton.dispose();
+  });
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Colours of what is drawn in three dimensions; those of the page around it are in styles/theme.css.
+import { Color } from 'three';
+
+export interface Palette {
+  skin: Color;
+  joints: Color;
+  compared: Color;
+  floor: Color;
+  grid: Color;
+  shadow: number; // opacity
+  sky: Color;
+  ground: Color;
+  goal: Color;
+  idle: Color;
+  path: Color;
+  comparedPath: Color;
+  mass: Color;
+  support: Color;
+  missing: Color;
+  light: number; // of the key light
+  ambient: number;
+}
+
+export const palettes: Record<'light' | 'dark', Palette> = {
+  light: {
+    skin: new Color('#d8d0c4'),
+    joints: new Color('#a99d8d'),
+    compared: new Color('#7fa8c9'),
+    floor: new Color('#e9ecee'),
+    grid: new Color('#9aa5ad'),
+    shadow: 0.28,
+    sky: new Color('#ffffff'),
+    ground: new Color('#b9b2a8'),
+    goal: new Color('#e8762c'),
+    idle: new Color('#5b7f95'),
+    path: new Color('#e8762c'),
+    comparedPath: new Color('#3b7fb5'),
+    mass: new Color('#2f8f6b'),
+    support: new Color('#2f8f6b'),
+    missing: new Color('#c62d42'),
+    light: 2.3,
+    ambient: 1.35,
+  },
+  dark: {
+    skin: new Color('#cfc6b8'),
+    joints: new Color('#968a7a'),
+    compared: new Color('#6f9cc2'),
+    floor: new Color('#20262b'),
+    grid: new Color('#66727c'),
+    shadow: 0.5,
+    sky: new Color('#dfe8f0'),
+    ground: new Color('#4a4640'),
+    goal: new Color('#ff9146'),
+    idle: new Color('#7fa9c2'),
+    path: new Color('#ff9146'),
+    comparedPath: new Color('#6cb2ea'),
+    mass: new Color('#58c79b'),
+    support: new Color('#58c79b'),
+    missing: new Color('#ff6b7d'),
+    light: 2.0,
+    ambient: 0.85,
+  },
+};

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// The scene with its light, floor and camera. Draws only when something has changed.
+import {
+  DirectionalLight, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Floor } from './floor';
+import { type Palette, palettes } from './palette';
+import { type Quality, QualityControl } from './quality';
+
+const kRest = 0.25; // s without movement until the fine picture
+
+export class Stage {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(32, 1, 0.05, 60);
+  readonly renderer: WebGLRenderer;
+  readonly orbit: OrbitControls;
+  palette: Palette = palettes.light;
+  private readonly floor = new Floor();
+  private readonly key = new DirectionalLight(0xffffff, 2);
+  private readonly rim = new DirectionalLight(0xffffff, 0.8);
+  private readonly fill = new HemisphereLight(0xffffff, 0x888888, 1);
+  readonly quality = new QualityControl();
+  private drawn: Quality = this.quality.still;
+  private dirty = true;
+  private last = 0;
+  private rested = 0; // s since something moved
+  private ended = false;
+  /** Called before each picture with the time since the last one, s; true: something moves. */
+  onFrame: (seconds: number) => boolean = () => false;
+  onDraw: () => void = () => undefined;
+
+  constructor(private readonly host: HTMLElement, canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.orbit = new OrbitControls(this.camera, canvas);
+    this.orbit.enableDamping = false;
+    this.orbit.minDistance = 0.8;
+    this.orbit.maxDistance = 12;
+    this.orbit.maxPolarAngle = Math.PI * 0.53;
+    this.orbit.addEventListener('change', () => this.invalidate());
+    this.addLights();
+    this.scene.add(this.floor.object);
+    this.frame(1.741);
+    this.paint('light');
+    new ResizeObserver(() => this.resize()).observe(host);
+    this.resize();
+    requestAnimationFrame(this.tick);
+  }
+
+  private addLights(): void {
+    this.key.position.set(-2.2, 4.2, 2.8);
+    this.key.castShadow = true;
+    this.key.shadow.mapSize.set(2048, 2048);
+    this.key.shadow.radius = 5;
+    this.key.shadow.bias = -0.0002;
+    this.key.shadow.normalBias = 0.02;
+    const box = this.key.shadow.camera;
+    box.left = box.bottom = -2;
+    box.right = box.top = 2;
+    box.near = 0.5;
+    box.far = 10;
+    this.rim.position.set(2.5, 2.5, -3);
+    this.scene.add(this.key, this.rim, this.fill);
+  }
+
+  /** Looks at a body of this stature from the front right, as strip figures do. */
+  frame(stature: number): void {
+    const middle = new Vector3(0, 0.49 * stature, 0.12 * stature);
+    const away = new Vector3(-0.62, 0.3, 1).normalize().multiplyScalar(2.2 * stature);
+    this.orbit.target.copy(middle);
+    this.camera.position.copy(middle).add(away);
+    this.orbit.update();
+    this.invalidate();
+  }
+
+  paint(theme: 'light' | 'dark'): void {
+    const palette = (this.palette = palettes[theme]);
+    this.floor.paint(palette);
+    this.key.intensity = palette.light;
+    this.rim.intensity = theme === 'light' ? 0.7 : 1.6;
+    this.fill.color = palette.sky;
+    this.fill.groundColor = palette.ground;
+    this.fill.intensity = palette.ambient;
+    this.invalidate();
+  }
+
+  invalidate(): void {
+    this.dirty = true;
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2) * this.drawn.pixels);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    // a narrow picture shows the same width of the world as a square one
+    this.camera.fov = this.camera.aspect < 0.9 ? 32 * (0.9 / this.camera.aspect) : 32;
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  private readonly tick = (now: number): void => {
+    if (this.ended) return;
+    requestAnimationFrame(this.tick);
+    const seconds = (now - this.last) / 1000;
+    this.last = now;
+    if (this.onFrame(Math.min(seconds, 0.1))) this.dirty = true;
+    if (this.dirty) {
+      // a picture after a rest says nothing of speed
+      if (this.rested === 0) this.quality.measure(seconds);
+      this.rested = 0;
+      this.draw(this.quality.moving);
+      return;
+    }
+    this.rested += seconds;
+    if (this.rested > kRest && this.drawn !== this.quality.still) this.draw(this.quality.still);
+  };
+
+  private draw(quality: Quality): void {
+    if (quality !== this.drawn) {
+      const { shadow } = this.key;
+      this.drawn = quality;
+      shadow.mapSize.set(quality.shadow, quality.shadow);
+      shadow.map?.dispose();
+      shadow.map = null;
+      this.resize();
+    }
+    this.dirty = false;
+    this.onDraw();
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.ended = true;
+    this.orbit.dispose();
+    this.renderer.dispose();
+  }
+}

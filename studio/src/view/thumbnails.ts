@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Small moving pictures of the candidates. Each is a film of a few pictures, drawn once, a picture at a time, by
+// one renderer with one figure; playing them costs next to nothing.
+import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import type { Candidate, Character } from '../../../bindings/wasm/src/types';
+import { candidateAt } from '../state/model';
+import type { Studio } from '../state/studio';
+import { disposeFigure, type Figure, makeFigure } from './figures';
+import type { Palette } from './palette';
+import { poseNodes } from './pose';
+
+const kPictures = 16; // of a film
+const kPlayed = 60; // ms between changes of what is shown
+const kRest = 0.7; // s at a motion's end
+
+interface Film {
+  candidate: Candidate;
+  pictures: HTMLCanvasElement; // beside each other
+  drawn: boolean[];
+  left: number;
+}
+
+export class Thumbnails {
+  private readonly renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(30, 1, 0.1, 30);
+  private readonly key = new DirectionalLight(0xffffff, 2.2);
+  private readonly fill = new HemisphereLight(0xffffff, 0x888888, 1.3);
+  private figure: Figure | null = null;
+  private character: Character | null = null;
+  private canvases: (HTMLCanvasElement | undefined)[] = []; // by candidate
+  private films: (Film | undefined)[] = [];
+  private next = 0;
+  private drawnAt = 0;
+  private playedAt = 0;
+  private palette: Palette | null = null;
+  /** The last picture alone, for those who want nothing to move. */
+  still = false;
+
+  /** `pace`: pictures a second that may be drawn, so that the large view keeps its own. */
+  constructor(private readonly studio: Studio, private readonly pace: () => number) {
+    this.key.position.set(-2, 4, 3);
+    this.scene.add(this.key, this.fill);
+    requestAnimationFrame(this.tick);
+  }
+
+  paint(palette: Palette): void {
+    this.palette = palette;
+    this.fill.groundColor = palette.ground;
+    this.fill.intensity = palette.ambient;
+    this.key.intensity = palette.light;
+    this.colour();
+  }
+
+  private colour(): void {
+    this.films = [];
+    if (!this.figure || !this.palette) return;
+    this.figure.skin.color = this.palette.skin;
+    this.figure.joints.color = this.palette.joints;
+  }
+
+  /** Canvases by the candidate's index. */
+  show(canvases: (HTMLCanvasElement | undefined)[]): void {
+    this.canvases = canvases;
+    const character = this.studio.document?.character ?? null;
+    if (character !== this.character) void this.setCharacter(character);
+  }
+
+  private async setCharacter(character: Character | null): Promise<void> {
+    this.character = character;
+    const figure = character ? await makeFigure(character) : null;
+    if (this.character !== character) {
+      if (figure) disposeFigure(figure);
+      return;
+    }
+    if (this.figure) disposeFigure(this.figure);
+    this.figure = figure;
+    if (!figure || !character) return;
+    this.scene.add(figure.object);
+    this.colour();
+  }
+
+  /** The body and what it reaches for, in one picture. */
+  private aim(candidate: Candidate): void {
+    const stature = this.figure!.height;
+    const middle = new Vector3(0, 0.49 * stature, 0.1 * stature);
+    let away = 2.15 * stature;
+    for (const { reached_m: place } of candidate.summary.reached) {
+      const beyond = Math.max(Math.hypot(place[0], place[2]) - 0.4 * stature, 0) + Math.max(place[1] - stature, 0);
+      away = Math.max(away, 2.15 * stature + 1.6 * beyond);
+      if (beyond > 0) middle.lerp(new Vector3(place[0], middle.y, place[2]), 0.35);
+    }
+    this.camera.position.copy(middle).add(new Vector3(-0.62, 0.22, 1).normalize().multiplyScalar(away));
+    this.camera.lookAt(middle);
+  }
+
+  private readonly tick = (now: number): void => {
+    requestAnimationFrame(this.tick);
+    if (!this.figure || document.hidden || this.studio.store.state.dragging) return;
+    if (now - this.drawnAt >= 1000 / this.pace()) {
+      for (let tries = 0; tries < this.canvases.length; ++tries) {
+        this.next = (this.next + 1) % this.canvases.length;
+        if (!this.drawOne(this.next)) continue;
+        this.drawnAt = now;
+        break;
+      }
+    }
+    if (now - this.playedAt < kPlayed) return;
+    this.playedAt = now;
+    this.canvases.forEach((_, index) => this.play(index, now / 1000));
+  };
+
+  /** The film of a candidate in the size that its canvas has now. */
+  private film(index: number): Film | null {
+    const canvas = this.canvases[index];
+    const { document } = this.studio;
+    const candidate = document ? candidateAt(document, index) : null;
+    if (!canvas?.isConnected || !candidate) return null;
+    const ratio = Math.min(window.devicePixelRatio, 2);
+    const width = Math.round(canvas.clientWidth * ratio);
+    const height = Math.round(canvas.clientHeight * ratio);
+    if (width === 0 || height === 0) return null;
+    const old = this.films[index];
+    if (old?.candidate === candidate && old.pictures.width === width * kPictures && old.pictures.height === height) return old;
+    const pictures = globalThis.document.createElement('canvas');
+    pictures.width = width * kPictures;
+    pictures.height = height;
+    const film: Film = { candidate, pictures, drawn: Array.from({ length: kPictures }, () => false), left: kPictures };
+    this.films[index] = film;
+    return film;
+  }
+
+  /** Draws one more picture of a film, the last one first; false where none is missing. */
+  private drawOne(index: number): boolean {
+    const film = this.film(index);
+    if (!film || film.left === 0 || !this.figure) return false;
+    const picture = film.left === kPictures ? kPictures - 1 : kPictures - 1 - film.left;
+    const width = film.pictures.width / kPictures;
+    const { height } = film.pictures;
+    poseNodes(this.figure.nodes, film.candidate, (film.candidate.summary.duration_s * picture) / (kPictures - 1));
+    this.renderer.setSize(width, height, false);
+    this.aim(film.candidate);
+    this.camera.aspect = width / height;
+    this.camera.fov = this.camera.aspect < 0.9 ? 30 * (0.9 / this.camera.aspect) : 30;
+    this.camera.updateProjectionMatrix();
+    this.renderer.render(this.scene, this.camera);
+    film.pictures.getContext('2d')!.drawImage(this.renderer.domElement, picture * width, 0);
+    film.drawn[picture] = true;
+    --film.left;
+    return true;
+  }
+
+  private play(index: number, seconds: number): void {
+    const film = this.film(index);
+    const canvas = this.canvases[index];
+    if (!film || !canvas || film.left === kPictures) return;
+    const duration = film.candidate.summary.duration_s;
+    const since = seconds % (duration + kRest);
+    const last = kPictures - 1;
+    const wanted = this.still ? last : Math.min(Math.round((since / duration) * last), last);
+    const picture = film.drawn[wanted] ? wanted : last;
+    const width = film.pictures.width / kPictures;
+    const { height } = film.pictures;
+    if (canvas.width !== width || canvas.height !== height) {
+      canvas.width = width;
+      canvas.height = height;
+    }
+    const pen = canvas.getContext('2d')!;
+    pen.clearRect(0, 0, width, height);
+    pen.drawImage(film.pictures, picture * width, 0, width, height, 0, 0, width, height);
+  }
+}

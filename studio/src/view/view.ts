@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// The picture in three dimensions: shows what the state holds, and tells what a person drags.
+import { Vector3 } from 'three';
+import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
+import { candidateAt, type State } from '../state/model';
+import { effectorsOf } from '../state/start';
+import type { Studio } from '../state/studio';
+import { disposeFigure, type Figure, makeFigure } from './figures';
+import { Handles } from './handles';
+import { Overlays } from './overlays';
+import { poseNodes } from './pose';
+import { Stage } from './stage';
+
+const kBeside = 0.55; // shares of the stature between two that are compared
+
+/** Of the body's name for a bone the node: of a file by its bone map, a hand for its grip. */
+function nodeOfBone({ description }: Character, bone: string): number {
+  const named = description.humanoid[bone] ?? description.humanoid[bone.replace(/_grip$/, '')] ?? bone;
+  return description.nodes.findIndex((node) => node.name === named);
+}
+
+export class View {
+  readonly stage: Stage;
+  private readonly handles: Handles;
+  private readonly overlays = new Overlays();
+  private readonly otherOverlays = new Overlays();
+  private character: Character | null = null;
+  private figure: Figure | null = null;
+  private other: Figure | null = null;
+  private nodeOf = new Map<string, number>(); // by effector
+  private listeners = new Set<(figure: Figure | null) => void>();
+  private readonly ends: (() => void)[] = [];
+  /** Rings instead of arrows at a goal that has a rotation. */
+  rotate = false;
+
+  constructor(
+    private readonly studio: Studio, host: HTMLElement, canvas: HTMLCanvasElement,
+    onHover: (effector: string | null, x: number, y: number) => void,
+  ) {
+    this.stage = new Stage(host, canvas);
+    this.handles = new Handles(this.stage, canvas, {
+      select: (effector) => studio.select(effector),
+      drag: (effector, position, rotation) => void studio.dragGoal(effector, position, rotation),
+      drop: (effector, position, rotation) => void studio.dropGoal(effector, position, rotation),
+      hover: onHover,
+    });
+    this.stage.scene.add(this.overlays.object, this.otherOverlays.object, this.handles.object);
+    this.stage.onFrame = (seconds) => this.advance(seconds);
+    this.stage.onDraw = () => this.pose();
+    this.ends.push(
+      studio.store.subscribe((state, previous) => this.changed(state, previous)),
+      studio.clock.subscribe(() => this.stage.invalidate()),
+    );
+    this.paint();
+    this.changed(studio.store.state, studio.store.state);
+  }
+
+  /** Colours of the theme that is on. */
+  paint(): void {
+    const { theme } = this.studio.store.state;
+    const dark = theme === 'dark' || (theme === 'auto' && matchMedia('(prefers-color-scheme: dark)').matches);
+    this.stage.paint(dark ? 'dark' : 'light');
+    this.overlays.paint(this.stage.palette);
+    this.otherOverlays.paint({ ...this.stage.palette, path: this.stage.palette.comparedPath });
+    this.handles.paint(this.stage.palette);
+    this.colour();
+  }
+
+  private colour(): void {
+    const { skin, joints, compared } = this.stage.palette;
+    if (this.figure) {
+      this.figure.skin.color = skin;
+      this.figure.joints.color = joints;
+    }
+    if (this.other) {
+      this.other.skin.color = compared;
+      this.other.joints.color = compared.clone().multiplyScalar(0.7);
+      const over = this.studio.store.state.compareMode === 'over';
+      for (const material of [this.other.skin, this.other.joints]) {
+        material.transparent = over;
+        material.opacity = over ? 0.55 : 1;
+      }
+    }
+    this.stage.invalidate();
+  }
+
+  onFigure(listener: (figure: Figure | null) => void): void {
+    this.listeners.add(listener);
+    listener(this.figure);
+  }
+
+  private advance(seconds: number): boolean {
+    const { playing, loop, speed, dragging } = this.studio.store.state;
+    if (!playing || dragging || !this.studio.shown()) return false;
+    if (!this.studio.clock.advance(seconds * speed, loop)) this.studio.play(false);
+    return true;
+  }
+
+  private changed(state: State, previous: State): void {
+    const character = state.document?.character ?? null;
+    if (character !== this.character) void this.setCharacter(character);
+    if (state.theme !== previous.theme) this.paint();
+    if (state.compareMode !== previous.compareMode) this.colour();
+    if (state.document?.compared !== previous.document?.compared) void this.setOther();
+    if (state.dragging && !previous.dragging) this.studio.play(false);
+    this.showOverlays(state);
+    this.stage.invalidate();
+  }
+
+  private showOverlays(state: State): void {
+    const goals = state.document?.goals ?? [];
+    this.overlays.show(this.studio.shown(), goals);
+    this.otherOverlays.show(this.compared(), []);
+  }
+
+  private compared(): Candidate | null {
+    const { document, dragging, preview } = this.studio.store.state;
+    if (!document || document.compared === null || dragging || preview) return null;
+    return candidateAt(document, document.compared);
+  }
+
+  private async setCharacter(character: Character | null): Promise<void> {
+    this.character = character;
+    const figure = character ? await makeFigure(character) : null;
+    if (this.character !== character) {
+      if (figure) disposeFigure(figure);
+      return;
+    }
+    if (this.figure) disposeFigure(this.figure);
+    this.figure = figure;
+    if (figure && character) {
+      this.stage.scene.add(figure.object);
+      this.nodeOf.clear();
+      for (const place of character.description.places) this.nodeOf.set(place.effector, nodeOfBone(character, place.node));
+      if (!this.nodeOf.has('right_foot')) this.nodeOf.set('right_foot', nodeOfBone(character, 'right_foot'));
+      this.handles.setEffectors(effectorsOf(character));
+      this.overlays.setSupport(character.description);
+      this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
+      this.stage.frame(figure.height);
+    }
+    await this.setOther();
+    this.colour();
+    for (const listener of this.listeners) listener(figure);
+  }
+
+  private async setOther(): Promise<void> {
+    const wanted = this.character !== null && this.studio.document?.compared != null;
+    if (this.other) disposeFigure(this.other);
+    this.other = null;
+    if (!wanted) return this.stage.invalidate();
+    const figure = await makeFigure(this.character!);
+    if (this.other !== null || this.studio.document?.compared == null) return disposeFigure(figure);
+    this.other = figure;
+    this.stage.scene.add(figure.object);
+    this.colour();
+  }
+
+  private pose(): void {
+    const { state } = this.studio.store;
+    const shown = this.studio.shown();
+    const document = state.document;
+    if (!this.figure || !document) return;
+    const time = state.dragging && shown ? shown.summary.duration_s : this.studio.clock.time;
+    // unturned, a file's bones may stand anywhere
+    this.figure.object.visible = shown !== null || !document.character.bytes;
+    if (shown) poseNodes(this.figure.nodes, shown, time);
+    const compared = this.compared();
+    const apart = compared && state.compareMode === 'beside' ? kBeside * document.character.description.stature_m : 0;
+    this.figure.object.position.x = apart / 2;
+    this.overlays.object.position.x = apart / 2;
+    if (this.other) {
+      this.other.object.visible = compared !== null;
+      this.other.object.position.x = -apart / 2;
+      this.otherOverlays.object.position.x = -apart / 2;
+      if (compared) poseNodes(this.other.nodes, compared, (time / this.studio.clock.duration) * compared.summary.duration_s);
+    }
+    this.figure.object.updateMatrixWorld(true);
+    this.overlays.pose(time, state.overlays && !state.dragging);
+    this.otherOverlays.pose(time, state.overlays && !state.dragging);
+    this.handles.object.position.x = apart / 2;
+    this.handles.object.visible = apart === 0; // what is dragged is where the engine has it
+    this.handles.update(document.goals, state.selected, this.rotate, (effector) => this.place(effector));
+  }
+
+  /** Where an effector's node is now. */
+  private place(effector: string): Vector3 | null {
+    const node = this.figure?.nodes[this.nodeOf.get(effector) ?? -1];
+    return node ? node.getWorldPosition(new Vector3()) : null;
+  }
+
+  /** Where an effector's node is drawn, m; for tests. */
+  drawn(effector: string): Vec3 | null {
+    const reached = this.studio.chosen()?.summary.reached.find((r) => r.effector === effector);
+    if (!reached || !this.character || !this.figure) return null;
+    const file = reached['gltf_node' as keyof typeof reached] as unknown as number | undefined;
+    const index = this.character.description.nodes.findIndex((node) => (file === undefined ? node.name === reached.joint : node.file_node === file));
+    return (this.figure.nodes[index]?.getWorldPosition(new Vector3()).toArray() as Vec3 | undefined) ?? null;
+  }
+
+  /** Where a handle is in the page, px; for tests. */
+  handleOnScreen(effector: string): [number, number] | null {
+    const { document } = this.studio;
+    const goal = document?.goals.find((g) => g.effector === effector);
+    const place = goal ? new Vector3(...goal.position_m) : this.place(effector);
+    if (!place) return null;
+    const box = this.stage.renderer.domElement.getBoundingClientRect();
+    const p = place.project(this.stage.camera);
+    return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
+  }
+
+  dispose(): void {
+    for (const end of this.ends) end();
+    this.handles.dispose();
+    if (this.figure) disposeFigure(this.figure);
+    if (this.other) disposeFigure(this.other);
+    this.stage.dispose();
+  }
+}

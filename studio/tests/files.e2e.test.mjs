@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What is dropped onto the page: characters, odd files, results; and links.
+import assert from 'node:assert/strict';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { endOfNode, parseGlb } from './glb.mjs';
+import { launch, openStudio, serve, settled, state } from './support.mjs';
+
+/** The folder of characters beside the project, where there is one. */
+const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
+const files = existsSync(folder) ? readdirSync(folder).sort() : [];
+/** Files that no person can be read from. */
+const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|BrainStem|Acrobot|\.xml$|\.tsv$/;
+
+let site;
+let browser;
+before(async () => {
+  site = await serve();
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  site.close();
+});
+
+/** As a browser does when a person lets a file go over the page. */
+async function drop(page, name, bytes) {
+  const data = await page.evaluateHandle(({ name, base64 }) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+    return transfer;
+  }, { name, base64: Buffer.from(bytes).toString('base64') });
+  await page.dispatchEvent('body', 'drop', { dataTransfer: data });
+}
+
+const distance = (a, b) => Math.hypot(...a.map((value, k) => value - b[k]));
+
+test('each character that is a person is drawn and reaches', { skip: files.length === 0 && 'no characters here', timeout: 600_000 }, async (t) => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  for (const file of files.filter((name) => /\.(vrm|glb|bvh)$/.test(name) && !kOdd.test(name))) {
+    await t.test(file, async () => {
+      await drop(page, file, readFileSync(join(folder, file)));
+      await page.waitForFunction((name) => window.shigusa.document.character.spec.source === name || window.shigusa.state.notice?.kind === 'failure', file, { timeout: 60_000 });
+      await settled(page);
+      const now = await state(page);
+      assert.equal(now.notice?.failure?.message, undefined);
+      assert.equal(now.status, 'reached', `${file} is ${now.status}`);
+      const hand = await page.evaluate(() => window.shigusa.hand());
+      assert.ok(distance(hand, now.goals[0].position_m) < 2e-3);
+      await page.waitForFunction(() => window.shigusa.time === window.shigusa.document.result.summary.candidates[window.shigusa.chosen].duration_s);
+      await page.waitForTimeout(500);
+      const drawn = await page.evaluate(() => window.shigusa.drawn('right_hand'));
+      assert.ok(distance(drawn, hand) < 2e-3, `drawn at ${drawn}, not ${hand}`);
+      if (process.env.SHIGUSA_SHOTS) {
+        await page.waitForTimeout(1500);
+        await page.screenshot({ path: join(process.env.SHIGUSA_SHOTS, `${file}.png`) });
+      }
+    });
+  }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('an odd file is told of, and the page still works', { skip: files.length === 0 && 'no characters here', timeout: 300_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const odd = files.filter((name) => kOdd.test(name)).map((name) => [name, readFileSync(join(folder, name))]);
+  const made = [['empty.glb', ''], ['letter.bvh', 'Dear reader'], ['half.json', '{"version": 1'], ['other.json', '{"a": 1}'], ['picture.png', 'x']];
+  for (const [name, bytes] of [...odd, ...made]) {
+    await page.evaluate(() => document.querySelector('.message .icon-button')?.click());
+    await drop(page, name, Buffer.from(bytes));
+    await page.waitForFunction(() => window.shigusa.state.notice !== null && !window.shigusa.state.opening, undefined, { timeout: 30_000 });
+    const text = await page.locator('.message').innerText();
+    assert.ok(text.includes(name), `${name}: ${text}`);
+    assert.equal((await state(page)).character, 'human', name);
+  }
+  await page.locator('.card .pick').nth(1).click();
+  await settled(page);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a character of a file leaves as GLB with its hand on the goal', { skip: !files.includes('KayKit_Knight.glb') && 'no knight here', timeout: 120_000 }, async () => {
+  const { page, context } = await openStudio(browser, site.url);
+  await settled(page);
+  await drop(page, 'KayKit_Knight.glb', readFileSync(join(folder, 'KayKit_Knight.glb')));
+  await page.waitForFunction(() => window.shigusa.document.character.spec.source === 'KayKit_Knight.glb');
+  await settled(page);
+  await page.click('#tab-take');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-format="glb"]')]);
+  const glb = parseGlb(readFileSync(await download.path()));
+  const { reached, unit } = await page.evaluate(() => {
+    const { document: d } = window.shigusa;
+    return { reached: d.result.summary.candidates[d.chosen].reached[0], unit: d.character.description.node_unit_m };
+  });
+  const animation = glb.json.animations.findIndex(({ name }) => name.startsWith('shigusa candidate'));
+  const node = reached.gltf_node === undefined ? reached.joint : glb.json.nodes[reached.gltf_node].name;
+  const world = endOfNode(glb, node, animation).map((value) => unit * value);
+  assert.ok(distance(world, reached.goal_m) < 2e-3, `${world} is not ${reached.goal_m}`);
+  await context.close();
+});
+
+test('a result that is dropped back and a link bring the task again', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url, { permissions: ['clipboard-read', 'clipboard-write'] });
+  await settled(page);
+  await page.click('#tab-goals');
+  await page.locator('[data-key="right_hand up"]').fill('0.8');
+  await page.locator('[data-key="right_hand up"]').press('Enter');
+  await page.waitForTimeout(100);
+  await settled(page);
+  await page.click('#tab-take');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-format="result"]')]);
+  const text = readFileSync(await download.path());
+  const before = await state(page);
+
+  await page.reload();
+  await settled(page);
+  await drop(page, 'result.json', text);
+  await page.waitForFunction(() => Math.abs(window.shigusa.document.goals[0].position_m[1] - 0.8) < 1e-9);
+  await settled(page);
+  const after = await state(page);
+  assert.deepEqual(after.words, before.words);
+  assert.deepEqual(after.goals, before.goals);
+
+  await page.click('#tab-take');
+  await page.click('[data-format="link"]');
+  await page.waitForFunction(() => window.shigusa.state.notice?.key === 'linkCopied');
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.ok(link.startsWith(`${site.url}#task=`), link);
+  const other = await context.newPage();
+  await other.goto(link);
+  await settled(other);
+  const linked = await state(other);
+  assert.deepEqual(linked.goals, before.goals);
+  assert.deepEqual(linked.words, before.words);
+
+  await other.goto(`${site.url}#task=%%%`);
+  await other.reload();
+  await settled(other);
+  assert.match(await other.locator('.message').innerText(), /damaged/);
+  assert.deepEqual(errors, []);
+  await context.close();
+});

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What a person does first: drag, choose, adjust, take away.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { endOfNode, parseGlb } from './glb.mjs';
+import { drag, launch, openStudio, serve, settled, slide, state } from './support.mjs';
+
+let site;
+let browser;
+before(async () => {
+  site = await serve();
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  site.close();
+});
+
+const distance = (a, b) => Math.hypot(...a.map((value, k) => value - b[k]));
+
+test('a person reaches on opening, and a sentence says what to drag', async () => {
+  const { page, context, errors } = await openStudio(browser, site.url, { reducedMotion: 'no-preference' });
+  await settled(page);
+  const now = await state(page);
+  assert.equal(now.candidates, 5);
+  assert.equal(now.status, 'reached');
+  assert.ok(now.playing);
+  assert.match(await page.locator('.hint').innerText(), /Drag the orange ball/);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('drag, choose the third, move a slider, export: the hand stays on its goal', async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const before = await state(page);
+  await drag(page, 'right_hand', -40, -60, { hold: 60 });
+  assert.ok((await page.evaluate(() => window.shigusa.timings.dragToPose.length)) > 0, 'the body followed the drag');
+  await settled(page);
+  const dragged = await state(page);
+  assert.ok(distance(before.goals[0].position_m, dragged.goals[0].position_m) > 0.05);
+  assert.equal(dragged.candidates, 5);
+  assert.equal(new Set(dragged.words).size > 1, true, 'candidates differ in words');
+
+  await page.locator('.card .pick').nth(2).click();
+  const third = await page.evaluate(() => window.shigusa.chosen);
+  assert.equal(await page.locator('.card').nth(2).getAttribute('class'), 'card chosen');
+
+  await page.click('#tab-adjust');
+  const posture = () => page.evaluate(() => window.shigusa.document.edits[window.shigusa.chosen]?.generated.candidates[0].summary.final_posture.knee_flexion_deg);
+  for (const share of [0.2, 0.5]) {
+    const seen = await page.evaluate(() => window.shigusa.timings.sliderToMotion.length);
+    await slide(page, '[data-parameter="squat_deg"]', share);
+    await page.waitForFunction((n) => window.shigusa.timings.sliderToMotion.length > n, seen);
+    await page.waitForTimeout(300);
+    const goal = (await state(page)).goals[0].position_m;
+    const hand = await page.evaluate(() => window.shigusa.hand());
+    assert.ok(distance(goal, hand) < 1e-3, `the hand is ${distance(goal, hand)} m off`);
+  }
+  assert.ok((await posture()) > 20, 'the slider bends the knees');
+  assert.equal(await page.evaluate(() => window.shigusa.chosen), third);
+
+  await page.click('#tab-take');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-format="glb"]')]);
+  const glb = parseGlb(await readFile(await download.path()));
+  const end = endOfNode(glb, 'right_hand_grip');
+  const { goals } = await state(page);
+  assert.ok(distance(end, goals[0].position_m) < 1e-3, `exported hand at ${end}, goal ${goals[0].position_m}`);
+  assert.deepEqual(errors, []);
+  await context.close();
+});

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The built page on a server of its own, and a browser to look at it.
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const dist = fileURLToPath(new URL('../dist/', import.meta.url));
+/** Not the root: the page works from any folder of any host. */
+const kFolder = '/some/where/';
+
+const types = {
+  '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
+};
+
+export async function serve() {
+  const server = createServer(async (request, response) => {
+    const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+    const inside = path.startsWith(kFolder) ? normalize(path.slice(kFolder.length) || 'index.html') : '..';
+    try {
+      if (inside.startsWith('..')) throw new Error('outside');
+      const bytes = await readFile(join(dist, inside));
+      response.writeHead(200, { 'content-type': types[extname(inside)] ?? 'application/octet-stream' }).end(bytes);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((done) => server.listen(0, '127.0.0.1', done));
+  return { url: `http://127.0.0.1:${server.address().port}${kFolder}`, close: () => server.close() };
+}
+
+export function launch() {
+  return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+}
+
+/** A page that is open, with motions that do not loop, as drawing by software takes all of a machine; `errors` gets what the console complains of. */
+export async function openStudio(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, reducedMotion: 'reduce', ...options });
+  const page = await context.newPage();
+  const errors = [];
+  page.on('console', (message) => {
+    // what the software renderer of test machines says of itself is no error of the page
+    if (['error', 'warning'].includes(message.type()) && !/GPU stall due to ReadPixels|GroupMarkerNotSet/.test(message.text())) errors.push(message.text());
+  });
+  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('request', (request) => {
+    if (!request.url().startsWith(url.split('/').slice(0, 3).join('/')) && !/^(data|blob):/.test(request.url())) errors.push(`fetched ${request.url()}`);
+  });
+  await page.goto(url);
+  return { page, context, errors };
+}
+
+export async function settled(page) {
+  await page.waitForFunction(() => {
+    const { state } = window.shigusa ?? {};
+    return state && state.document?.result && !state.search && !state.dragging && !state.opening && !state.preview;
+  }, undefined, { timeout: 60_000 });
+}
+
+/** Drags a handle from where it is by so many pixels. */
+export async function drag(page, effector, dx, dy, { hold = 0, steps = 6 } = {}) {
+  const [x, y] = await page.evaluate((name) => window.shigusa.handle(name), effector);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let k = 1; k <= steps; ++k) {
+    await page.mouse.move(x + (dx * k) / steps, y + (dy * k) / steps);
+    if (hold > 0) await page.waitForTimeout(hold);
+  }
+  await page.mouse.up();
+}
+
+/** Sets a slider as a hand does: input events on the way, a change at the end. */
+export async function slide(page, selector, share) {
+  await page.locator(selector).evaluate((range, value) => {
+    range.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true }));
+    const from = Number(range.value);
+    for (let k = 1; k <= 5; ++k) {
+      range.value = String(from + ((value * Number(range.max) - from) * k) / 5);
+      range.dispatchEvent(new Event('input', { bubbles: true }));
+    }
+    range.dispatchEvent(new Event('change', { bubbles: true }));
+  }, share);
+}
+
+export const state = (page) => page.evaluate(() => {
+  const { document: d, state: s, chosen, words } = window.shigusa;
+  return {
+    chosen, words, goals: d.goals, candidates: d.result.candidates.length, status: d.result.summary.status, edits: Object.keys(d.edits).length,
+    fixed: d.fixed, notice: s.notice, playing: s.playing, compared: d.compared, character: d.character.description.name, canUndo: s.canUndo,
+    search: s.search, language: s.language,
+  };
+});

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// Ways to work: cancel, undo, keys alone, Japanese, screen readers; and what 200 searches leave behind.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { drag, launch, openStudio, serve, settled, slide, state } from './support.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+let site;
+let browser;
+before(async () => {
+  site = await serve();
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  site.close();
+});
+
+test('a search can be cancelled, and the page goes on', { timeout: 120_000 }, async () => {
+  const task = { goals: [{ effector: 'right_hand', position_m: [0.2, 0.6, 0.5] }], character: 'human', evaluations: 1_000_000 };
+  const link = `${site.url}#task=${Buffer.from(JSON.stringify(task)).toString('base64url')}`;
+  const { page, context, errors } = await openStudio(browser, link);
+  await page.waitForFunction(() => window.shigusa?.state.search?.fraction > 0, undefined, { timeout: 30_000 });
+  await page.locator('.search button').click();
+  assert.equal(await page.evaluate(() => window.shigusa.state.search), null);
+  assert.match(await page.locator('.message').innerText(), /stopped/);
+  await page.locator('select').filter({ hasText: 'thorough' }).selectOption('effortQuick');
+  await settled(page);
+  assert.equal((await state(page)).status, 'reached');
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a goal out of reach is told with what is left, and drawn', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  await page.locator('[data-key="right_hand up"]').fill('2.6');
+  await page.locator('[data-key="right_hand up"]').press('Enter');
+  await page.waitForTimeout(100);
+  await settled(page);
+  assert.equal((await state(page)).status, 'unreachable');
+  assert.match(await page.locator('.message').innerText(), /Out of reach: .* \d+\.\d cm short/);
+  assert.match(await page.locator('.goal .bad').innerText(), /cm short/);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('twenty steps are undone and done again', { timeout: 180_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const seen = [];
+  const snapshot = () => page.evaluate(() => {
+    const { document: d } = window.shigusa;
+    return JSON.stringify({ goals: d.goals, weights: d.weights, chosen: d.chosen, compared: d.compared, edits: Object.values(d.edits).map((e) => e.assignments) });
+  });
+  seen.push(await snapshot());
+  await page.click('#tab-criteria');
+  for (let k = 0; k < 20; ++k) {
+    if (k % 4 === 3) await slide(page, '[data-criterion="head"]', 0.2 + 0.03 * k);
+    else await page.keyboard.press(`Digit${1 + ((k + 1) % 4)}`);
+    await page.waitForTimeout(30);
+    const now = await snapshot();
+    if (now !== seen.at(-1)) seen.push(now);
+  }
+  await page.click('#tab-adjust');
+  while (seen.length < 21) {
+    await slide(page, '[data-parameter="squat_deg"]', 0.1 + 0.02 * seen.length);
+    await page.waitForFunction((old) => {
+      const { document: d } = window.shigusa;
+      return JSON.stringify(Object.values(d.edits).map((e) => e.assignments)) !== old;
+    }, await page.evaluate(() => JSON.stringify(Object.values(window.shigusa.document.edits).map((e) => e.assignments))));
+    await page.waitForTimeout(400);
+    seen.push(await snapshot());
+  }
+  for (let k = seen.length - 2; k >= 0; --k) {
+    await page.keyboard.press('Control+z');
+    assert.equal(await snapshot(), seen[k], `step ${k}`);
+  }
+  for (let k = 1; k < seen.length; ++k) await page.keyboard.press('Control+y');
+  assert.equal(await snapshot(), seen.at(-1));
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('keys alone: move the goal, choose, play, change a parameter, save', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const before = await state(page);
+  const focused = () => page.evaluate(() => document.activeElement?.className ?? '');
+  for (let k = 0; k < 60 && (await focused()) !== 'view'; ++k) await page.keyboard.press('Tab');
+  assert.equal(await focused(), 'view', 'the view is reached by Tab');
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Shift+ArrowUp');
+  await page.waitForTimeout(600);
+  await settled(page);
+  const moved = (await state(page)).goals[0].position_m[1] - before.goals[0].position_m[1];
+  assert.ok(Math.abs(moved - 0.11) < 1e-9, `moved by ${moved}`);
+  await page.keyboard.press('Digit2');
+  await page.keyboard.press('Space');
+  assert.equal((await state(page)).playing, false);
+  const tab = () => page.evaluate(() => document.activeElement?.id ?? '');
+  for (let k = 0; k < 30 && !(await tab()).startsWith('tab-'); ++k) await page.keyboard.press('Tab');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await tab(), 'tab-adjust');
+  const parameter = () => page.evaluate(() => document.activeElement?.dataset.parameter ?? '');
+  for (let k = 0; k < 20 && (await parameter()) === ''; ++k) await page.keyboard.press('Tab');
+  for (let k = 0; k < 5; ++k) await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
+  await page.keyboard.press('m');
+  await page.waitForFunction(() => window.shigusa.document.goals[0].effector === 'left_hand');
+  await page.keyboard.press('?');
+  assert.ok(await page.locator('dialog').isVisible());
+  await page.keyboard.press('Escape');
+  assert.ok(!(await page.locator('dialog').isVisible()));
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('Japanese: nothing is left in English', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url, { locale: 'ja-JP' });
+  await settled(page);
+  assert.equal(await page.evaluate(() => document.documentElement.lang), 'ja');
+  for (const tab of ['goals', 'adjust', 'criteria', 'body', 'plots', 'take']) {
+    await page.click(`#tab-${tab}`);
+    const text = await page.locator(`#panel-${tab}`).innerText();
+    const english = text.match(/[A-Za-z]{4,}/g)?.filter((word) => !['JSON', 'VRMA', 'human'].includes(word)) ?? [];
+    assert.deepEqual(english, [], tab);
+  }
+  const words = await page.locator('.words').allInnerTexts();
+  assert.ok(words.every((word) => !/[a-z]{3,}/.test(word)), words.join(' | '));
+  await page.locator('.topbar select').last().selectOption('en');
+  assert.match(await page.locator('.gallery h2').innerText(), /Motions/);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+for (const scheme of ['light', 'dark']) {
+  test(`axe finds nothing serious, ${scheme}`, { timeout: 180_000 }, async () => {
+    const { page, context } = await openStudio(browser, site.url, { colorScheme: scheme, bypassCSP: true });
+    await settled(page);
+    await page.keyboard.press('Space');
+    await page.addScriptTag({ content: axe });
+    for (const tab of ['goals', 'adjust', 'criteria', 'body', 'plots', 'take']) {
+      await page.click(`#tab-${tab}`);
+      const found = await page.evaluate(async () => {
+        const { violations } = await window.axe.run();
+        return violations.filter((v) => ['serious', 'critical'].includes(v.impact)).map((v) => `${v.id}: ${v.nodes.map((n) => `${n.target} ${n.failureSummary}`).slice(0, 3).join('; ')}`);
+      });
+      assert.deepEqual(found, [], tab);
+    }
+    await context.close();
+  });
+}
+
+test('searches leave nothing behind', { timeout: 600_000, skip: !process.env.SHIGUSA_LONG && 'long: set SHIGUSA_LONG' }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  await page.locator('select').filter({ hasText: 'thorough' }).selectOption('effortQuick');
+  await settled(page);
+  const session = await context.newCDPSession(page);
+  const heap = async () => {
+    await session.send('HeapProfiler.collectGarbage');
+    return (await session.send('Runtime.getHeapUsage')).usedSize / 1e6;
+  };
+  const field = page.locator('[data-key="right_hand up"]');
+  let reference = 0;
+  for (let k = 1; k <= 200; ++k) {
+    await field.fill(String(0.6 + 0.001 * k));
+    await field.press('Enter');
+    await settled(page);
+    // undo holds sixty steps; from there on nothing may grow
+    if (k === 80) reference = await heap();
+  }
+  const last = await heap();
+  assert.ok(last < reference * 1.1 + 2, `${reference.toFixed(1)} MB after 80 searches, ${last.toFixed(1)} MB after 200`);
+  console.log(`# heap ${reference.toFixed(1)} MB after 80 searches, ${last.toFixed(1)} MB after 200`);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('drag to pose and slider to motion, as measured here', { timeout: 120_000 }, async () => {
+  const { page, context } = await openStudio(browser, site.url);
+  await settled(page);
+  await drag(page, 'right_hand', -60, -80, { hold: 80, steps: 12 });
+  await settled(page);
+  await page.click('#tab-adjust');
+  for (const share of [0.2, 0.4, 0.6, 0.3]) {
+    await slide(page, '[data-parameter="squat_deg"]', share);
+    await page.waitForTimeout(500);
+  }
+  const { dragToPose, sliderToMotion } = await page.evaluate(() => window.shigusa.timings);
+  const median = (list, key) => [...list].map((x) => x[key]).sort((a, b) => a - b)[Math.floor(list.length / 2)];
+  console.log(`# engine: drag to pose ${median(dragToPose, 'engine_ms').toFixed(1)} ms, slider to motion ${median(sliderToMotion, 'engine_ms').toFixed(1)} ms (medians of ${dragToPose.length} and ${sliderToMotion.length}); with the way to the worker and this page's drawing ${median(dragToPose, 'total_ms').toFixed(0)} and ${median(sliderToMotion, 'total_ms').toFixed(0)} ms`);
+  assert.ok(dragToPose.length > 0 && sliderToMotion.length > 0);
+  await context.close();
+});
