@@ -23,7 +23,7 @@ constexpr std::size_t kMostRequestBytes = 4096;  // nothing is sent here
 // All that the page needs is beside it; 'wasm-unsafe-eval' lets the engine be compiled.
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src "
-    "'self' blob: data:; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; base-uri "
+    "'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; base-uri "
     "'none'; form-action 'none'; frame-ancestors 'none'";
 
 // Where the page's built files are: as told, installed beside the program, or in the source tree.
