@@ -6,6 +6,8 @@ set(shigusa_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shigusa)
 
 install(TARGETS shigusa EXPORT shigusaTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY include/shigusa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# the studio's page, where scripts/build_studio has built it
+install(DIRECTORY studio/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shigusa/studio OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT shigusaTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
 

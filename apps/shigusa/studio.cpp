@@ -23,7 +23,7 @@ constexpr std::size_t kMostRequestBytes = 4096;  // nothing is sent here
 // All that the page needs is beside it; 'wasm-unsafe-eval' lets the engine be compiled.
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src "
-    "'self' blob: data:; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; base-uri "
+    "'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; base-uri "
     "'none'; form-action 'none'; frame-ancestors 'none'";
 
 // Where the page's built files are: as told, installed beside the program, or in the source tree.
@@ -57,6 +57,11 @@ void set_up(httplib::Server& server, const int& port) {
   server.set_file_extension_and_mimetype_mapping("vrm", "model/gltf-binary");
   server.set_file_extension_and_mimetype_mapping("woff2", "font/woff2");
   server.set_payload_max_length(kMostRequestBytes);
+  // by itself it would share a port that another program listens on
+  server.set_socket_options([](int socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
   server.set_default_headers({{"Content-Security-Policy", kPolicy},
                               {"X-Content-Type-Options", "nosniff"},
                               {"Referrer-Policy", "no-referrer"},
@@ -64,16 +69,17 @@ void set_up(httplib::Server& server, const int& port) {
                               {"Cross-Origin-Resource-Policy", "same-origin"},
                               {"Cache-Control", "no-cache"}});
   // a page of the network that gives its own name this address gets nothing
-  server.set_pre_routing_handler([&port](const httplib::Request& request,
-                                         httplib::Response& response) {
-    const std::string host = request.get_header_value("Host");
-    for (const char* name : {kLoopback, "localhost"}) {
-      if (host == fmt::format("{}:{}", name, port)) return httplib::Server::HandlerResponse::Unhandled;
-    }
-    response.status = 421;
-    response.set_content("This server is for this machine alone.\n", "text/plain");
-    return httplib::Server::HandlerResponse::Handled;
-  });
+  server.set_pre_routing_handler(
+      [&port](const httplib::Request& request, httplib::Response& response) {
+        const std::string host = request.get_header_value("Host");
+        for (const char* name : {kLoopback, "localhost"}) {
+          if (host == fmt::format("{}:{}", name, port))
+            return httplib::Server::HandlerResponse::Unhandled;
+        }
+        response.status = 421;
+        response.set_content("This server is for this machine alone.\n", "text/plain");
+        return httplib::Server::HandlerResponse::Handled;
+      });
 }
 
 // Shows the page in the person's browser; where that cannot be done they have the address.

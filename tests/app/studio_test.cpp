@@ -23,19 +23,9 @@ using testing::Not;
 class Studio : public testing::Test {
  protected:
   void start(const std::string& folder) {
-    int out[2];
-    ASSERT_EQ(pipe(out), 0);
-    child_ = fork();
-    if (child_ == 0) {
-      dup2(out[1], STDOUT_FILENO);
-      close(out[0]);
-      execl(SHIGUSA_BINARY, "shigusa", "studio", "--no-open", "--folder", folder.c_str(), nullptr);
-      _exit(127);
-    }
-    close(out[1]);
+    child_ = start_shigusa({"studio", "--no-open", "--folder", folder}, {}, out_, err_);
     std::string line;
-    for (char c = 0; read(out[0], &c, 1) == 1 && c != '\n';) line += c;
-    close(out[0]);
+    for (char c = 0; read(out_.read_end, &c, 1) == 1 && c != '\n';) line += c;
     const std::string before = "http://127.0.0.1:";
     ASSERT_THAT(line, testing::StartsWith(before));
     port_ = std::stoi(line.substr(before.size()));
@@ -46,6 +36,8 @@ class Studio : public testing::Test {
       kill(child_, SIGKILL);
       waitpid(child_, nullptr, 0);
     }
+    close(out_.read_end);
+    close(err_.read_end);
   }
 
   // The whole answer to a request for `path`, sent as `host`.
@@ -71,6 +63,8 @@ class Studio : public testing::Test {
   }
 
   WorkFolder work_;
+  Channel out_{false};
+  Channel err_{false};
   pid_t child_ = -1;
   int port_ = 0;
 };
@@ -103,13 +97,13 @@ TEST_F(Studio, ServesThePageWithItsTypesAndAPolicy) {
 
 TEST_F(Studio, TellsWhatItCannotServe) {
   const ProgramRun missing =
-      run_program({"studio", "--no-open", "--folder", (work_.path() / "none").string()});
+      run_shigusa({"studio", "--no-open", "--folder", (work_.path() / "none").string()});
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_THAT(missing.err, HasSubstr("holds no index.html"));
-  EXPECT_EQ(run_program({"studio", "--port", "65536"}).exit_code, 2);
+  EXPECT_EQ(run_shigusa({"studio", "--port", "65536"}).exit_code, 2);
   work_.put("page/index.html", "x");
   start((work_.path() / "page").string());
-  const ProgramRun taken = run_program({"studio", "--no-open", "--port", std::to_string(port_),
+  const ProgramRun taken = run_shigusa({"studio", "--no-open", "--port", std::to_string(port_),
                                         "--folder", (work_.path() / "page").string()});
   EXPECT_EQ(taken.exit_code, 2);
   EXPECT_THAT(taken.err, HasSubstr("port " + std::to_string(port_)));

@@ -37,5 +37,5 @@ export type ToWorker =
 export type FromWorker =
   | { type: 'progress'; id: number; progress: Progress }
   | { type: 'done'; id: number; answer: Answer }
-  /** `broken`: the module may be in no state to go on with. */
+  /** `broken`: this worker's module is not to be gone on with. */
   | { type: 'failed'; id: number; failure: EngineFailure; broken: boolean };

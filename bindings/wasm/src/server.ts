@@ -54,11 +54,12 @@ export class Server {
       const answer = this.compute(await this.door, id, call);
       this.send({ type: 'done', id, answer }, transferable(answer));
     } catch (error) {
-      const refused = error instanceof EngineError;
-      const message = error instanceof Error ? error.message : String(error);
-      this.send({
-        type: 'failed', id, failure: refused ? error.failure : { code: 'fault', message }, broken: !refused,
-      }, []);
+      const failure = error instanceof EngineError
+        ? error.failure
+        : { code: 'fault' as const, message: error instanceof Error ? error.message : String(error) };
+      // a module's memory never shrinks: one that has taken all there is gives it back by its end
+      const broken = failure.code === 'fault' || failure.code === 'out_of_memory';
+      this.send({ type: 'failed', id, failure, broken }, []);
     }
   }
 

@@ -98,6 +98,14 @@ test('failures have a code and a sentence, and do not stop the engine', async ()
   assert.equal((await engine.generate(human, smallTask)).summary.status, 'reached');
 });
 
+test('a file beyond all memory is refused, and its memory given back', async () => {
+  const ended = NodeWorker.ended;
+  await assert.rejects(engine.open({ source: 'a.bvh' }, new Uint8Array(1.2e9)),
+    (error) => error.failure.code === 'out_of_memory');
+  assert.equal(NodeWorker.ended, ended + 1);
+  await engine.open({ source: 'human' });
+});
+
 test('characters are told apart, and one that was closed can be asked for again', async () => {
   const small = await engine.open({ source: 'human', stature_m: 1.5 });
   const tall = await engine.open({ source: 'human', stature_m: 1.9 });
