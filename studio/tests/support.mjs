@@ -6,7 +6,8 @@ import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const dist = fileURLToPath(new URL('../dist/', import.meta.url));
+/** The built page: this tree's, or another one to be tested. */
+const dist = process.env.SHIGUSA_STUDIO_DIST ?? fileURLToPath(new URL('../dist/', import.meta.url));
 /** Not the root: the page works from any folder of any host. */
 const kFolder = '/some/where/';
 

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: MIT
 // A built-in body's motion as GLB: the mannequin as it is drawn, on the body's own nodes.
 import {
-  AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, VectorKeyframeTrack,
+  AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, Vector3, VectorKeyframeTrack,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import type { Candidate, Character } from '../../../bindings/wasm/src/types';
 import { disposeFigure, makeFigure } from './figures';
 import { palettes } from './palette';
+
+/** glTF wants normals of length 1 even where no triangle uses them. */
+function normalize(geometry: BufferGeometry): void {
+  const normals = geometry.getAttribute('normal');
+  const normal = new Vector3();
+  for (let i = 0; i < normals.count; ++i) {
+    normal.fromBufferAttribute(normals, i);
+    if (normal.lengthSq() < 1e-12) normal.set(0, 1, 0);
+    normals.setXYZ(i, ...normal.normalize().toArray());
+  }
+}
 
 export async function drawnGlb(character: Character, candidate: Candidate): Promise<Uint8Array> {
   const figure = await makeFigure(character);
@@ -24,7 +35,7 @@ export async function drawnGlb(character: Character, candidate: Candidate): Prom
       return out;
     };
     figure.object.traverse((item) => {
-      if (item instanceof Mesh) (item.geometry as BufferGeometry).normalizeNormals();
+      if (item instanceof Mesh) normalize(item.geometry as BufferGeometry);
     });
     const tracks: KeyframeTrack[] = [];
     figure.nodes.forEach((node, n) => {

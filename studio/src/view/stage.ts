@@ -8,6 +8,8 @@ import { Floor } from './floor';
 import { type Palette, palettes } from './palette';
 import { type Quality, QualityControl } from './quality';
 
+const kInside = 0.86; // of the picture, from its middle
+const kBelowMessages = 0.7;
 const kRest = 0.25; // s without movement until the fine picture
 
 export class Stage {
@@ -71,6 +73,25 @@ export class Stage {
     const away = new Vector3(-0.62, 0.3, 1).normalize().multiplyScalar(2.2 * stature);
     this.orbit.target.copy(middle);
     this.camera.position.copy(middle).add(away);
+    this.orbit.update();
+    this.invalidate();
+  }
+
+  /** Goes back until these places are in the picture. */
+  include(places: readonly Vector3[]): void {
+    const outside = (): boolean => {
+      this.camera.updateMatrixWorld();
+      return places.some((place) => {
+        const p = place.clone().project(this.camera);
+        return Math.abs(p.x) > kInside || p.y < -kInside || p.y > kBelowMessages;
+      });
+    };
+    const { target } = this.orbit;
+    for (let tries = 0; tries < 20 && outside(); ++tries) {
+      const away = this.camera.position.clone().sub(target);
+      if (away.length() * 1.06 > this.orbit.maxDistance) break;
+      this.camera.position.copy(target).addScaledVector(away, 1.06);
+    }
     this.orbit.update();
     this.invalidate();
   }

@@ -88,7 +88,7 @@ export class Thumbnails {
     for (const { reached_m: place } of candidate.summary.reached) {
       const beyond = Math.max(Math.hypot(place[0], place[2]) - 0.4 * stature, 0) + Math.max(place[1] - stature, 0);
       away = Math.max(away, 2.15 * stature + 1.6 * beyond);
-      if (beyond > 0) middle.lerp(new Vector3(place[0], middle.y, place[2]), 0.35);
+      if (beyond > 0) middle.lerp(new Vector3(place[0], Math.max(middle.y, place[1]), place[2]), 0.35);
     }
     this.camera.position.copy(middle).add(new Vector3(-0.62, 0.22, 1).normalize().multiplyScalar(away));
     this.camera.lookAt(middle);

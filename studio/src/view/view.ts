@@ -103,6 +103,11 @@ export class View {
     if (state.compareMode !== previous.compareMode) this.colour();
     if (state.document?.compared !== previous.document?.compared) void this.setOther();
     if (state.dragging && !previous.dragging) this.studio.play(false);
+    // a hand that is dragged must not see the picture move under it
+    const { document } = state;
+    if (document && !state.dragging && document.goals !== previous.document?.goals) {
+      this.stage.include(document.goals.map((goal) => new Vector3(...goal.position_m)));
+    }
     this.showOverlays(state);
     this.stage.invalidate();
   }
