@@ -144,3 +144,21 @@ test('a result that is dropped back and a link bring the task again', { timeout:
   assert.deepEqual(errors, []);
   await context.close();
 });
+
+const kRobot = 'VRM-Addon-for-Blender__debug_robot.vrm';
+test('a VRM character leaves in every format', { skip: !files.includes(kRobot) && 'no robot here', timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  await drop(page, kRobot, readFileSync(join(folder, kRobot)));
+  await page.waitForFunction((name) => window.shigusa.document.character.spec.source === name, kRobot);
+  await settled(page);
+  await page.click('#tab-take');
+  const begins = { glb: 'glTF', vrma: 'glTF', bvh: 'HIERARCHY', csv: 'time', svg: '<?xml', png: '\x89PNG', task: '{', result: '{' };
+  for (const [format, start] of Object.entries(begins)) {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-format="${format}"]`)]);
+    const bytes = readFileSync(await download.path());
+    assert.equal(bytes.subarray(0, start.length).toString('latin1'), start, format);
+  }
+  assert.deepEqual(errors, []);
+  await context.close();
+});

@@ -199,3 +199,14 @@ test('drag to pose and slider to motion, as measured here', { timeout: 120_000 }
   assert.ok(dragToPose.length > 0 && sliderToMotion.length > 0);
   await context.close();
 });
+
+test('a browser without WebAssembly SIMD is told what is missing', async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    WebAssembly.validate = () => false;
+  });
+  await page.goto(site.url);
+  assert.match(await page.locator('.refused').innerText(), /SIMD/);
+  await context.close();
+});

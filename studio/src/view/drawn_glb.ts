@@ -35,7 +35,9 @@ export async function drawnGlb(character: Character, candidate: Candidate): Prom
       return out;
     };
     figure.object.traverse((item) => {
-      if (item instanceof Mesh) normalize(item.geometry as BufferGeometry);
+      if (!(item instanceof Mesh)) return;
+      normalize(item.geometry as BufferGeometry);
+      (item.geometry as BufferGeometry).deleteAttribute('uv'); // nothing is painted on
     });
     const tracks: KeyframeTrack[] = [];
     figure.nodes.forEach((node, n) => {

@@ -131,7 +131,7 @@ function addTrunk(b: Builder): void {
     const largest = shares.map((share, k) => [share, k] as const).sort((p, q) => q[0] - p[0]).slice(0, 4);
     const sum = largest.reduce((total, [share]) => total + share, 0);
     largest.forEach(([share, k], slot) => {
-      indices[4 * i + slot] = k;
+      indices[4 * i + slot] = share > 0 ? k : 0;
       weights[4 * i + slot] = share / sum;
     });
   }
