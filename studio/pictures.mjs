@@ -49,7 +49,7 @@ await picture('studio-plots-ja', { locale: 'ja-JP' }, async (page) => {
 });
 
 // the moving picture: the hand is dragged, then the motion plays
-const { page, context } = await openStudio(browser, site.url, { viewport: { width: 1000, height: 640 } });
+const { page, context } = await openStudio(browser, site.url, { viewport: { width: 1120, height: 680 } });
 await settled(page);
 await at(page, 1);
 let frame = 0;

@@ -158,6 +158,7 @@ export class Handles {
     const hit = this.ray.ray.intersectPlane(plane, new Vector3()) ?? handle.sprite.position.clone();
     this.dragged = { handle, plane, grip: handle.sprite.position.clone().sub(hit), moved: false };
     this.gizmo.detach();
+    this.events.hover(null, 0, 0);
     this.events.select(handle.effector);
   };
 
