@@ -52,8 +52,8 @@ enum {
   SHIGUSA_FAULT = 8 /* a fault of the library itself: please report it */
 };
 
-/* What the calling thread's last failure was about, "" if none failed yet. Valid until this thread's
- * next failure. */
+/* What the calling thread's last failure was about, "" if none failed yet. Valid until this
+ * thread's next failure. */
 SHIGUSA_API const char* shigusa_message(void);
 
 /* Text or a file, owned by the caller. Text ends with a zero that `size` does not count. */
@@ -95,8 +95,8 @@ typedef struct shigusa_watch {
 } shigusa_watch;
 
 /* Searches motions. `task` is a task file's text; `character`, where given, takes the place of the
- * task's own; null: the task's, which must need no file. `watch` may be null. A goal out of reach is
- * no failure: the result's status says so, and its one candidate ends as near as it gets.
+ * task's own; null: the task's, which must need no file. `watch` may be null. A goal out of reach
+ * is no failure: the result's status says so, and its one candidate ends as near as it gets.
  * `threads`: 0 for one a core; changes no result. */
 SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
                                             int32_t threads, const shigusa_watch* watch,
@@ -140,9 +140,9 @@ SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, i
 /* What can be read of each frame of a candidate. */
 typedef int32_t shigusa_series;
 enum {
-  SHIGUSA_TIME = 0,           /* 1 column: s */
-  SHIGUSA_ANGLES = 1,         /* a column a freedom, in the order of the description's joints: rad */
-  SHIGUSA_TORQUES = 2,        /* the same: N·m */
+  SHIGUSA_TIME = 0,    /* 1 column: s */
+  SHIGUSA_ANGLES = 1,  /* a column a freedom, in the order of the description's joints: rad */
+  SHIGUSA_TORQUES = 2, /* the same: N·m */
   SHIGUSA_CENTRE_OF_MASS = 3, /* x, y, z: m, world */
   /* how far inside what the feet stand on the plumb line of the centre of mass and the floor's
    * centre of pressure are, less than 0 outside: m; no columns of a body without feet */
@@ -161,8 +161,8 @@ SHIGUSA_API shigusa_status shigusa_result_series(const shigusa_result* result, i
 
 /* The criteria of a clip's motion (BVH, or an animation of glTF, VRM or VRMA): the object that
  * `shigusa score --json` prints. `options` may be null, or {"criteria": "default", "first": 0,
- * "last": 80, "smoothed_hz": 6, "animation": "Take 1", "character": "human"}; without a character it
- * is scored on its own person. */
+ * "last": 80, "smoothed_hz": 6, "animation": "Take 1", "character": "human"}; without a character
+ * it is scored on its own person. */
 SHIGUSA_API shigusa_status shigusa_score_clip(const char* name, const void* file, size_t file_size,
                                               const char* options, shigusa_bytes** json);
 

@@ -17,7 +17,8 @@ shigusa_status shigusa_character_create(const char* spec, const void* file, size
     if (!parsed) return refuse(parsed.error());
     if (is_complete(*parsed)) {
       if (file != nullptr) {
-        return refuse(SHIGUSA_INVALID_ARGUMENT, parsed->source + " needs no file, and one is given");
+        return refuse(SHIGUSA_INVALID_ARGUMENT,
+                      parsed->source + " needs no file, and one is given");
       }
     } else {
       if (file == nullptr) {

@@ -21,8 +21,8 @@ extern "C" shigusa_status shigusa_score_clip(const char* name, const void* file,
                     "options: character: must be built in, or be left out for the clip's person");
     }
     const std::string_view bytes(static_cast<const char*>(file), file_size);
-    const auto recorded = parse_recorded(bytes, name, std::move(character),
-                                         request->settings.first, request->animation);
+    const auto recorded = parse_recorded(bytes, name, std::move(character), request->settings.first,
+                                         request->animation);
     if (!recorded) return refuse(recorded.error());
     const auto score = score_clip(*recorded, request->settings);
     if (!score) return refuse(score.error());

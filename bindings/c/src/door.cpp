@@ -47,7 +47,9 @@ shigusa_status refuse(shigusa_status status, const std::string& message) {
   return status;
 }
 
-shigusa_status refuse(const Error& error) { return refuse(status_of(error.code), error.to_string()); }
+shigusa_status refuse(const Error& error) {
+  return refuse(status_of(error.code), error.to_string());
+}
 
 shigusa_status give(std::string text, shigusa_bytes** bytes) {
   *bytes = new shigusa_bytes{std::move(text)};

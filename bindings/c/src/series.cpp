@@ -11,9 +11,7 @@ namespace {
 
 constexpr size_t kSeries = SHIGUSA_NODE_ROTATIONS + 1;
 
-void add(const Vec3d& v, std::vector<double>& table) {
-  table.insert(table.end(), {v.x, v.y, v.z});
-}
+void add(const Vec3d& v, std::vector<double>& table) { table.insert(table.end(), {v.x, v.y, v.z}); }
 
 // The table of one series, frame by frame.
 std::vector<double> table_of(const shigusa_result& result, const Candidate& candidate,
