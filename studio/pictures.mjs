@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// pictures.mjs FOLDER: the pictures of the studio in the docs, from the built page: three of it at rest, and the
-// frames of a drag with the motion that follows, from which scripts make the moving one.
+// pictures.mjs FOLDER [--frames]: the pictures of the studio in the docs, from the built page: three of it at rest, and
+// with --frames those of a drag with the motion that follows, to make a moving one of.
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { launch, openStudio, serve, settled } from './tests/support.mjs';
@@ -29,7 +29,7 @@ async function picture(name, options, act) {
   const { page, context } = await openStudio(browser, site.url, options);
   await settled(page);
   await act(page);
-  await page.screenshot({ path: join(folder, `${name}.png`) });
+  await page.screenshot({ path: join(folder, `${name}.jpg`), quality: 88 });
   await context.close();
 }
 
@@ -48,31 +48,35 @@ await picture('studio-plots-ja', { locale: 'ja-JP' }, async (page) => {
   await at(page, 0.7);
 });
 
-// the moving picture: the hand is dragged, then the motion plays
-const { page, context } = await openStudio(browser, site.url, { viewport: { width: 1120, height: 680 } });
-await settled(page);
-await at(page, 1);
-let frame = 0;
-const shoot = async () => page.screenshot({ path: join(folder, `frame-${String(frame++).padStart(3, '0')}.png`) });
-await shoot();
-const [x, y] = await page.evaluate(() => window.shigusa.handle('right_hand'));
-await page.mouse.move(x, y);
-await page.mouse.down();
-for (let k = 1; k <= 12; ++k) {
-  await page.mouse.move(x - 5 * k, y - 14 * k);
-  await page.waitForTimeout(700);
-  await shoot();
-}
-await page.mouse.up();
-await settled(page);
-for (let k = 0; k <= 16; ++k) {
-  await page.locator('.scrub').evaluate((range, value) => {
-    range.value = String(value * 1000);
-    range.dispatchEvent(new Event('input'));
-  }, k / 16);
-  await page.waitForTimeout(700);
-  await shoot();
-}
-await context.close();
+if (process.argv[3] === '--frames') await frames();
 await browser.close();
 site.close();
+
+/** The hand is dragged, then the motion plays. */
+async function frames() {
+  const { page, context } = await openStudio(browser, site.url, { viewport: { width: 1120, height: 680 } });
+  await settled(page);
+  await at(page, 1);
+  let frame = 0;
+  const shoot = async () => page.screenshot({ path: join(folder, `frame-${String(frame++).padStart(3, '0')}.png`) });
+  await shoot();
+  const [x, y] = await page.evaluate(() => window.shigusa.handle('right_hand'));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let k = 1; k <= 12; ++k) {
+    await page.mouse.move(x - 5 * k, y - 14 * k);
+    await page.waitForTimeout(700);
+    await shoot();
+  }
+  await page.mouse.up();
+  await settled(page);
+  for (let k = 0; k <= 16; ++k) {
+    await page.locator('.scrub').evaluate((range, value) => {
+      range.value = String(value * 1000);
+      range.dispatchEvent(new Event('input'));
+    }, k / 16);
+    await page.waitForTimeout(700);
+    await shoot();
+  }
+  await context.close();
+}
