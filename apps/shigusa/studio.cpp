@@ -48,14 +48,6 @@ Result<fs::path> page_folder(const std::string& told) {
 }
 
 void set_up(httplib::Server& server, const int& port) {
-  server.set_file_extension_and_mimetype_mapping("mjs", "text/javascript");
-  server.set_file_extension_and_mimetype_mapping("js", "text/javascript");
-  server.set_file_extension_and_mimetype_mapping("wasm", "application/wasm");
-  server.set_file_extension_and_mimetype_mapping("json", "application/json");
-  server.set_file_extension_and_mimetype_mapping("svg", "image/svg+xml");
-  server.set_file_extension_and_mimetype_mapping("glb", "model/gltf-binary");
-  server.set_file_extension_and_mimetype_mapping("vrm", "model/gltf-binary");
-  server.set_file_extension_and_mimetype_mapping("woff2", "font/woff2");
   server.set_payload_max_length(kMostRequestBytes);
   // by itself it would share a port that another program listens on
   server.set_socket_options([](int socket) {
@@ -86,8 +78,17 @@ void set_up(httplib::Server& server, const int& port) {
 void open_browser(std::string address) {
   std::string opener = "xdg-open";
   char* const arguments[] = {opener.data(), address.data(), nullptr};
+  // it shall hear the signals that are blocked here
+  posix_spawnattr_t attributes;
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t child = 0;
-  if (posix_spawnp(&child, opener.c_str(), nullptr, nullptr, arguments, environ) != 0) return;
+  const int failed = posix_spawnp(&child, opener.c_str(), nullptr, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
+  if (failed != 0) return;
   std::thread([child] { waitpid(child, nullptr, 0); }).detach();
 }
 

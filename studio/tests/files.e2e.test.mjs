@@ -3,10 +3,10 @@
 import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { launch, openStudio, serve, settled, state } from './support.mjs';
+import { openStudio, settled, state, visit } from './support.mjs';
 
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
@@ -14,16 +14,7 @@ const files = existsSync(folder) ? readdirSync(folder).sort() : [];
 /** Files that no person can be read from. */
 const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|BrainStem|\.urdf$|\.xml$|\.tsv$/;
 
-let site;
-let browser;
-before(async () => {
-  site = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  site.close();
-});
+const { site, browser } = await visit();
 
 /** As a browser does when a person lets a file go over the page. */
 async function drop(page, name, bytes) {

@@ -2,20 +2,11 @@
 // What a person does first: drag, choose, adjust, take away.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drag, launch, openStudio, serve, settled, slide, state } from './support.mjs';
+import { drag, openStudio, settled, slide, state, visit } from './support.mjs';
 
-let site;
-let browser;
-before(async () => {
-  site = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  site.close();
-});
+const { site, browser } = await visit();
 
 const distance = (a, b) => Math.hypot(...a.map((value, k) => value - b[k]));
 

@@ -3,6 +3,7 @@
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
+import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -33,6 +34,17 @@ export async function serve() {
 
 export function launch() {
   return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+}
+
+/** A server and a browser for the tests of a file, which end after them. */
+export async function visit() {
+  const site = await serve();
+  const browser = await launch();
+  after(async () => {
+    await browser.close();
+    site.close();
+  });
+  return { site, browser };
 }
 
 /** A page that is open, with motions that do not loop, as drawing by software takes all of a machine; `errors` gets what the console complains of. */

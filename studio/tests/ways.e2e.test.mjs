@@ -3,21 +3,12 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { after, before, test } from 'node:test';
-import { drag, launch, openStudio, serve, settled, slide, state } from './support.mjs';
+import { test } from 'node:test';
+import { drag, openStudio, settled, slide, state, visit } from './support.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-let site;
-let browser;
-before(async () => {
-  site = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  site.close();
-});
+const { site, browser } = await visit();
 
 test('a search can be cancelled, and the page goes on', { timeout: 120_000 }, async () => {
   const task = { goals: [{ effector: 'right_hand', position_m: [0.2, 0.6, 0.5] }], character: 'human', evaluations: 1_000_000 };

@@ -125,8 +125,9 @@ SHIGUSA_API int32_t shigusa_result_candidates(const shigusa_result* result);
 SHIGUSA_API shigusa_status shigusa_result_describe(const shigusa_result* result,
                                                    shigusa_bytes** json);
 
-/* The parameters of a candidate that a person edits, in order: [{"name", "group" (joint, limb or
- * "posture"), "kind" ("weight", "angle" or "share"), "value", "low", "high", "scale"
+/* The parameters of a candidate that a person edits, in order: [{"name", "group"
+ * ("posture", "path", "trunk", "right_arm", "legs", …), "kind" ("weight", "angle" or "share"),
+ * "value", "low", "high", "scale"
  * ("linear" or "log"), "unit" ("" or "deg"), "locked"}]. "NAME=VALUE" is an assignment, and of
  * "right_knee.flexion.weight" also "right_knee.flexion.locked=true". */
 SHIGUSA_API shigusa_status shigusa_result_parameters(const shigusa_result* result,

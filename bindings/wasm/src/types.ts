@@ -28,6 +28,8 @@ export interface JointDescription {
   start_rad: number;
 }
 
+/** A node that node_translations and node_rotations move. A file's hang in the file's hierarchy, in its unit, and
+ *  bring the character to where goals are, in the world's axes: `placement` is of the file at rest alone. */
 export interface NodeDescription {
   name: string;
   parent: number; // index, or -1
