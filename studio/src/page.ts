@@ -18,6 +18,7 @@ import { TopBar } from './panels/topbar';
 import { openFile } from './state/files';
 import type { Studio } from './state/studio';
 import { Thumbnails } from './view/thumbnails';
+import { shownTheme } from './view/palette';
 import { View } from './view/view';
 
 export class Page {
@@ -49,7 +50,7 @@ export class Page {
 
   private paint(): void {
     const { theme } = this.studio.store.state;
-    document.documentElement.dataset['theme'] = theme;
+    document.documentElement.dataset['theme'] = shownTheme(theme);
     localStorage.setItem('shigusa.theme', theme);
     this.view.paint();
     this.thumbnails.paint(this.view.stage.palette);

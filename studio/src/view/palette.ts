@@ -2,6 +2,12 @@
 // Colours of what is drawn in three dimensions; those of the page around it are in styles/theme.css.
 import { Color } from 'three';
 
+/** The colours that a choice of theme comes to on this machine. */
+export function shownTheme(theme: 'auto' | 'light' | 'dark'): 'light' | 'dark' {
+  if (theme !== 'auto') return theme;
+  return matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+}
+
 export interface Palette {
   skin: Color;
   joints: Color;

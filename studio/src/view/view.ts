@@ -8,6 +8,7 @@ import type { Studio } from '../state/studio';
 import { disposeFigure, type Figure, makeFigure } from './figures';
 import { Handles } from './handles';
 import { Overlays } from './overlays';
+import { shownTheme } from './palette';
 import { poseNodes } from './pose';
 import { Stage } from './stage';
 
@@ -58,8 +59,7 @@ export class View {
   /** Colours of the theme that is on. */
   paint(): void {
     const { theme } = this.studio.store.state;
-    const dark = theme === 'dark' || (theme === 'auto' && matchMedia('(prefers-color-scheme: dark)').matches);
-    this.stage.paint(dark ? 'dark' : 'light');
+    this.stage.paint(shownTheme(theme));
     this.overlays.paint(this.stage.palette);
     this.otherOverlays.paint({ ...this.stage.palette, path: this.stage.palette.comparedPath });
     this.handles.paint(this.stage.palette);
