@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a person can do, in one place: each panel and key calls these. Steps that undo knows go through `commit`.
-import type { Candidate, Character, Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, Generated, Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import type { History } from './history';
 import { ranking } from './criteria';
 import { candidateAt, type Document, goalOf } from './model';
@@ -187,7 +187,7 @@ export class Studio extends Workbench {
     try {
       const generated = await this.engine.replay(document.character, base.summary, base.candidate, list);
       const now = this.document;
-      if (!generated || !now || now.result !== document.result || now.chosen !== index) return;
+      if (!generated || !now || now.result !== document.result) return;
       const edits = { ...now.edits, [index]: { base, assignments: all, generated } };
       this.commit({ ...now, edits }, drag === undefined ? undefined : `edit ${index} ${drag}`);
       this.timings.add(this.timings.sliderToMotion, since, generated.engine_ms);
@@ -217,20 +217,26 @@ export class Studio extends Workbench {
     if (!document?.result) return;
     this.cancel();
     try {
-      const { character } = document;
-      const result = await this.engine.mirror(character, document.result.summary);
-      const edits: Record<number, Document['edits'][number]> = {};
-      for (const [index, edit] of Object.entries(document.edits)) {
-        const generated = await this.engine.mirror(character, edit.generated.summary);
-        edits[Number(index)] = { base: { summary: generated.summary, candidate: 1 }, assignments: {}, generated };
-      }
-      if (this.document !== document) return;
-      const task = result.summary['task'] as { goals: Goal[]; fixed?: string[] };
-      this.commit({ ...document, result, edits, goals: task.goals, fixed: task.fixed ?? [] });
-      this.store.set({ selected: task.goals[0]?.effector ?? this.store.state.selected });
+      const mirrored = await this.mirrored(document, document.result);
+      // a change that was on its way, such as a slider's last one, goes along
+      if (this.document !== document) return await this.mirror();
+      this.commit(mirrored);
+      this.store.set({ selected: mirrored.goals[0]?.effector ?? this.store.state.selected });
     } catch (error) {
       this.fail(error);
     }
+  }
+
+  private async mirrored(document: Document, found: Generated): Promise<Document> {
+    const { character } = document;
+    const result = await this.engine.mirror(character, found.summary);
+    const edits: Record<number, Document['edits'][number]> = {};
+    for (const [index, edit] of Object.entries(document.edits)) {
+      const generated = await this.engine.mirror(character, edit.generated.summary);
+      edits[Number(index)] = { base: { summary: generated.summary, candidate: 1 }, assignments: {}, generated };
+    }
+    const task = result.summary['task'] as { goals: Goal[]; fixed?: string[] };
+    return { ...document, result, edits, goals: task.goals, fixed: task.fixed ?? [] };
   }
 
   /** Keeps what is locked or given and searches the rest. */
