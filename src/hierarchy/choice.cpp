@@ -17,24 +17,20 @@ Choice distinct_postures(const Archive& archive, int most) {
   // for what is met upright nobody squats
   const bool bends = !ranked.empty() && ranked.front().style != Style::upright;
   for (const bool new_style_only : {true, false}) {
-    choice.similar = choice.worse = 0;
+    choice.worse = 0;
     for (const Archived& archived : ranked) {
       if (static_cast<int>(picked.size()) >= most) break;
       const double spread = new_style_only && bends ? kStyleSpread : kCandidateSpread;
       if (archived.score > ranked.front().score + spread) {
         ++choice.worse;
-      } else if (std::any_of(picked.begin(), picked.end(),
-                             [&](const Archived* better) { return near(*better, archived); })) {
-        ++choice.similar;
-      } else if (!new_style_only ||
-                 std::none_of(picked.begin(), picked.end(), [&](const Archived* better) {
-                   return better->style == archived.style;
-                 })) {
-        picked.push_back(&archived);
+        continue;
       }
+      const bool is_hidden = std::any_of(picked.begin(), picked.end(), [&](const Archived* better) {
+        return near(*better, archived) || (new_style_only && better->style == archived.style);
+      });
+      if (!is_hidden) picked.push_back(&archived);
     }
   }
-  choice.similar -= static_cast<int>(picked.size());  // each is near itself
   for (const Archived* archived : picked) {
     choice.picked.push_back({archived->point, archived->score});
   }
@@ -46,6 +42,24 @@ Choice distinct_postures(const Archive& archive, int most) {
   return choice;
 }
 
+bool ends_like(const Candidate& candidate, const Archived& archived, double apart) {
+  const Clip& clip = candidate.motion.clip;
+  const auto last = clip.frame(clip.frames - 1);
+  const std::vector<float> end(last.begin(), last.end());
+  return posture_distance(end, archived.posture) < apart;
+}
+
+int count_similar(const Choice& choice, std::span<const Candidate> candidates) {
+  if (choice.picked.empty()) return 0;
+  const double most = choice.picked.front().score + kCandidateSpread;
+  return static_cast<int>(
+      std::count_if(choice.spare.begin(), choice.spare.end(), [&](const Archived& spare) {
+        return spare.score <= most &&
+               std::any_of(candidates.begin(), candidates.end(),
+                           [&spare](const Candidate& c) { return ends_like(c, spare, kNearEnd); });
+      }));
+}
+
 std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {
   if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
   const bool by_end = preset_tells_ends(task.preset);
@@ -53,8 +67,8 @@ std::string why_fewer(const Task& task, const Generation& generation, const Choi
   const auto add = [&](int count, std::string_view what) {
     if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
   };
-  add(choice.similar + generation.near_copies,
-      by_end ? "end within 10° of a better one" : "move as a better one does");
+  add(by_end ? choice.similar : generation.near_copies,
+      by_end ? "end within 5° of a better one" : "move as a better one does");
   add(choice.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
   add(generation.over_limit, "pass a joint's limit");
   add(generation.collided, "pass deeper through the body, an obstacle or the floor");

@@ -3,6 +3,7 @@
 
 #include <shigusa/hierarchy/archive.hpp>
 #include <shigusa/hierarchy/generator.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace shigusa {
 struct Choice {
   std::vector<Individual> picked;
   std::vector<Archived> spare{};  // for where those picked will not do, best first
-  int similar = 0;                // end as a better one does
+  int similar = 0;                // of those not delivered, that end as a better one does
   int worse = 0;                  // score more than kCandidateSpread worse than the best
 };
 
@@ -20,6 +21,12 @@ struct Choice {
 // the best: first the best of each style, then what is left, best first. Spare is all else that is
 // not much worse.
 [[nodiscard]] Choice distinct_postures(const Archive& archive, int most);
+
+// Whether a candidate ends less than `apart` (rad) from where an archived motion does.
+[[nodiscard]] bool ends_like(const Candidate& candidate, const Archived& archived, double apart);
+
+// Of what was not picked and is little worse than the best, how many end all but as a candidate.
+[[nodiscard]] int count_similar(const Choice& choice, std::span<const Candidate> candidates);
 
 // Why there are fewer candidates than the task asks for; empty where there are not.
 [[nodiscard]] std::string why_fewer(const Task& task, const Generation& generation,

@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-// Replays of what is spare, of each style that is lacking and of all together.
+// Replays of what is spare, of each style that is lacking and of all together, so far apart each.
 constexpr int kTries = 12;
 
 bool is_free(const Candidate& candidate) { return candidate.collides.depth <= kCollisionDepth; }
@@ -34,22 +34,20 @@ class Delivery {
       : task_(task), ways_(ways), searched_(searched), generation_(generation) {}
 
   void take(const Individual& individual) {
-    add(replay(individual, [](const Candidate&) { return true; }), individual.score);
+    add(replay(individual, kDistinctEnd, [](const Candidate&) { return true; }), individual.score);
   }
 
   // Takes it if it passes through nothing. What passes through something hinders none that ends
   // alike, as it is left out in the end.
-  void take_free(const Archived& archived) {
-    std::optional<Replayed> replayed = replay({archived.point, archived.score}, is_free);
+  void take_free(const Archived& archived, double apart) {
+    std::optional<Replayed> replayed = replay({archived.point, archived.score}, apart, is_free);
     if (replayed && is_free(replayed->candidate)) add(std::move(replayed), archived.score);
   }
 
   // Whether one that passes through nothing ends alike.
-  [[nodiscard]] bool has_like(const Archived& archived) const {
-    return std::any_of(all().begin(), all().end(), [&archived](const Candidate& c) {
-      const auto last = c.motion.clip.frame(c.motion.clip.frames - 1);
-      const std::vector<float> end(last.begin(), last.end());
-      return is_free(c) && posture_distance(end, archived.posture) < kDistinctEnd;
+  [[nodiscard]] bool has_like(const Archived& archived, double apart) const {
+    return std::any_of(all().begin(), all().end(), [&archived, apart](const Candidate& c) {
+      return is_free(c) && ends_like(c, archived, apart);
     });
   }
 
@@ -70,7 +68,7 @@ class Delivery {
 
   // None if it misses, or is a copy of one that counts.
   template <class Counts>
-  std::optional<Replayed> replay(const Individual& individual, Counts&& counts) {
+  std::optional<Replayed> replay(const Individual& individual, double apart, Counts&& counts) {
     const Parameters parameters = searched_.space().decode(individual.point);
     std::optional<Arrival> arrival = first_arrival(ways_, parameters, task_.generator);
     if (!arrival) {
@@ -81,7 +79,7 @@ class Delivery {
     const auto is_copy = [&](const Candidate& better) {
       if (!counts(better)) return false;
       return paper() ? largest_distance(better.motion.clip, clip) < kDistinctPosture
-                     : final_distance(better.motion.clip, clip) < kDistinctEnd;
+                     : final_distance(better.motion.clip, clip) < apart;
     };
     if (std::any_of(all().begin(), all().end(), is_copy)) {
       ++generation_.near_copies;
@@ -140,8 +138,8 @@ void deliver_candidates(const Task& task, std::span<const ReachProblem> ways,
                         const Searched& searched, const SearchResult& found,
                         Generation& generation) {
   const bool paper = task.preset == Preset::paper;
-  const Choice choice = paper ? Choice{.picked = ranked_population(found)}
-                              : distinct_postures(searched.archive(), 4 * task.candidates);
+  Choice choice = paper ? Choice{.picked = ranked_population(found)}
+                        : distinct_postures(searched.archive(), 4 * task.candidates);
   Delivery delivery(task, ways, searched, generation);
   for (const Individual& individual : choice.picked) {
     if (delivery.free() >= task.candidates) break;
@@ -150,21 +148,26 @@ void deliver_candidates(const Task& task, std::span<const ReachProblem> ways,
   std::array<int, kStyles> tried{};
   for (const Archived& spare : choice.spare) {
     if (delivery.has_free(spare.style)) continue;
-    if (tried[static_cast<std::size_t>(spare.style)]++ < kTries) delivery.take_free(spare);
+    if (tried[static_cast<std::size_t>(spare.style)]++ < kTries) {
+      delivery.take_free(spare, kDistinctEnd);
+    }
   }
-  int others = 0;
-  for (const Archived& spare : choice.spare) {
-    if (delivery.free() >= task.candidates || others >= kTries) break;
-    if (spare.score > choice.picked.front().score + kCandidateSpread) break;
-    if (delivery.has_like(spare)) continue;
-    ++others;
-    delivery.take_free(spare);
+  for (const double apart : {kDistinctEnd, kNearEnd}) {
+    int others = 0;
+    for (const Archived& spare : choice.spare) {
+      if (delivery.free() >= task.candidates || others >= kTries) break;
+      if (spare.score > choice.picked.front().score + kCandidateSpread) break;
+      if (delivery.has_like(spare, apart)) continue;
+      ++others;
+      delivery.take_free(spare, apart);
+    }
   }
   // on an earlier way than they were searched on, motions may have other scores
   std::stable_sort(
       generation.candidates.begin(), generation.candidates.end(),
       [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
   if (!paper) drop_collisions(generation);
+  choice.similar = count_similar(choice, generation.candidates);
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);
   generation.fewer = why_fewer(task, generation, choice);
 }

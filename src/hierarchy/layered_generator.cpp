@@ -122,31 +122,71 @@ class UpperSearch {
   LayeredScorer scorer_;
 };
 
-// Keeps what arrives on the way that was searched, or before, and differs; lowest score first.
-void collect(const Task& task, LayeredWays& ways, LayeredWay searched, UpperSearch& search,
-             const Choice& choice, Generation& generation) {
-  for (const Individual& individual : choice.picked) {
-    if (static_cast<int>(generation.candidates.size()) >= task.candidates) break;
-    const LayeredScorer::Played picked = search.expanded(individual.point);
-    std::optional<LayeredArrival> arrival = ways.arrival(picked.parameters, searched);
-    if (!arrival) {
-      ++generation.missed;
-      continue;
+// Keeps what arrives on the way that was searched, or before, and differs.
+class LayeredDelivery {
+ public:
+  LayeredDelivery(const Task& task, LayeredWays& ways, LayeredWay searched, UpperSearch& search,
+                  Generation& generation)
+      : task_(task), ways_(ways), searched_(searched), search_(search), generation_(generation) {}
+
+  void collect(const Choice& choice) {
+    std::vector<Candidate> nearer;  // than kDistinctEnd to a better one
+    for (const Individual& individual : choice.picked) {
+      if (is_enough()) return;
+      take(individual.point, tells_ends() ? kDistinctEnd : kDistinctPosture, &nearer);
     }
-    const Clip& clip = arrival->rolled.motion.clip;
-    const auto is_copy = [&](const Candidate& better) {
-      return preset_tells_ends(task.preset)
-                 ? final_distance(better.motion.clip, clip) < kDistinctEnd
-                 : largest_distance(better.motion.clip, clip) < kDistinctPosture;
-    };
-    if (std::any_of(generation.candidates.begin(), generation.candidates.end(), is_copy)) {
-      ++generation.near_copies;
-      continue;
+    if (!tells_ends()) return;
+    for (Candidate& candidate : nearer) {
+      if (is_enough()) return;
+      if (!is_copy(candidate.motion.clip, kNearEnd)) all().push_back(std::move(candidate));
     }
-    generation.candidates.push_back(make_layered(task, picked.parameters, std::move(*arrival)));
-    generation.candidates.back().feedback_rounds = picked.feedback_rounds;
+    int tries = 0;
+    for (const Archived& spare : choice.spare) {
+      if (is_enough() || tries >= task_.candidates) return;
+      if (spare.score > choice.picked.front().score + kCandidateSpread) return;
+      const auto is_like = [&](const Candidate& c) { return ends_like(c, spare, kNearEnd); };
+      if (std::any_of(all().begin(), all().end(), is_like)) continue;
+      ++tries;
+      take(spare.point, kNearEnd, nullptr);
+    }
   }
-}
+
+ private:
+  [[nodiscard]] std::vector<Candidate>& all() { return generation_.candidates; }
+  [[nodiscard]] bool tells_ends() const { return preset_tells_ends(task_.preset); }
+  [[nodiscard]] bool is_enough() const {
+    return static_cast<int>(generation_.candidates.size()) >= task_.candidates;
+  }
+
+  bool is_copy(const Clip& clip, double apart) {
+    return std::any_of(all().begin(), all().end(), [&](const Candidate& better) {
+      return (tells_ends() ? final_distance(better.motion.clip, clip)
+                           : largest_distance(better.motion.clip, clip)) < apart;
+    });
+  }
+
+  // With all that the layers below find for a point. What is a copy goes to `copies`, if any.
+  void take(std::span<const double> point, double apart, std::vector<Candidate>* copies) {
+    const LayeredScorer::Played played = search_.expanded(point);
+    std::optional<LayeredArrival> arrival = ways_.arrival(played.parameters, searched_);
+    if (!arrival) {
+      ++generation_.missed;
+      return;
+    }
+    const bool copy = is_copy(arrival->rolled.motion.clip, apart);
+    if (copy) ++generation_.near_copies;
+    if (copy && copies == nullptr) return;
+    Candidate candidate = make_layered(task_, played.parameters, std::move(*arrival));
+    candidate.feedback_rounds = played.feedback_rounds;
+    (copy ? *copies : all()).push_back(std::move(candidate));
+  }
+
+  const Task& task_;
+  LayeredWays& ways_;
+  LayeredWay searched_;
+  UpperSearch& search_;
+  Generation& generation_;
+};
 
 // Where some candidate keeps to its joints' limits, those that do not are not delivered.
 void keep_within_limits(Generation& generation) {
@@ -171,9 +211,10 @@ void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& wa
   generation.best_seen_layered = search.as_searched(found.best_seen.point);
   generation.best_seen_score = found.best_seen.score;
   generation.missed = generation.over_limit = 0;
-  const Choice choice = search.choice(found);
-  collect(task, ways, way, search, choice, generation);
+  Choice choice = search.choice(found);
+  LayeredDelivery(task, ways, way, search, generation).collect(choice);
   if (problem.reach.hold_limits) keep_within_limits(generation);
+  choice.similar = count_similar(choice, generation.candidates);
   generation.fewer = why_fewer(task, generation, choice);
 }
 

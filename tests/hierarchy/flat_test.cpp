@@ -185,7 +185,7 @@ TEST(FlatSearch, SaysWhyThereAreFewerCandidates) {
   const Generation fewer = generate(task).value();
   EXPECT_LT(fewer.candidates.size(), 500U);
   EXPECT_THAT(fewer.fewer, testing::HasSubstr(std::to_string(fewer.candidates.size()) + " of 500"));
-  EXPECT_THAT(fewer.fewer, testing::HasSubstr("end within 10° of a better one"));
+  EXPECT_THAT(fewer.fewer, testing::HasSubstr("end within 5° of a better one"));
 }
 
 TEST(FlatSearch, BeatsThePapersAlgorithmByThePapersOwnCriteria) {

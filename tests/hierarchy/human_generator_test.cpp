@@ -142,7 +142,7 @@ TEST(GenerateHuman, CandidatesEndApartAndAreRanked) {
         const double difference = a.frame(a.frames - 1)[d] - b.frame(b.frames - 1)[d];
         squares += difference * difference;
       }
-      EXPECT_GE(sqrt(squares / task.body.dof_count()), kDistinctEnd);
+      EXPECT_GE(sqrt(squares / task.body.dof_count()), kNearEnd);
     }
   }
 }

@@ -56,6 +56,24 @@ TEST(WholeHuman, StandsOnItsFeetAndHasSeveralAnswers) {
   EXPECT_GE(candidates, 16U);
 }
 
+// Straight ahead of the chest two motions end 10° apart, and people have more ways.
+TEST(WholeHuman, HasFiveAnswersToWhatIsEasyAsWell) {
+  for (const Vec3d& goal : {Vec3d{-0.08, 0.99, 0.54}, {0.57, 1.71, 0.31}, {-0.24, 1.55, 0.23}}) {
+    const Generation generation = reached(goal, 0.0, 0);
+    const std::vector<Candidate>& all = generation.candidates;
+    EXPECT_EQ(all.size(), 5U) << generation.fewer;
+    std::vector<std::vector<float>> ends;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Clip& clip = all[i].motion.clip;
+      const auto last = clip.frame(clip.frames - 1);
+      ends.emplace_back(last.begin(), last.end());
+      for (std::size_t k = 0; k < i; ++k) {
+        EXPECT_GE(posture_distance(ends[k], ends[i]), kNearEnd - kEndSlack);
+      }
+    }
+  }
+}
+
 // The grip is 5 cm above the floor and the fingertips are 8 cm further on: the hand must be laid
 // flat.
 TEST(WholeHuman, HandsStayAboveTheFloor) {

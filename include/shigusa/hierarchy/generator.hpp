@@ -114,6 +114,9 @@ struct Generation {
 inline constexpr double kDistinctPosture = radians(5.0);
 // Presets other than the paper's tell candidates apart by how they end: root mean square (rad).
 inline constexpr double kDistinctEnd = radians(10.0);
+// … or, where fewer than asked for do, by this: a hand's own way, such as an elbow held higher
+// (rad).
+inline constexpr double kNearEnd = radians(5.0);
 // What a replay in double may bring two ends nearer by (rad).
 inline constexpr double kEndSlack = radians(0.1);
 // Candidates score at most this much worse than the best …
