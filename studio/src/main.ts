@@ -8,7 +8,6 @@ import { expose } from './inspect';
 import { Page } from './page';
 import { h } from './panels/dom';
 import { openCharacter, openTask } from './state/files';
-import type { State } from './state/model';
 import { Studio } from './state/studio';
 import { taskOfLink } from './state/task';
 
@@ -40,7 +39,7 @@ async function start(): Promise<void> {
   try {
     const studio = new Studio(await connect());
     const theme = localStorage.getItem('shigusa.theme');
-    studio.store.set({ language: preferredLanguage(), theme: theme === 'light' || theme === 'dark' ? theme : ('auto' as State['theme']) });
+    studio.store.set({ language: preferredLanguage(), theme: theme === 'light' || theme === 'dark' ? theme : 'auto' });
     waiting.remove();
     const page = new Page(studio, root);
     expose(studio, page.view);

@@ -18,11 +18,11 @@ const { site, browser } = await visit();
 
 /** As a browser does when a person lets a file go over the page. */
 async function drop(page, name, bytes) {
-  const data = await page.evaluateHandle(({ name, base64 }) => {
+  const data = await page.evaluateHandle(({ file, base64 }) => {
     const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+    transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], file));
     return transfer;
-  }, { name, base64: Buffer.from(bytes).toString('base64') });
+  }, { file: name, base64: Buffer.from(bytes).toString('base64') });
   await page.dispatchEvent('body', 'drop', { dataTransfer: data });
 }
 

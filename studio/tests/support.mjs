@@ -16,18 +16,20 @@ const types = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
 };
 
+async function answer(request, response) {
+  const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+  const inside = path.startsWith(kFolder) ? normalize(path.slice(kFolder.length) || 'index.html') : '..';
+  try {
+    if (inside.startsWith('..')) throw new Error('outside');
+    const bytes = await readFile(join(dist, inside));
+    response.writeHead(200, { 'content-type': types[extname(inside)] ?? 'application/octet-stream' }).end(bytes);
+  } catch {
+    response.writeHead(404).end();
+  }
+}
+
 export async function serve() {
-  const server = createServer(async (request, response) => {
-    const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
-    const inside = path.startsWith(kFolder) ? normalize(path.slice(kFolder.length) || 'index.html') : '..';
-    try {
-      if (inside.startsWith('..')) throw new Error('outside');
-      const bytes = await readFile(join(dist, inside));
-      response.writeHead(200, { 'content-type': types[extname(inside)] ?? 'application/octet-stream' }).end(bytes);
-    } catch {
-      response.writeHead(404).end();
-    }
-  });
+  const server = createServer((request, response) => void answer(request, response));
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
   return { url: `http://127.0.0.1:${server.address().port}${kFolder}`, close: () => server.close() };
 }

@@ -73,9 +73,9 @@ class WorkerEngine implements Engine {
   private readonly quick: Lane;
   private opened = 0;
 
-  constructor(wasm: WebAssembly.Module, createWorker: () => Worker) {
-    this.search = new Lane(createWorker, wasm);
-    this.quick = new Lane(createWorker, wasm);
+  constructor(wasm: WebAssembly.Module, makeWorker: () => Worker) {
+    this.search = new Lane(makeWorker, wasm);
+    this.quick = new Lane(makeWorker, wasm);
   }
 
   async ready(): Promise<void> {

@@ -109,9 +109,9 @@ export class Lane {
   private send({ id, request: { call, character } }: Job): void {
     if (this.worker === undefined) this.start();
     if (character !== undefined && !this.known.has(character.id)) {
-      const { id, spec, bytes } = character;
-      this.post({ type: 'know', character: id, spec, bytes });
-      this.known.add(id);
+      const { spec, bytes } = character;
+      this.post({ type: 'know', character: character.id, spec, bytes });
+      this.known.add(character.id);
     }
     this.post({ type: 'call', id, call });
   }

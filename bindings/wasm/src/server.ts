@@ -142,6 +142,6 @@ function timed(make: () => DoorResult): Generated {
 function transferable(answer: Answer): Transferable[] {
   if (answer instanceof Uint8Array) return [answer.buffer as ArrayBuffer];
   if (typeof answer !== 'object' || !('engine_ms' in answer)) return [];
-  return (answer as Generated).candidates.flatMap((candidate) =>
+  return answer.candidates.flatMap((candidate) =>
     Object.values(candidate.series).map((series) => series.values.buffer as ArrayBuffer));
 }

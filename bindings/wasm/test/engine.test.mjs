@@ -11,7 +11,7 @@ const engine = await createEngine({ wasm, createWorker });
 after(() => engine.dispose());
 const human = await engine.open({ source: 'human' });
 const longTask = { ...smallTask, evaluations: 500000 };
-const summaryLess = ({ elapsed_ms: _, ...summary }) => summary;
+const summaryLess = ({ elapsed_ms: _elapsed, ...summary }) => summary;
 
 test('a search in a worker is the search of the door', async () => {
   const progress = [];

@@ -116,11 +116,11 @@ export class AdjustPanel implements Panel {
     slider.range.dataset['parameter'] = parameter.name;
     let lock: HTMLButtonElement | null = null;
     if (parameter.kind === 'weight') {
-      const button = h('button', {
+      const press = h('button', {
         type: 'button', class: 'icon-button lock', 'aria-pressed': String(parameter.locked), 'aria-label': t('lock', { name: label }), title: t('lock', { name: label }),
-        onClick: () => void this.studio.edit({ [`${kJointOf(parameter.name)}.locked`]: String(button.getAttribute('aria-pressed') !== 'true') }),
+        onClick: () => void this.studio.edit({ [`${kJointOf(parameter.name)}.locked`]: String(press.getAttribute('aria-pressed') !== 'true') }),
       }, icon(parameter.locked ? 'lock' : 'unlock'));
-      lock = button;
+      lock = press;
     }
     this.rows.set(parameter.name, { slider, lock });
     return h('div', { class: 'row' }, h('div', { class: 'row-head' }, h('span', { class: 'row-name' }, label), lock), slider.element);

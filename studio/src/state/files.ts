@@ -6,16 +6,16 @@ import type { Document, SearchSettings } from './model';
 import { newDocument } from './start';
 import type { Studio } from './studio';
 
-const kCharacters = ['glb', 'gltf', 'vrm', 'bvh'];
+const kCharacters = new Set(['glb', 'gltf', 'vrm', 'bvh']);
 const kMostBytes = 200e6;
-const kBuiltIn = ['human', 'full_body', 'half_body'];
+const kBuiltIn = new Set(['human', 'full_body', 'half_body']);
 
 const endingOf = (name: string): string => name.toLowerCase().split('.').pop() ?? '';
 
 /** Opens what was dropped or picked; what cannot be opened is told, and everything stays as it was. */
 export async function openFile(studio: Studio, file: File): Promise<void> {
   const ending = endingOf(file.name);
-  if (!kCharacters.includes(ending) && ending !== 'json') {
+  if (!kCharacters.has(ending) && ending !== 'json') {
     return studio.tell({ kind: 'text', key: 'unknownFile', values: { name: file.name } });
   }
   if (file.size > kMostBytes) return studio.tell({ kind: 'text', key: 'tooLarge', values: { name: file.name } });
@@ -66,7 +66,7 @@ async function characterOf(studio: Studio, named: CharacterSpec | string | undef
   const spec: CharacterSpec = typeof named === 'string' ? { source: named } : (named ?? { source: 'full_body' });
   const now = studio.document?.character;
   if (now?.bytes && now.spec.source === spec.source) return now;
-  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && kBuiltIn.includes(spec.source)) return now;
+  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && kBuiltIn.has(spec.source)) return now;
   return studio.open(spec);
 }
 

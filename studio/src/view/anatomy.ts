@@ -70,7 +70,7 @@ export function head(top: number, scale: number): BufferGeometry {
     shape.scale(0.35, 1.1, 0.7);
     return shape.translate(side * 0.076 * scale, chin + half * 0.98, 0.006 * scale);
   };
-  return mergeGeometries([skull, nose, ear(1), ear(-1)].map(plain))!;
+  return mergeGeometries([skull, nose, ear(1), ear(-1)].map(plain));
 }
 
 /** A hand from the wrist: `out` to the fingertips, `palm` where the palm faces, `thumb` its side. Unit vectors. */
@@ -96,7 +96,7 @@ export function hand(wrist: Vector3, length: number, out: Vector3, palm: Vector3
     capsule(at(0.16, 0.14, 0.03), at(0.37, 0.3, 0.1), 0.06 * length),
     capsule(at(0.37, 0.3, 0.1), at(0.55, 0.31, 0.17), 0.05 * length),
   );
-  return mergeGeometries(parts.map(plain))!;
+  return mergeGeometries(parts.map(plain));
 }
 
 /** The foot behind the toes' joint, in its own axes: origin on the sole below the ankle, +Y up, +Z to the toes. */
@@ -123,7 +123,7 @@ export function toes(high: number, scale: number, inner: number): BufferGeometry
     return capsule(from, to, radius * scale);
   });
   parts.push(ball(new Vector3(inner * 0.026 * scale, -high + 0.018 * scale, 0), 0.018 * scale));
-  return mergeGeometries(parts.map(plain))!;
+  return mergeGeometries(parts.map(plain));
 }
 
 /** Without texture coordinates, so that all kinds can be merged. */

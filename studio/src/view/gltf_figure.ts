@@ -34,7 +34,7 @@ export async function makeGltfFigure(character: Character): Promise<Figure> {
   const byIndex = new Map<number, Object3D>();
   for (const [item, reference] of gltf.parser.associations) {
     const index = (reference as { nodes?: number } | undefined)?.nodes;
-    if (index !== undefined && 'isObject3D' in item) byIndex.set(index, item as Object3D);
+    if (index !== undefined && 'isObject3D' in item) byIndex.set(index, item);
   }
   const root = new Group();
   root.matrixAutoUpdate = false;

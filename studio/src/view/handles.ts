@@ -112,9 +112,9 @@ export class Handles {
     clampPlace(this.anchor.position);
     this.held.copy(this.anchor.position);
     handle.sprite.position.copy(this.held);
-    const rotation = this.rotates ? (this.anchor.quaternion.toArray() as Quat) : undefined;
-    const report = end ? this.events.drop : this.events.drag;
-    report(handle.effector, this.held.toArray() as Vec3, rotation);
+    const rotation = this.rotates ? this.anchor.quaternion.toArray() : undefined;
+    if (end) this.events.drop(handle.effector, this.held.toArray(), rotation);
+    else this.events.drag(handle.effector, this.held.toArray(), rotation);
   }
 
   /** The handle under the pointer: the nearest on the screen, goals before others. */
@@ -151,7 +151,7 @@ export class Handles {
     event.stopImmediatePropagation();
     this.canvas.setPointerCapture(event.pointerId);
     this.stage.orbit.enabled = false;
-    this.canvas.focus({ preventScroll: true, focusVisible: false } as FocusOptions);
+    this.canvas.focus({ preventScroll: true, focusVisible: false });
     const normal = this.stage.camera.getWorldDirection(new Vector3());
     const plane = new Plane().setFromNormalAndCoplanarPoint(normal, handle.sprite.position);
     this.aim(event);
@@ -179,7 +179,7 @@ export class Handles {
     drag.moved = true;
     drag.handle.sprite.position.copy(place);
     this.stage.invalidate();
-    this.events.drag(drag.handle.effector, place.toArray() as Vec3);
+    this.events.drag(drag.handle.effector, place.toArray());
   };
 
   private readonly up = (event: PointerEvent): void => {
@@ -188,7 +188,7 @@ export class Handles {
     this.dragged = null;
     this.stage.orbit.enabled = true;
     if (this.canvas.hasPointerCapture(event.pointerId)) this.canvas.releasePointerCapture(event.pointerId);
-    if (drag.moved) this.events.drop(drag.handle.effector, drag.handle.sprite.position.toArray() as Vec3);
+    if (drag.moved) this.events.drop(drag.handle.effector, drag.handle.sprite.position.toArray());
     else this.stage.invalidate();
   };
 

@@ -199,7 +199,7 @@ export class View {
     if (!reached || !this.character || !this.figure) return null;
     const file = reached['gltf_node' as keyof typeof reached] as unknown as number | undefined;
     const index = this.character.description.nodes.findIndex((node) => (file === undefined ? node.name === reached.joint : node.file_node === file));
-    return (this.figure.nodes[index]?.getWorldPosition(new Vector3()).toArray() as Vec3 | undefined) ?? null;
+    return this.figure.nodes[index]?.getWorldPosition(new Vector3()).toArray() ?? null;
   }
 
   /** Where a handle is in the page, px; for tests. */
