@@ -93,7 +93,7 @@ async function movingPicture() {
   await page.locator('.card .pick').nth(4).click();
   await play();
   await context.close();
-  const picture = join(folder, 'studio.webp');
-  execFileSync('img2webp', ['-loop', '0', '-lossy', '-q', '75', '-m', '6', ...frames, '-o', picture]);
+  const file = join(folder, 'studio.webp');
+  execFileSync('img2webp', ['-loop', '0', '-lossy', '-q', '75', '-m', '6', ...frames, '-o', file]);
   await rm(work, { recursive: true });
 }
