@@ -76,6 +76,30 @@ test('twenty steps are undone and done again', { timeout: 180_000 }, async () =>
   await context.close();
 });
 
+test('a number that is typed counts, and so does the box that is clicked next', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  await page.locator('[data-key="left_hand has"]').click();
+  await page.locator('[data-key="left_hand up"]').fill('1.2');
+  await page.locator('[data-key="right_hand up"]').click();
+  await page.locator('[data-key="right_hand up"]').fill('99');
+  await page.locator('[data-key="head has"]').click();
+  await page.waitForFunction(() => window.shigusa.document.goals.length === 3);
+  await page.locator('[data-key="right_hand has"]').click();
+  await page.waitForFunction(() => window.shigusa.document.goals.length === 2);
+  await settled(page);
+  const { goals } = await state(page);
+  assert.deepEqual(goals.map((goal) => goal.effector), ['left_hand', 'head']);
+  assert.equal(goals[0].position_m[1], 1.2);
+  await page.locator('[data-key="head up"]').fill('99');
+  await page.keyboard.press('Enter');
+  assert.equal((await state(page)).goals[1].position_m[1], 3, 'no farther than a drag goes');
+  await settled(page);
+  assert.match(await page.locator('.message').innerText(), /Out of reach/);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
 test('keys alone: move the goal, choose, play, change a parameter, save', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);

@@ -97,6 +97,8 @@ export interface Summary {
   seed: number;
   evaluations: number;
   candidates: CandidateSummary[];
+  /** Why there are fewer than asked for, in English. */
+  fewer?: string;
   [key: string]: unknown;
 }
 

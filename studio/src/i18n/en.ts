@@ -20,7 +20,7 @@ export const en = {
   candidates: 'Motions', candidate: 'Motion {n}', chosen: 'chosen', score: 'score', lowerIsBetter: 'lower is better',
   compare: 'Compare', compareWith: 'Compare with motion {n}', comparing: 'compared',
   beside: 'side by side', over: 'overlaid', strip: 'Poses of motion {n} from its beginning to its end',
-  edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
+  fewer: 'Other ways are all but the same, or much worse.', edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
   unsteady: 'leaves its feet by {cm} cm', knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
   // timeline
   play: 'Play', pause: 'Pause', time: 'Time', speed: 'Speed', loop: 'Loop', overlays: 'Paths and balance', seconds: '{t} s',

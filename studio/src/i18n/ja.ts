@@ -19,7 +19,7 @@ export const ja: Record<Key, string> = {
   candidates: '動作の候補', candidate: '候補 {n}', chosen: '選択中', score: '評価値', lowerIsBetter: '小さいほど良い',
   compare: '比較', compareWith: '候補 {n} と比較', comparing: '比較中',
   beside: '並べる', over: '重ねる', strip: '候補 {n} の始めから終わりまでの姿勢',
-  edited: '調整済み', noCandidates: 'ここに候補が並びます。', noStrip: '連続図なし',
+  fewer: 'ほかの動作は、ほとんど同じか、ずっと劣ります。', edited: '調整済み', noCandidates: 'ここに候補が並びます。', noStrip: '連続図なし',
   unsteady: '重心が足から {cm} cm 外れます', knees: '膝 {deg}°', turned: 'ひねり {deg}°', elbow: '肘 {deg}°',
   play: '再生', pause: '一時停止', time: '時刻', speed: '速さ', loop: '繰り返し', overlays: '軌跡と重心', seconds: '{t} 秒',
   goals: '目標', adjust: '調整', criteria: '評価', body: '体', plots: 'グラフ', take: '保存',

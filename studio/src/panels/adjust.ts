@@ -14,7 +14,8 @@ const kOrder = ['posture', 'legs', 'arms', 'path', 'right_arm', 'left_arm', 'tru
 
 export class AdjustPanel implements Panel {
   readonly element: HTMLElement;
-  private readonly bar = h('div', { class: 'buttons' });
+  private readonly reset: HTMLButtonElement;
+  private readonly rest: HTMLButtonElement;
   private readonly kept = h('p', { class: 'quiet' });
   private readonly groups = h('div');
   private rows = new Map<string, { slider: Slider; lock: HTMLButtonElement | null }>();
@@ -23,7 +24,12 @@ export class AdjustPanel implements Panel {
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio) {
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('adjustIntro')), this.bar, this.kept, this.groups);
+    this.reset = button(t('reset'), () => studio.resetEdits());
+    this.rest = button(t('searchRest'), () => {
+      if (studio.document) void studio.searchRest(this.assignments(studio.document));
+    }, { class: 'primary' });
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('adjustIntro')),
+      h('div', { class: 'buttons' }, this.reset, button(t('mirror'), () => void studio.mirror()), this.rest), this.kept, this.groups);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document !== previous.document) this.update();
     });
@@ -55,13 +61,8 @@ export class AdjustPanel implements Panel {
   }
 
   private showBar(document: Document): void {
-    const edited = document.edits[document.chosen] !== undefined;
-    fill(this.bar,
-      button(t('reset'), () => this.studio.resetEdits(), { disabled: !edited }),
-      button(t('mirror'), () => void this.studio.mirror()),
-      button(t('searchRest'), () => void this.studio.searchRest(this.assignments(document)), {
-        class: 'primary', disabled: this.assignments(document).length === 0,
-      }));
+    this.reset.disabled = document.edits[document.chosen] === undefined;
+    this.rest.disabled = this.assignments(document).length === 0;
     fill(this.kept, ...(document.fixed.length === 0 ? [] : [
       t('kept', { n: document.fixed.length }), ' ', button(t('release'), () => void this.studio.searchRest([]), { class: 'link' }),
     ]));

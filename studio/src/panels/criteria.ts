@@ -4,12 +4,12 @@ import { criterionName, t } from '../i18n';
 import { defaultWeights, sameAsDefault, unknownCriteria } from '../state/criteria';
 import { chosenCandidate } from '../state/model';
 import type { Studio } from '../state/studio';
-import { button, fill, h, type Panel, round } from './dom';
+import { button, h, type Panel, round } from './dom';
 import { Slider } from './slider';
 
 export class CriteriaPanel implements Panel {
   readonly element: HTMLElement;
-  private readonly bar = h('div', { class: 'buttons' });
+  private readonly atFirst: HTMLButtonElement;
   private readonly rows = new Map<string, { slider: Slider; paid: HTMLElement; bar: HTMLElement }>();
   private readonly end: () => void;
 
@@ -25,7 +25,11 @@ export class CriteriaPanel implements Panel {
       this.rows.set(name, { slider, paid, bar });
       return h('div', { class: 'row' }, h('div', { class: 'row-head' }, h('span', { class: 'row-name' }, criterionName(name)), paid, bar), slider.element);
     });
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('criteriaIntro')), this.bar, ...rows);
+    this.atFirst = button(t('resetWeights'), () => {
+      if (studio.document) studio.commit({ ...studio.document, weights: { ...defaultWeights } });
+    });
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('criteriaIntro')),
+      h('div', { class: 'buttons' }, button(t('searchAgain'), () => void studio.searchAgain(false), { class: 'primary' }), this.atFirst), ...rows);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document !== previous.document) this.update();
     });
@@ -44,9 +48,7 @@ export class CriteriaPanel implements Panel {
       row.paid.classList.toggle('bad', unknown.has(name));
       row.bar.style.setProperty('--share', String(penalty ?? 0));
     }
-    fill(this.bar,
-      button(t('searchAgain'), () => void this.studio.searchAgain(false), { class: 'primary' }),
-      button(t('resetWeights'), () => this.studio.commit({ ...document, weights: { ...defaultWeights } }), { disabled: sameAsDefault(document.weights) }));
+    this.atFirst.disabled = sameAsDefault(document.weights);
   }
 
   dispose(): void {

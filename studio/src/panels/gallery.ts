@@ -49,6 +49,7 @@ export class Gallery implements Panel {
   private readonly list = h('ol', { class: 'cards' });
   private readonly mode = h('div', { class: 'segmented', role: 'group', 'aria-label': t('compare') });
   private readonly empty = h('p', { class: 'quiet' }, t('noCandidates'));
+  private readonly fewer = h('p', { class: 'quiet' });
   private cards = new Map<number, Card>();
   private strips = new Map<Candidate, string>();
   private result: Document['result'] = null;
@@ -56,7 +57,7 @@ export class Gallery implements Panel {
 
   constructor(private readonly studio: Studio, private readonly thumbnails: Thumbnails) {
     this.element = h('section', { class: 'gallery', 'aria-label': t('candidates') },
-      h('header', {}, h('h2', {}, t('candidates')), this.mode), this.empty, this.list);
+      h('header', {}, h('h2', {}, t('candidates')), this.mode), this.empty, this.list, this.fewer);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document !== previous.document || state.compareMode !== previous.compareMode) this.update();
     });
@@ -76,6 +77,10 @@ export class Gallery implements Panel {
     const order = ranking(document);
     const highest = Math.max(0.05, ...order.flatMap((index) => Object.values(candidateAt(document, index)?.summary.criteria ?? {})));
     order.forEach((index, place) => this.updateCard(document, index, place, highest));
+    const why = result.summary.status === 'reached' ? result.summary.fewer : undefined;
+    this.fewer.hidden = why === undefined;
+    this.fewer.textContent = t('fewer');
+    this.fewer.title = why ?? '';
     const elements = order.map((index) => this.cards.get(index)!.element);
     // only where the order has changed, so that the focus stays
     if (elements.some((element, i) => this.list.children[i] !== element)) fill(this.list, ...elements);
@@ -124,7 +129,7 @@ export class Gallery implements Panel {
     card.element.classList.toggle('chosen', chosen);
     card.element.classList.toggle('compared', compared);
     card.pick.setAttribute('aria-pressed', String(chosen));
-card.strip.alt = t('strip', { n: place + 1 });
+    card.strip.alt = t('strip', { n: place + 1 });
     card.compare.setAttribute('aria-label', t('compareWith', { n: place + 1 }));
     card.compare.setAttribute('aria-pressed', String(compared));
     card.compare.hidden = chosen;

@@ -25,11 +25,15 @@ export class Timeline implements Panel {
     const speed = select(t('speed'), kSpeeds.map((value) => [value, `${value}×`] as const), String(store.state.speed), (value) =>
       store.set({ speed: Number(value) }));
     this.element = h('section', { class: 'timeline', 'aria-label': t('time') }, this.play, this.range, this.label, speed, loop, overlays);
+    let shownPlaying: boolean | null = null;
     const update = (): void => {
       const { playing, loop: loops, overlays: shown, document } = store.state;
-      fill(this.play, icon(playing ? 'pause' : 'play'));
-      this.play.setAttribute('aria-label', t(playing ? 'pause' : 'play'));
-      this.play.title = t(playing ? 'pause' : 'play');
+      if (playing !== shownPlaying) { // a click that has begun on its picture shall end there
+        shownPlaying = playing;
+        fill(this.play, icon(playing ? 'pause' : 'play'));
+        this.play.setAttribute('aria-label', t(playing ? 'pause' : 'play'));
+        this.play.title = t(playing ? 'pause' : 'play');
+      }
       loop.setAttribute('aria-pressed', String(loops));
       overlays.setAttribute('aria-pressed', String(shown));
       const none = !document?.result;
