@@ -63,10 +63,11 @@ void add_goal_results(const Task& task, const ReachProblem& problem, const Motio
     result.error = norm(box.nearest(reached) - reached);
     result.path = path_kind(problem, way.path, candidate.parameters);
     const EffectorTurn turn = goal_turn(body, asked, way.effector, start);
-    if (turn.kind == Turning::free) continue;
-    result.turn = TurnResult{to_quat(start.link_rotation(effector.link)),
-                             to_quat(end.link_rotation(effector.link)),
-                             turn.miss(end.link_rotation(effector.link))};
+    result.turn.start = to_quat(start.link_rotation(effector.link));
+    result.turn.reached = to_quat(end.link_rotation(effector.link));
+    if (turn.kind != Turning::free) {
+      result.turn.error = turn.miss(end.link_rotation(effector.link));
+    }
   }
 }
 
@@ -121,7 +122,7 @@ double miss_of(const Candidate& candidate) {
   double squares = 0.0;
   for (const GoalResult& goal : candidate.goals) {
     squares += goal.error * goal.error;
-    const double turn = goal.turn ? kTurnLength * goal.turn->error : 0.0;
+    const double turn = kTurnLength * goal.turn.error.value_or(0.0);
     squares += turn * turn;
   }
   return sqrt(squares);

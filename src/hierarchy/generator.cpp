@@ -71,7 +71,7 @@ void finish(const ClosestReach& reach, Generation& generation) {
   double squares = 0.0;
   for (const GoalResult& goal : generation.candidates.front().goals) {
     squares += goal.error * goal.error;
-    if (goal.turn) generation.remaining_turn = max(generation.remaining_turn, goal.turn->error);
+    generation.remaining_turn = max(generation.remaining_turn, goal.turn.error.value_or(0.0));
   }
   generation.remaining_distance = sqrt(squares);
 }

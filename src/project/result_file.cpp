@@ -100,11 +100,9 @@ Json goals_to_json(const CharacterSpec& character, const Candidate& candidate) {
                     {"reached_m", to_json(goal.reached)},
                     {"error_mm", goal.error * kMillimetres}});
     if (goal.tolerance != Vec3d{}) list.back()["tolerance_m"] = to_json(goal.tolerance);
-    if (goal.turn) {
-      list.back()["start_rotation_xyzw"] = to_json(goal.turn->start);
-      list.back()["rotation_xyzw"] = to_json(goal.turn->reached);
-      list.back()["rotation_error_deg"] = degrees(goal.turn->error);
-    }
+    list.back()["start_rotation_xyzw"] = to_json(goal.turn.start);
+    list.back()["rotation_xyzw"] = to_json(goal.turn.reached);
+    if (goal.turn.error) list.back()["rotation_error_deg"] = degrees(*goal.turn.error);
     add_gltf_node(character, goal.node, list.back());
   }
   return list;

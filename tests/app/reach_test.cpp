@@ -66,7 +66,8 @@ TEST_P(ExampleTask, SummaryHasTheFieldsOfTheContract) {
     EXPECT_THAT(keys(candidate.at("parameters")),
                 AllOf(Contains("weights"), Contains("contractions"), Contains("posture")));
     EXPECT_THAT(keys(candidate.at("reached").at(0)),
-                testing::ElementsAre("effector", "joint", "goal_m", "reached_m", "error_mm"));
+                testing::ElementsAre("effector", "joint", "goal_m", "reached_m", "error_mm",
+                                     "start_rotation_xyzw", "rotation_xyzw"));
     EXPECT_THAT(keys(candidate.at("contacts").at(0)),
                 testing::ElementsAre("effector", "joint", "max_slide_mm"));
   }

@@ -280,8 +280,8 @@ TEST(LayeredHuman, HandsAreTurnedAsTheirGoalsSay) {
     EXPECT_EQ(generation.status, ReachStatus::reached);
     for (const Candidate& candidate : generation.candidates) {
       EXPECT_LE(candidate.goals[0].error, kReachTolerance);
-      ASSERT_TRUE(candidate.goals[0].turn);
-      EXPECT_LE(candidate.goals[0].turn->error, kTurnTolerance);
+      ASSERT_TRUE(candidate.goals[0].turn.error);
+      EXPECT_LE(*candidate.goals[0].turn.error, kTurnTolerance);
       EXPECT_TRUE(candidate.over_limit.empty());
     }
   }

@@ -27,11 +27,11 @@ enum class PathKind {
   free,      // as the posture takes it: no path leads there with these parameters
 };
 
-// How a goal's effector is turned, of goals that say how.
+// How a goal's effector is turned.
 struct TurnResult {
-  Quatd start{};       // R_WE in the start posture, see GoalAxis
-  Quatd reached{};     // … and at the end
-  double error = 0.0;  // rad, from the rotation or between the axis and its direction
+  Quatd start{};                  // R_WE in the start posture, see GoalAxis
+  Quatd reached{};                // … and at the end
+  std::optional<double> error{};  // rad, from the goal's rotation or between its axis and direction
 };
 
 // Where a goal's effector ends.
@@ -43,7 +43,7 @@ struct GoalResult {
   double error = 0.0;  // m, from the goal or its box
   PathKind path = PathKind::straight;
   Vec3d tolerance{};  // m, see Goal
-  std::optional<TurnResult> turn{};
+  TurnResult turn;
 };
 
 // How far a heel lifts, at any frame.
