@@ -15,6 +15,8 @@ export interface Inspection {
   readonly words: readonly string[];
   readonly timings: Timings;
   readonly time: number;
+  /** Bytes that the engine's modules have taken. */
+  memory(): Promise<{ search: number; quick: number }>;
   /** Where a goal's effector is at the end of the chosen motion, by the engine's own series, m. */
   hand(effector?: string): Vec3 | null;
   /** Where an effector's node is drawn now, m. */
@@ -52,6 +54,7 @@ export function expose(studio: Studio, view: View): void {
     get time() {
       return studio.clock.time;
     },
+    memory: () => studio.engine.memory(),
     drawn: (effector) => view.drawn(effector),
     handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {

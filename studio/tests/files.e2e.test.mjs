@@ -5,8 +5,9 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { validateBytes } from 'gltf-validator';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { openStudio, settled, state, visit } from './support.mjs';
+import { drop, openStudio, settled, state, take, visit } from './support.mjs';
 
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
@@ -15,16 +16,6 @@ const files = existsSync(folder) ? readdirSync(folder).sort() : [];
 const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|BrainStem|\.urdf$|\.xml$|\.tsv$/;
 
 const { site, browser } = await visit();
-
-/** As a browser does when a person lets a file go over the page. */
-async function drop(page, name, bytes) {
-  const data = await page.evaluateHandle(({ file, base64 }) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], file));
-    return transfer;
-  }, { file: name, base64: Buffer.from(bytes).toString('base64') });
-  await page.dispatchEvent('body', 'drop', { dataTransfer: data });
-}
 
 const distance = (a, b) => Math.hypot(...a.map((value, k) => value - b[k]));
 
@@ -146,9 +137,11 @@ test('a VRM character leaves in every format', { skip: !files.includes(kRobot) &
   await page.click('#tab-take');
   const begins = { glb: 'glTF', vrma: 'glTF', bvh: 'HIERARCHY', csv: 'time', svg: '<?xml', png: '\x89PNG', task: '{', result: '{' };
   for (const [format, start] of Object.entries(begins)) {
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-format="${format}"]`)]);
-    const bytes = readFileSync(await download.path());
+    const bytes = await take(page, format);
     assert.equal(bytes.subarray(0, start.length).toString('latin1'), start, format);
+    if (start !== 'glTF') continue;
+    const { issues } = await validateBytes(new Uint8Array(bytes));
+    assert.deepEqual(issues.messages.filter((message) => message.severity < 2), [], format);
   }
   assert.deepEqual(errors, []);
   await context.close();

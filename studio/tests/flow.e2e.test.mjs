@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What a person does first: drag, choose, adjust, take away.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
+import { validateBytes } from 'gltf-validator';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drag, openStudio, settled, slide, state, visit } from './support.mjs';
+import { drag, openStudio, settled, slide, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -52,11 +52,47 @@ test('drag, choose the third, move a slider, export: the hand stays on its goal'
   assert.ok((await posture()) > 20, 'the slider bends the knees');
   assert.equal(await page.evaluate(() => window.shigusa.chosen), third);
 
-  await page.click('#tab-take');
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-format="glb"]')]);
-  const glb = parseGlb(await readFile(await download.path()));
+  const bytes = await take(page, 'glb');
+  const { issues } = await validateBytes(new Uint8Array(bytes));
+  assert.deepEqual(issues.messages.filter((message) => message.severity < 2), [], 'no errors and no warnings');
+  const glb = parseGlb(bytes);
   const end = endOfNode(glb, 'right_hand_grip');
   const { goals } = await state(page);
+  assert.ok(distance(end, goals[0].position_m) < 1e-3, `exported hand at ${end}, goal ${goals[0].position_m}`);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('in layers: the leg contraction bends the knees, and the hand stays on its goal', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  await page.locator('select').filter({ hasText: 'in layers' }).selectOption('human');
+  await settled(page);
+  await drag(page, 'right_hand', -20, 30);
+  await settled(page);
+  const { candidates } = await state(page);
+  assert.ok(candidates >= 3, `${candidates} candidates`);
+  await page.locator('.card .pick').nth(2).click();
+  await page.click('#tab-adjust');
+  const knees = () => page.evaluate(() => {
+    const { document: d, chosen } = window.shigusa;
+    return (d.edits[chosen]?.generated.candidates[0] ?? d.result.candidates[chosen]).summary.final_posture.knee_flexion_deg;
+  });
+  const bent = [];
+  for (const share of [0.1, 0.5, 0.9]) {
+    const seen = await page.evaluate(() => window.shigusa.timings.sliderToMotion.length);
+    await slide(page, '[data-parameter="legs.contraction"]', share);
+    await page.waitForFunction((n) => window.shigusa.timings.sliderToMotion.length > n, seen);
+    await page.waitForTimeout(300);
+    bent.push(await knees());
+    const goal = (await state(page)).goals[0].position_m;
+    const hand = await page.evaluate(() => window.shigusa.hand());
+    assert.ok(distance(goal, hand) < 1e-3, `the hand is ${distance(goal, hand)} m off`);
+  }
+  assert.ok(Math.max(...bent) > Math.min(...bent) + 20, `knees at ${bent.map(Math.round)}°`);
+  const glb = parseGlb(await take(page, 'glb'));
+  const { goals } = await state(page);
+  const end = endOfNode(glb, 'right_hand_grip');
   assert.ok(distance(end, goals[0].position_m) < 1e-3, `exported hand at ${end}, goal ${goals[0].position_m}`);
   assert.deepEqual(errors, []);
   await context.close();

@@ -85,6 +85,23 @@ export async function drag(page, effector, dx, dy, { hold = 0, steps = 6 } = {})
   await page.mouse.up();
 }
 
+/** As a browser does when a person lets a file go over the page. */
+export async function drop(page, name, bytes) {
+  const data = await page.evaluateHandle(({ file, base64 }) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], file));
+    return transfer;
+  }, { file: name, base64: Buffer.from(bytes).toString('base64') });
+  await page.dispatchEvent('body', 'drop', { dataTransfer: data });
+}
+
+/** The bytes of what the tab Save gives in a format. */
+export async function take(page, format) {
+  await page.click('#tab-take');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-format="${format}"]`)]);
+  return readFile(await download.path());
+}
+
 /** Sets a slider as a hand does: input events on the way, a change at the end. */
 export async function slide(page, selector, share) {
   await page.locator(selector).evaluate((range, value) => {

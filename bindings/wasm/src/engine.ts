@@ -139,6 +139,12 @@ class WorkerEngine implements Engine {
     return always(this.quick.run({ call: { kind: 'score', name, bytes, options } }));
   }
 
+  async memory(): Promise<{ search: number; quick: number }> {
+    const of = (lane: Lane): Promise<number> => always(lane.run({ call: { kind: 'memory' } }));
+    const [search, quick] = await Promise.all([of(this.search), of(this.quick)]);
+    return { search, quick };
+  }
+
   dispose(): void {
     this.search.dispose();
     this.quick.dispose();

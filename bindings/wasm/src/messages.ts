@@ -7,6 +7,7 @@ import type {
 
 export type Call =
   | { kind: 'version' }
+  | { kind: 'memory' }
   | { kind: 'open'; character: number }
   | { kind: 'generate'; character: number; task: Task; progress: boolean }
   | { kind: 'replay'; character: number; summary: Summary; candidate: number; assignments: string[] }
@@ -17,6 +18,7 @@ export type Call =
 
 export interface Answers {
   version: string;
+  memory: number;
   open: CharacterDescription;
   generate: Generated;
   replay: Generated;

@@ -67,6 +67,8 @@ export class Server {
     switch (call.kind) {
       case 'version':
         return door.version;
+      case 'memory':
+        return door.memoryBytes;
       case 'open':
         return this.character(door, call.character).describe();
       case 'generate': {

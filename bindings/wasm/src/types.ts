@@ -80,7 +80,11 @@ export interface CandidateSummary {
   rank: number;
   score: number;
   criteria: Record<string, number>;
-  reached: { effector: string; joint: string; goal_m: Vec3; reached_m: Vec3; error_mm: number }[];
+  /** Rotations are from standing upright with arms hanging; the error is of goals that ask for one. */
+  reached: {
+    effector: string; joint: string; goal_m: Vec3; reached_m: Vec3; error_mm: number;
+    start_rotation_xyzw: Quat; rotation_xyzw: Quat; rotation_error_deg?: number;
+  }[];
   final_posture: { words: string; knee_flexion_deg: number; trunk_turn_deg: number };
   support?: { centre_of_mass: { least_mm: number; time_s: number }; pressure: { least_mm: number; time_s: number } };
   collision?: { depth_mm: number; limb: string; other: string; time_s: number };
@@ -185,5 +189,7 @@ export interface Engine {
   /** `candidate` 0: all, in one GLB. */
   export(character: Character, summary: Summary, candidate: number, format: ExportFormat): Promise<Uint8Array>;
   scoreClip(name: string, bytes: Uint8Array, options?: object): Promise<object>;
+  /** Bytes that the two modules have taken, most of them free again: modules never shrink. */
+  memory(): Promise<{ search: number; quick: number }>;
   dispose(): void;
 }

@@ -19,6 +19,7 @@ export class BodyPanel implements Panel {
   private readonly content = h('div');
   private readonly end: () => void;
   private shown: Document['character'] | null = null;
+  private mapOpen = false;
 
   constructor(private readonly studio: Studio) {
     const input = h('input', {
@@ -93,7 +94,7 @@ export class BodyPanel implements Panel {
   private boneMap({ spec, description }: Document['character']): HTMLElement {
     const nodes = [...new Set(description.nodes.map((node) => node.name).filter((name) => name !== ''))];
     const changed = new Map<string, string>();
-    const apply = button(t('apply'), () => this.change({ map: { ...spec.map, ...Object.fromEntries(changed) } }), { class: 'primary', disabled: true });
+    const apply = button(t('apply'), () => this.change({ map: { ...spec.map, ...Object.fromEntries(changed) } }), { class: 'primary', disabled: true, 'data-key': 'apply map' });
     const rows = kBones.map((bone) => {
       const now = spec.map?.[bone] ?? description.humanoid[bone] ?? '';
       const known = now === '' || nodes.includes(now) ? nodes : [now, ...nodes];
@@ -102,11 +103,13 @@ export class BodyPanel implements Panel {
         else changed.set(bone, name);
         apply.disabled = changed.size === 0;
       });
+      choice.dataset['bone'] = bone;
       return h('tr', {}, h('th', { scope: 'row' }, jointName(bone)), h('td', {}, choice));
     });
-    return h('details', {}, h('summary', {}, t('boneMap')),
+    const details = h('details', { open: this.mapOpen, onToggle: () => void (this.mapOpen = details.open) }, h('summary', {}, t('boneMap')),
       h('table', { class: 'bones' }, h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, t('bone')), h('th', { scope: 'col' }, t('node')))), h('tbody', {}, ...rows)),
       h('div', { class: 'buttons' }, apply));
+    return details;
   }
 
   dispose(): void {

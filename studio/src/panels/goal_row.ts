@@ -115,9 +115,8 @@ export class GoalRow {
 
   /** How the motion at hand turns the effector, so that asking for a rotation changes nothing at first. */
   private rotationNow(document: Document): Quat {
-    const reached = chosenCandidate(document)?.summary.reached.find((r) => r.effector === this.effector) as Record<string, unknown> | undefined;
-    const rotation = reached?.['rotation_xyzw'];
-    return Array.isArray(rotation) ? (rotation as Quat) : [0, 0, 0, 1];
+    const reached = chosenCandidate(document)?.summary.reached.find((r) => r.effector === this.effector);
+    return reached?.rotation_xyzw ?? [0, 0, 0, 1];
   }
 }
 

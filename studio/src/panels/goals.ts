@@ -18,6 +18,7 @@ export class GoalsPanel implements Panel {
   private readonly duration: HTMLInputElement;
   private readonly method: HTMLSelectElement;
   private readonly effort: HTMLSelectElement;
+  private readonly seed: HTMLInputElement;
   private rows: GoalRow[] = [];
   private character: Document['character'] | null = null;
   private readonly end: () => void;
@@ -33,11 +34,13 @@ export class GoalsPanel implements Panel {
       this.change({ preset: value as SearchSettings['preset'] }));
     this.effort = select(t('effort'), (['effortQuick', 'effortNormal', 'effortThorough'] as const).map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
       this.change({ evaluations: kEfforts[key] ?? null }));
+    this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.list,
       h('div', { class: 'fields' },
         h('label', {}, h('span', {}, t('duration')), this.duration, t('s')),
         h('label', {}, h('span', {}, t('method')), this.method),
         h('label', {}, h('span', {}, t('effort')), this.effort),
+        h('label', {}, h('span', {}, t('seedNumber')), this.seed),
         button(t('seed'), () => void studio.searchAgain())));
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document !== previous.document || state.selected !== previous.selected) this.update();
@@ -50,6 +53,13 @@ export class GoalsPanel implements Panel {
     if (!document) return;
     this.studio.commit({ ...document, settings: { ...document.settings, ...more } });
     void this.studio.search();
+  }
+
+  private reseed(): void {
+    const text = this.seed.value.trim();
+    if (/^\d+$/.test(text) && Number.isSafeInteger(Number(text))) return this.change({ seed: Number(text) });
+    this.seed.value = String(this.studio.document?.settings.seed ?? 0);
+    this.studio.tell({ kind: 'text', key: 'badSeed', values: { value: text, most: Number.MAX_SAFE_INTEGER } });
   }
 
   private update(): void {
@@ -66,6 +76,7 @@ export class GoalsPanel implements Panel {
     // the layers of people are those of a whole person
     this.method.options[1]!.hidden = this.method.options[1]!.disabled = ['half_body', 'full_body'].includes(character.spec.source);
     this.method.value = settings.preset;
+    this.seed.value = String(settings.seed);
     this.effort.value = Object.keys(kEfforts).find((key) => kEfforts[key] === settings.evaluations) ?? 'effortNormal';
   }
 

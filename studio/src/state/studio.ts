@@ -144,7 +144,9 @@ export class Studio extends Workbench {
   searchAgain(seed = true): Promise<void> {
     const document = this.document;
     if (document === null) return Promise.resolve();
-    const settings = { ...document.settings, seed: document.settings.seed + (seed && document.result ? 1 : 0) };
+    const { seed: old } = document.settings;
+    const next = old < Number.MAX_SAFE_INTEGER ? old + 1 : 0;
+    const settings = { ...document.settings, seed: seed && document.result ? next : old };
     this.commit({ ...document, settings });
     return this.search();
   }

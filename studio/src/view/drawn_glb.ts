@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A built-in body's motion as GLB: the mannequin as it is drawn, on the body's own nodes.
 import {
-  AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, Vector3, VectorKeyframeTrack,
+  AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, Scene, Vector3, VectorKeyframeTrack,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import type { Candidate, Character } from '../../../bindings/wasm/src/types';
@@ -24,7 +24,6 @@ export async function drawnGlb(character: Character, candidate: Candidate): Prom
   try {
     figure.skin.color = palettes.light.skin;
     figure.joints.color = palettes.light.joints;
-    figure.object.name = character.description.name;
     const { time, node_translations: places, node_rotations: turns } = candidate.series;
     const times = Array.from(time.values.subarray(0, time.frames));
     const column = (values: Float64Array, columns: number, first: number, width: number): number[] => {
@@ -49,7 +48,11 @@ export async function drawnGlb(character: Character, candidate: Candidate): Prom
       );
     });
     const clip = new AnimationClip('shigusa', candidate.summary.duration_s, tracks);
-    const file = await new GLTFExporter().parseAsync(figure.object, { binary: true, animations: [clip], onlyVisible: false });
+    // a skin's mesh stands beside the bones in the scene, under nothing that could move it
+    const scene = new Scene();
+    scene.name = character.description.name;
+    scene.add(...figure.object.children);
+    const file = await new GLTFExporter().parseAsync(scene, { binary: true, animations: [clip], onlyVisible: false });
     return new Uint8Array(file as ArrayBuffer);
   } finally {
     disposeFigure(figure);
