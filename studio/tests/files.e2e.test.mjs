@@ -7,7 +7,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { validateBytes } from 'gltf-validator';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drop, openStudio, settled, state, take, visit } from './support.mjs';
+import { drag, drop, openStudio, settled, state, take, visit } from './support.mjs';
 
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
@@ -143,6 +143,37 @@ test('a VRM character leaves in every format', { skip: !files.includes(kRobot) &
     const { issues } = await validateBytes(new Uint8Array(bytes));
     assert.deepEqual(issues.messages.filter((message) => message.severity < 2), [], format);
   }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('what a task says that the page has no place for is kept, and its obstacles are seen', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const table = { name: 'table', position_m: [0, 0.4, 0.55], size_m: [1.2, 0.8, 0.5] };
+  const task = {
+    version: 1, character: 'human', goals: [{ effector: 'right_hand', position_m: [-0.15, 0.9, 0.55] }], obstacles: [table],
+    look_at_m: [0, 1, 1], criteria: 'paper',
+  };
+  await drop(page, 'task.json', JSON.stringify(task));
+  await page.waitForFunction(() => window.shigusa.document.goals[0].position_m[1] === 0.9);
+  await settled(page);
+  const now = await page.evaluate(() => window.shigusa.document);
+  assert.deepEqual(now.result.summary.task.obstacles[0].position_m, table.position_m);
+  assert.deepEqual(now.result.summary.task.look_at_m, task.look_at_m);
+  assert.equal(now.weights.balance, 0.3);
+  assert.deepEqual(Object.keys(now.result.summary.candidates[0].criteria), ['joint_range', 'balance', 'torque']);
+  if (process.env.SHIGUSA_SHOTS) {
+    await page.waitForTimeout(2500);
+    await page.screenshot({ path: join(process.env.SHIGUSA_SHOTS, 'table.png') });
+  }
+  await page.keyboard.press('m');
+  await page.waitForFunction(() => window.shigusa.document.goals[0].effector === 'left_hand');
+  await drag(page, 'left_hand', 20, -20);
+  await settled(page);
+  const mirrored = await page.evaluate(() => window.shigusa.task);
+  assert.deepEqual(mirrored.obstacles[0].size_m, table.size_m);
+  assert.equal(mirrored.goals[0].effector, 'left_hand');
   assert.deepEqual(errors, []);
   await context.close();
 });

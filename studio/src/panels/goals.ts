@@ -4,6 +4,7 @@ import { t } from '../i18n';
 import type { Document, SearchSettings } from '../state/model';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
+import { withPreset } from '../state/task';
 import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
@@ -31,7 +32,7 @@ export class GoalsPanel implements Panel {
       }),
     });
     this.method = select(t('method'), [['flat', t('flat')], ['human', t('human')]], 'flat', (value) =>
-      this.change({ preset: value as SearchSettings['preset'] }));
+      this.change(withPreset(this.studio.document!.settings, value as SearchSettings['preset'])));
     this.effort = select(t('effort'), (['effortQuick', 'effortNormal', 'effortThorough'] as const).map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
       this.change({ evaluations: kEfforts[key] ?? null }));
     this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });

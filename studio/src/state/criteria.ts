@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The criteria's names and weights (docs/criteria.md).
-import type { Candidate } from '../../../bindings/wasm/src/types';
+import type { Candidate, Task } from '../../../bindings/wasm/src/types';
 import { candidateAt, type Document } from './model';
 
 /** The mixture `default`; what is 0 is not computed. */
@@ -17,6 +17,25 @@ export const defaultWeights: Readonly<Record<string, number>> = {
   work: 0,
   head: 0,
 };
+
+const kNothing = Object.fromEntries(Object.keys(defaultWeights).map((name) => [name, 0]));
+/** The mixtures that tasks name. */
+const kMixtures: Readonly<Record<string, Readonly<Record<string, number>>>> = {
+  default: defaultWeights,
+  paper: { ...kNothing, joint_range: 0.5, balance: 0.3, torque: 0.2 },
+  pareto: { ...kNothing, balance: 1 / 3, torque: 1 / 3, discomfort: 1 / 3 },
+};
+
+/** The weights of a task: what it says of some, and of the others its preset's own. */
+export function weightsOf({ criteria, preset }: Task): Record<string, number> {
+  const own = preset === 'paper' || preset === 'layers' ? 'paper' : 'default';
+  const weights = { ...kMixtures[typeof criteria === 'string' ? criteria : own] ?? defaultWeights };
+  for (const [name, entry] of Object.entries(typeof criteria === 'object' ? criteria : {})) {
+    const weight = (entry as { weight?: unknown } | null)?.weight;
+    if (typeof weight === 'number') weights[name] = weight;
+  }
+  return weights;
+}
 
 export function sameAsDefault(weights: Readonly<Record<string, number>>): boolean {
   return Object.keys(defaultWeights).every((name) => (weights[name] ?? 0) === defaultWeights[name]);

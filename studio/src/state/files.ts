@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Files and links that come in: characters, results, tasks.
 import type { CharacterSpec, Generated, Goal, Summary, Task } from '../../../bindings/wasm/src/types';
-import { defaultWeights } from './criteria';
+import { weightsOf } from './criteria';
 import type { Document, SearchSettings } from './model';
 import { newDocument } from './start';
 import type { Studio } from './studio';
+import { moreOf } from './task';
 
 const kCharacters = new Set(['glb', 'gltf', 'vrm', 'bvh']);
 const kMostBytes = 200e6;
@@ -76,13 +77,7 @@ function documentOf(document: Document, task: Task): Document {
     seed: task.seed ?? 0,
     evaluations: task.evaluations ?? null,
     duration_s: task.duration_s ?? null,
+    more: moreOf(task),
   };
-  const weights: Record<string, number> = { ...defaultWeights };
-  if (typeof task.criteria === 'object') {
-    for (const [name, entry] of Object.entries(task.criteria)) {
-      const weight = (entry as { weight?: number } | null)?.weight;
-      if (typeof weight === 'number') weights[name] = weight;
-    }
-  }
-  return { ...document, goals: task.goals.map((goal: Goal) => ({ ...goal })), settings, weights, fixed: task.fixed ?? [] };
+  return { ...document, goals: task.goals.map((goal: Goal) => ({ ...goal })), settings, weights: weightsOf(task), fixed: task.fixed ?? [] };
 }

@@ -16,6 +16,7 @@ export interface SearchSettings {
   readonly seed: number;
   readonly evaluations: number | null; // null: the preset's own
   readonly duration_s: number | null; // null: from the distance
+  readonly more: Readonly<Record<string, unknown>>; // what else a task says, as obstacles; carried along
 }
 
 export interface Document {

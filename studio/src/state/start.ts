@@ -46,7 +46,7 @@ export function newDocument(character: Character, goals?: readonly Goal[]): Docu
     goals: goals ?? [firstGoal(character)],
     weights: { ...defaultWeights },
     fixed: [],
-    settings: { preset: 'flat', seed: 0, evaluations: null, duration_s: null },
+    settings: { preset: 'flat', seed: 0, evaluations: null, duration_s: null, more: {} },
     result: null,
     chosen: 0,
     compared: null,

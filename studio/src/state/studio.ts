@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a person can do, in one place: each panel and key calls these. Steps that undo knows go through `commit`.
-import type { Candidate, Character, Generated, Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, Generated, Goal, Quat, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import type { History } from './history';
 import { ranking } from './criteria';
 import { candidateAt, type Document, goalOf } from './model';
 import { startOf } from './start';
-import { previewTask, taskOf } from './task';
+import { moreOf, previewTask, taskOf } from './task';
 import { Timings } from './timings';
 import { Workbench } from './workbench';
 
@@ -237,8 +237,9 @@ export class Studio extends Workbench {
       const generated = await this.engine.mirror(character, edit.generated.summary);
       edits[Number(index)] = { base: { summary: generated.summary, candidate: 1 }, assignments: {}, generated };
     }
-    const task = result.summary['task'] as { goals: Goal[]; fixed?: string[] };
-    return { ...document, result, edits, goals: task.goals, fixed: task.fixed ?? [] };
+    const task = result.summary['task'] as Task;
+    const settings = { ...document.settings, more: moreOf(task) };
+    return { ...document, result, edits, settings, goals: task.goals, fixed: task.fixed ?? [] };
   }
 
   /** Keeps what is locked or given and searches the rest. */

@@ -2,25 +2,44 @@
 // A document as a task file, and the link that carries one.
 import type { CharacterSpec, Task } from '../../../bindings/wasm/src/types';
 import { sameAsDefault } from './criteria';
-import type { Document } from './model';
+import type { Document, SearchSettings } from './model';
 
 /** Motions that a drag's search may score: enough to see how the body goes, few enough to follow the hand. */
 const kPreviewEvaluations = 16;
 
+/** What a task says of the search of its preset. */
+const kOfSearches = new Set(['search', 'layer_reading', 'generator', 'pareto', 'phases']);
+
+export function withPreset(settings: SearchSettings, preset: SearchSettings['preset']): SearchSettings {
+  const more = Object.fromEntries(Object.entries(settings.more).filter(([key]) => !kOfSearches.has(key)));
+  return { ...settings, preset, more };
+}
+
+/** What the page itself has a place for. */
+const kKnown = new Set(['version', 'character', 'goals', 'preset', 'seed', 'evaluations', 'duration_s', 'fixed']);
+
+/** All else that a task says, which is carried along. */
+export function moreOf(task: Task): Record<string, unknown> {
+  return Object.fromEntries(Object.entries(task).filter(([key]) => !kKnown.has(key)));
+}
+
 export function taskOf(document: Document): Task {
-  const task: Task = { version: 1, goals: document.goals.map((goal) => ({ ...goal })), preset: document.settings.preset };
+  const { criteria, ...more } = document.settings.more;
+  const task: Task = { ...more, version: 1, goals: document.goals.map((goal) => ({ ...goal })), preset: document.settings.preset };
   if (document.settings.seed !== 0) task.seed = document.settings.seed;
   if (document.settings.evaluations !== null) task.evaluations = document.settings.evaluations;
   if (document.settings.duration_s !== null) task.duration_s = document.settings.duration_s;
   if (document.fixed.length > 0) task.fixed = [...document.fixed];
-  if (!sameAsDefault(document.weights)) {
-    task.criteria = Object.fromEntries(Object.entries(document.weights).map(([name, weight]) => [name, { weight }]));
+  if (typeof criteria === 'object' || task.preset === 'paper' || task.preset === 'layers' || !sameAsDefault(document.weights)) {
+    const told = typeof criteria === 'object' ? (criteria as Record<string, object>) : {};
+    task.criteria = Object.fromEntries(Object.entries(document.weights).map(([name, weight]) => [name, { ...told[name], weight }]));
   }
   return task;
 }
 
 export function previewTask(document: Document): Task {
-  return { ...taskOf(document), preset: 'flat', candidates: 1, evaluations: kPreviewEvaluations };
+  const trial = { ...document, settings: withPreset(document.settings, 'flat') };
+  return { ...taskOf(trial), candidates: 1, evaluations: kPreviewEvaluations };
 }
 
 /** The task with its character, complete: a file's person as measured, where a result tells. */

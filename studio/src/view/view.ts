@@ -7,6 +7,7 @@ import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
 import { disposeFigure, type Figure, makeFigure } from './figures';
 import { Handles } from './handles';
+import { Obstacles } from './obstacles';
 import { Overlays } from './overlays';
 import { shownTheme } from './palette';
 import { poseNodes } from './pose';
@@ -23,6 +24,7 @@ function nodeOfBone({ description }: Character, bone: string): number {
 export class View {
   readonly stage: Stage;
   private readonly handles: Handles;
+  private readonly obstacles = new Obstacles();
   private readonly overlays = new Overlays();
   private readonly otherOverlays = new Overlays();
   private character: Character | null = null;
@@ -45,7 +47,7 @@ export class View {
       drop: (effector, position, rotation) => void studio.dropGoal(effector, position, rotation),
       hover: onHover,
     });
-    this.stage.scene.add(this.overlays.object, this.otherOverlays.object, this.handles.object);
+    this.stage.scene.add(this.obstacles.object, this.overlays.object, this.otherOverlays.object, this.handles.object);
     this.stage.onFrame = (seconds) => this.advance(seconds);
     this.stage.onDraw = () => this.pose();
     this.ends.push(
@@ -63,6 +65,7 @@ export class View {
     this.overlays.paint(this.stage.palette);
     this.otherOverlays.paint({ ...this.stage.palette, path: this.stage.palette.comparedPath });
     this.handles.paint(this.stage.palette);
+    this.obstacles.paint(this.stage.palette);
     this.colour();
   }
 
@@ -115,6 +118,7 @@ export class View {
   private showOverlays(state: State): void {
     const goals = state.document?.goals ?? [];
     this.overlays.show(this.studio.shown(), goals);
+    this.obstacles.show(state.document?.settings.more['obstacles']);
     this.otherOverlays.show(this.compared(), []);
   }
 
