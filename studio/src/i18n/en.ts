@@ -32,7 +32,7 @@ export const en = {
   left: 'left', up: 'up', ahead: 'ahead', load: 'Load', kg: 'kg', turn: 'Give a rotation', rings: 'Turn by rings',
   reachedBy: 'met', short: '{cm} cm short', duration: 'Duration', auto: 'by distance', s: 's',
   method: 'Search', flat: 'all at once', human: 'in layers', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
-  remove: 'Remove', seed: 'Other random numbers', seedNumber: 'Random start',
+  remove: 'Remove', seed: 'Other random numbers', seedNumber: 'Seed',
   // adjust
   adjustIntro: 'How the body gets there. The goal stays met while you change it; the mark is what the search found.',
   weightsIntro: 'Stiffness of each joint: the larger, the less it moves beside the others.',
@@ -58,7 +58,7 @@ export const en = {
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
   saved: '{name} is saved.', glbDrawn: 'the mannequin as drawn here', vrmaOnly: 'for VRM characters',
   // failures
-  badSeed: 'The random number to start from is a whole one from 0 to {most}, not “{value}”.',
+  badSeed: 'A seed is a whole number from 0 to {most}, not “{value}”.',
   failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged: its task cannot be read.',
   unknownFile: '{name}: only characters in VRM, GLB, glTF and BVH and results in JSON can be opened.',
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',

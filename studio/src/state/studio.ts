@@ -12,6 +12,7 @@ import { Workbench } from './workbench';
 export class Studio extends Workbench {
   readonly timings = new Timings();
   private running: AbortController | null = null;
+  private warm = false;
 
   // ---- Steps -------------------------------------------------------------------------------------
 
@@ -126,6 +127,7 @@ export class Studio extends Workbench {
       this.amend({ ...found, chosen: ranking(found)[0] ?? 0 });
       this.clock.time = 0;
       this.store.set({ preview: null, playing: true });
+      void this.warmUp(found);
       if (result.summary.status === 'unreachable') {
         this.tell({ kind: 'text', key: 'unreachable', values: { cm: (result.summary.remaining_mm / 10).toFixed(1) } });
       }
@@ -137,6 +139,17 @@ export class Studio extends Workbench {
         this.running = null;
         this.store.set({ search: null });
       }
+    }
+  }
+
+  /** The first quick searches take several times as long as later ones, until the browser has optimised them: these nobody waits for. */
+  private async warmUp(document: Document): Promise<void> {
+    if (this.warm) return;
+    this.warm = true;
+    try {
+      for (let k = 0; k < 8 && !this.store.state.dragging; ++k) await this.engine.preview(document.character, previewTask(document));
+    } catch {
+      // a drag tells what is wrong
     }
   }
 
