@@ -49,15 +49,16 @@ bool ends_like(const Candidate& candidate, const Archived& archived, double apar
   return posture_distance(end, archived.posture) < apart;
 }
 
-int count_similar(const Choice& choice, std::span<const Candidate> candidates) {
+int count_similar(const Choice& choice, std::span<const Candidate> candidates, int taken) {
   if (choice.picked.empty()) return 0;
   const double most = choice.picked.front().score + kCandidateSpread;
-  return static_cast<int>(
-      std::count_if(choice.spare.begin(), choice.spare.end(), [&](const Archived& spare) {
+  const auto alike = std::count_if(
+      choice.spare.begin(), choice.spare.end(), [&candidates, most](const Archived& spare) {
         return spare.score <= most &&
                std::any_of(candidates.begin(), candidates.end(),
                            [&spare](const Candidate& c) { return ends_like(c, spare, kNearEnd); });
-      }));
+      });
+  return std::max(static_cast<int>(alike) - taken, 0);
 }
 
 std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {

@@ -25,8 +25,10 @@ struct Choice {
 // Whether a candidate ends less than `apart` (rad) from where an archived motion does.
 [[nodiscard]] bool ends_like(const Candidate& candidate, const Archived& archived, double apart);
 
-// Of what was not picked and is little worse than the best, how many end all but as a candidate.
-[[nodiscard]] int count_similar(const Choice& choice, std::span<const Candidate> candidates);
+// Of what is spare and little worse than the best, how many end all but as a candidate; without
+// those that became one themselves, `taken`.
+[[nodiscard]] int count_similar(const Choice& choice, std::span<const Candidate> candidates,
+                                int taken);
 
 // Why there are fewer candidates than the task asks for; empty where there are not.
 [[nodiscard]] std::string why_fewer(const Task& task, const Generation& generation,

@@ -38,10 +38,12 @@ class Delivery {
   }
 
   // Takes it if it passes through nothing. What passes through something hinders none that ends
-  // alike, as it is left out in the end.
-  void take_free(const Archived& archived, double apart) {
+  // alike, as it is left out in the end. Whether it was taken.
+  bool take_free(const Archived& archived, double apart) {
     std::optional<Replayed> replayed = replay({archived.point, archived.score}, apart, is_free);
-    if (replayed && is_free(replayed->candidate)) add(std::move(replayed), archived.score);
+    if (!replayed || !is_free(replayed->candidate)) return false;
+    add(std::move(replayed), archived.score);
+    return true;
   }
 
   // Whether one that passes through nothing ends alike.
@@ -145,11 +147,12 @@ void deliver_candidates(const Task& task, std::span<const ReachProblem> ways,
     if (delivery.free() >= task.candidates) break;
     delivery.take(individual);
   }
+  int taken = 0;  // of what is spare
   std::array<int, kStyles> tried{};
   for (const Archived& spare : choice.spare) {
     if (delivery.has_free(spare.style)) continue;
     if (tried[static_cast<std::size_t>(spare.style)]++ < kTries) {
-      delivery.take_free(spare, kDistinctEnd);
+      taken += delivery.take_free(spare, kDistinctEnd) ? 1 : 0;
     }
   }
   for (const double apart : {kDistinctEnd, kNearEnd}) {
@@ -159,7 +162,7 @@ void deliver_candidates(const Task& task, std::span<const ReachProblem> ways,
       if (spare.score > choice.picked.front().score + kCandidateSpread) break;
       if (delivery.has_like(spare, apart)) continue;
       ++others;
-      delivery.take_free(spare, apart);
+      taken += delivery.take_free(spare, apart) ? 1 : 0;
     }
   }
   // on an earlier way than they were searched on, motions may have other scores
@@ -167,7 +170,7 @@ void deliver_candidates(const Task& task, std::span<const ReachProblem> ways,
       generation.candidates.begin(), generation.candidates.end(),
       [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
   if (!paper) drop_collisions(generation);
-  choice.similar = count_similar(choice, generation.candidates);
+  choice.similar = count_similar(choice, generation.candidates, taken);
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);
   generation.fewer = why_fewer(task, generation, choice);
 }

@@ -129,26 +129,29 @@ class LayeredDelivery {
                   Generation& generation)
       : task_(task), ways_(ways), searched_(searched), search_(search), generation_(generation) {}
 
-  void collect(const Choice& choice) {
+  // How many of what is spare became candidates.
+  int collect(const Choice& choice) {
     std::vector<Candidate> nearer;  // than kDistinctEnd to a better one
     for (const Individual& individual : choice.picked) {
-      if (is_enough()) return;
+      if (is_enough()) return 0;
       take(individual.point, tells_ends() ? kDistinctEnd : kDistinctPosture, &nearer);
     }
-    if (!tells_ends()) return;
+    if (!tells_ends()) return 0;
     for (Candidate& candidate : nearer) {
-      if (is_enough()) return;
+      if (is_enough()) return 0;
       if (!is_copy(candidate.motion.clip, kNearEnd)) all().push_back(std::move(candidate));
     }
+    const std::size_t before = all().size();
     int tries = 0;
     for (const Archived& spare : choice.spare) {
-      if (is_enough() || tries >= task_.candidates) return;
-      if (spare.score > choice.picked.front().score + kCandidateSpread) return;
+      if (is_enough() || tries >= task_.candidates) break;
+      if (spare.score > choice.picked.front().score + kCandidateSpread) break;
       const auto is_like = [&](const Candidate& c) { return ends_like(c, spare, kNearEnd); };
       if (std::any_of(all().begin(), all().end(), is_like)) continue;
       ++tries;
       take(spare.point, kNearEnd, nullptr);
     }
+    return static_cast<int>(all().size() - before);
   }
 
  private:
@@ -212,9 +215,9 @@ void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& wa
   generation.best_seen_score = found.best_seen.score;
   generation.missed = generation.over_limit = 0;
   Choice choice = search.choice(found);
-  LayeredDelivery(task, ways, way, search, generation).collect(choice);
+  const int taken = LayeredDelivery(task, ways, way, search, generation).collect(choice);
   if (problem.reach.hold_limits) keep_within_limits(generation);
-  choice.similar = count_similar(choice, generation.candidates);
+  choice.similar = count_similar(choice, generation.candidates, taken);
   generation.fewer = why_fewer(task, generation, choice);
 }
 

@@ -16,6 +16,11 @@ test('a person reaches on opening, and a sentence says what to drag', async () =
   const now = await state(page);
   assert.equal(now.candidates, 5);
   assert.equal(now.status, 'reached');
+  const [ours, engines] = await page.evaluate(() => {
+    const { weights, result } = window.shigusa.document;
+    return [weights, Object.fromEntries(Object.entries(result.summary.task.criteria).map(([name, { weight }]) => [name, weight]))];
+  });
+  assert.deepEqual(ours, engines, "the page's weights are the engine's own");
   assert.ok(now.playing);
   assert.match(await page.locator('.hint').innerText(), /Drag the orange ball/);
   assert.deepEqual(errors, []);

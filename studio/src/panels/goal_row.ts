@@ -5,13 +5,12 @@ import type { Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import { jointName, t } from '../i18n';
 import { chosenCandidate, type Document, goalOf } from '../state/model';
 import type { Studio } from '../state/studio';
+import { kFarthest, kLowest } from '../view/handles';
 import type { View } from '../view/view';
 import { fill, h, iconButton, round } from './dom';
 
 const kAxes = ['left', 'up', 'ahead'] as const;
 const kMostLoad = 200; // kg
-const kFarthest = 3; // m
-const kLowest = 0.01;
 
 export class GoalRow {
   readonly element: HTMLElement;

@@ -53,6 +53,7 @@ export async function drawnGlb(character: Character, candidate: Candidate): Prom
     scene.name = character.description.name;
     scene.add(...figure.object.children);
     const file = await new GLTFExporter().parseAsync(scene, { binary: true, animations: [clip], onlyVisible: false });
+    figure.object.add(...scene.children); // to be disposed of
     return new Uint8Array(file as ArrayBuffer);
   } finally {
     disposeFigure(figure);

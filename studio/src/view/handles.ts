@@ -10,8 +10,8 @@ import type { Palette } from './palette';
 import type { Stage } from './stage';
 
 const kGrab = 20; // px about a handle's middle
-const kLowest = 0.01; // m: goals stay above the floor
-const kFarthest = 3; // m from the middle
+export const kLowest = 0.01; // m: goals stay above the floor
+export const kFarthest = 3; // m from the middle
 
 export interface HandleEvents {
   select(effector: string): void;
