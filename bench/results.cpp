@@ -95,10 +95,10 @@ void candidate_table(const Generation& generation, std::string& page) {
     const Candidate& c = generation.candidates[i];
     double slide = 0.0;
     for (const ContactResult& foot : c.contacts) slide = std::max(slide, foot.max_slide);
-    const std::string over =
-        c.over_limit.empty()
-            ? "–"
-            : fmt::format("{} by {:.0f}°", c.over_limit[0].dof, degrees(c.over_limit[0].excess));
+    const std::string over = c.measures.over_limit.empty()
+                                 ? "–"
+                                 : fmt::format("{} by {:.0f}°", c.measures.over_limit[0].dof,
+                                               degrees(c.measures.over_limit[0].excess));
     page += fmt::format("| {} | {:.4f} | {:.3f} | {:.3f} | {:.3f} | {:.4f} | {:.4f} | {} |\n",
                         i + 1, c.score.total, c.score.terms[0].penalty, c.score.terms[1].penalty,
                         c.score.terms[2].penalty, 1e3 * c.goals[0].error, 1e3 * slide, over);

@@ -28,6 +28,11 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
                tenths(degrees(body.start()[static_cast<std::size_t>(d)])),
                tenths(degrees(dof.lower)), tenths(degrees(dof.upper)), -dof.torque_negative,
                dof.torque_positive, source.empty() ? "" : "  ", source);
+    if (const LimitCoupling* coupling = body.coupling_of(d)) {
+      fmt::print("{:<26} {:>8} {:>7} to {:>5.0f} as {} goes from 0 to {:.0f}\n", "", "", "",
+                 tenths(degrees(widest_limits(body, d).second)), body.dof(coupling->driver).name,
+                 tenths(degrees(coupling->driver_full)));
+    }
   }
   const std::vector<Vec3d> places = start_places(body);
   fmt::print("{:<26} {:>24}\n", "goals can be given for", "start x y z m");

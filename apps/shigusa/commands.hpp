@@ -16,7 +16,8 @@ namespace shigusa::app {
 inline constexpr int kDone = 0;
 inline constexpr int kFault = 1;        // a fault of the program
 inline constexpr int kWrongInput = 2;   // the call or an input file is wrong
-inline constexpr int kUnreachable = 3;  // a goal is out of reach; the closest motion is written
+inline constexpr int kUnreachable = 3;  // a goal is out of reach, or met by nothing that the body
+                                        // could make; what is nearest is written
 
 // What is told of a character beside its source.
 struct CharacterOptions {

@@ -38,10 +38,11 @@ void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
     fmt::print("{} moves by up to {:.2f} cm and {:.1f}°{}\n", foot.foot, 100.0 * foot.travel,
                degrees(foot.turn), foot.base ? "; the body stands on it" : "");
   }
-  fmt::print("{}", score_table(score.score, score.final_posture, score.over_limit, score.support));
-  if (score.collides.depth > kCollisionDepth) {
-    fmt::print("{} is {:.1f} cm in {} at {:.2f} s\n", score.collides.limb,
-               100.0 * score.collides.depth, score.collides.other, score.collides.time);
+  fmt::print("{}", score_table(recorded.body, score));
+  if (score.measures.collides.depth > kCollisionDepth) {
+    fmt::print("{} is {:.1f} cm in {} at {:.2f} s\n", score.measures.collides.limb,
+               100.0 * score.measures.collides.depth, score.measures.collides.other,
+               score.measures.collides.time);
   }
 }
 

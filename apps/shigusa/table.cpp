@@ -23,42 +23,53 @@ std::string least_margin(const std::optional<SupportMargins>& support) {
   return support ? fmt::format("{:.0f}", 1e3 * support->centre_of_mass.distance) : "-";
 }
 
-// Which candidates a person could not stand through; empty where none.
-std::string balance_note(const Generation& generation) {
-  std::size_t fall = 0;
-  double most = 0.0;
-  for (const Candidate& candidate : generation.candidates) {
-    if (!candidate.support || candidate.support->centre_of_mass.distance >= 0.0) continue;
-    ++fall;
-    most = std::max(most, -candidate.support->centre_of_mass.distance);
-  }
-  if (fall == 0) return {};
-  return fmt::format(
-      "the centre of mass leaves the feet by up to {:.0f} mm in {} of {} candidates: who stands "
-      "like this has to step, hold on or fall",
-      1e3 * most, fall, generation.candidates.size());
+std::string measures_head() {
+  return fmt::format("{:>10}  {:<20}  {:<28}  {}", "balance mm", "ends as", "most loaded",
+                     "most over its limit");
+}
+
+// What is measured of a motion, in the columns of measures_head().
+std::string measures_row(const BodyModel& body, const MotionMeasures& measures,
+                         const FinalPosture& ends) {
+  const JointLoad* load = most_loaded(measures);
+  const std::string loaded =
+      load == nullptr ? "-"
+                      : fmt::format("{:.0f} % {}", 100.0 * load->share, body.dof(load->dof).name);
+  return fmt::format("{:>10}  {:<20}  {:<28}  {}", least_margin(measures.support),
+                     posture_words(ends), loaded, most_over(measures.over_limit));
 }
 
 }  // namespace
 
-std::string score_table(const Score& score, const FinalPosture& ends,
-                        const std::vector<LimitExcess>& over_limit,
-                        const std::optional<SupportMargins>& support) {
+std::string verdict_lines(const Judgement& judgement, const std::string& of) {
+  if (judgement.verdict == Verdict::possible) return {};
+  constexpr std::size_t kTold = 3;
+  std::string text = fmt::format(
+      "{} {}: ", of, judgement.verdict == Verdict::impossible ? "is impossible" : "strains");
+  for (std::size_t i = 0; i < std::min(kTold, judgement.reasons.size()); ++i) {
+    text += (i > 0 ? "; " : "") + reason_words(judgement.reasons[i]);
+  }
+  if (judgement.reasons.size() > kTold) {
+    text += fmt::format("; and {} more", judgement.reasons.size() - kTold);
+  }
+  if (judgement.possible_in) text += fmt::format("; not in {:.1f} s", *judgement.possible_in);
+  return text + "\n";
+}
+
+std::string score_table(const BodyModel& body, const ClipScore& scored) {
+  const Score& score = scored.score;
   std::string head = fmt::format("{:>7}", "score");
   std::string row = fmt::format("{:>7.4f}", score.total);
   for (const ScoreTerm& term : score.terms) {
     head += fmt::format("  {:>{}}", term.name, column_width(term));
     row += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
   }
-  return head +
-         fmt::format("  {:>10}  {:<20}  {}\n", "balance mm", "ends as", "most over its limit") +
-         row +
-         fmt::format("  {:>10}  {:<20}  {}\n", least_margin(support), posture_words(ends),
-                     most_over(over_limit));
+  return head + fmt::format("  {}\n", measures_head()) + row +
+         fmt::format("  {}\n", measures_row(body, scored.measures, scored.final_posture));
 }
 
-std::string candidate_table(const Generation& generation) {
-  std::string text = fmt::format("{:>4}  {:>7}", "rank", "score");
+std::string candidate_table(const BodyModel& body, const Generation& generation) {
+  std::string text = fmt::format("{:>4}  {:<10}  {:>7}", "rank", "verdict", "score");
   for (const ScoreTerm& term : generation.candidates.front().score.terms) {
     text += fmt::format("  {:>{}}", term.name, column_width(term));
   }
@@ -69,10 +80,11 @@ std::string candidate_table(const Generation& generation) {
                                  [](const ContactResult& foot) { return foot.heel.has_value(); });
   text += fmt::format("  {:>9}  {:>9}  ", "error mm", "slide mm");
   if (heels) text += fmt::format("{:>8}  ", "heels mm");
-  text += fmt::format("{:>10}  {:<20}  {}\n", "balance mm", "ends as", "most over its limit");
+  text += measures_head() + "\n";
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     const Candidate& candidate = generation.candidates[i];
-    text += fmt::format("{:>4}  {:>7.4f}", i + 1, candidate.score.total);
+    text += fmt::format("{:>4}  {:<10}  {:>7.4f}", i + 1, verdict_name(candidate.judgement.verdict),
+                        candidate.score.total);
     for (const ScoreTerm& term : candidate.score.terms) {
       text += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
     }
@@ -87,25 +99,27 @@ std::string candidate_table(const Generation& generation) {
     }
     text += fmt::format("  {:>9.3f}  {:>9.3f}  ", 1e3 * error, 1e3 * slide);
     if (heels) text += fmt::format("{:>8.1f}  ", 1e3 * lift);
-    text += fmt::format("{:>10}  {:<20}  ", least_margin(candidate.support),
-                        posture_words(candidate.final_posture));
-    text += most_over(candidate.over_limit) + "\n";
+    text += measures_row(body, candidate.measures, candidate.final_posture) + "\n";
+  }
+  for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+    text += verdict_lines(generation.candidates[i].judgement, fmt::format("candidate {}", i + 1));
   }
   return text;
 }
 
 std::string headline(const Task& task, const Generation& generation, const RunInfo& info) {
-  const bool reached = generation.status == ReachStatus::reached;
   std::string text =
-      fmt::format("{}: {}", reached ? "reached" : "unreachable", printable(task.body.name()));
+      fmt::format("{}: {}", status_name(generation.status), printable(task.body.name()));
   for (const Goal& goal : task.goals) {
     text += fmt::format(", {} at ({:g}, {:g}, {:g}) m", goal.effector, goal.position.x,
                         goal.position.y, goal.position.z);
   }
   text += fmt::format("; {:.2f} s of motion", generation.duration);
   if (generation.evaluations > 0) {
-    text += fmt::format("; {} motions in {} generations, {:.0f} ms", generation.evaluations,
-                        generation.generations, info.elapsed_ms);
+    text += fmt::format("; {} motions in {} generations{}, {:.0f} ms", generation.evaluations,
+                        generation.generations,
+                        generation.runs > 1 ? fmt::format(" of {} runs", generation.runs) : "",
+                        info.elapsed_ms);
   }
   if (generation.cells_searched > 0) {
     text += fmt::format("; {} cells of the limb library searched", generation.cells_searched);
@@ -126,10 +140,17 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
                                generation.replay_differs, generation.candidates.size(),
                                generation.replay_difference));
   }
-  const bool reached = generation.status == ReachStatus::reached;
-  if (reached && !generation.fewer.empty()) note("candidates", generation.fewer);
-  if (const std::string falls = balance_note(generation); !falls.empty()) note("balance", falls);
-  if (!reached) {
+  if (generation.meets_goals() && !generation.fewer.empty()) note("candidates", generation.fewer);
+  if (generation.slowed) {
+    note("duration", fmt::format("{:.2f} s, as nothing that was found is possible in less",
+                                 generation.duration));
+  }
+  if (generation.status == ReachStatus::unsteady) {
+    fmt::print(stderr,
+               "shigusa: unsteady: the goal{} met, but by no motion that this body could make\n",
+               task.goals.size() > 1 ? "s are" : " is");
+  }
+  if (!generation.meets_goals()) {
     const std::string turn =
         generation.remaining_turn > 0.0
             ? fmt::format(", turned {:.1f}° from what is asked", degrees(generation.remaining_turn))
@@ -141,7 +162,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
   if (json) {
     fmt::print("{}", *summary);
   } else {
-    fmt::print("{}{}", headline(task, generation, info), candidate_table(generation));
+    fmt::print("{}{}", headline(task, generation, info), candidate_table(task.body, generation));
     for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
       const auto& formats = settings.formats;
       if (std::find(formats.begin(), formats.end(), ExportFormat::png) == formats.end()) break;
@@ -149,7 +170,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
     }
     fmt::print("{}\n", (folder / kSummaryName).string());
   }
-  return reached ? kDone : kUnreachable;
+  return generation.status == ReachStatus::reached ? kDone : kUnreachable;
 }
 
 }  // namespace shigusa::app

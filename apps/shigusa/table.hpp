@@ -3,19 +3,19 @@
 
 #include <filesystem>
 #include <optional>
+#include <shigusa/project/clip_score.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
 #include <vector>
 
 namespace shigusa::app {
 
-// The candidates as a table for a person: scores, criteria, errors, joints over their limits.
-[[nodiscard]] std::string candidate_table(const Generation& generation);
+// The candidates as a table for a person: verdicts, scores, criteria, errors, joints over their
+// limits; below it why what is not possible is not.
+[[nodiscard]] std::string candidate_table(const BodyModel& body, const Generation& generation);
 
-// The same of a motion that is no candidate.
-[[nodiscard]] std::string score_table(const Score& score, const FinalPosture& ends,
-                                      const std::vector<LimitExcess>& over_limit,
-                                      const std::optional<SupportMargins>& support);
+// The same of a recorded motion.
+[[nodiscard]] std::string score_table(const BodyModel& body, const ClipScore& scored);
 
 // What happened, in one line: status, body, goals, counts and time.
 [[nodiscard]] std::string headline(const Task& task, const Generation& generation,

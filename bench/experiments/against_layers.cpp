@@ -75,7 +75,7 @@ Run run_layers(Task task, int evaluations, const LimbStore& store, int* cells) {
   const double milliseconds = watch.milliseconds();
   // a miss scores the worst of all and more, by what it misses
   double score = std::min(found.best_seen_score, worst_score(task.criteria));
-  if (found.status == ReachStatus::reached) {
+  if (found.meets_goals()) {
     score = std::min(score, found.candidates.front().score.total);
   }
   return {score, milliseconds};

@@ -38,9 +38,9 @@ Found find(const Subject& subject, const Place& place, Preset preset,
   const Stopwatch watch;
   const Generation generation = generate(task).value();
   const double milliseconds = watch.milliseconds();
-  const bool arrived = generation.status == ReachStatus::reached;
+  const bool arrived = generation.meets_goals();
   return {generation.best_seen_score, milliseconds, arrived,
-          arrived && !generation.candidates.front().over_limit.empty()};
+          arrived && !generation.candidates.front().measures.over_limit.empty()};
 }
 
 // All seeds of all places: medians of the scores, and counts.

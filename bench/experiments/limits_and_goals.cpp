@@ -55,7 +55,7 @@ Judged judge(const BodyModel& body, const Vec3d& goal, std::uint64_t number) {
   task.genetic.seed = number;
   const Generation generation = generate(task).value();
   Judged judged{.goal = goal};
-  judged.met = judged.said = generation.status == ReachStatus::reached;
+  judged.met = judged.said = generation.meets_goals();
   Kinematics<double> placed(body);
   const Effector& hand =
       body.effectors()[static_cast<std::size_t>(body.find_effector("right_hand").value())];

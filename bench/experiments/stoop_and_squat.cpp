@@ -31,10 +31,10 @@ Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettin
   task.genetic.seed = seed;
   const Generation generation = generate(task).value();
   Delivered delivered;
-  delivered.reached = generation.status == ReachStatus::reached;
+  delivered.reached = generation.meets_goals();
   delivered.best = generation.candidates.front().score.total;
   for (const Candidate& candidate : generation.candidates) {
-    if (!candidate.over_limit.empty()) {
+    if (!candidate.measures.over_limit.empty()) {
       ++delivered.over_limit;
       continue;
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/core/check.hpp>
 #include <utility>
@@ -94,6 +95,13 @@ BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places) {
   BodyDefinition placed = body.definition();
   placed.places = std::move(places);
   return BodyModel(std::move(placed));
+}
+
+const LimitCoupling* BodyModel::coupling_of(int dof) const {
+  const auto& all = definition_.couplings;
+  const auto is_its = [dof](const LimitCoupling& coupling) { return coupling.dof == dof; };
+  const auto found = std::find_if(all.begin(), all.end(), is_its);
+  return found == all.end() ? nullptr : &*found;
 }
 
 std::optional<int> BodyModel::find_effector(std::string_view name) const {

@@ -17,6 +17,7 @@ BodyModel with_load(const BodyModel& body, int effector, double load) {
   const Mat3d upright{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   if (sum.mass > 0.0) link = sum.in_frame(upright, {});
   loaded.mass += load;
+  loaded.load = max(loaded.load, load);
   return BodyModel(std::move(loaded));
 }
 

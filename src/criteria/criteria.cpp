@@ -18,6 +18,7 @@ CriteriaSettings default_criteria() {
   settings.low_back_weight = 0.20;
   settings.collision_weight = 0.5;
   settings.pressure_weight = 0.35;
+  settings.feasibility_weight = 1.0;
   return settings;
 }
 
@@ -45,7 +46,7 @@ Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSe
   Score score;
   BuiltInCriteria<double> built_in(body, settings);
   const bool placed = settings.head_weight > 0.0 || settings.collision_weight > 0.0 ||
-                      settings.pressure_weight > 0.0;
+                      settings.pressure_weight > 0.0 || settings.feasibility_weight > 0.0;
   show_motion(body, motion, placed, built_in);
   built_in.visit_penalties([&score](const char* name, double weight, double penalty) {
     score.terms.push_back({name, weight, penalty});

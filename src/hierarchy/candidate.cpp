@@ -9,24 +9,6 @@
 
 namespace shigusa {
 
-std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
-  std::vector<LimitExcess> result;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    const auto k = static_cast<std::size_t>(d);
-    double excess = 0.0;
-    for (int f = 0; f < clip.frames; ++f) {
-      const std::span<const double> angles = clip.frame(f);
-      excess = max(excess, angles[k] - upper_limit(body, d, angles));
-      excess = max(excess, body.dof(d).lower - angles[k]);
-    }
-    // less than a tenth of a degree is nothing that anyone sees
-    if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
-  }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
-  return result;
-}
-
 namespace {
 
 PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
@@ -81,6 +63,11 @@ double frame_distance(const Clip& a, const Clip& b, int frame) {
   return sqrt(squares / a.dofs);
 }
 
+// a NaN is worse than any score
+double ranking(const Score& score) {
+  return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
+}
+
 HeelLift heel_lift(const Heel& heel, const Clip& clip) {
   HeelLift lift;
   for (int f = 0; f < clip.frames; ++f) {
@@ -108,10 +95,9 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
     candidate.contacts.push_back({foot.name, foot.node, slide, {}});
     if (foot.heel) candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip);
   }
-  candidate.over_limit = limit_excess(body, rolled.motion.clip);
-  candidate.support = support_margins(body, rolled.motion);
+  candidate.measures = measure_motion(body, rolled.motion, task_criteria(task).collision);
+  candidate.judgement = judge(body, rolled.motion, candidate.measures);
   const Clip& clip = rolled.motion.clip;
-  candidate.collides = deepest_collision(body, rolled.motion.clip, task_criteria(task).collision);
   candidate.final_posture =
       PostureMeter(body).measure(clip.frame(clip.frames - 1), problem.goals.front().effector);
   candidate.motion = std::move(rolled.motion);
@@ -128,8 +114,20 @@ double miss_of(const Candidate& candidate) {
   return sqrt(squares);
 }
 
-double ranking(const Score& score) {
-  return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
+ReachStatus status_of(bool met, std::span<const Candidate> candidates) {
+  if (!met) return ReachStatus::unreachable;
+  const bool none =
+      std::all_of(candidates.begin(), candidates.end(), [](const Candidate& candidate) {
+        return candidate.judgement.verdict == Verdict::impossible;
+      });
+  return none ? ReachStatus::unsteady : ReachStatus::reached;
+}
+
+bool ranks_before(const Candidate& a, const Candidate& b) {
+  const bool a_impossible = a.judgement.verdict == Verdict::impossible;
+  const bool b_impossible = b.judgement.verdict == Verdict::impossible;
+  if (a_impossible != b_impossible) return b_impossible;
+  return ranking(a.score) < ranking(b.score);
 }
 
 double largest_distance(const Clip& a, const Clip& b) {

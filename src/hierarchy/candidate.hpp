@@ -9,14 +9,15 @@ namespace shigusa {
 [[nodiscard]] Candidate make_candidate(const Task& task, const ReachProblem& problem,
                                        const Parameters& parameters, RolledOut rolled);
 
-// The joints that pass their limits by more than anyone sees, the worst first.
-[[nodiscard]] std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip);
-
 // Distance that is left to the goals (m), the root of the summed squares.
 [[nodiscard]] double miss_of(const Candidate& candidate);
 
-// Orders scores, a NaN last.
-[[nodiscard]] double ranking(const Score& score);
+// What a search came to, by whether its candidates meet their goals.
+[[nodiscard]] ReachStatus status_of(bool met, std::span<const Candidate> candidates);
+
+// Orders candidates: what is impossible after all that is not, and of each the lowest score first,
+// a NaN last.
+[[nodiscard]] bool ranks_before(const Candidate& a, const Candidate& b);
 
 // Largest root-mean-square difference of two motions' joint angles over their frames (rad).
 [[nodiscard]] double largest_distance(const Clip& a, const Clip& b);

@@ -15,7 +15,9 @@ namespace {
 // Replays of what is spare, of each style that is lacking and of all together, so far apart each.
 constexpr int kTries = 12;
 
-bool is_free(const Candidate& candidate) { return candidate.collides.depth <= kCollisionDepth; }
+bool is_free(const Candidate& candidate) {
+  return candidate.measures.collides.depth <= kCollisionDepth;
+}
 
 Style bends(const Candidate& candidate) {
   return style_of(candidate.final_posture.stoop_squat_index);
@@ -114,17 +116,21 @@ void drop_collisions(Generation& generation) {
   std::vector<Candidate>& all = generation.candidates;
   if (all.empty()) return;
   const auto shallower = [](const Candidate& a, const Candidate& b) {
-    return a.collides.depth < b.collides.depth;
+    return a.measures.collides.depth < b.measures.collides.depth;
   };
-  const double least = std::min_element(all.begin(), all.end(), shallower)->collides.depth;
+  const double least = std::min_element(all.begin(), all.end(), shallower)->measures.collides.depth;
   const double most = least <= kCollisionDepth ? kCollisionDepth : least + kCollisionDepth;
   generation.collided = static_cast<int>(
-      std::erase_if(all, [most](const Candidate& c) { return c.collides.depth > most; }));
+      std::erase_if(all, [most](const Candidate& c) { return c.measures.collides.depth > most; }));
 }
 
-// Of too many, the worst that is not the only one of its style goes first.
+// Of too many, what is impossible goes first, then the worst that is not the only one of its style.
 void keep_most(std::size_t most, std::vector<Candidate>& all) {
   while (all.size() > most) {
+    if (all.back().judgement.verdict == Verdict::impossible) {
+      all.pop_back();
+      continue;
+    }
     const auto is_spare = [&all](const Candidate& c) {
       return std::count_if(all.begin(), all.end(),
                            [&c](const Candidate& other) { return bends(other) == bends(c); }) > 1;
@@ -166,9 +172,7 @@ void deliver_candidates(const Task& task, std::span<const ReachProblem> ways,
     }
   }
   // on an earlier way than they were searched on, motions may have other scores
-  std::stable_sort(
-      generation.candidates.begin(), generation.candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
+  std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
   if (!paper) drop_collisions(generation);
   choice.similar = count_similar(choice, generation.candidates, taken);
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);

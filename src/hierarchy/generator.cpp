@@ -11,6 +11,7 @@
 #include "joint_progress.hpp"
 #include "layered_generator.hpp"
 #include "pareto.hpp"
+#include "runs.hpp"
 #include "searched.hpp"
 #include "ways.hpp"
 
@@ -41,32 +42,17 @@ void search_best(const Task& task, std::span<const ReachProblem> ways, const Pro
   deliver_candidates(task, ways, searched, found, generation);
 }
 
-// The parameters' motion on the first way that brings them to the goal; where none does, the one
-// that comes nearest, but rather one that is farther off than one whose foot slides.
+// The one candidate that is given parameters make.
 Candidate only_candidate(const Task& task, std::span<const ReachProblem> ways,
                          const Parameters& parameters) {
-  if (std::optional<Arrival> arrival = first_arrival(ways, parameters, task.generator)) {
-    return make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled));
-  }
-  std::optional<Candidate> best;
-  bool best_stands = false;
-  for (const ReachProblem& way : ways) {
-    RolledOut rolled = play(way, parameters, task.generator);
-    const bool stands = rolled.outcome.stands();
-    Candidate candidate = make_candidate(task, way, parameters, std::move(rolled));
-    const bool nearer = best && miss_of(candidate) < miss_of(*best);
-    if (!best || (stands == best_stands ? nearer : stands)) {
-      best = std::move(candidate);
-      best_stands = stands;
-    }
-  }
-  return std::move(*best);
+  Arrival arrival = nearest_arrival(ways, parameters, task.generator);
+  return make_candidate(task, *arrival.way, parameters, std::move(arrival.rolled));
 }
 
 void finish(const ClosestReach& reach, Generation& generation) {
   const double miss = miss_of(generation.candidates.front());
   const bool met = reach.reached() && miss <= kReachTolerance;
-  generation.status = met ? ReachStatus::reached : ReachStatus::unreachable;
+  generation.status = status_of(met, generation.candidates);
   if (met) return;
   double squares = 0.0;
   for (const GoalResult& goal : generation.candidates.front().goals) {
@@ -185,12 +171,27 @@ bool goes_on(const ClosestReach& reach, const Generation& generation) {
 
 }  // namespace
 
-Result<Generation> generate(const Task& task, const Progress& progress) {
-  if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
-  if (needs_preparing(task)) {
-    const Result<Task> ready = prepared(task);
-    return ready ? generate(*ready, progress) : tl::unexpected(ready.error());
+std::string_view status_name(ReachStatus status) {
+  switch (status) {
+    case ReachStatus::reached:
+      return "reached";
+    case ReachStatus::unsteady:
+      return "unsteady";
+    case ReachStatus::unreachable:
+      return "unreachable";
   }
+  return "";
+}
+
+Task played_task(Task task, const Generation& generation) {
+  if (generation.slowed) task.duration = generation.duration;
+  return task;
+}
+
+namespace {
+
+// One search, of a task that is prepared.
+Result<Generation> search_task(const Task& task, const Progress& progress) {
   if (preset_layers(task.preset)) return generate_layered(task, progress);
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
@@ -208,11 +209,102 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
     if (!again.reached()) continue;
     search_ways(task, ways_to_goal(*problem, again), 2, joint, generation);
   }
+  Task other = task;
+  while (reach.reached() && runs_again(task, generation)) {
+    other.genetic.stream = static_cast<std::uint64_t>(generation.runs);
+    Generation run;
+    search_ways(other, ways, 1, joint, run);
+    add_run(task, std::move(run), generation);
+  }
   if (generation.candidates.empty()) {
     generation.candidates.push_back(only_candidate(task, ways, uniform_parameters(task.body)));
   }
   finish(reach, generation);
   return generation;
+}
+
+// The least duration (s) in which a candidate is possible that is not so only for its haste.
+std::optional<double> possible_duration(const Generation& generation) {
+  std::optional<double> least;
+  for (const Candidate& candidate : generation.candidates) {
+    const std::optional<double>& own = candidate.judgement.possible_in;
+    if (own && (!least || *own < *least)) least = own;
+  }
+  return least;
+}
+
+// The candidates as the task plays them, which has another duration.
+Result<Generation> played_anew(const Task& task, const Generation& generation) {
+  Generation again = generation;
+  again.duration = *task.duration;
+  again.candidates.clear();
+  for (const Candidate& candidate : generation.candidates) {
+    Result<Generation> one = candidate.layered ? regenerate(task, *candidate.layered)
+                                               : regenerate(task, candidate.parameters);
+    if (!one) return one;
+    again.candidates.push_back(std::move(one.value().candidates.front()));
+  }
+  std::stable_sort(again.candidates.begin(), again.candidates.end(), ranks_before);
+  again.status = status_of(generation.meets_goals(), again.candidates);
+  return again;
+}
+
+bool wants_more(const Generation& generation) {
+  return generation.status == ReachStatus::unsteady && generation.end != SearchEnd::cancelled;
+}
+
+// Another search of the same task takes the place of one that found nothing possible, if it did.
+bool take_place(Generation other, Generation& found) {
+  found.evaluations += other.evaluations;
+  found.end = other.end;
+  if (other.status != ReachStatus::reached) return false;
+  other.evaluations = found.evaluations;
+  found = std::move(other);
+  return true;
+}
+
+// Where motions are impossible only for their haste, and the task gives no duration, it takes
+// longer.
+void try_slower(const Task& task, JointProgress& progress, Generation& found) {
+  const std::optional<double> duration = possible_duration(found);
+  if (!wants_more(found) || task.duration || !duration) return;
+  Task slower = task;
+  slower.duration = duration;
+  // a budget that was given is used up
+  const bool spent = task.evaluations.has_value();
+  const int evaluations = found.evaluations;
+  Result<Generation> again =
+      spent ? played_anew(slower, found) : search_task(slower, progress.part(1.0));
+  if (again && take_place(std::move(*again), found)) found.slowed = true;
+  if (spent) found.evaluations = evaluations;
+}
+
+// How many times as many motions are scored where nothing that was found is possible.
+constexpr int kLongerSearch = 3;
+
+void try_longer(const Task& task, JointProgress& progress, Generation& found) {
+  if (!wants_more(found) || task.evaluations) return;
+  Task longer = task;
+  longer.evaluations = kLongerSearch * usual_evaluations(task);
+  Result<Generation> again = search_task(longer, progress.part(1.0));
+  if (again) take_place(std::move(*again), found);
+}
+
+}  // namespace
+
+Result<Generation> generate(const Task& task, const Progress& progress) {
+  if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
+  if (needs_preparing(task)) {
+    const Result<Task> ready = prepared(task);
+    return ready ? generate(*ready, progress) : tl::unexpected(ready.error());
+  }
+  JointProgress joint(progress);
+  Result<Generation> found = search_task(task, joint.part(1.0));
+  if (found && preset_tells_ends(task.preset)) {
+    try_slower(task, joint, *found);
+    try_longer(task, joint, *found);
+  }
+  return found;
 }
 
 Result<Generation> regenerate(const Task& task, const Parameters& parameters) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <shigusa/core/parallel.hpp>
 #include <shigusa/hierarchy/layered_problem.hpp>
 #include <utility>
 
@@ -29,7 +30,7 @@ bool searches_paper_code(const Task& task) {
 
 SearchResult run_search(const Task& task, const SearchProblem& problem, const Progress& progress) {
   const SearchMethod method = search_of(task);
-  const int evaluations = task.evaluations.value_or(preset_evaluations(task.preset));
+  const int evaluations = task.evaluations.value_or(usual_evaluations(task));
   if (method == SearchMethod::paper_ga || method == SearchMethod::log_ga) {
     if (!task.evaluations) return genetic_search(problem, task.genetic, progress);
     return restarted_genetic_search(problem, task.genetic, evaluations, progress);
@@ -51,20 +52,20 @@ Candidate make_layered(const Task& task, const LayeredParameters& parameters,
   return candidate;
 }
 
-// The search of the upper layer on one way to the goals.
+// The search of the upper layer on one way to the goals: of the whole body its weights alone.
 class UpperSearch {
  public:
-  // `lengths`: those of the limbs, where they are given and weights alone are searched.
-  UpperSearch(const Task& task, const LayeredProblem& problem, ArmLibraries& libraries,
-              const LayerParameters* lengths)
+  UpperSearch(const Task& task, const LayeredProblem& problem, const LayeredWays& ways,
+              LayeredWay way, ArmLibraries& libraries)
       : task_(task),
         problem_(problem),
-        lengths_(lengths),
+        ways_(ways),
+        layers_(way == LayeredWay::layers),
         genes_(searched_genes(problem)),
         archive_(task.body),
         scorer_(problem, problem.layers[0].criteria, task.batch.threads,
                 [&libraries](std::span<const HandPath> paths) { return libraries.choose(paths); }) {
-    if (lengths == nullptr) return;
+    if (layers_) return;
     std::erase_if(genes_, [&problem](std::size_t gene) {
       return problem.layers[0].genes[gene].kind == LayerGeneKind::contraction;
     });
@@ -80,7 +81,11 @@ class UpperSearch {
       }
       const std::size_t dofs = keeps_ends() ? task_.body.dofs().size() : 0;
       postures_.resize(scores.size() * dofs);
-      scorer_.score(parameters, scores, postures_);
+      if (layers_) {
+        scorer_.score(parameters, scores, postures_);
+      } else {
+        score_bodies(parameters, scores);
+      }
       if (!keeps_ends()) return;
       archive_.add(points, scores, postures_, worst_score(problem_.layers[0].criteria));
     };
@@ -96,26 +101,52 @@ class UpperSearch {
   // What a point's motion is generated from, with all that the layers below find for it; or as the
   // search had it.
   LayeredScorer::Played expanded(std::span<const double> point) {
+    if (!layers_) return {whole(decoded(point)), 0};
     return scorer_.play(decoded(point), {.rounds = task_.layers.feedback_rounds,
                                          .search = task_.layers.limb_search,
                                          .seed = task_.genetic.seed});
   }
   LayeredParameters as_searched(std::span<const double> point) {
+    if (!layers_) return whole(decoded(point));
     return scorer_.play(decoded(point), {.rounds = 0, .glance = true}).parameters;
   }
 
  private:
   [[nodiscard]] bool keeps_ends() const { return preset_tells_ends(task_.preset); }
   [[nodiscard]] LayerParameters decoded(std::span<const double> point) const {
-    LayerParameters parameters =
-        decode_searched(problem_, genes_, point, searches_paper_code(task_));
-    if (lengths_ != nullptr) parameters.contractions = lengths_->contractions;
+    return decode_searched(problem_, genes_, point, searches_paper_code(task_));
+  }
+
+  // with what the layers below have before any search
+  [[nodiscard]] LayeredParameters whole(const LayerParameters& upper) const {
+    LayeredParameters parameters;
+    (void)layered_members(problem_.layers, parameters);
+    parameters.upper = upper;
     return parameters;
+  }
+
+  void score_bodies(std::span<const LayerParameters> parameters, std::span<double> scores) {
+    const CriteriaSettings& criteria = problem_.layers[0].criteria;
+    const std::size_t dofs = postures_.size() / scores.size();
+    const auto score = [&](int i, int) {
+      const auto k = index(i);
+      const auto arrival = ways_.body_arrival(whole(parameters[k]));
+      scores[k] = worst_score(criteria);
+      if (!arrival) return;
+      const Clip& clip = arrival->rolled.motion.clip;
+      scores[k] = score_motion(task_.body, arrival->rolled.motion, criteria).total;
+      const std::span<const double> last = clip.frame(clip.frames - 1);
+      for (std::size_t d = 0; d < dofs; ++d) postures_[k * dofs + d] = static_cast<float>(last[d]);
+    };
+    // a user's criteria are called by one thread
+    parallel_for(static_cast<int>(scores.size()), criteria.user.empty() ? task_.batch.threads : 1,
+                 score);
   }
 
   const Task& task_;
   const LayeredProblem& problem_;
-  const LayerParameters* lengths_;
+  const LayeredWays& ways_;
+  bool layers_;
   std::vector<std::size_t> genes_;
   Archive archive_;
   std::vector<float> postures_;
@@ -125,8 +156,8 @@ class UpperSearch {
 // Keeps what arrives on the way that was searched, or before, and differs.
 class LayeredDelivery {
  public:
-  LayeredDelivery(const Task& task, LayeredWays& ways, LayeredWay searched, UpperSearch& search,
-                  Generation& generation)
+  LayeredDelivery(const Task& task, const LayeredWays& ways, LayeredWay searched,
+                  UpperSearch& search, Generation& generation)
       : task_(task), ways_(ways), searched_(searched), search_(search), generation_(generation) {}
 
   // How many of what is spare became candidates.
@@ -185,7 +216,7 @@ class LayeredDelivery {
   }
 
   const Task& task_;
-  LayeredWays& ways_;
+  const LayeredWays& ways_;
   LayeredWay searched_;
   UpperSearch& search_;
   Generation& generation_;
@@ -193,19 +224,19 @@ class LayeredDelivery {
 
 // Where some candidate keeps to its joints' limits, those that do not are not delivered.
 void keep_within_limits(Generation& generation) {
-  const auto passes = [](const Candidate& candidate) { return !candidate.over_limit.empty(); };
+  const auto passes = [](const Candidate& candidate) {
+    return !candidate.measures.over_limit.empty();
+  };
   std::vector<Candidate>& all = generation.candidates;
   if (std::all_of(all.begin(), all.end(), passes)) return;
   generation.over_limit += static_cast<int>(std::erase_if(all, passes));
 }
 
 // Searches one way, and keeps what it comes to.
-void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& ways, LayeredWay way,
-                ArmLibraries& libraries, const Progress& progress, Generation& generation) {
-  const LayerParameters* lengths =
-      way == LayeredWay::edge ? &ways.edge().parameters.upper : nullptr;
-  UpperSearch search(task, way == LayeredWay::edge ? ways.edge().problem : problem, libraries,
-                     lengths);
+void search_way(const Task& task, const LayeredProblem& problem, const LayeredWays& ways,
+                LayeredWay way, ArmLibraries& libraries, const Progress& progress,
+                Generation& generation) {
+  UpperSearch search(task, problem, ways, way, libraries);
   const SearchResult found = search.run(progress);
   generation.evaluations += found.evaluations;
   generation.generations = found.generations;
@@ -222,12 +253,10 @@ void search_way(const Task& task, const LayeredProblem& problem, LayeredWays& wa
 }
 
 void finish(const LayeredProblem& problem, Generation& generation) {
-  std::stable_sort(
-      generation.candidates.begin(), generation.candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return ranking(a.score) < ranking(b.score); });
+  std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
   const double miss = miss_of(generation.candidates.front());
   const bool met = problem.in_reach && miss <= kReachTolerance;
-  generation.status = met ? ReachStatus::reached : ReachStatus::unreachable;
+  generation.status = status_of(met, generation.candidates);
   generation.remaining_distance = met ? 0.0 : miss;
 }
 
@@ -237,16 +266,17 @@ Result<Generation> generate_layered(const Task& task, const Progress& progress) 
   const Result<LayeredProblem> problem = make_layered_problem(task);
   if (!problem) return tl::unexpected(problem.error());
   ArmLibraries libraries(task, *problem);
-  LayeredWays ways(*problem);
+  const LayeredWays ways(*problem);
   Generation generation;
   generation.duration = problem->reach.duration;
-  for (const LayeredWay way : {LayeredWay::whole, LayeredWay::edge}) {
-    if (way == LayeredWay::whole && !problem->in_reach) continue;
+  for (const LayeredWay way : {LayeredWay::layers, LayeredWay::body}) {
+    if (way == LayeredWay::layers && !problem->in_reach) continue;
     search_way(task, *problem, ways, way, libraries, progress, generation);
     if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {
-    const LayeredParameters& nearest = ways.edge().parameters;
+    LayeredParameters nearest;
+    (void)layered_members(problem->layers, nearest);
     generation.candidates.push_back(make_layered(task, nearest, ways.any_arrival(nearest)));
   }
   finish(*problem, generation);
@@ -263,7 +293,7 @@ Result<Generation> regenerate_layered(const Task& task, const LayeredParameters&
   }
   Generation generation;
   generation.duration = problem->reach.duration;
-  LayeredWays ways(*problem);
+  const LayeredWays ways(*problem);
   generation.candidates.push_back(make_layered(task, parameters, ways.any_arrival(parameters)));
   finish(*problem, generation);
   return generation;

@@ -40,7 +40,8 @@ Result<LayeredProblem> make_layered_problem(const Task& task) {
   // keeps to its path all the same
   const ReachTolerance tolerance = problem.reach.tolerance;
   const ClosestReach closest = closest_reach(problem.reach);
-  problem.reach = ways_to_goal(problem.reach, closest).front();
+  problem.body_ways = ways_to_goal(problem.reach, closest);
+  problem.reach = problem.body_ways.front();
   problem.reach.tolerance = tolerance;
   problem.in_reach = closest.reached();
   return problem;

@@ -42,9 +42,7 @@ bool dominates(const Score& a, const Score& b) {
 
 // Best first, of those that end alike.
 std::vector<Candidate> without_copies(std::vector<Candidate> front) {
-  std::stable_sort(front.begin(), front.end(), [](const Candidate& a, const Candidate& b) {
-    return ranking(a.score) < ranking(b.score);
-  });
+  std::stable_sort(front.begin(), front.end(), ranks_before);
   std::vector<Candidate> apart;
   for (Candidate& candidate : front) {
     const auto is_copy = [&](const Candidate& better) {
@@ -151,9 +149,7 @@ std::vector<Candidate> spread_over(std::vector<Candidate> front, int most) {
   taken.resize(count);
   std::vector<Candidate> chosen;
   for (const std::size_t i : taken) chosen.push_back(std::move(front[i]));
-  std::stable_sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) {
-    return ranking(a.score) < ranking(b.score);
-  });
+  std::stable_sort(chosen.begin(), chosen.end(), ranks_before);
   return chosen;
 }
 

@@ -11,7 +11,8 @@ struct Range {
   double low;
   double high;
 
-  [[nodiscard]] double at(double share) const { return low + share * (high - low); }
+  // rounding could take the last share beyond the range
+  [[nodiscard]] double at(double share) const { return min(high, low + share * (high - low)); }
   [[nodiscard]] double share(double value) const {
     return high > low ? clamp((value - low) / (high - low), 0.0, 1.0) : 0.0;
   }

@@ -74,8 +74,7 @@ Searched::Searched(const ReachProblem& problem, const Task& task)
       archive_(*problem.body) {}
 
 SearchResult Searched::run(const Progress& progress) {
-  const int budget = task_.evaluations.value_or(
-      task_.generator == MotionGenerator::nlp_ik ? kNlpEvaluations : kFlatEvaluations);
+  const int budget = task_.evaluations.value_or(usual_evaluations(task_));
   PointScorer scorer(problem_, task_, criteria_, space_, task_.batch.threads);
   const bool paper = task_.preset == Preset::paper;
   // where a person gives the squat, knees go by it

@@ -54,7 +54,7 @@ SwivelSearch::Best SwivelSearch::best_of_grid(const ArmFeedback& told, int point
   const LayerGene& gene = layer_->genes.front();
   Best best{.swivel = 0.0, .score = score(told, 0.0)};
   for (int k = 0; k < points; ++k) {
-    const double swivel = gene.low + (gene.high - gene.low) * k / (points - 1);
+    const double swivel = min(gene.high, gene.low + (gene.high - gene.low) * k / (points - 1));
     const double scored = score(told, swivel);
     if (scored < best.score) best = {swivel, scored};
   }

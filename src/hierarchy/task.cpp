@@ -160,8 +160,9 @@ std::optional<LayerStack> preset_layers(Preset preset) {
 
 bool preset_tells_ends(Preset preset) { return preset == Preset::flat || preset == Preset::human; }
 
-int preset_evaluations(Preset preset) {
-  return preset == Preset::human ? kHumanEvaluations : kFlatEvaluations;
+int usual_evaluations(const Task& task) {
+  if (task.generator == MotionGenerator::nlp_ik) return kNlpEvaluations;
+  return task.preset == Preset::human ? kHumanEvaluations : kFlatEvaluations;
 }
 
 std::string_view generator_name(MotionGenerator generator) {
@@ -206,6 +207,7 @@ Result<ReachProblem> make_problem(const Task& task) {
     problem.goals.push_back(std::move(*reach));
   }
   if (const auto checked = check_rows(problem); !checked) return tl::unexpected(checked.error());
+  problem.duration *= load_factor(body.load());
   if (task.duration) problem.duration = *task.duration;
   problem.hold_limits = problem.posture_law = preset_tells_ends(task.preset);
   problem.gaze = task_criteria(task).head.gaze_target;

@@ -97,4 +97,18 @@ std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
   return std::nullopt;
 }
 
+Arrival nearest_arrival(std::span<const ReachProblem> ways, const Parameters& parameters,
+                        MotionGenerator generator) {
+  if (auto arrival = first_arrival(ways, parameters, generator)) return std::move(*arrival);
+  std::optional<Arrival> best;
+  for (const ReachProblem& way : ways) {
+    RolledOut rolled = play(way, parameters, generator);
+    const bool stands = rolled.outcome.stands();
+    const bool best_stands = best && best->rolled.outcome.stands();
+    const bool nearer = best && rolled.outcome.goal_error < best->rolled.outcome.goal_error;
+    if (!best || (stands == best_stands ? nearer : stands)) best = Arrival{&way, std::move(rolled)};
+  }
+  return std::move(*best);
+}
+
 }  // namespace shigusa

@@ -29,6 +29,12 @@ struct Arrival {
     std::span<const ReachProblem> ways, const Parameters& parameters,
     MotionGenerator generator = MotionGenerator::weighted_ik);
 
+// The same; where no way brings them to the goal, the motion that comes nearest, but rather one
+// that is farther off than one whose foot slides.
+[[nodiscard]] Arrival nearest_arrival(std::span<const ReachProblem> ways,
+                                      const Parameters& parameters,
+                                      MotionGenerator generator = MotionGenerator::weighted_ik);
+
 // The parameters' motion as the generator makes it.
 [[nodiscard]] RolledOut play(const ReachProblem& problem, const Parameters& parameters,
                              MotionGenerator generator);

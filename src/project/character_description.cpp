@@ -43,6 +43,12 @@ std::vector<Vec3d> start_places(const BodyModel& body) {
   return places;
 }
 
+std::pair<double, double> widest_limits(const BodyModel& body, int dof) {
+  const Dof& d = body.dof(dof);
+  const LimitCoupling* coupling = body.coupling_of(dof);
+  return {d.lower, d.upper + (coupling == nullptr ? 0.0 : max(coupling->gain, 0.0))};
+}
+
 std::string file_joint(const BodyModel& body, int dof) {
   if (!body.robot()) return {};
   for (const RobotJoint& joint : body.robot()->joints) {
@@ -69,13 +75,19 @@ std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
             {"joints", Json::array()}};
   for (int d = 0; d < body.dof_count(); ++d) {
     const Dof& dof = body.dof(d);
+    const auto [lower, upper] = widest_limits(body, d);
     json["joints"].push_back(
         {{"name", dof.name},
          {"parent", dof.parent == kBaseLink ? Json(nullptr) : Json(body.dof(dof.parent).name)},
          {"dof", 1},
-         {"limits_rad", {dof.lower, dof.upper}},
+         {"limits_rad", {lower, upper}},
          {"strength_nm", {-dof.torque_negative, dof.torque_positive}},
          {"start_rad", body.start()[static_cast<std::size_t>(d)]}});
+    if (const LimitCoupling* coupling = body.coupling_of(d)) {
+      json["joints"].back()["limit_coupling"] = {{"driver", body.dof(coupling->driver).name},
+                                                 {"driver_rad", {0.0, coupling->driver_full}},
+                                                 {"upper_rad", {dof.upper, upper}}};
+    }
     if (body.robot()) json["joints"].back()["file_joint"] = file_joint(body, d);
   }
   json["effectors"] = Json::array();

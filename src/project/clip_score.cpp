@@ -277,10 +277,9 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   ClipPlayer player(recorded.body, settings.criteria);
   result.motion = player.play(smooth, first, first + last - settings.first);
   result.score = summed(player.criteria(), recorded.body, result.motion, settings.criteria);
-  result.over_limit = limit_excess(recorded.body, result.motion.clip);
-  result.support = player.support().margins();
-  result.collides =
-      deepest_collision(recorded.body, result.motion.clip, settings.criteria.collision);
+  result.measures = measure_motion(recorded.body, result.motion, settings.criteria.collision);
+  // which sees the frames around
+  result.measures.support = player.support().margins();
   PostureMeter meter(recorded.body);
   result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1), 0);
   doubt(settings, result);

@@ -76,7 +76,7 @@ std::string format_clip_score(const std::string& clip, const RecordedMotion& rec
   for (const ScoreTerm& term : score.score.terms) json["criteria"][term.name] = term.penalty;
   json["follows"] = follows_to_json(score.fit, settings.first);
   json["feet"] = feet_to_json(recorded, score.fit);
-  add_measures(score.over_limit, score.support, score.collides, score.final_posture, json);
+  add_measures(recorded.body, score.measures, score.final_posture, json);
   const auto measured = recorded.body.doubts();
   json["doubts"] = std::vector<std::string>(measured.begin(), measured.end());
   for (const std::string& doubt : score.doubts) json["doubts"].push_back(doubt);

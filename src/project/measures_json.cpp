@@ -18,11 +18,44 @@ Json margin_to_json(const SupportMargin& margin) {
   return {{"least_mm", margin.distance * kMillimetres}, {"time_s", margin.time}};
 }
 
+Json reason_to_json(const Reason& reason) {
+  Json json{{"kind", reason_name(reason.kind)}, {"verdict", verdict_name(reason.verdict)}};
+  switch (reason.kind) {
+    case ReasonKind::strength:
+      json["joint"] = reason.subject;
+      json["share"] = reason.amount;
+      json["torque_nm"] = reason.torque;
+      json["strength_nm"] = reason.strength;
+      break;
+    case ReasonKind::pressure:
+      json["outside_mm"] = reason.amount * kMillimetres;
+      break;
+    case ReasonKind::collision:
+      json["limb"] = reason.subject;
+      json["other"] = reason.other;
+      json["depth_mm"] = reason.amount * kMillimetres;
+      break;
+    case ReasonKind::limit:
+      json["joint"] = reason.subject;
+      json["excess_deg"] = degrees(reason.amount);
+      break;
+  }
+  if (reason.time) json["time_s"] = *reason.time;
+  json["words"] = reason_words(reason);
+  return json;
+}
+
 }  // namespace
 
-void add_measures(const std::vector<LimitExcess>& over_limit,
-                  const std::optional<SupportMargins>& support, const CollisionFound& collides,
-                  const FinalPosture& ends, Json& json) {
+void add_measures(const BodyModel& body, const MotionMeasures& measures, const FinalPosture& ends,
+                  Json& json) {
+  const auto& [loads, over_limit, support, collides] = measures;
+  if (const JointLoad* load = most_loaded(measures)) {
+    json["most_loaded"] = {{"joint", body.dof(load->dof).name},
+                           {"share", load->share},
+                           {"torque_nm", abs(load->torque)},
+                           {"time_s", load->time}};
+  }
   json["over_limit"] = Json::array();
   for (const LimitExcess& excess : over_limit) {
     json["over_limit"].push_back({{"dof", excess.dof}, {"excess_deg", degrees(excess.excess)}});
@@ -38,6 +71,12 @@ void add_measures(const std::vector<LimitExcess>& over_limit,
                          {"time_s", collides.time}};
   }
   json["final_posture"] = posture_to_json(ends);
+}
+
+Json reasons_to_json(const Judgement& judgement) {
+  Json json = Json::array();
+  for (const Reason& reason : judgement.reasons) json.push_back(reason_to_json(reason));
+  return json;
 }
 
 }  // namespace shigusa

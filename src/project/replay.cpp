@@ -66,7 +66,10 @@ Result<Generation> replay_all(const Task& task, StoredResult& stored) {
     Result<Generation> next = replay(task, stored, k);
     if (!next) return next;
     all->candidates.push_back(std::move(next->candidates.front()));
-    if (next->status == ReachStatus::unreachable) all->status = next->status;
+    // what one cannot meet all cannot; what one can make is possible
+    const bool meets = all->meets_goals() && next->meets_goals();
+    const ReachStatus either = std::min(all->status, next->status);
+    all->status = meets ? either : ReachStatus::unreachable;
   }
   return all;
 }
@@ -92,7 +95,7 @@ Result<void> mirror_result(StoredResult& stored) {
 }
 
 StoredResult stored_result(const TaskFile& file, const Generation& generation) {
-  StoredResult stored{file, {}, {}};
+  StoredResult stored{played_task(file, generation), {}, {}};
   for (const Candidate& candidate : generation.candidates) {
     if (candidate.layered) {
       stored.layered.push_back(*candidate.layered);

@@ -137,6 +137,9 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   const Candidate& candidate = generation.candidates[index];
   Json json;
   json["rank"] = index + 1;
+  json["verdict"] = verdict_name(candidate.judgement.verdict);
+  json["reasons"] = reasons_to_json(candidate.judgement);
+  if (candidate.judgement.possible_in) json["possible_in_s"] = *candidate.judgement.possible_in;
   json["score"] = candidate.score.total;
   json["criteria"] = Json::object();
   for (const ScoreTerm& term : candidate.score.terms) json["criteria"][term.name] = term.penalty;
@@ -144,8 +147,7 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(character, candidate);
-  add_measures(candidate.over_limit, candidate.support, candidate.collides, candidate.final_posture,
-               json);
+  add_measures(task.body, candidate.measures, candidate.final_posture, json);
   json["final_posture"]["elbow_swivel_deg"] = degrees(candidate.final_posture.elbow_swivel);
   json["duration_s"] = generation.duration;
   json["frames"] = candidate.motion.clip.frames;
@@ -259,16 +261,21 @@ Result<void> check_version(const Json& json, const std::string& place) {
 
 }  // namespace
 
+TaskFile played_task(TaskFile file, const Generation& generation) {
+  if (generation.slowed) file.duration = generation.duration;
+  return file;
+}
+
 std::string format_result(const TaskFile& file, const Task& task, const Generation& generation,
                           const RunInfo& info, const std::vector<CandidateFiles>& files) {
-  const bool reached = generation.status == ReachStatus::reached;
   Json json;
   json["version"] = kResultVersion;
-  json["status"] = reached ? "reached" : "unreachable";
+  json["status"] = status_name(generation.status);
   json["remaining_mm"] = generation.remaining_distance * kMillimetres;
   if (generation.remaining_turn > 0.0) json["remaining_deg"] = degrees(generation.remaining_turn);
   json["seed"] = file.seed;
   json["evaluations"] = generation.evaluations;
+  json["runs"] = generation.runs;
   json["elapsed_ms"] = info.elapsed_ms;
   if (preset_layers(task.preset) == LayerStack::paper)
     json["cells_searched"] = generation.cells_searched;
@@ -289,7 +296,7 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
   json["search_detail"] = search_to_json(task, generation);
   json["doubts"] = std::vector<std::string>(task.body.doubts().begin(), task.body.doubts().end());
-  json["task"] = task_to_json(file);
+  json["task"] = task_to_json(played_task(file, generation));
   // names from files may hold anything; what is not UTF-8 is replaced
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -60,7 +60,7 @@ TEST_F(CharacterFiles, EditsNeedTheFileForGlbAlone) {
 
 // What one motion ends with the next one begins with.
 TEST_F(CharacterFiles, AFrameOfAGltfAnimationIsAStartPosture) {
-  ASSERT_EQ(reach({"--duration", "1"}).exit_code, 0);
+  ASSERT_THAT(reach({"--duration", "1"}).exit_code, delivered());
   const Vec3d end =
       to_vec(StoredRun(work_, "out").candidate(1).at("reached").at(0).at("reached_m"));
   const auto again = [&](const Words& start) {

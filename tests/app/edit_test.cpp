@@ -34,7 +34,7 @@ class Edit : public testing::Test {
 TEST_F(Edit, KeepsTheHandOnItsGoalWithoutASearch) {
   const ProgramRun run =
       edit("result", {"--candidate", "1", "--set", "right_shoulder.flexion.weight=12"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.exit_code, delivered()) << run.err;
   const StoredRun stored(work_, "result/edit-1");
   EXPECT_EQ(stored.summary().at("evaluations"), 0);
   EXPECT_EQ(stored.summary().at("search"), "edit");
@@ -43,12 +43,12 @@ TEST_F(Edit, KeepsTheHandOnItsGoalWithoutASearch) {
 }
 
 TEST_F(Edit, ChangesTheMotion) {
-  ASSERT_EQ(edit("result", {"--set", "right_hip.flexion.weight=1e-3"}).exit_code, 0);
+  ASSERT_THAT(edit("result", {"--set", "right_hip.flexion.weight=1e-3"}).exit_code, delivered());
   EXPECT_NE(work_.get("result/edit-1/candidate-1.bvh"), work_.get("result/candidate-1.bvh"));
 }
 
 TEST_F(Edit, WithoutChangesGivesTheSameBytes) {
-  ASSERT_EQ(edit("result", {"--candidate", "2"}).exit_code, 0);
+  ASSERT_THAT(edit("result", {"--candidate", "2"}).exit_code, delivered());
   const StoredRun edited(work_, "result/edit-1");
   for (const std::string ending : {"bvh", "csv", "svg"}) {
     EXPECT_EQ(edited.get("candidate-1." + ending), work_.get("result/candidate-2." + ending));
@@ -58,8 +58,8 @@ TEST_F(Edit, WithoutChangesGivesTheSameBytes) {
 
 TEST_F(Edit, LeavesTheOriginalUntouchedAndTakesANewFolderEachTime) {
   const auto before = work_.contents();
-  ASSERT_EQ(edit("result").exit_code, 0);
-  ASSERT_EQ(edit("result/summary.json").exit_code, 0);
+  ASSERT_THAT(edit("result").exit_code, delivered());
+  ASSERT_THAT(edit("result/summary.json").exit_code, delivered());
   auto after = work_.contents();
   EXPECT_TRUE(after.contains("result/edit-1/summary.json"));
   EXPECT_TRUE(after.contains("result/edit-2/summary.json"));
@@ -68,14 +68,14 @@ TEST_F(Edit, LeavesTheOriginalUntouchedAndTakesANewFolderEachTime) {
 }
 
 TEST_F(Edit, GoesToTheFolderThatIsGiven) {
-  ASSERT_EQ(edit("result", {"--out", "mine/first"}).exit_code, 0);
+  ASSERT_THAT(edit("result", {"--out", "mine/first"}).exit_code, delivered());
   EXPECT_TRUE(std::filesystem::exists(work_ / "mine/first/candidate-1.bvh"));
   EXPECT_FALSE(std::filesystem::exists(work_ / "result/edit-1"));
 }
 
 TEST_F(Edit, OfAnEditGoesOnFromThere) {
-  ASSERT_EQ(edit("result", {"--set", "right_hip.weight=5"}).exit_code, 0);
-  ASSERT_EQ(edit("result/edit-1", {"--set", "right_elbow.weight=7"}).exit_code, 0);
+  ASSERT_THAT(edit("result", {"--set", "right_hip.weight=5"}).exit_code, delivered());
+  ASSERT_THAT(edit("result/edit-1", {"--set", "right_elbow.weight=7"}).exit_code, delivered());
   const StoredRun stored(work_, "result/edit-1/edit-1");
   const Json& weights = stored.candidate(1).at("parameters").at("weights");
   EXPECT_EQ(weights.at("right_hip.rotation"), 5.0);
@@ -84,7 +84,7 @@ TEST_F(Edit, OfAnEditGoesOnFromThere) {
 }
 
 TEST_F(Edit, LockedFreedomKeepsItsAngle) {
-  ASSERT_EQ(edit("result", {"--set", "right_knee.flexion.locked=true"}).exit_code, 0);
+  ASSERT_THAT(edit("result", {"--set", "right_knee.flexion.locked=true"}).exit_code, delivered());
   const StoredRun stored(work_, "result/edit-1");
   EXPECT_THAT(stored.candidate(1).at("parameters").at("locked").dump(),
               HasSubstr("right_knee.flexion"));
@@ -95,10 +95,10 @@ TEST_F(Edit, LockedFreedomKeepsItsAngle) {
 }
 
 TEST_F(Edit, FreedAgainTheFreedomMoves) {
-  ASSERT_EQ(edit("result", {"--set", "right_elbow.locked=true", "--set", "right_elbow.locked=false",
-                            "--set", "right_elbow.weight=0.01"})
-                .exit_code,
-            0);
+  ASSERT_THAT(edit("result", {"--set", "right_elbow.locked=true", "--set",
+                              "right_elbow.locked=false", "--set", "right_elbow.weight=0.01"})
+                  .exit_code,
+              delivered());
   const std::string csv = work_.get("result/edit-1/candidate-1.csv");
   const std::vector<double> angles = csv_column(csv, "right_elbow.flexion [rad]");
   EXPECT_NE(angles.front(), angles.back());
@@ -118,11 +118,11 @@ TEST_F(Edit, LocksThatKeepTheHandFromItsGoalAreToldAsOutOfReach) {
 TEST_F(Edit, OfAPersonFromAFileNeedsTheFileNoMore) {
   work_.put("person.bvh", person_bvh());
   reach({"--character", "person.bvh", "--frame", "2", "--goal", "left_hand=0.1,0.9,0.45"});
-  ASSERT_EQ(edit("result", {"--character", "person.bvh"}).exit_code, 0);
+  ASSERT_THAT(edit("result", {"--character", "person.bvh"}).exit_code, delivered());
   EXPECT_EQ(work_.get("result/edit-1/candidate-1.bvh"), work_.get("result/candidate-1.bvh"));
   // without it the motion is the same, on nodes of the body's own
   std::filesystem::remove(work_ / "person.bvh");
-  ASSERT_EQ(edit("result").exit_code, 0);
+  ASSERT_THAT(edit("result").exit_code, delivered());
   EXPECT_EQ(work_.get("result/edit-2/candidate-1.csv"), work_.get("result/candidate-1.csv"));
   expect_promises_kept(StoredRun(work_, "result/edit-2"));
 }
@@ -146,7 +146,7 @@ TEST_F(Edit, NamesFromAResultReachTheTerminalWithoutControlCharacters) {
   summary["task"]["character"]["doubts"] = {"\x1b[2J"};
   work_.put("result/summary.json", summary.dump());
   const ProgramRun run = edit("result");
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.exit_code, delivered()) << run.err;
   EXPECT_THAT(run.out + run.err, testing::Not(HasSubstr("\x1b")));
 }
 

@@ -27,7 +27,7 @@ TEST_F(HeelsApp, TiptoeKeepsTheToesAndTellsHowFarHeelsLift) {
   for (const auto& [who, goal] : {std::pair{"human", "right_hand=-0.25,2.3,0.15"},
                                   std::pair{"person.bvh", "right_hand=-0.25,2.22,0.15"}}) {
     const ProgramRun run = reach({"--character", who, "--goal", goal, "--seed", "1"});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    ASSERT_THAT(run.exit_code, delivered()) << run.err;
     EXPECT_THAT(run.out, HasSubstr("heels mm"));
     const StoredRun stored(work_, "out");
     expect_promises_kept(stored);
@@ -50,7 +50,7 @@ TEST_F(HeelsApp, EditAndMirrorKeepTheHeels) {
     Words words = call;
     words.insert(words.end(), {"--formats", "bvh", "--out", "again"});
     const ProgramRun run = run_shigusa(words, {.folder = work_.path()});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    ASSERT_THAT(run.exit_code, delivered()) << run.err;
     const StoredRun stored(work_, "again");
     EXPECT_GT(stored.candidate(1).at("contacts").at(0).at("heel_lift_mm"), 20.0);
   }
@@ -76,7 +76,7 @@ TEST_F(HeelsApp, RecordedFeetThatStayFlatAreSeenSo) {
   work_.put("person.bvh", person_bvh());
   const ProgramRun run =
       run_shigusa({"score", "person.bvh", "--heels", "--json"}, {.folder = work_.path()});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_THAT(run.exit_code, delivered()) << run.err;
   const Json score = Json::parse(run.out);
   EXPECT_LT(score.at("follows").at("mean_mm"), 0.01);
   EXPECT_TRUE(score.at("over_limit").empty());

@@ -110,9 +110,9 @@ TEST(CriteriaTable, NamesEachCriterionOnce) {
     ++count;
     EXPECT_GT(criterion.scale(settings), 0.0) << criterion.name;
   });
-  EXPECT_EQ(count, 11);
-  EXPECT_EQ(names.size(), 11u);
-  EXPECT_EQ(members.size(), 22u);
+  EXPECT_EQ(count, 12);
+  EXPECT_EQ(names.size(), 12u);
+  EXPECT_EQ(members.size(), 24u);
 }
 
 TEST(CriteriaPresets, OfThePaperAreItsThree) {
@@ -135,6 +135,7 @@ TEST(CriteriaPresets, DefaultIsTheMixtureOfTheDocs) {
   EXPECT_EQ(settings.discomfort_weight, 0.27);
   EXPECT_EQ(settings.joint_acceleration_weight, 0.22);
   EXPECT_EQ(settings.low_back_weight, 0.20);
+  EXPECT_EQ(settings.feasibility_weight, 1.0);
 }
 
 TEST(CriteriaPresets, HaveNames) {
@@ -156,14 +157,15 @@ TEST(Score, LeavesOutWhatHasNoWeight) {
     names.push_back(term.name);
   }
   EXPECT_EQ(names, (std::vector<std::string>{"balance_zone", "discomfort", "joint_acceleration",
-                                             "low_back", "collision", "centre_of_pressure"}));
+                                             "low_back", "collision", "centre_of_pressure",
+                                             "feasibility"}));
 }
 
 TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
   const BodyModel body = full_body();
   const Motion motion = wild_motion(body);
   const Score score = score_motion(body, motion, every_criterion());
-  ASSERT_EQ(score.terms.size(), 11u);
+  ASSERT_EQ(score.terms.size(), 12u);
   EXPECT_EQ(score.terms[3].penalty, balance_zone_penalty(body, motion));
   EXPECT_EQ(score.terms[4].penalty, discomfort_penalty(body, motion));
   EXPECT_EQ(score.terms[5].penalty, joint_acceleration_penalty(body, motion));
@@ -172,6 +174,7 @@ TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
   EXPECT_EQ(score.terms[8].penalty, head_penalty(body, motion, {.gaze_target = kGoal}));
   EXPECT_EQ(score.terms[9].penalty, collision_penalty(body, motion));
   EXPECT_EQ(score.terms[10].penalty, pressure_penalty(body, motion));
+  EXPECT_EQ(score.terms[11].penalty, feasibility_penalty(body, motion));
 }
 
 TEST(Score, PenaltiesStayWithinZeroAndOneForAnyMotion) {

@@ -60,7 +60,7 @@ TEST_P(Fixed, MotionsAreThoseThatTheParametersGive) {
   const Generation generation = generate(task).value();
   EXPECT_LT(generation.replay_difference, 0.02);
   const Candidate& best = generation.candidates.front();
-  const Generation again = regenerate(task, best.parameters).value();
+  const Generation again = regenerate(played_task(task, generation), best.parameters).value();
   EXPECT_NEAR(again.candidates[0].score.total, best.score.total, 1e-12);
 }
 

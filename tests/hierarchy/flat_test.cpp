@@ -134,15 +134,16 @@ TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
 class Flat : public testing::TestWithParam<Vec3d> {};
 
 TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndEndApart) {
-  const Task task = flat_task(full_body(), GetParam());
+  Task task = flat_task(full_body(), GetParam());
+  task.duration = 2.0;  // in haste, what strength allows is less varied
   const Generation generation = generate(task).value();
-  EXPECT_EQ(generation.status, ReachStatus::reached);
+  EXPECT_TRUE(generation.meets_goals());
   ASSERT_GE(generation.candidates.size(), 4U);
   const ReachProblem problem = make_problem(task).value();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     const Candidate& candidate = generation.candidates[i];
     EXPECT_LE(candidate.goals[0].error, 1e-3);
-    EXPECT_TRUE(candidate.over_limit.empty());
+    EXPECT_TRUE(candidate.measures.over_limit.empty());
     EXPECT_LE(MeasuredMotion(problem, candidate.motion.clip).contact_slide, 1e-3);
     const Clip& a = candidate.motion.clip;
     for (std::size_t k = 0; k < i; ++k) {
@@ -163,14 +164,16 @@ INSTANTIATE_TEST_SUITE_P(Goals, Flat,
                                          Vec3d{-0.35, 1.9, 0.25}));
 
 TEST(FlatSearch, AtTheFeetItFindsAStoopAndASquat) {
-  const Generation generation = generate(flat_task(full_body(), kAtTheFeet)).value();
+  Task task = flat_task(full_body(), kAtTheFeet);
+  task.duration = 3.0;  // what ankles have the strength for to let a body down into a squat
+  const Generation generation = generate(task).value();
   double least = 100.0;
   double most = 0.0;
   for (const Candidate& candidate : generation.candidates) {
     const double index = candidate.final_posture.stoop_squat_index.value();
     least = std::fmin(least, index);
     most = std::fmax(most, index);
-    EXPECT_TRUE(candidate.over_limit.empty());
+    EXPECT_TRUE(candidate.measures.over_limit.empty());
   }
   EXPECT_LT(least, kSquatIndex);
   EXPECT_GT(most, kStoopIndex);
@@ -226,7 +229,7 @@ TEST(FlatSearch, EverySearchFindsCandidates) {
     task.search = method;
     task.evaluations = 300;
     const Generation generation = generate(task).value();
-    EXPECT_EQ(generation.status, ReachStatus::reached) << search_name(method);
+    EXPECT_TRUE(generation.meets_goals()) << search_name(method);
     EXPECT_LE(generation.evaluations, 300) << search_name(method);
     EXPECT_GE(generation.evaluations, 290) << search_name(method);
   }

@@ -277,12 +277,12 @@ TEST(LayeredHuman, HandsAreTurnedAsTheirGoalsSay) {
     Task task = with_preset({.body = human_body(), .goals = {goal}}, Preset::human);
     task.evaluations = 120;
     const Generation generation = generate(task).value();
-    EXPECT_EQ(generation.status, ReachStatus::reached);
+    EXPECT_TRUE(generation.meets_goals());
     for (const Candidate& candidate : generation.candidates) {
       EXPECT_LE(candidate.goals[0].error, kReachTolerance);
       ASSERT_TRUE(candidate.goals[0].turn.error);
       EXPECT_LE(*candidate.goals[0].turn.error, kTurnTolerance);
-      EXPECT_TRUE(candidate.over_limit.empty());
+      EXPECT_TRUE(candidate.measures.over_limit.empty());
     }
   }
 }
@@ -308,12 +308,12 @@ TEST(LayeredHuman, GoalsHighLowAcrossAndOfBothHandsAreMet) {
     Task task = with_preset({.body = human_body(), .goals = goals}, Preset::human);
     task.evaluations = 120;
     const Generation generation = generate(task).value();
-    EXPECT_EQ(generation.status, ReachStatus::reached);
+    EXPECT_TRUE(generation.meets_goals());
     ASSERT_FALSE(generation.candidates.empty());
     for (const Candidate& candidate : generation.candidates) {
       for (const GoalResult& goal : candidate.goals) EXPECT_LE(goal.error, kReachTolerance);
       for (const auto& contact : candidate.contacts) EXPECT_LE(contact.max_slide, 1e-6);
-      EXPECT_TRUE(candidate.over_limit.empty());
+      EXPECT_TRUE(candidate.measures.over_limit.empty());
     }
   }
 }

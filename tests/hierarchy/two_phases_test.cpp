@@ -123,10 +123,11 @@ TEST(TwoPhaseSpace, WhatIsFixedHoldsInBothUnlessTheLaterHasItsOwn) {
 }
 
 TEST(TwoPhaseSearch, DeliversStoopAndSquatThatReachWithinAllLimits) {
-  const Task task = two_phases();
+  Task task = two_phases();
+  task.duration = 2.0;  // what ankles have the strength for to let a body down into a squat
   const ReachProblem problem = make_problem(task).value();
   const Generation generation = generate(task).value();
-  EXPECT_EQ(generation.status, ReachStatus::reached);
+  EXPECT_TRUE(generation.meets_goals());
   EXPECT_LT(generation.replay_difference, 0.02);
   ASSERT_GE(generation.candidates.size(), 3U);
   double least = 100.0;
@@ -134,7 +135,7 @@ TEST(TwoPhaseSearch, DeliversStoopAndSquatThatReachWithinAllLimits) {
   for (const Candidate& candidate : generation.candidates) {
     EXPECT_TRUE(candidate.parameters.later.has_value());
     EXPECT_LE(candidate.goals[0].error, kReachTolerance);
-    EXPECT_TRUE(candidate.over_limit.empty());
+    EXPECT_TRUE(candidate.measures.over_limit.empty());
     EXPECT_LE(MeasuredMotion(problem, candidate.motion.clip).contact_slide, kReachTolerance);
     const double index = candidate.final_posture.stoop_squat_index.value();
     least = std::fmin(least, index);
@@ -172,8 +173,8 @@ TEST(TwoPhaseSearch, ByNlpIkReachesTheGoal) {
   task.generator = MotionGenerator::nlp_ik;
   task.evaluations = 40;
   const Generation generation = generate(task).value();
-  EXPECT_EQ(generation.status, ReachStatus::reached);
-  EXPECT_TRUE(generation.candidates[0].over_limit.empty());
+  EXPECT_TRUE(generation.meets_goals());
+  EXPECT_TRUE(generation.candidates[0].measures.over_limit.empty());
 }
 
 TEST(TwoPhaseSearch, OfAnotherPresetOrNumberIsRefused) {

@@ -127,9 +127,9 @@ TEST_F(ClipScoreTest, LimitsThatTheRecordPassesAreReported) {
   const std::string path = write(skeleton_motion(body, clip));
   const RecordedMotion recorded = read_recorded(path, {.source = "full_body"}, 0).value();
   const ClipScore score = score_clip(recorded).value();
-  ASSERT_EQ(score.over_limit.size(), 1U);
-  EXPECT_EQ(score.over_limit.front().dof, "right_elbow.flexion");
-  EXPECT_NEAR(score.over_limit.front().excess, radians(8.0), radians(0.1));
+  ASSERT_EQ(score.measures.over_limit.size(), 1U);
+  EXPECT_EQ(score.measures.over_limit.front().dof, "right_elbow.flexion");
+  EXPECT_NEAR(score.measures.over_limit.front().excess, radians(8.0), radians(0.1));
 }
 
 TEST_F(ClipScoreTest, WhatCannotBeScoredIsRefusedWithAReason) {

@@ -88,7 +88,7 @@ TEST(LimitGuard, SharesFallToNothingTowardsALimitAndNotAwayFromIt) {
   pull[knee] = 0.01;  // wants to bend further
   guard.learn(weights, pull, {});
   angles[knee] = body.dofs()[knee].upper - 0.25 * kLimitMargin;
-  EXPECT_NEAR(guard.soften(weights, angles)[knee], 2.0 * 0.25, 1e-12);
+  EXPECT_NEAR(guard.soften(weights, angles)[knee], 2.0 * 0.25 * (2.0 - 0.25), 1e-12);
   angles[knee] = body.dofs()[knee].upper;
   EXPECT_EQ(guard.soften(weights, angles)[knee], 0.0);
   EXPECT_EQ(guard.allowed(pull)[knee], 0.0);
@@ -128,8 +128,9 @@ TEST_F(Lifting, ToesTakeOverAsTheAnkleRunsOut) {
   (void)guard.soften(weights, angles);
   guard.learn(weights, pull, reference);
   const std::span<const double> softened = guard.soften(weights, angles);
-  EXPECT_NEAR(softened[ankle], 0.25, 1e-12);
-  EXPECT_NEAR(softened[toes], 0.75 + kToesGive, 1e-12);
+  const double left = 0.25 * (2.0 - 0.25);
+  EXPECT_NEAR(softened[ankle], left, 1e-12);
+  EXPECT_NEAR(softened[toes], 1.0 - left + kToesGive, 1e-12);
   const std::span<const double> allowed = guard.allowed(reference);
   EXPECT_NEAR(allowed[ankle] + allowed[toes], reference[ankle], 1e-12);
 }

@@ -44,7 +44,7 @@ TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
           EXPECT_NEAR(stored.terms[term].penalty, penalty, 1e-13) << name;
           ++term;
         });
-        EXPECT_EQ(term, 11u);
+        EXPECT_EQ(term, 12u);
       }
     }
   }

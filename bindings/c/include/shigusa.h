@@ -150,7 +150,9 @@ enum {
   SHIGUSA_SUPPORT = 4,
   SHIGUSA_EFFECTORS = 5,         /* x, y, z of each goal's effector: m, world */
   SHIGUSA_NODE_TRANSLATIONS = 6, /* x, y, z of each node in its parent: units of node_unit_m */
-  SHIGUSA_NODE_ROTATIONS = 7     /* x, y, z, w of each node in its parent */
+  SHIGUSA_NODE_ROTATIONS = 7,    /* x, y, z, w of each node in its parent */
+  /* the largest angle that each freedom may have then: rad; hips flex further with bent knees */
+  SHIGUSA_UPPER_LIMITS = 8
 };
 
 /* A table of frames × columns, row by row; `values` stays valid until the result is freed. */

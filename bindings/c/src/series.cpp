@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <shigusa/criteria/joint_range.hpp>
 #include <shigusa/criteria/support_margin.hpp>
 #include <shigusa/project/node_motion.hpp>
 
@@ -9,7 +10,7 @@ using namespace shigusa::door;
 
 namespace {
 
-constexpr size_t kSeries = SHIGUSA_NODE_ROTATIONS + 1;
+constexpr size_t kSeries = SHIGUSA_UPPER_LIMITS + 1;
 
 void add(const Vec3d& v, std::vector<double>& table) { table.insert(table.end(), {v.x, v.y, v.z}); }
 
@@ -42,6 +43,13 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
     case SHIGUSA_EFFECTORS:
       for (size_t f = 0; f < frames; ++f) {
         for (const std::vector<Vec3d>& effector : motion.effectors) add(effector[f], table);
+      }
+      break;
+    case SHIGUSA_UPPER_LIMITS:
+      for (int f = 0; f < motion.clip.frames; ++f) {
+        for (int d = 0; d < motion.clip.dofs; ++d) {
+          table.push_back(upper_limit(result.task.body, d, motion.clip.frame(f)));
+        }
       }
       break;
     default: {

@@ -23,7 +23,9 @@ export interface CharacterSpec {
 export interface JointDescription {
   name: string; // "right_shoulder.flexion"
   parent: string | null;
-  limits_rad: [number, number];
+  limits_rad: [number, number]; // never passed
+  /** How the upper limit grows: from the first to the second as the driver's angle does. */
+  limit_coupling?: { driver: string; driver_rad: [number, number]; upper_rad: [number, number] };
   strength_nm: [number, number];
   start_rad: number;
 }
@@ -76,8 +78,30 @@ export interface Task {
   [key: string]: unknown;
 }
 
+/** Why a motion is not possible: numbers of its kind, and the sentence that says them in English. */
+export interface Reason {
+  kind: 'strength' | 'pressure' | 'collision' | 'limit';
+  verdict: 'strains' | 'impossible';
+  joint?: string; // of strength and limit
+  share?: number; // of strength, as the next two
+  torque_nm?: number;
+  strength_nm?: number;
+  outside_mm?: number; // of pressure
+  limb?: string; // of collision, as the next two
+  other?: string;
+  depth_mm?: number;
+  excess_deg?: number; // of limit
+  time_s?: number;
+  words: string;
+}
+
 export interface CandidateSummary {
   rank: number;
+  /** Whether the body could make the motion, and why not. */
+  verdict: 'possible' | 'strains' | 'impossible';
+  reasons: Reason[];
+  possible_in_s?: number;
+  most_loaded?: { joint: string; share: number; torque_nm: number; time_s: number };
   score: number;
   criteria: Record<string, number>;
   /** Rotations are from standing upright with arms hanging; the error is of goals that ask for one. */
@@ -96,10 +120,12 @@ export interface CandidateSummary {
 /** The object of summary.json. */
 export interface Summary {
   version: 1;
-  status: 'reached' | 'unreachable';
+  status: 'reached' | 'unsteady' | 'unreachable';
   remaining_mm: number;
   seed: number;
   evaluations: number;
+  /** Of the search with other random numbers each; more than 1 of the preset paper alone. */
+  runs: number;
   candidates: CandidateSummary[];
   /** Why there are fewer than asked for, in English. */
   fewer?: string;
@@ -127,7 +153,7 @@ export interface Series {
 }
 
 export const seriesNames = [
-  'time', 'angles', 'torques', 'centre_of_mass', 'support', 'effectors', 'node_translations', 'node_rotations',
+  'time', 'angles', 'torques', 'centre_of_mass', 'support', 'effectors', 'node_translations', 'node_rotations', 'upper_limits',
 ] as const;
 export type SeriesName = (typeof seriesNames)[number];
 

@@ -119,7 +119,9 @@ inline constexpr double kHipFlexionKneeFull = radians(60);
 // 85°, a bent one goes to 125° (AAOS 120°, CDC 130°).
 inline constexpr JointLimits kFreeHipFlexion{radians(-20), radians(85), 120, 220};
 inline constexpr double kFreeHipFlexionGain = radians(40);
-inline constexpr JointLimits kAnkleInversion{radians(-15), radians(35), 25, 20};
+// Strengths on one leg that bears the weight: 2.7 % and 1.6 % of weight times stature (R.
+// Ottaviani, J. Ashton-Miller and E. Wojtys, American J. Sports Medicine 29 (2001) 219-225).
+inline constexpr JointLimits kAnkleInversion{radians(-15), radians(35), 34, 20};
 // Toes of a heel that lifts: 58° in a rise onto both forefeet, 42° in gait (D. Nawoczenski, J.
 // Baumhauer and B. Umberger, J. Bone and Joint Surgery 81-A (1999) 370-376). Their flexors'
 // strength by J.-P. Goldmann and G.-P. Brüggemann, J. Anatomy 221 (2012) 187-194, a third for the

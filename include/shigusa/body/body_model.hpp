@@ -126,6 +126,7 @@ struct BodyDefinition {
   std::string name;
   double stature = 0.0;  // m
   double mass = 0.0;     // kg, of the links together
+  double load = 0.0;     // kg, of them the heaviest that a hand holds (with_load)
   Transformd base;       // the base link's frame in the world: +Y up, facing +Z, floor at y = 0
   std::vector<Dof> dofs;
   std::vector<LimitCoupling> couplings;
@@ -152,6 +153,7 @@ class BodyModel {
   [[nodiscard]] const std::string& name() const { return definition_.name; }
   [[nodiscard]] double stature() const { return definition_.stature; }
   [[nodiscard]] double mass() const { return definition_.mass; }
+  [[nodiscard]] double load() const { return definition_.load; }
   [[nodiscard]] int dof_count() const { return static_cast<int>(definition_.dofs.size()); }
   [[nodiscard]] const Transformd& base() const { return definition_.base; }
   [[nodiscard]] std::span<const Dof> dofs() const { return definition_.dofs; }
@@ -159,6 +161,8 @@ class BodyModel {
     return definition_.dofs[static_cast<std::size_t>(i)];
   }
   [[nodiscard]] std::span<const LimitCoupling> couplings() const { return definition_.couplings; }
+  // What a freedom's upper limit grows with; null where it stays.
+  [[nodiscard]] const LimitCoupling* coupling_of(int dof) const;
   // Mass of a link; kBaseLink is allowed.
   [[nodiscard]] const MassProperties& link_mass(int link) const {
     return link == kBaseLink ? definition_.base_mass

@@ -7,6 +7,7 @@
 #include <shigusa/criteria/centre_of_pressure.hpp>
 #include <shigusa/criteria/collision.hpp>
 #include <shigusa/criteria/discomfort.hpp>
+#include <shigusa/criteria/feasibility.hpp>
 #include <shigusa/criteria/head.hpp>
 #include <shigusa/criteria/joint_acceleration.hpp>
 #include <shigusa/criteria/joint_range.hpp>
@@ -49,6 +50,7 @@ struct CriteriaSettings {
   double head_weight = 0.0;
   double collision_weight = 0.0;
   double pressure_weight = 0.0;
+  double feasibility_weight = 0.0;
   JointRangeSettings joint_range{};
   BalanceSettings balance{};
   TorqueSettings torque{};
@@ -60,6 +62,7 @@ struct CriteriaSettings {
   HeadSettings head{};
   CollisionSettings collision{};
   PressureSettings pressure{};
+  FeasibilitySettings feasibility{};
   std::vector<UserCriterion> user{};
 };
 
@@ -125,6 +128,9 @@ inline constexpr std::tuple kCriteria{
     CriterionEntry<PressureZone, PressureSettings>{
         "centre_of_pressure", &CriteriaSettings::pressure_weight, &CriteriaSettings::pressure,
         "outside_m", &PressureSettings::outside},
+    CriterionEntry<Feasibility, FeasibilitySettings>{
+        "feasibility", &CriteriaSettings::feasibility_weight, &CriteriaSettings::feasibility,
+        "outside_m", &FeasibilitySettings::outside},
 };
 
 // Calls visit(entry) for each built-in criterion in the table's order.
@@ -138,8 +144,8 @@ void for_each_criterion(Visitor&& visit) {
 
 // The mixture that came nearest to a recorded man's reaches to the floor among those tried, with
 // more of the low back (docs/criteria.md): joint range 0.25, balance zone 0.20, discomfort 0.27,
-// joint acceleration 0.22, low back 0.20; and, of no weight against what is free and stands,
-// collision 0.5 and centre of pressure 0.35.
+// joint acceleration 0.22, low back 0.20; and, of no weight against what is free, stands and is
+// within the body's strength, collision 0.5, centre of pressure 0.35 and feasibility 1.
 [[nodiscard]] CriteriaSettings default_criteria();
 
 // What a Pareto view weighs against each other: joint range, as discomfort near its ends (no motion

@@ -4,10 +4,10 @@
 #include <optional>
 #include <shigusa/core/progress.hpp>
 #include <shigusa/core/result.hpp>
-#include <shigusa/criteria/support_margin.hpp>
 #include <shigusa/hierarchy/final_posture.hpp>
 #include <shigusa/hierarchy/layered_parameters.hpp>
 #include <shigusa/hierarchy/task.hpp>
+#include <shigusa/hierarchy/verdict.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <string>
 #include <vector>
@@ -16,6 +16,7 @@ namespace shigusa {
 
 enum class ReachStatus {
   reached,      // every candidate meets every goal within kReachTolerance and kTurnTolerance
+  unsteady,     // so they do, and every one of them is impossible: see Judgement
   unreachable,  // the body cannot; candidates end at the closest point
 };
 
@@ -60,12 +61,6 @@ struct ContactResult {
   std::optional<HeelLift> heel{};  // of one that may lift
 };
 
-// A joint that passes its limit during the motion: the paper's IK knows no limits, its score does.
-struct LimitExcess {
-  std::string dof;
-  double excess = 0.0;  // rad, the most at any frame
-};
-
 // One way to get there.
 struct Candidate {
   Parameters parameters;
@@ -74,12 +69,11 @@ struct Candidate {
   std::vector<GoalResult> goals;
   double path_error = 0.0;  // m, largest distance from the path at any frame that follows it
   std::vector<ContactResult> contacts;
-  std::vector<LimitExcess> over_limit;      // the worst first
-  std::optional<SupportMargins> support{};  // of a body that stands
+  MotionMeasures measures;
+  Judgement judgement;  // whether the body could make the motion
   FinalPosture final_posture;
   // Of layered presets, what the motion is generated from; `parameters` are empty then.
   std::optional<LayeredParameters> layered{};
-  CollisionFound collides;      // the deepest at any frame, with itself, an obstacle or the floor
   double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
   int feedback_rounds = 0;      // searches that its arms took in all
   bool collision_left = false;  // it is deeper than kCollisionDepth all the same
@@ -88,12 +82,17 @@ struct Candidate {
 // What a search came to.
 struct Generation {
   ReachStatus status = ReachStatus::reached;
-  double remaining_distance = 0.0;    // m, of the best candidate to its goals; 0 when reached
-  double remaining_turn = 0.0;        // rad, the largest that is left of a goal's turn; the same
-  std::vector<Candidate> candidates;  // lowest score first; at least one
-  std::string fewer;                  // why there are fewer than asked for; else empty
-  double duration = 0.0;              // s
-  int evaluations = 0;                // motions scored by the search
+  double remaining_distance = 0.0;  // m, of the best candidate to its goals; 0 when reached
+  double remaining_turn = 0.0;      // rad, the largest that is left of a goal's turn; the same
+  // What is impossible after all that is not, and of each the lowest score first; at least one.
+  std::vector<Candidate> candidates;
+  std::string fewer;      // why there are fewer than asked for; else empty
+  double duration = 0.0;  // s
+  // The task gives no duration, and nothing that was found is possible in the usual one: this is
+  // one in which something is. See played_task.
+  bool slowed = false;
+  int evaluations = 0;  // motions scored by the search
+  int runs = 1;         // of the preset paper: with other random numbers each, see generate
   int generations = 0;
   int rejected_nan = 0;    // motions that a criterion scored NaN
   int near_copies = 0;     // distinct genomes whose motions were all but a better one's
@@ -107,7 +106,15 @@ struct Generation {
   double best_seen_score = 0.0;
   int cells_searched = 0;  // of the arms' libraries, which were in no store
   SearchEnd end = SearchEnd::converged;
+
+  // Whether the candidates end at their goals.
+  [[nodiscard]] bool meets_goals() const { return status != ReachStatus::unreachable; }
 };
+// "reached", "unsteady", "unreachable".
+[[nodiscard]] std::string_view status_name(ReachStatus status);
+
+// The task that plays a search's motions again: with the duration that it came to.
+[[nodiscard]] Task played_task(Task task, const Generation& generation);
 
 // Two motions whose joint angles never differ by more than this, root mean square over the dofs,
 // are one candidate (rad).
@@ -125,8 +132,9 @@ inline constexpr double kCandidateSpread = 0.15;
 // costs more.
 inline constexpr double kStyleSpread = 0.3;
 // Searches score in single precision; every candidate is played again in double and scored anew.
-// What scores may differ by without being counted.
-inline constexpr double kReplayTolerance = 1e-3;
+// What scores may differ by without being counted: feasibility takes the worst moment of
+// accelerations, which single precision puts off by some 2e-3 rad/s².
+inline constexpr double kReplayTolerance = 5e-3;
 // How near (m) a candidate must come to the closest point where the goal is out of reach.
 inline constexpr double kEdgeTolerance = 5e-3;
 
@@ -134,6 +142,13 @@ inline constexpr double kEdgeTolerance = 5e-3;
 // (paper, sections 3.2 and 4). Fails on a task that is wrong (see make_problem); an unreachable
 // goal is a status. When cancelled, returns the best so far. Same task, same result. What a
 // user's own criterion or search throws passes through.
+//
+// Where nothing that was found is possible, the presets flat and human search again: in the least
+// duration in which one of the motions is, where the task gives none, and then for three times as
+// many motions, where the task does not say how many.
+//
+// The preset paper runs again with other random numbers, while fewer than three candidates are
+// distinct, up to Task::most_runs in all, where the task does not say how many motions are scored.
 //
 // The preset layers searches as the paper's section 3.4 has it: the genes of the upper layer alone,
 // in the paper's code (paper_ga, annealing, random) or in decode_layer_point's, while arms come

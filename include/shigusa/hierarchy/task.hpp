@@ -38,9 +38,6 @@ enum class Preset {
 // motion, as the paper does.
 [[nodiscard]] bool preset_tells_ends(Preset preset);
 
-// Motions that a preset scores where a task says nothing else, but for the paper's search.
-[[nodiscard]] int preset_evaluations(Preset preset);
-
 // How many candidates a preset delivers at most.
 [[nodiscard]] int preset_candidates(Preset preset);
 
@@ -121,8 +118,9 @@ struct Task {
   int phases = 1;
   // Motions that the search may score, at least a population's. When given, every search uses all
   // of them: it starts again, with other random numbers, until they are used up. When not, the
-  // paper's genetic algorithm runs once, and the others score preset_evaluations.
+  // paper's genetic algorithm runs until it converges, and the others score usual_evaluations.
   std::optional<int> evaluations{};
+  int most_runs = 10;              // of the preset paper, see generate; ≥ 1
   LayeredSettings layers{};        // of layered presets
   BatchSettings batch{};           // SIMD set and threads; change no result
   std::optional<Vec3d> look_at{};  // m, world: what the eyes are on; else the first goal of a limb
@@ -130,6 +128,9 @@ struct Task {
   // that is neither among them nor has a goal lifts by kFootLift.
   std::optional<std::vector<std::string>> contacts{};
 };
+
+// Motions that are scored for a task that does not say how many, but for the paper's search.
+[[nodiscard]] int usual_evaluations(const Task& task);
 
 // The task by a preset, with its criteria and number of candidates.
 [[nodiscard]] Task with_preset(Task task, Preset preset);

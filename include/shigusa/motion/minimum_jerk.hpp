@@ -62,6 +62,15 @@ inline constexpr double kDurationMin = 0.6;        // s
 inline constexpr double kDurationMax = 2.0;        // s
 inline constexpr double kDurationTrunk = 0.14;     // s
 
+// How many times as long a reach takes with a load (kg) in the hand: the weight factor of MTM-1
+// (Methods-Time Measurement, H. Maynard, G. Stegemerten and J. Schwab, 1948), whose table goes from
+// 1.00 at 2.5 lb to 1.50 at 47.5 lb in even steps.
+inline constexpr double kFreeLoad = 1.13;   // kg
+inline constexpr double kPerLoad = 0.0245;  // 1/kg
+[[nodiscard]] constexpr double load_factor(double load) {
+  return 1.0 + kPerLoad * (load > kFreeLoad ? load - kFreeLoad : 0.0);
+}
+
 // Duration (s) of a reach over `distance` (m).
 [[nodiscard]] inline double reach_duration(double distance, bool needs_trunk) {
   return clamp(kDurationBase + kDurationPerMetre * distance, kDurationMin, kDurationMax) +

@@ -4,6 +4,7 @@
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/project/character.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shigusa {
@@ -13,6 +14,10 @@ namespace shigusa {
 
 // The file's joint that a freedom of a robot is; empty of a person's.
 [[nodiscard]] std::string file_joint(const BodyModel& body, int dof);
+
+// The angles (rad) that a freedom never passes: its upper limit is that of the most that another
+// angle lets it grow to (LimitCoupling).
+[[nodiscard]] std::pair<double, double> widest_limits(const BodyModel& body, int dof);
 
 // What is told of a twist bone of the file: whose twist it shares.
 struct TwistShare {

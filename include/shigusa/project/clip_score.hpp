@@ -42,9 +42,7 @@ struct ClipScore {
   Score score;
   Motion motion;  // smoothed; of the frames that are scored, without effectors
   ClipFit fit;    // as recorded, with the frames around
-  std::vector<LimitExcess> over_limit;      // the worst first
-  std::optional<SupportMargins> support{};  // of a body that stands
-  CollisionFound collides;
+  MotionMeasures measures;
   FinalPosture final_posture;
   std::vector<std::string> doubts;  // that make the figures worth less
 };

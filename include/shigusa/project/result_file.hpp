@@ -27,6 +27,9 @@ struct RunInfo {
 // Names of a candidate's files by format: {"bvh": "candidate-1.bvh", …}.
 using CandidateFiles = std::map<std::string, std::string>;
 
+// The same of a task's file.
+[[nodiscard]] TaskFile played_task(TaskFile file, const Generation& generation);
+
 // The result as JSON text, the object of summary.json; docs/result.schema.json is its schema.
 // `files` has one entry per candidate, or none when nothing is written. The task stands in it with
 // the measured character, so that the result can be edited without any other file.

@@ -62,7 +62,9 @@ class LimitGuard {
     for (std::size_t d = 0; d < limits_.size(); ++d) {
       const S room =
           select(wanted_[d] > S(0), upper_[d] - angles[d], angles[d] - S(limits_[d].lower));
-      share_[d] = clamp(room * S(1.0 / kLimitMargin), S(0), S(1));
+      const S left = clamp(room * S(1.0 / kLimitMargin), S(0), S(1));
+      // level where it begins: a joint that slowed down at once would jolt the body
+      share_[d] = left * (S(2) - left);
       softened_[d] = inverse_weights[d] * share_[d];
     }
     for (const Stiff& s : stiff_) softened_[s.dof] = softened_[s.dof] * S(s.give);

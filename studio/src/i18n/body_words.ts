@@ -33,7 +33,7 @@ export const englishBody: BodyWords = {
   },
   criteria: {
     joint_range: 'Joint limits', balance: 'Upright balance', torque: 'Joint torque', balance_zone: 'Balance', discomfort: 'Comfort',
-    joint_acceleration: 'Smoothness', work: 'Work', low_back: 'Lower back', head: 'Head and gaze', collision: 'Collision', centre_of_pressure: 'Stays standing',
+    joint_acceleration: 'Smoothness', work: 'Work', low_back: 'Lower back', head: 'Head and gaze', collision: 'Collision', centre_of_pressure: 'Stays standing', feasibility: 'Within strength',
   },
   posture: {},
   join: (side, rest) => (side === '' ? rest : `${side} ${rest}`),
@@ -59,7 +59,7 @@ export const japaneseBody: BodyWords = {
   },
   criteria: {
     joint_range: '関節の限界', balance: '直立の釣り合い', torque: '関節トルク', balance_zone: '釣り合い', discomfort: '楽さ',
-    joint_acceleration: '滑らかさ', work: '仕事量', low_back: '腰の負担', head: '頭と視線', collision: '衝突', centre_of_pressure: '立っていられる',
+    joint_acceleration: '滑らかさ', work: '仕事量', low_back: '腰の負担', head: '頭と視線', collision: '衝突', centre_of_pressure: '立っていられる', feasibility: '力の範囲',
   },
   posture: {
     squat: 'しゃがむ', stoop: 'かがむ', 'half squat': '中腰', upright: '直立', 'turned left': '左にひねる', 'turned right': '右にひねる',

@@ -14,6 +14,9 @@ export const en = {
   searching: 'Searching …', cancel: 'Cancel', searchAgain: 'Search again', best: 'best {score}',
   cancelled: 'The search was stopped.',
   unreachable: 'Out of reach: the closest motion ends {cm} cm short of the goal.',
+  unsteady: 'The goal is met, but by no motion that this body could make: {reason}.',
+  chosenImpossible: 'No body could make this motion: {reason}.',
+  couldIn: 'In {s} s it could.',
   editMisses: 'With these values the motion ends {cm} cm short of the goal.',
   previewMisses: '{cm} cm out of reach',
   // gallery
@@ -21,7 +24,10 @@ export const en = {
   compare: 'Compare', compareWith: 'Compare with motion {n}', comparing: 'compared',
   beside: 'side by side', over: 'overlaid', strip: 'Poses of motion {n} from its beginning to its end',
   fewer: 'Other ways are all but the same, or much worse.', edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
-  unsteady: 'leaves its feet by {cm} cm', knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
+  strains: 'strains', impossible: 'impossible',
+  needsStrength: '{joint} needs {percent} % of its strength', pressesOutside: 'the floor would have to press {cm} cm outside the feet',
+  isIn: '{limb} is {cm} cm in {other}', isBeyond: '{joint} is {deg}° beyond its range',
+  knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
   // timeline
   play: 'Play', pause: 'Pause', time: 'Time', speed: 'Speed', loop: 'Loop', overlays: 'Paths and balance', seconds: '{t} s',
   // tabs

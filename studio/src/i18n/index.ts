@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The language that the page speaks.
 import { type BodyWords, englishBody, japaneseBody } from './body_words';
+import type { Reason } from '../../../bindings/wasm/src/types';
 import { en, type Key } from './en';
 import { ja } from './ja';
 
@@ -45,6 +46,20 @@ export function freedomName(name: string): string {
   const [joint = '', axis = ''] = name.split('.');
   const spoken = words().axes[axis] ?? axis.replaceAll('_', ' ');
   return `${jointName(joint)} ${spoken}`.trim();
+}
+
+/** What keeps a motion from being possible. */
+export function reasonWords(reason: Reason): string {
+  switch (reason.kind) {
+    case 'strength':
+      return t('needsStrength', { joint: freedomName(reason.joint ?? ''), percent: Math.round(100 * (reason.share ?? 0)) });
+    case 'pressure':
+      return t('pressesOutside', { cm: Math.round((reason.outside_mm ?? 0) / 10) });
+    case 'collision':
+      return t('isIn', { limb: jointName(reason.limb ?? ''), other: jointName(reason.other ?? ''), cm: ((reason.depth_mm ?? 0) / 10).toFixed(1) });
+    case 'limit':
+      return t('isBeyond', { joint: freedomName(reason.joint ?? ''), deg: Math.round(reason.excess_deg ?? 0) });
+  }
 }
 
 /** "squat_deg", "right_knee.flexion.weight", "right_arm.swivel_deg", "bow". */

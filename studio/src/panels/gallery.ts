@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The candidates as cards: a moving picture, the word that tells one from the others, its strip, a bar for each criterion.
 import type { Candidate } from '../../../bindings/wasm/src/types';
-import { criterionName, postureWords, t } from '../i18n';
+import { criterionName, postureWords, reasonWords, t } from '../i18n';
 import { ranking, scoreOf } from '../state/criteria';
 import { candidateAt, type Document } from '../state/model';
 import type { Studio } from '../state/studio';
@@ -38,10 +38,10 @@ function differenceOf(document: Document, index: number): string {
   return `${words} · ${[...ways].sort((a, b) => b[0] - a[0])[0]![1]}`;
 }
 
-/** Where nobody could stand: how far the plumb line leaves the feet. */
-function unsteady(candidate: Candidate): string {
-  const least = candidate.summary.support?.centre_of_mass.least_mm ?? 0;
-  return least < 0 ? t('unsteady', { cm: round(-least / 10, 0) }) : '';
+/** Whether the body could make the motion, and the worst of what keeps it from that. */
+function verdictOf({ summary }: Candidate): string {
+  const [worst] = summary.reasons;
+  return summary.verdict === 'possible' || !worst ? '' : `${t(summary.verdict)}: ${reasonWords(worst)}`;
 }
 
 export class Gallery implements Panel {
@@ -77,7 +77,7 @@ export class Gallery implements Panel {
     const order = ranking(document);
     const highest = Math.max(0.05, ...order.flatMap((index) => Object.values(candidateAt(document, index)?.summary.criteria ?? {})));
     order.forEach((index, place) => this.updateCard(document, index, place, highest));
-    const why = result.summary.status === 'reached' ? result.summary.fewer : undefined;
+    const why = result.summary.status !== 'unreachable' ? result.summary.fewer : undefined;
     this.fewer.hidden = why === undefined;
     this.fewer.textContent = t('fewer');
     this.fewer.title = why ?? '';
@@ -141,7 +141,9 @@ export class Gallery implements Panel {
       bar.style.setProperty('--share', String(Math.max(penalty / highest, 0.04)));
       return bar;
     }));
-    card.warning.textContent = unsteady(candidate);
+    card.warning.textContent = verdictOf(candidate);
+    card.warning.title = candidate.summary.reasons.map(reasonWords).join('\n');
+    card.warning.classList.toggle('impossible', candidate.summary.verdict === 'impossible');
     card.warning.hidden = card.warning.textContent === '';
     void this.drawStrip(card, candidate, index);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What lies over the view: the sentence that says what to drag, the search's progress, messages.
-import { type Key, t } from '../i18n';
-import type { Notice } from '../state/model';
+import { type Key, reasonWords, t } from '../i18n';
+import { candidateAt, type Document, type Notice } from '../state/model';
 import type { Studio } from '../state/studio';
 import { button, fill, h, iconButton, type Panel, round } from './dom';
 
@@ -10,6 +10,16 @@ export function noticeText(notice: Notice): string {
   const { message } = notice.failure;
   const first = notice.about === undefined ? t('failed') : t('failedFile', { name: notice.about });
   return `${first} ${message}`;
+}
+
+/** That the chosen motion is impossible, why, and in what time it would not be. */
+function impossibleText(document: Document | null): string {
+  const chosen = document && candidateAt(document, document.chosen)?.summary;
+  const worst = chosen?.reasons[0];
+  if (!chosen || chosen.verdict !== 'impossible' || !worst) return '';
+  const none = document.result?.summary.status === 'unsteady';
+  const why = t(none ? 'unsteady' : 'chosenImpossible', { reason: reasonWords(worst) });
+  return chosen.possible_in_s === undefined ? why : `${why} ${t('couldIn', { s: chosen.possible_in_s.toFixed(1) })}`;
 }
 
 export class Notices implements Panel {
@@ -42,14 +52,15 @@ export class Notices implements Panel {
     const best = state.search?.best ?? Infinity;
     this.best.textContent = Number.isFinite(best) && best < 1e6 ? t('best', { score: round(best, 3) }) : '';
     const short = state.preview !== null && state.dragging && state.previewRemaining_mm > 1;
+    const impossible = state.notice === null ? impossibleText(state.document) : '';
     const text = state.opening !== null ? t('opening', { name: state.opening })
       : short ? t('previewMisses', { cm: round(state.previewRemaining_mm / 10, 1) })
-      : state.notice ? noticeText(state.notice) : '';
+      : state.notice ? noticeText(state.notice) : impossible;
     if (this.message.dataset['text'] === text) return;
     this.message.dataset['text'] = text;
-    const bad = short || state.notice?.kind === 'failure' || (state.notice?.kind === 'text' && /unreach|misses|unknown|bad|large/i.test(state.notice.key));
+    const bad = short || impossible !== '' || state.notice?.kind === 'failure' || (state.notice?.kind === 'text' && /unreach|misses|unknown|bad|large/i.test(state.notice.key));
     this.message.classList.toggle('bad', text !== '' && state.opening === null && bad);
-    fill(this.message, ...(text === '' ? [] : [h('span', {}, text), state.opening === null && !short ? iconButton('close', t('dismiss'), () => this.studio.tell(null)) : null]));
+    fill(this.message, ...(text === '' ? [] : [h('span', {}, text), state.opening === null && !short && state.notice ? iconButton('close', t('dismiss'), () => this.studio.tell(null)) : null]));
   }
 
   dispose(): void {

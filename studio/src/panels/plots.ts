@@ -9,8 +9,8 @@ import { type Curve, Plot } from './plot';
 
 const kMost = 5; // curves in one plot
 
-function column(series: Series, index: number, of: (value: number) => number = (value) => value): Float64Array {
-  return Float64Array.from({ length: series.frames }, (_, f) => of(series.values[f * series.columns + index] ?? 0));
+function column(series: Series, index: number, of: (value: number, frame: number) => number = (value) => value): Float64Array {
+  return Float64Array.from({ length: series.frames }, (_, f) => of(series.values[f * series.columns + index] ?? 0, f));
 }
 
 const spread = (values: Float64Array): number => Math.max(...values) - Math.min(...values);
@@ -73,10 +73,12 @@ export class PlotsPanel implements Panel {
   private ofJoints(candidate: Candidate, joints: readonly JointDescription[], kind: 'angles' | 'torques'): Curve[] {
     const series = candidate.series[kind];
     const curves = joints.map((joint, index) => {
-      const [low, high] = kind === 'angles' ? joint.limits_rad : joint.strength_nm;
-      const share = kind === 'angles'
-        ? (value: number): number => (high > low ? (value - low) / (high - low) : 0)
-        : (value: number): number => (value > 0 ? value / Math.max(high, 1e-9) : value / Math.min(low, -1e-9));
+      const uppers = column(candidate.series.upper_limits, index);
+      const share = (value: number, frame: number): number => {
+        const [low, high] = kind === 'angles' ? [joint.limits_rad[0], uppers[frame] ?? 0] : joint.strength_nm;
+        if (kind === 'angles') return high > low ? (value - low) / (high - low) : 0;
+        return value > 0 ? value / Math.max(high, 1e-9) : value / Math.min(low, -1e-9);
+      };
       return { name: joint.name, label: freedomName(joint.name), values: column(series, index, share) };
     });
     if (this.joint !== '') return curves.filter((curve) => curve.name === this.joint);

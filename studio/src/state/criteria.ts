@@ -12,6 +12,7 @@ export const defaultWeights: Readonly<Record<string, number>> = {
   low_back: 0.2,
   collision: 0.5,
   centre_of_pressure: 0.35,
+  feasibility: 1,
   balance: 0,
   torque: 0,
   work: 0,
@@ -54,12 +55,13 @@ export function unknownCriteria(document: Document): string[] {
   return Object.keys(document.weights).filter((name) => (document.weights[name] ?? 0) > 0 && !(name in known));
 }
 
-/** Indices of the candidates, lowest score first. */
+/** Indices of the candidates: what is impossible after all others, and of each the lowest score first. */
 export function ranking(document: Document): number[] {
   const count = document.result?.candidates.length ?? 0;
+  const isImpossible = (index: number): number => Number(candidateAt(document, index)?.summary.verdict === 'impossible');
   const scores = Array.from({ length: count }, (_, index) => {
     const candidate = candidateAt(document, index);
     return candidate === null ? Infinity : scoreOf(candidate, document.weights);
   });
-  return scores.map((_, index) => index).sort((a, b) => (scores[a] ?? 0) - (scores[b] ?? 0) || a - b);
+  return scores.map((_, index) => index).sort((a, b) => isImpossible(a) - isImpossible(b) || (scores[a] ?? 0) - (scores[b] ?? 0) || a - b);
 }

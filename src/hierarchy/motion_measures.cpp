@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <shigusa/criteria/joint_range.hpp>
+#include <shigusa/hierarchy/motion_measures.hpp>
+
+namespace shigusa {
+
+std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
+  std::vector<LimitExcess> result;
+  for (int d = 0; d < body.dof_count(); ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    double excess = 0.0;
+    for (int f = 0; f < clip.frames; ++f) {
+      const std::span<const double> angles = clip.frame(f);
+      excess = max(excess, angles[k] - upper_limit(body, d, angles));
+      excess = max(excess, body.dof(d).lower - angles[k]);
+    }
+    // less than a tenth of a degree is nothing that anyone sees
+    if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
+  return result;
+}
+
+MotionMeasures measure_motion(const BodyModel& body, const Motion& motion,
+                              const CollisionSettings& collision) {
+  return {joint_loads(body, motion), limit_excess(body, motion.clip), support_margins(body, motion),
+          deepest_collision(body, motion.clip, collision)};
+}
+
+const JointLoad* most_loaded(const MotionMeasures& measures) {
+  const auto less = [](const JointLoad& a, const JointLoad& b) { return a.share < b.share; };
+  const auto most = std::max_element(measures.loads.begin(), measures.loads.end(), less);
+  return most == measures.loads.end() ? nullptr : &*most;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/hierarchy/verdict.hpp>
+#include <shigusa/rollout/retimed.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+// Gathers reasons that are beyond their bounds.
+class Reasons {
+ public:
+  void add(VerdictBounds bounds, Reason reason) {
+    if (!(reason.amount > bounds.strains)) return;
+    const bool impossible = reason.amount > bounds.impossible;
+    reason.verdict = impossible ? Verdict::impossible : Verdict::strains;
+    found_.push_back({reason.amount / bounds.impossible, std::move(reason)});
+  }
+
+  // the worst first: by how many times each is what is impossible
+  Judgement judgement() && {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Found& a, const Found& b) { return a.beyond > b.beyond; });
+    Judgement judgement;
+    for (Found& found : found_) {
+      judgement.verdict = std::max(judgement.verdict, found.reason.verdict);
+      judgement.reasons.push_back(std::move(found.reason));
+    }
+    return judgement;
+  }
+
+ private:
+  struct Found {
+    double beyond;
+    Reason reason;
+  };
+  std::vector<Found> found_;
+};
+
+std::string when(const Reason& reason) {
+  return reason.time ? fmt::format(" at {:.2f} s", *reason.time) : std::string();
+}
+
+// The verdict on a motion in another duration: limits and collisions are what they were.
+Verdict verdict_in(double duration, const BodyModel& body, const Motion& motion,
+                   MotionMeasures measures) {
+  const Motion slower = retimed(body, motion, duration);
+  measures.loads = joint_loads(body, slower);
+  measures.support = support_margins(body, slower);
+  return judge(body, measures).verdict;
+}
+
+}  // namespace
+
+std::string_view verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::possible:
+      return "possible";
+    case Verdict::strains:
+      return "strains";
+    case Verdict::impossible:
+      return "impossible";
+  }
+  return "";
+}
+
+std::string_view reason_name(ReasonKind kind) {
+  switch (kind) {
+    case ReasonKind::strength:
+      return "strength";
+    case ReasonKind::pressure:
+      return "pressure";
+    case ReasonKind::collision:
+      return "collision";
+    case ReasonKind::limit:
+      return "limit";
+  }
+  return "";
+}
+
+std::string reason_words(const Reason& reason) {
+  switch (reason.kind) {
+    case ReasonKind::strength:
+      return fmt::format("{} needs {:.0f} N·m{}, {:.1f} times its strength of {:.0f}",
+                         reason.subject, reason.torque, when(reason), reason.amount,
+                         reason.strength);
+    case ReasonKind::pressure:
+      return fmt::format("the floor would have to press {:.0f} mm outside the feet{}",
+                         1e3 * reason.amount, when(reason));
+    case ReasonKind::collision:
+      return fmt::format("{} is {:.0f} mm in {}{}", reason.subject, 1e3 * reason.amount,
+                         reason.other, when(reason));
+    case ReasonKind::limit:
+      return fmt::format("{} is {:.0f}° beyond its range", reason.subject, degrees(reason.amount));
+  }
+  return "";
+}
+
+Judgement judge(const BodyModel& body, const MotionMeasures& measures) {
+  Reasons reasons;
+  for (const JointLoad& load : measures.loads) {
+    const Dof& dof = body.dof(load.dof);
+    reasons.add(body.robot() ? kEffortBounds : kStrengthBounds,
+                {.kind = ReasonKind::strength,
+                 .amount = load.share,
+                 .subject = dof.name,
+                 .torque = abs(load.torque),
+                 .strength = load.torque > 0.0 ? dof.torque_positive : dof.torque_negative,
+                 .time = load.time});
+  }
+  if (measures.support) {
+    const SupportMargin& pressure = measures.support->pressure;
+    reasons.add(
+        kPressureBounds,
+        {.kind = ReasonKind::pressure, .amount = -pressure.distance, .time = pressure.time});
+  }
+  const CollisionFound& collides = measures.collides;
+  reasons.add(kCollisionBounds, {.kind = ReasonKind::collision,
+                                 .amount = collides.depth,
+                                 .subject = collides.limb,
+                                 .other = collides.other,
+                                 .time = collides.time});
+  for (const LimitExcess& over : measures.over_limit) {
+    reasons.add(kLimitBounds,
+                {.kind = ReasonKind::limit, .amount = over.excess, .subject = over.dof});
+  }
+  return std::move(reasons).judgement();
+}
+
+Judgement judge(const BodyModel& body, const Motion& motion, const MotionMeasures& measures) {
+  constexpr int kHalvings = 6;
+  Judgement judgement = judge(body, measures);
+  if (judgement.verdict != Verdict::impossible) return judgement;
+  double fast = motion.clip.duration();
+  double slow = kSlowest * fast;
+  const Verdict best = verdict_in(slow, body, motion, measures);
+  if (best == Verdict::impossible) return judgement;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (fast + slow);
+    (verdict_in(middle, body, motion, measures) <= best ? slow : fast) = middle;
+  }
+  judgement.possible_in = slow;
+  return judgement;
+}
+
+}  // namespace shigusa
