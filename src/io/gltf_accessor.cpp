@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <shigusa/io/gltf.hpp>
@@ -25,26 +26,48 @@ std::optional<std::size_t> whole(const Json& object, const char* key, std::size_
   return static_cast<std::size_t>(value);
 }
 
-// One kind of a component: its bytes, and what an integer's largest value stands for 1.
-struct Component {
+struct Kind {
   int type;
-  std::size_t bytes;
-  double largest;  // 0: a float
-  bool has_sign;
+  AccessorComponent component;
 };
-constexpr std::array kComponents{Component{5120, 1, 127.0, true}, Component{5121, 1, 255.0, false},
-                                 Component{5122, 2, 32767.0, true},
-                                 Component{5123, 2, 65535.0, false}, Component{5126, 4, 0.0, true}};
+constexpr std::array kKinds{Kind{5120, {1, 127.0, true}},         Kind{5121, {1, 255.0, false}},
+                            Kind{5122, {2, 32767.0, true}},       Kind{5123, {2, 65535.0, false}},
+                            Kind{5125, {4, 4294967295.0, false}}, Kind{5126, {4, 0.0, true}}};
 
-double component_at(std::string_view bytes, std::size_t at, const Component& kind) {
-  if (kind.largest == 0.0) {
-    return static_cast<double>(__builtin_bit_cast(float, word_at(bytes, at)));
+const AccessorComponent* component_of(std::optional<std::size_t> type) {
+  for (const Kind& kind : kKinds) {
+    if (type == static_cast<std::size_t>(kind.type)) return &kind.component;
   }
-  std::int32_t value = static_cast<std::uint8_t>(bytes[at]);
-  if (kind.bytes == 2) value |= static_cast<std::uint8_t>(bytes[at + 1]) << 8;
-  const std::int32_t sign = 1 << (8 * kind.bytes - 1);
-  if (kind.has_sign && (value & sign) != 0) value -= 2 * sign;
-  return max(static_cast<double>(value) / kind.largest, -1.0);
+  return nullptr;
+}
+
+bool may_hold(AccessorContent content, const AccessorComponent& component, bool normalised) {
+  if (content == AccessorContent::indices) return !component.has_sign && !normalised;
+  const bool wide = component.bytes == 4 && component.largest > 0.0;
+  if (wide) return false;
+  return content == AccessorContent::coordinates || component.largest == 0.0 || normalised;
+}
+
+const char* allowed(AccessorContent content) {
+  switch (content) {
+    case AccessorContent::indices:
+      return "whole numbers without a sign (5121, 5123, 5125)";
+    case AccessorContent::coordinates:
+      return "floats (5126), bytes or shorts";
+    default:
+      return "floats (5126) or normalised bytes or shorts";
+  }
+}
+
+double decoded(std::string_view bytes, std::size_t at, const AccessorComponent& kind) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = kind.bytes; i-- > 0;) {
+    bits = bits << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  }
+  if (kind.largest == 0.0) return static_cast<double>(__builtin_bit_cast(float, bits));
+  const std::int64_t sign = std::int64_t{1} << (8 * kind.bytes - 1);
+  const std::int64_t value = bits;
+  return static_cast<double>(kind.has_sign && value >= sign ? value - 2 * sign : value);
 }
 
 std::optional<std::string> from_base64(std::string_view text) {
@@ -124,6 +147,12 @@ Result<Json> GltfAccessors::entry(const char* list, const Json& index) {
   const std::string place = fmt::format("{}[{}]", list, index.get<std::size_t>());
   // data in the text are not parsed but decoded
   if (const auto uri = json_.member(value, "uri"); uri) return Json(json_.text_of(uri));
+  // one entry may be asked for many times
+  constexpr std::size_t kMaxEntryBytes = std::size_t{64} << 10;
+  if (json_.text_of(value).size() > kMaxEntryBytes) {
+    return wrong(place, fmt::format("takes {} bytes of JSON; up to {} are allowed",
+                                    json_.text_of(value).size(), kMaxEntryBytes));
+  }
   Result<Json> parsed = parse_small_json(json_.text_of(value), place + " of " + name_);
   if (parsed && !parsed->is_object()) return wrong(place, "is no object");
   return parsed;
@@ -167,6 +196,15 @@ Result<GltfAccessors::View> GltfAccessors::view(const Json& index) {
                  "numbers");
   }
   const Result<std::string_view> bytes = buffer((*found)["buffer"]);
+  const auto extensions = found->find("extensions");
+  if (!bytes && extensions != found->end() && extensions->is_object()) {
+    for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+      if (!extensions->contains(packed)) continue;
+      return wrong(place, fmt::format("is compressed by {}, which is not read: export the "
+                                      "character without it",
+                                      packed));
+    }
+  }
   if (!bytes) return tl::unexpected(bytes.error());
   if (*offset > bytes->size() || *length > bytes->size() - *offset) {
     return wrong(place, fmt::format("bytes {} to {} lie beyond the {} of its buffer", *offset,
@@ -175,58 +213,115 @@ Result<GltfAccessors::View> GltfAccessors::view(const Json& index) {
   return View{bytes->substr(*offset, *length), *stride};
 }
 
-Result<std::vector<double>> GltfAccessors::numbers(const Json& index, int components) {
+Result<AccessorElements> GltfAccessors::elements(const std::string& place, const Json& holder,
+                                                 std::size_t count, std::size_t size) {
+  const auto offset = whole(holder, "byteOffset", 0);
+  if (!offset) return wrong(place, "byteOffset must be a whole number");
+  const Result<View> found = view(holder["bufferView"]);
+  if (!found) return tl::unexpected(found.error());
+  const std::size_t stride = found->stride > 0 ? found->stride : size;
+  const std::size_t room = found->bytes.size();
+  const bool fits = count == 0 || (*offset <= room && size <= room - *offset &&
+                                   count - 1 <= (room - *offset - size) / stride);
+  if (!fits || stride < size) {
+    return wrong(place, fmt::format("{} elements of {} bytes do not fit into its view of {} bytes",
+                                    count, size, room));
+  }
+  return AccessorElements{count == 0 ? std::string_view{} : found->bytes.substr(*offset), stride};
+}
+
+// Elements that stand elsewhere: their indices, rising, and their numbers.
+Result<void> GltfAccessors::read_sparse(const std::string& place, const Json& sparse,
+                                        std::size_t size, GltfNumbers& numbers) {
+  const auto count = sparse.is_object() ? whole(sparse, "count", 0) : std::nullopt;
+  const bool whole_list = count && *count <= numbers.count_ && sparse.contains("indices") &&
+                          sparse["indices"].is_object() && sparse.contains("values") &&
+                          sparse["values"].is_object();
+  if (!whole_list || !sparse["indices"].contains("bufferView") ||
+      !sparse["values"].contains("bufferView")) {
+    return wrong(place, "is sparse, and its count, indices and values do not tell of what");
+  }
+  const Json& indices = sparse["indices"];
+  const AccessorComponent* kind = component_of(whole(indices, "componentType", 0));
+  if (kind == nullptr || !may_hold(AccessorContent::indices, *kind, false)) {
+    return wrong(place,
+                 fmt::format("its sparse indices must be {}", allowed(AccessorContent::indices)));
+  }
+  const Result<AccessorElements> which = elements(place, indices, *count, kind->bytes);
+  if (!which) return tl::unexpected(which.error());
+  const Result<AccessorElements> values = elements(place, sparse["values"], *count, size);
+  if (!values) return tl::unexpected(values.error());
+  numbers.elsewhere_.reserve(*count);
+  for (std::size_t i = 0; i < *count; ++i) {
+    const auto index = static_cast<std::size_t>(decoded(which->bytes, i * which->stride, *kind));
+    if (index >= numbers.count_ || (i > 0 && index <= numbers.elsewhere_.back())) {
+      return wrong(place, fmt::format("sparse index {} is {}; indices must rise and be less than "
+                                      "{}",
+                                      i, index, numbers.count_));
+    }
+    numbers.elsewhere_.push_back(index);
+  }
+  numbers.replaced_ = *values;
+  return {};
+}
+
+Result<GltfNumbers> GltfAccessors::open(const Json& index, int components,
+                                        AccessorContent content) {
   const Result<Json> found = entry("accessors", index);
   if (!found) return tl::unexpected(found.error());
   const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
   const Json& accessor = *found;
   constexpr std::array kTypes{"", "SCALAR", "", "VEC3", "VEC4"};
-  const char* type = kTypes[static_cast<std::size_t>(components)];
+  const char* type = components == 16 ? "MAT4" : kTypes[static_cast<std::size_t>(components)];
   if (!accessor.contains("type") || accessor["type"] != type) {
     return wrong(place, fmt::format("its type must be {} here", type));
   }
-  if (accessor.contains("sparse") || !accessor.contains("bufferView")) {
-    return wrong(place,
-                 "is sparse, or has no bufferView; only accessors that hold their numbers are "
-                 "read");
-  }
-  const auto offset = whole(accessor, "byteOffset", 0);
   const auto count = whole(accessor, "count", 0);
-  const auto kind_number = whole(accessor, "componentType", 0);
-  const Component* kind = nullptr;
-  for (const Component& each : kComponents) {
-    if (kind_number == static_cast<std::size_t>(each.type)) kind = &each;
-  }
+  const AccessorComponent* kind = component_of(whole(accessor, "componentType", 0));
   const bool normalised = accessor.contains("normalized") && accessor["normalized"] == true;
-  if (!offset || !count || kind == nullptr || (kind->largest > 0.0 && !normalised)) {
-    return wrong(place,
-                 "byteOffset and count must be whole numbers, and componentType floats (5126) "
-                 "or normalised bytes or shorts");
+  if (!count || kind == nullptr || !may_hold(content, *kind, normalised)) {
+    return wrong(place, fmt::format("byteOffset and count must be whole numbers, and componentType "
+                                    "{}",
+                                    allowed(content)));
   }
+  GltfNumbers numbers;
+  numbers.count_ = *count;
+  numbers.kind_ = *kind;
+  numbers.normalised_ = normalised && kind->largest > 0.0;
+  const std::size_t size = static_cast<std::size_t>(components) * kind->bytes;
+  const bool sparse = accessor.contains("sparse");
+  if (!accessor.contains("bufferView") && !sparse) {
+    return wrong(place, "has no bufferView; only accessors that hold their numbers are read");
+  }
+  if (accessor.contains("bufferView")) {
+    const Result<AccessorElements> in = elements(place, accessor, *count, size);
+    if (!in) return tl::unexpected(in.error());
+    numbers.elements_ = *in;
+  }
+  if (sparse) {
+    if (const auto read = read_sparse(place, accessor["sparse"], size, numbers); !read) {
+      return tl::unexpected(read.error());
+    }
+  }
+  return numbers;
+}
+
+Result<std::vector<double>> GltfAccessors::numbers(const Json& index, int components) {
+  const Result<GltfNumbers> found = open(index, components, AccessorContent::reals);
+  if (!found) return tl::unexpected(found.error());
+  const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
   const auto per = static_cast<std::size_t>(components);
-  if (*count > (kAccessorMaxNumbers - taken_) / per) {
+  if (found->count() > (kAccessorMaxNumbers - taken_) / per) {
     return wrong(place,
                  fmt::format("{} elements are too many; animations may have {} numbers in all",
-                             *count, kAccessorMaxNumbers));
+                             found->count(), kAccessorMaxNumbers));
   }
-  const Result<View> view_found = view(accessor["bufferView"]);
-  if (!view_found) return tl::unexpected(view_found.error());
-  const std::size_t size = per * kind->bytes;
-  const std::size_t stride = view_found->stride > 0 ? view_found->stride : size;
-  const std::size_t room = view_found->bytes.size();
-  const bool fits = *count == 0 || (*offset <= room && size <= room - *offset &&
-                                    *count - 1 <= (room - *offset - size) / stride);
-  if (!fits || stride < size) {
-    return wrong(place, fmt::format("{} elements of {} bytes do not fit into its view of {} bytes",
-                                    *count, size, room));
-  }
-  taken_ += *count * per;
+  taken_ += found->count() * per;
   std::vector<double> values;
-  values.reserve(*count * per);
-  for (std::size_t i = 0; i < *count; ++i) {
+  values.reserve(found->count() * per);
+  for (std::size_t i = 0; i < found->count(); ++i) {
     for (std::size_t k = 0; k < per; ++k) {
-      const double value =
-          component_at(view_found->bytes, *offset + i * stride + k * kind->bytes, *kind);
+      const double value = found->at(i, k);
       if (!(abs(value) <= kGltfMaxValue)) {
         return wrong(place, fmt::format("element {} holds {:g}; allowed are {:g} to {:g}", i, value,
                                         -kGltfMaxValue, kGltfMaxValue));
@@ -235,6 +330,17 @@ Result<std::vector<double>> GltfAccessors::numbers(const Json& index, int compon
     }
   }
   return values;
+}
+
+double GltfNumbers::at(std::size_t element, std::size_t component) const {
+  const auto other = std::lower_bound(elsewhere_.begin(), elsewhere_.end(), element);
+  const bool moved = other != elsewhere_.end() && *other == element;
+  // what a sparse accessor does not tell of is 0
+  if (!moved && elements_.bytes.empty()) return 0.0;
+  const AccessorElements& in = moved ? replaced_ : elements_;
+  const std::size_t row = moved ? static_cast<std::size_t>(other - elsewhere_.begin()) : element;
+  const double value = decoded(in.bytes, row * in.stride + component * kind_.bytes, kind_);
+  return normalised_ ? max(value / kind_.largest, -1.0) : value;
 }
 
 }  // namespace shigusa

@@ -15,6 +15,41 @@ namespace shigusa {
 // All numbers that are read of one file, and what they are out of, are bounded.
 inline constexpr std::size_t kAccessorMaxNumbers = 4'000'000;
 
+// How a component of an accessor is stored.
+struct AccessorComponent {
+  std::size_t bytes = 4;
+  double largest = 0.0;  // of a normalised integer what stands for 1; 0: a float
+  bool has_sign = true;
+};
+
+// What an accessor may hold where it is used: floats and normalised integers; also integers as they
+// are, which the nodes' places scale; whole numbers without a sign.
+enum class AccessorContent { reals, coordinates, indices };
+
+// Elements one after the other.
+struct AccessorElements {
+  std::string_view bytes;  // from the first one on
+  std::size_t stride = 0;  // bytes from one to the next
+};
+
+// The numbers of one accessor where they lie in the file, decoded one by one. They have been found
+// to lie in it.
+class GltfNumbers {
+ public:
+  [[nodiscard]] std::size_t count() const { return count_; }  // of elements
+  // A number as it is meant; it may be anything that a float can be.
+  [[nodiscard]] double at(std::size_t element, std::size_t component) const;
+
+ private:
+  friend class GltfAccessors;
+  std::size_t count_ = 0;
+  AccessorComponent kind_;
+  bool normalised_ = false;
+  AccessorElements elements_;           // none: zeros
+  std::vector<std::size_t> elsewhere_;  // of a sparse accessor: elements, rising, …
+  AccessorElements replaced_;           // … that are these
+};
+
 // The numbers of a glTF file: accessors, by way of their buffer views, from the binary chunk of a
 // GLB or from data in the text. Other files are not opened. Reads what is asked for and nothing
 // else; the file's JSON must have been parsed before.
@@ -22,8 +57,11 @@ class GltfAccessors {
  public:
   GltfAccessors(const GlbParts& parts, std::string_view name);
 
-  // The numbers of an accessor, `components` for each of its elements, which must have so many:
-  // floats, or normalised integers, as they are meant. Errors name the accessor.
+  // An accessor whose elements have so many components: 1, 3, 4, or 16 of a matrix. Errors name the
+  // accessor.
+  [[nodiscard]] Result<GltfNumbers> open(const nlohmann::json& index, int components,
+                                         AccessorContent content);
+  // All numbers of an accessor of reals, element by element.
   [[nodiscard]] Result<std::vector<double>> numbers(const nlohmann::json& index, int components);
 
  private:
@@ -34,6 +72,11 @@ class GltfAccessors {
   [[nodiscard]] Result<nlohmann::json> entry(const char* list, const nlohmann::json& index);
   [[nodiscard]] Result<View> view(const nlohmann::json& index);
   [[nodiscard]] Result<std::string_view> buffer(const nlohmann::json& index);
+  [[nodiscard]] Result<AccessorElements> elements(const std::string& place,
+                                                  const nlohmann::json& holder, std::size_t count,
+                                                  std::size_t size);
+  [[nodiscard]] Result<void> read_sparse(const std::string& place, const nlohmann::json& sparse,
+                                         std::size_t size, GltfNumbers& numbers);
   [[nodiscard]] tl::unexpected<Error> wrong(const std::string& what, const std::string& why) const;
 
   const GlbParts& parts_;

@@ -8,6 +8,7 @@
 #include <shigusa/io/gltf_animation.hpp>
 
 #include "gltf_accessor.hpp"
+#include "gltf_places.hpp"
 #include "gltf_tracks.hpp"
 #include "gltf_vrm.hpp"
 #include "math/linear_map.hpp"
@@ -162,7 +163,7 @@ class AnimationReader {
     clip.frame_time = 1.0 / rate;
     clip.frames = static_cast<int>(frames);
     clip.local.reserve(static_cast<std::size_t>(clip.frames) * rest.nodes.size());
-    resting_ = placed(result_.character.places);
+    resting_ = world_places(rest, result_.character.places);
     for (int f = 0; f < clip.frames; ++f) {
       if (const auto added = add_frame(rest, f * clip.frame_time); !added) return added;
       if (f == choice.posed) result_.posed = places(f * clip.frame_time);
@@ -182,23 +183,8 @@ class AnimationReader {
     return all;
   }
 
-  // World placements, scales in their matrices.
-  [[nodiscard]] std::vector<Transformd> placed(const std::vector<GltfPlace>& places) const {
-    const Skeleton& rest = result_.character.rest.skeleton;
-    std::vector<Transformd> world;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const GltfPlace& place = places[i];
-      const Mat3d r = to_matrix(place.rotation);
-      const Transformd local{{r.cx * place.scale.x, r.cy * place.scale.y, r.cz * place.scale.z},
-                             place.translation};
-      const int parent = rest.nodes[i].parent;
-      world.push_back(parent < 0 ? local : world[static_cast<std::size_t>(parent)] * local);
-    }
-    return world;
-  }
-
   Result<void> add_frame(const Skeleton& rest, double time) {
-    const std::vector<Transformd> world = placed(places(time));
+    const std::vector<Transformd> world = world_places(rest, places(time));
     std::vector<Mat3d> turned;
     for (std::size_t i = 0; i < world.size(); ++i) {
       const Vec3d& at = world[i].translation;

@@ -57,14 +57,15 @@ class SkeletonFilter {
  private:
   [[nodiscard]] bool wanted(int depth) const {
     constexpr std::array<std::string_view, 4> kTop{"asset", "nodes", "skins", "extensions"};
-    constexpr std::array<std::string_view, 7> kNode{"name",     "children", "mesh",  "translation",
-                                                    "rotation", "scale",    "matrix"};
+    constexpr std::array<std::string_view, 8> kNode{"name",        "children", "mesh",  "skin",
+                                                    "translation", "rotation", "scale", "matrix"};
+    constexpr std::array<std::string_view, 2> kSkin{"joints", "inverseBindMatrices"};
     constexpr std::array<std::string_view, 2> kVrm{"VRM", "VRMC_vrm"};
     const std::string& key = path_[static_cast<std::size_t>(depth)];
     if (depth == 1) return one_of(key, kTop);
     if (path_[1] == "asset") return depth > 2 || key == "version";
     if (path_[1] == "nodes") return one_of(key, kNode);
-    if (path_[1] == "skins") return key == "joints";
+    if (path_[1] == "skins") return one_of(key, kSkin);
     if (depth == 2) return one_of(key, kVrm);
     if (depth == 3) return key == "humanoid";
     return depth > 4 || key == "humanBones";

@@ -8,8 +8,9 @@
 namespace shigusa {
 
 // Of a glTF, GLB or VRM file what tells of its skeleton, everything else left out: asset.version;
-// of nodes name, children, mesh and place; of skins the joints; of VRM the humanoid bones. Its
-// size is bounded, but each value may still be of any kind. Errors name the file.
+// of nodes name, children, mesh, skin and place; of skins the joints and where their bind poses
+// are; of VRM the humanoid bones. Its size is bounded, but each value may still be of any kind.
+// Errors name the file.
 [[nodiscard]] Result<nlohmann::json> read_gltf_json(std::string_view bytes, std::string_view name);
 
 }  // namespace shigusa

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/gltf.hpp>
 
@@ -24,7 +25,9 @@ struct FileNode {
   Transformd place;     // in its parent; with the scale in its matrix
   GltfPlace parts;      // the same in parts
   bool uneven = false;  // scaled differently along its axes
-  bool mesh = false;
+  bool mesh = false;    // shows one, whatever its index says
+  int mesh_index = -1;
+  int skin_index = -1;
   bool joint = false;   // of a skin or of VRM
   bool needed = false;  // stands in the skeleton
 };
@@ -40,6 +43,14 @@ GltfPlace parts_of(const Transformd& place) {
           {side * norm(m.cx), norm(m.cy), norm(m.cz)}};
 }
 
+// An index of another list of the file, or -1 where there is none that can be one.
+int index_or_none(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_number_unsigned()) return -1;
+  const auto index = found->get<std::uint64_t>();
+  return index <= std::numeric_limits<int>::max() ? static_cast<int>(index) : -1;
+}
+
 // Reads one file. Each step returns false after it has noted the error.
 class GltfReader {
  public:
@@ -49,6 +60,7 @@ class GltfReader {
     if (!version() || !nodes() || !parents() || !joints()) return tl::unexpected<Error>(error_);
     mark_needed();
     if (!build()) return tl::unexpected<Error>(error_);
+    take_meshes();
     take_vrm();
     tell_uneven();
     return std::move(result_);
@@ -114,6 +126,8 @@ class GltfReader {
       }
     }
     read.mesh = json.contains("mesh");
+    read.mesh_index = index_or_none(json, "mesh");
+    read.skin_index = index_or_none(json, "skin");
     return indices(json, "children", described(index), read.children) && read_place(json, index);
   }
 
@@ -222,6 +236,7 @@ class GltfReader {
         std::vector<int> joints;
         if (!indices(skin, "joints", fmt::format("skin {}", number++), joints)) return false;
         for (const int i : joints) node(i).joint = true;
+        result_.skins.push_back({std::move(joints), index_or_none(skin, "inverseBindMatrices")});
       }
     }
     vrm_ = read_vrm_bones(json_, count());
@@ -270,6 +285,26 @@ class GltfReader {
     result_.rest.clip.frames = 1;
     place_ = std::move(place);
     return true;
+  }
+
+  // Which nodes show meshes, all indices now of the skeleton's own nodes.
+  void take_meshes() {
+    for (GltfSkin& skin : result_.skins) {
+      for (int& joint : skin.joints) joint = place_[static_cast<std::size_t>(joint)];
+    }
+    for (int i = 0; i < count(); ++i) {
+      if (node(i).mesh_index < 0) continue;
+      const bool skinned =
+          node(i).skin_index >= 0 && node(i).skin_index < static_cast<int>(result_.skins.size());
+      GltfMeshNode& shown = result_.meshes.emplace_back();
+      shown.mesh = node(i).mesh_index;
+      shown.skin = skinned ? node(i).skin_index : -1;
+      int on = i;
+      for (; on >= 0 && !node(on).needed; on = node(on).parent) {
+        shown.place = node(on).place * shown.place;
+      }
+      shown.node = on < 0 ? -1 : place_[static_cast<std::size_t>(on)];
+    }
   }
 
   void take_vrm() {

@@ -203,7 +203,7 @@ TEST(GltfAnimationReader, MalformedFilesAreRefusedWithAReason) {
       {"type", [](Json& f) { f["accessors"][1]["type"] = "VEC3"; }, "must be VEC4"},
       {"component", [](Json& f) { f["accessors"][1]["componentType"] = 5125; }, "floats (5126)"},
       {"sparse", [](Json& f) { f["accessors"][1]["sparse"] = Json::object(); }, "is sparse"},
-      {"count", [](Json& f) { f["accessors"][1]["count"] = 1u << 31; }, "too many"},
+      {"count", [](Json& f) { f["accessors"][1]["count"] = 1u << 31; }, "do not fit"},
       {"beyond its view", [](Json& f) { f["accessors"][1]["count"] = 3; }, "do not fit"},
       {"offset", [](Json& f) { f["accessors"][1]["byteOffset"] = 9'000'000'000'000u; },
        "do not fit"},

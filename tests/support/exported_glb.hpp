@@ -60,7 +60,7 @@ class ExportedGlb {
     const auto& a = json_.at("accessors").at(accessor);
     const auto& view = json_.at("bufferViews").at(a.at("bufferView").get<std::size_t>());
     const std::string type = a.at("type");
-    const std::size_t count = type == "SCALAR" ? 1 : type == "VEC3" ? 3 : 4;
+    const std::size_t count = type == "SCALAR" ? 1 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 16;
     std::vector<double> values;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t offset = view.value("byteOffset", std::size_t{0}) +

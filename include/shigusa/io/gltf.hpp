@@ -29,6 +29,21 @@ struct GltfPlace {
   Vec3d scale{1, 1, 1};
 };
 
+// A node of the file that shows a mesh.
+struct GltfMeshNode {
+  int mesh = 0;   // index in the file
+  int skin = -1;  // index in GltfCharacter::skins; -1: the mesh goes with the node as one piece
+  int node = -1;  // of the skeleton, the nearest at or above it; -1: none is
+  Transformd
+      place;  // at rest: of the mesh in that node, or in the world; with scales in its matrix
+};
+
+// What a mesh is bound to.
+struct GltfSkin {
+  std::vector<int> joints;      // nodes of the skeleton, in the order in which vertices number them
+  int inverse_bind_poses = -1;  // index of the file's accessor; -1: each is the identity
+};
+
 // The skeleton of a character in glTF 2.0. Metres, +Y up; characters face +Z, those of VRM 0.x -Z.
 struct GltfCharacter {
   // one frame, the rest pose: where the nodes' own places put them, whatever pose the mesh was
@@ -40,6 +55,8 @@ struct GltfCharacter {
   HumanoidMap humanoid;  // what a VRM file tells of its bones; empty for others
   // all of VRM's bones by its own names, "leftUpperLeg": nodes of the skeleton
   std::vector<std::pair<std::string, int>> vrm_bones;
+  std::vector<GltfMeshNode> meshes;  // in the order of the file's nodes
+  std::vector<GltfSkin> skins;
   std::vector<std::string> doubts;
 };
 

@@ -38,8 +38,7 @@ struct GltfMotion {
 // name the place, the value seen and what is allowed; `name` stands for the file in them.
 //
 // - LINEAR, STEP and CUBICSPLINE; translation, rotation and scale of nodes. Weights of meshes, and
-//   what extensions animate, are left out. Normalised bytes and shorts are read as such; sparse
-//   accessors are refused.
+//   what extensions animate, are left out. Normalised bytes and shorts are read as such.
 // - Before its first key and after its last a node stays as these have it.
 [[nodiscard]] Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view name,
                                                       const AnimationChoice& choice = {});

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <shigusa/io/gltf_skin.hpp>
+#include <utility>
+
+#include "gltf_accessor.hpp"
+#include "gltf_places.hpp"
+
+namespace shigusa {
+namespace {
+
+using Json = nlohmann::json;
+
+// A part of a mesh: where its numbers are. Sets of joints and weights that it lacks are absent.
+struct Part {
+  GltfNumbers positions;
+  std::vector<GltfNumbers> joints;
+  std::vector<GltfNumbers> weights;
+  std::optional<GltfNumbers> indices;
+
+  // vertices that are drawn, at most
+  [[nodiscard]] std::size_t most() const {
+    return indices ? std::min(indices->count(), positions.count()) : positions.count();
+  }
+};
+
+// What nodes a mesh is shown by, and its parts that can be read.
+struct Mesh {
+  std::vector<const GltfMeshNode*> shown_by;
+  std::vector<Part> parts;
+};
+
+class SkinReader {
+ public:
+  SkinReader(const GlbParts& parts, std::string_view name, const GltfCharacter& character,
+             std::span<const GltfPlace> places)
+      : character_(character),
+        name_(name),
+        json_(parts.json),
+        accessors_(parts, name),
+        world_(world_places(character.rest.skeleton, places)),
+        bound_(character.skins.size()) {}
+
+  Skin read() {
+    for (Mesh& mesh : meshes()) {
+      for (const Part& part : mesh.parts) {
+        for (const GltfMeshNode* node : mesh.shown_by) {
+          const std::size_t before = skin_.vertices.size();
+          if (const auto added = add(part, *node); !added) {
+            skin_.vertices.resize(before);
+            leave_out(added.error());
+          }
+        }
+      }
+    }
+    tell_left_out();
+    return std::move(skin_);
+  }
+
+ private:
+  void leave_out(const Error& why) {
+    if (left_out_++ == 0) first_reason_ = why.to_string();
+  }
+
+  void tell_left_out() {
+    if (left_out_ == 0) return;
+    const std::string which = read_ == 0
+                                  ? "the mesh was not read, so the floor is laid by the joints"
+                                  : fmt::format("{} of the mesh's {} parts {} not read", left_out_,
+                                                read_ + left_out_, left_out_ == 1 ? "was" : "were");
+    skin_.doubts.push_back(which + ": " + first_reason_);
+  }
+
+  [[nodiscard]] tl::unexpected<Error> wrong(const std::string& why) const {
+    return fail(ErrorCode::parse, why, "mesh of " + name_);
+  }
+
+  // Opens all parts, and from how many vertices there are finds how many are taken.
+  std::vector<Mesh> meshes() {
+    const auto list = json_.elements(json_.member(json_.root(), "meshes"));
+    std::vector<Mesh> meshes(list.size());
+    for (const GltfMeshNode& node : character_.meshes) {
+      const auto index = static_cast<std::size_t>(node.mesh);
+      if (index < meshes.size()) {
+        meshes[index].shown_by.push_back(&node);
+      } else {
+        leave_out(
+            wrong(fmt::format("{} is none of the {} there are", node.mesh, list.size())).value());
+      }
+    }
+    std::size_t vertices = 0;
+    std::size_t shown = 0;
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      if (meshes[m].shown_by.empty()) continue;
+      open_parts(list[m], shown, meshes[m]);
+      for (const Part& part : meshes[m].parts) {
+        vertices += part.most() * meshes[m].shown_by.size();
+      }
+    }
+    stride_ = 1 + vertices / kSkinMaxVertices;
+    return meshes;
+  }
+
+  void open_parts(const JsonSplice::Value& text, std::size_t& shown, Mesh& mesh) {
+    for (const auto& primitive : json_.elements(json_.member(text, "primitives"))) {
+      shown += mesh.shown_by.size();
+      if (shown > kSkinMaxParts) {
+        leave_out(wrong(fmt::format("has more than {} parts", kSkinMaxParts)).value());
+        return;
+      }
+      Result<Part> part = open_part(primitive);
+      if (part) {
+        mesh.parts.push_back(std::move(*part));
+      } else {
+        leave_out(part.error());
+      }
+    }
+  }
+
+  Result<Part> open_part(const JsonSplice::Value& primitive) {
+    const auto extensions = json_.member(primitive, "extensions");
+    if (json_.member(extensions, "KHR_draco_mesh_compression")) {
+      return wrong(
+          "is compressed by KHR_draco_mesh_compression, which is not read: export the "
+          "character without it");
+    }
+    const Result<Json> attributes =
+        parse_small_json(json_.text_of(json_.member(primitive, "attributes")), "mesh of " + name_);
+    if (!attributes) return tl::unexpected(attributes.error());
+    if (!attributes->is_object() || !attributes->contains("POSITION")) {
+      return wrong("a part has no POSITION");
+    }
+    Result<GltfNumbers> positions =
+        accessors_.open((*attributes)["POSITION"], 3, AccessorContent::coordinates);
+    if (!positions) return tl::unexpected(positions.error());
+    if (positions->count() > kSkinMaxIndices) {
+      return wrong(fmt::format("a part has {} vertices; up to {} are read", positions->count(),
+                               kSkinMaxIndices));
+    }
+    Part part{std::move(*positions), {}, {}, {}};
+    if (const auto sets = open_sets(*attributes, part); !sets) {
+      return tl::unexpected(sets.error());
+    }
+    if (const auto indices = json_.member(primitive, "indices"); indices) {
+      const Result<Json> index = parse_small_json(json_.text_of(indices), "mesh of " + name_);
+      if (!index) return tl::unexpected(index.error());
+      Result<GltfNumbers> opened = accessors_.open(*index, 1, AccessorContent::indices);
+      if (!opened) return tl::unexpected(opened.error());
+      part.indices = std::move(*opened);
+    }
+    return part;
+  }
+
+  // The joints of a part's vertices and their weights.
+  Result<void> open_sets(const Json& attributes, Part& part) {
+    for (const auto& [joints, weights] :
+         {std::pair{"JOINTS_0", "WEIGHTS_0"}, std::pair{"JOINTS_1", "WEIGHTS_1"}}) {
+      if (!attributes.contains(joints) || !attributes.contains(weights)) break;
+      Result<GltfNumbers> which = accessors_.open(attributes[joints], 4, AccessorContent::indices);
+      if (!which) return tl::unexpected(which.error());
+      Result<GltfNumbers> share = accessors_.open(attributes[weights], 4, AccessorContent::reals);
+      if (!share) return tl::unexpected(share.error());
+      if (which->count() != part.positions.count() || share->count() != part.positions.count()) {
+        return wrong(fmt::format("{} positions have {} sets of joints and {} of weights",
+                                 part.positions.count(), which->count(), share->count()));
+      }
+      part.joints.push_back(std::move(*which));
+      part.weights.push_back(std::move(*share));
+    }
+    return {};
+  }
+
+  // Where a joint takes what is bound to it: place · inverse bind pose.
+  Result<const std::vector<Transformd>*> bound(int skin) {
+    std::vector<Transformd>& moves = bound_[static_cast<std::size_t>(skin)];
+    const GltfSkin& of = character_.skins[static_cast<std::size_t>(skin)];
+    if (!moves.empty()) return &moves;
+    std::optional<GltfNumbers> inverse;
+    if (of.inverse_bind_poses >= 0) {
+      Result<GltfNumbers> poses =
+          accessors_.open(static_cast<unsigned>(of.inverse_bind_poses), 16, AccessorContent::reals);
+      if (!poses) return tl::unexpected(poses.error());
+      if (poses->count() < of.joints.size()) {
+        return wrong(
+            fmt::format("{} joints have {} inverse bind poses", of.joints.size(), poses->count()));
+      }
+      inverse = std::move(*poses);
+    }
+    for (std::size_t j = 0; j < of.joints.size(); ++j) {
+      Transformd pose;
+      if (inverse) {
+        const auto column = [&](std::size_t c) {
+          return Vec3d{inverse->at(j, c), inverse->at(j, c + 1), inverse->at(j, c + 2)};
+        };
+        pose = {{column(0), column(4), column(8)}, column(12)};
+      }
+      moves.push_back(world_[static_cast<std::size_t>(of.joints[j])] * pose);
+    }
+    return &moves;
+  }
+
+  Result<void> add(const Part& part, const GltfMeshNode& node) {
+    ++read_;  // unless it turns out that it cannot be
+    const bool skinned = node.skin >= 0 && !part.joints.empty();
+    const std::vector<Transformd>* moves = nullptr;
+    if (skinned) {
+      const Result<const std::vector<Transformd>*> found = bound(node.skin);
+      if (!found) return not_read(found.error());
+      moves = *found;
+    }
+    const Transformd place =
+        node.node < 0 ? node.place : world_[static_cast<std::size_t>(node.node)] * node.place;
+    const auto take = [&](std::size_t vertex) -> Result<void> {
+      if (taken_++ % stride_ != 0) return {};
+      const Vec3d at{part.positions.at(vertex, 0), part.positions.at(vertex, 1),
+                     part.positions.at(vertex, 2)};
+      Result<SkinVertex> placed =
+          skinned ? bent(part, vertex, at, character_.skins[static_cast<std::size_t>(node.skin)],
+                         *moves)
+                  : SkinVertex{place * at, node.node, true};
+      if (!placed) return tl::unexpected(placed.error());
+      const Vec3d& p = placed->position;
+      if (!(abs(p.x) <= kGltfMaxValue && abs(p.y) <= kGltfMaxValue && abs(p.z) <= kGltfMaxValue)) {
+        return wrong(fmt::format("vertex {} stands beyond {:g} m", vertex, kGltfMaxValue));
+      }
+      skin_.vertices.push_back(*placed);
+      return {};
+    };
+    const auto done = each_drawn(part, take);
+    return done ? done : not_read(done.error());
+  }
+
+  Result<void> not_read(const Error& why) {
+    --read_;
+    return tl::unexpected<Error>(why);
+  }
+
+  // Each vertex that is drawn, once.
+  template <class Take>
+  Result<void> each_drawn(const Part& part, Take&& take) {
+    const std::size_t count = part.positions.count();
+    const std::size_t steps = part.indices ? part.indices->count() : count;
+    constexpr std::size_t kMarks = 64;  // of vertices that were seen, cleared at once
+    const std::size_t cost = steps + (part.indices ? count / kMarks : 0);
+    if (cost > kSkinMaxIndices - indices_) {
+      return wrong(fmt::format("has more than {} indices", kSkinMaxIndices));
+    }
+    indices_ += cost;
+    std::vector<bool> seen(part.indices ? count : 0);
+    for (std::size_t i = 0; i < steps; ++i) {
+      const std::size_t vertex =
+          part.indices ? static_cast<std::size_t>(part.indices->at(i, 0)) : i;
+      if (vertex >= count) {
+        return wrong(fmt::format("index {} is {}, and there are {} vertices", i, vertex, count));
+      }
+      if (part.indices && seen[vertex]) continue;
+      if (part.indices) seen[vertex] = true;
+      if (const auto taken = take(vertex); !taken) return taken;
+    }
+    return {};
+  }
+
+  // A vertex of a skin.
+  Result<SkinVertex> bent(const Part& part, std::size_t vertex, const Vec3d& at,
+                          const GltfSkin& skin, const std::vector<Transformd>& moves) const {
+    std::array<std::size_t, 8> joint{};
+    std::array<double, 8> weight{};
+    double sum = 0.0;
+    const std::size_t influences = 4 * part.joints.size();
+    for (std::size_t k = 0; k < influences; ++k) {
+      const double told = part.weights[k / 4].at(vertex, k % 4);
+      weight[k] = told > 0.0 ? told : 0.0;  // nor what is no number
+      joint[k] = static_cast<std::size_t>(part.joints[k / 4].at(vertex, k % 4));
+      // files fill unused places with any number
+      if (weight[k] > 0.0 && joint[k] >= moves.size()) {
+        return wrong(
+            fmt::format("vertex {} is bound to joint {} of {}", vertex, joint[k], moves.size()));
+      }
+      sum += weight[k];
+    }
+    if (!(sum > 0.0)) {
+      // viewers take the first joint
+      if (joint[0] >= moves.size()) return wrong(fmt::format("vertex {} has no joint", vertex));
+      weight[0] = sum = 1.0;
+    }
+    Vec3d placed{};
+    std::size_t strongest = 0;
+    double most = 0.0;
+    for (std::size_t k = 0; k < influences; ++k) {
+      if (!(weight[k] > 0.0)) continue;
+      placed += moves[joint[k]] * at * (weight[k] / sum);
+      double together = 0.0;  // a joint may come twice
+      for (std::size_t l = 0; l < influences; ++l)
+        together += joint[l] == joint[k] ? weight[l] : 0.0;
+      if (together > most) strongest = joint[k];
+      most = max(most, together);
+    }
+    return SkinVertex{placed, skin.joints[strongest], false};
+  }
+
+  const GltfCharacter& character_;
+  std::string name_;
+  JsonSplice json_;
+  GltfAccessors accessors_;
+  std::vector<Transformd> world_;               // (nodes of the skeleton)
+  std::vector<std::vector<Transformd>> bound_;  // (skins × joints) once they are asked for
+  Skin skin_;
+  std::size_t stride_ = 1;
+  std::size_t taken_ = 0;    // vertices so far, kept or not
+  std::size_t indices_ = 0;  // so far
+  std::size_t read_ = 0;     // parts, as often as they are shown
+  std::size_t left_out_ = 0;
+  std::string first_reason_;
+};
+
+}  // namespace
+
+Skin read_gltf_skin(std::string_view bytes, std::string_view name, const GltfCharacter& character,
+                    std::span<const GltfPlace> places) {
+  if (character.meshes.empty()) return {};
+  const Result<GlbParts> parts = glb_parts(bytes, name);
+  if (!parts) return {{}, {"the mesh was not read: " + parts.error().to_string()}};
+  return SkinReader(*parts, name, character, places).read();
+}
+
+}  // namespace shigusa
