@@ -120,7 +120,7 @@ void HumanBuilder::add_standing_leg() {
                  {"abduction", Axis::z, -s, kHipAbduction, hip.abduction},
                  {"flexion", Axis::x, 1.0, whole() ? kFreeHipFlexion : kHipFlexion, hip.flexion}})};
   couple_hip(trunk_.front().link, parts.thigh.link);
-  add_capsule(prefix + "thigh", parts.thigh, leg.knee, leg.hip, kThighRadius);
+  add_leg_capsules(side);
   add_standing_masses(side);
   add_foot(side, parts.toes);
 }
@@ -169,7 +169,7 @@ void HumanBuilder::add_hanging_leg(Side side) {
                        : add_joint(prefix + "ankle", parts.shank, leg.ankle, frame.foot, {bends});
   parts.toes = settings_.heels ? add_toes(side, parts.foot, -1.0) : parts.foot;
   couple_hip(first, parts.shank.link);
-  add_capsule(prefix + "thigh", parts.thigh, leg.hip, leg.knee, kThighRadius);
+  add_leg_capsules(side);
   set_mass(parts.thigh, masses_.thigh(side));
   set_mass(parts.shank, masses_.shank(side));
   set_foot_masses(side);
@@ -206,17 +206,14 @@ void HumanBuilder::add_arm(Side side) {
     parts.hand = add_joint(
         prefix + "wrist", parts.fore, arm.wrist, frame.forearm,
         {{"flexion", Axis::z, -s, kWristFlexion}, {"deviation", Axis::x, -1.0, kWristDeviation}});
-    add_capsule(prefix + "upper_arm", parts.upper, arm.shoulder, arm.elbow, kUpperArmRadius);
-    add_capsule(prefix + "forearm", parts.fore, arm.elbow, arm.wrist, kForearmRadius);
-    add_capsule(prefix + "hand", parts.hand, arm.wrist, arm.fingertip, kHandRadius);
     set_mass(parts.fore, masses_.forearm(side));
     set_mass(parts.hand, masses_.hand(side));
   } else {
     parts.fore = parts.hand =
         add_joint(prefix + "elbow", parts.upper, arm.elbow, frame.forearm, {bends});
-    add_capsule(prefix + "forearm", parts.fore, arm.elbow, arm.fingertip, kForearmRadius);
     set_mass(parts.fore, masses_.forearm_and_hand(side));
   }
+  add_arm_capsules(side);
   const Vec3d grip = grip_of(arm);
   body_.effectors.push_back({prefix + "hand", prefix + "hand_grip", parts.hand.link,
                              local(parts.hand.frame, parts.hand.origin, grip), root});
@@ -225,12 +222,6 @@ void HumanBuilder::add_arm(Side side) {
 void HumanBuilder::couple_hip(int hip, int knee) {
   body_.couplings.push_back(
       {hip, knee, whole() ? kFreeHipFlexionGain : kHipFlexionGain, kHipFlexionKneeFull});
-}
-
-void HumanBuilder::add_capsule(const std::string& name, const Part& part, const Vec3d& from,
-                               const Vec3d& to, double radius) {
-  body_.capsules.push_back({name, part.link, local(part.frame, part.origin, from),
-                            local(part.frame, part.origin, to), radius * settings_.stature});
 }
 
 void HumanBuilder::set_mass(const Part& part, const LinkMass& mass) {

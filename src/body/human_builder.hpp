@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "human_frames.hpp"
+#include "part_shapes.hpp"
 #include "segment_mass.hpp"
 
 namespace shigusa {
@@ -69,7 +70,6 @@ class HumanBuilder {
   void add_spine();
   void add_neck();
   [[nodiscard]] Part add_clavicle(Side side);
-  void add_trunk_capsules();
 
   // what is drawn and written
   void add_nodes();
@@ -80,8 +80,11 @@ class HumanBuilder {
   int add_node(const std::string& name, int parent, const Part& part, const Vec3d& point,
                bool end_site = false);
 
-  void add_capsule(const std::string& name, const Part& part, const Vec3d& from, const Vec3d& to,
-                   double radius);
+  // a part of the person, that moves with `on`
+  void add_capsule(BodyPart part, const Part& on);
+  void add_trunk_capsules();
+  void add_leg_capsules(Side side);
+  void add_arm_capsules(Side side);
   void set_mass(const Part& part, const LinkMass& mass);
   [[nodiscard]] Vec3d mid_hip() const;
   [[nodiscard]] Vec3d mid_shoulder() const;

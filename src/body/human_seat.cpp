@@ -52,7 +52,7 @@ void HumanBuilder::add_seated_leg(Side side) {
   }
   LegParts& parts = legs_[index_of(side)];
   parts.thigh = parts.shank = parts.foot = parts.toes = thigh;
-  add_capsule(prefix + "thigh", thigh, leg.hip, leg.knee, kThighRadius);
+  add_leg_capsules(side);
   add_seat(side, thigh);
 }
 

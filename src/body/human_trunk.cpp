@@ -72,9 +72,6 @@ void HumanBuilder::add_neck() {
   neck_ = joint("neck", trunk_.back(), person_.neck);
   head_ = person_.head ? joint("head", neck_, *person_.head) : neck_;
   set_mass(head_, masses_.head());
-  const Vec3d crown = person_.head_top;
-  const Vec3d inset = normalized(crown - head_.origin) * (kHeadRadius * settings_.stature);
-  add_capsule("head", head_, head_.origin + inset, crown - inset, kHeadRadius);
 }
 
 // The part that carries the arm: its clavicle, or else the trunk.
@@ -85,22 +82,6 @@ HumanBuilder::Part HumanBuilder::add_clavicle(Side side) {
   return add_joint(prefix_of(side) + "clavicle", trunk_.back(), *arm.clavicle, frames_.trunk,
                    {{"elevation", Axis::z, s, kClavicleElevation},
                     {"protraction", Axis::y, -s, kClavicleProtraction}});
-}
-
-void HumanBuilder::add_trunk_capsules() {
-  const Vec3d hips = mid_hip();
-  const Vec3d shoulders = mid_shoulder();
-  // the ends are round: they begin a radius within
-  const Vec3d inset = normalized(shoulders - hips) * (kTrunkRadius * settings_.stature);
-  if (trunk_.size() == 1) {
-    return add_capsule("trunk", trunk_.front(), hips, shoulders - inset, kTrunkRadius);
-  }
-  add_capsule("pelvis", trunk_.front(), hips, trunk_[1].origin, kTrunkRadius);
-  for (std::size_t j = 1; j < trunk_.size(); ++j) {
-    const bool last = j + 1 == trunk_.size();
-    add_capsule(kSpineNames[j - 1], trunk_[j], trunk_[j].origin,
-                last ? shoulders - inset : trunk_[j + 1].origin, kTrunkRadius);
-  }
 }
 
 int HumanBuilder::add_node(const std::string& name, int parent, const Part& part,

@@ -55,6 +55,7 @@ LinkMass point_mass(double mass, const Vec3d& at) {
 }
 
 SoleOutline sole_outline(const Landmarks::Leg& leg, double stature) {
+  if (leg.sole) return *leg.sole;
   using F = StatureFractions;
   Vec3d ahead = leg.toe - leg.ankle;
   ahead.y = 0.0;

@@ -31,8 +31,7 @@ struct LinkMass {
 [[nodiscard]] LinkMass link_mass(const MassProperties& mass);
 [[nodiscard]] LinkMass point_mass(double mass, const Vec3d& at);
 
-// Corners of a sole on the floor, counter-clockwise from above.
-using SoleOutline = std::array<Vec3d, 4>;
+// A leg's own sole, or that of a person of that stature (m).
 [[nodiscard]] SoleOutline sole_outline(const Landmarks::Leg& leg, double stature);
 
 // The same of what is ahead of the toes' joint.

@@ -47,8 +47,20 @@ std::vector<CapsulePair> limb_pairs(const BodyModel& body, const Effector& effec
   return pairs;
 }
 
+std::vector<CapsulePair> leg_pairs(const BodyModel& body) {
+  std::vector<CapsulePair> pairs;
+  const auto count = static_cast<int>(body.capsules().size());
+  const auto leg = [&](int c) { return body.capsules()[static_cast<std::size_t>(c)].leg; };
+  for (int left = 0; left < count; ++left) {
+    for (int right = 0; right < count; ++right) {
+      if (leg(left) == Side::left && leg(right) == Side::right) pairs.push_back({left, right});
+    }
+  }
+  return pairs;
+}
+
 std::vector<CapsulePair> all_limb_pairs(const BodyModel& body) {
-  std::vector<CapsulePair> all;
+  std::vector<CapsulePair> all = leg_pairs(body);
   for (const Effector& effector : body.effectors()) {
     for (const CapsulePair& pair : limb_pairs(body, effector)) {
       const auto same = [&](const CapsulePair& known) {

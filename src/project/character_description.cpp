@@ -30,6 +30,19 @@ Json nodes_to_json(const CharacterSpec& spec, const BodyModel& body) {
   return list;
 }
 
+// What of the body nothing should pass through, in the start posture.
+Json capsules_to_json(const BodyModel& body) {
+  const Kinematics<double> start = start_kinematics(body);
+  Json list = Json::array();
+  for (const Capsule& capsule : body.capsules()) {
+    list.push_back({{"name", capsule.name},
+                    {"from_m", to_json(start.point(capsule.link, capsule.from))},
+                    {"to_m", to_json(start.point(capsule.link, capsule.to))},
+                    {"radius_m", capsule.radius}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::vector<Vec3d> start_places(const BodyModel& body) {
@@ -114,6 +127,7 @@ std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
   for (const Vec3d& corner : support_polygon(body)) {
     json["support_polygon"].push_back({corner.x, corner.z});
   }
+  json["capsules"] = capsules_to_json(body);
   if (spec.rig) json["placement"] = placement_to_json(spec.rig->rig.placement);
   json["doubts"] = std::vector<std::string>(body.doubts().begin(), body.doubts().end());
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -432,6 +433,52 @@ TEST(BuildHuman, BothSidesTurnTheSameWayIntoTheirLimits) {
       ASSERT_NEAR(body.start()[d], body.start()[left], 1e-9) << name;
     }
   }
+}
+
+std::vector<std::string> capsule_names(const BodyModel& body) {
+  std::vector<std::string> names;
+  for (const Capsule& capsule : body.capsules()) names.push_back(capsule.name);
+  return names;
+}
+
+TEST(HumanBody, EveryPartHasItsCapsule) {
+  std::vector<std::string> expected;
+  for (int i = 0; i < kBodyPartCount; ++i) {
+    expected.emplace_back(body_part_name(static_cast<BodyPart>(i)));
+  }
+  std::erase(expected, "trunk");
+  EXPECT_THAT(capsule_names(human_body()), testing::UnorderedElementsAreArray(expected));
+  // without joints in trunk and hand these are a part of what they hang on
+  std::erase_if(expected, [](const std::string& name) {
+    return name.ends_with("spine") || name.ends_with("chest") || name.ends_with("hand");
+  });
+  std::replace(expected.begin(), expected.end(), std::string("pelvis"), std::string("trunk"));
+  EXPECT_THAT(capsule_names(full_body()), testing::UnorderedElementsAreArray(expected));
+  std::erase_if(expected, [](const std::string& name) { return name.starts_with("left_"); });
+  EXPECT_THAT(capsule_names(half_body()), testing::UnorderedElementsAreArray(expected));
+}
+
+// Skull and jaw reach from the vertex to the chin and as far ahead, back and to the sides as a
+// head does.
+TEST(HumanBody, HeadsAreAsLargeAsPeoplesAre) {
+  const BodyModel body = full_body();
+  const Kinematics<double> start = placed(body, body.start());
+  Vec3d low{1e9, 1e9, 1e9};
+  Vec3d high{-1e9, -1e9, -1e9};
+  for (const Capsule& capsule : body.capsules()) {
+    if (capsule.name != "head" && capsule.name != "jaw") continue;
+    for (const Vec3d& end : {capsule.from, capsule.to}) {
+      const Vec3d at = start.point(capsule.link, end);
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], at[k] - capsule.radius);
+        high[k] = std::max(high[k], at[k] + capsule.radius);
+      }
+    }
+  }
+  const double h = body.stature();
+  EXPECT_NEAR(high.x - low.x, 0.150 / 1.756 * h, 1e-9);
+  EXPECT_NEAR(high.z - low.z, 0.195 / 1.756 * h, 1e-9);
+  EXPECT_NEAR(high.y - low.y, 0.130 * h, 1e-9);
 }
 
 }  // namespace

@@ -35,8 +35,44 @@ Clip clip_of(const BodyModel& body, const std::vector<std::vector<double>>& fram
 }
 
 TEST(Collision, AStandingPersonTouchesNothing) {
+  for (const BodyModel& body :
+       {half_body(), full_body(), human_body(), human_body({.heels = true})}) {
+    EXPECT_EQ(deepest_collision(body, clip_of(body, {posture(body, {})})).depth, 0.0)
+        << body.name();
+  }
+}
+
+// Where a hand is at another body's part, whatever angles bring it there.
+TEST(Collision, SeesForearmsInHeadsAndShanks) {
+  const BodyModel body = full_body();
+  const auto folded = posture(body, {{"right_shoulder.flexion", 150},
+                                     {"right_shoulder.abduction", -20},
+                                     {"right_shoulder.rotation", -60},
+                                     {"right_elbow.flexion", 120}});
+  const CollisionFound head = deepest_collision(body, clip_of(body, {posture(body, {}), folded}));
+  EXPECT_TRUE(head.other == "head" || head.other == "jaw" || head.other == "neck") << head.other;
+  // an arm that swings across the shins of who stoops
+  int through = 0;
+  for (double swing = -40.0; swing <= 20.0; swing += 5.0) {
+    for (double lift = 60.0; lift <= 130.0; lift += 5.0) {
+      const auto stooped = posture(body, {{"right_hip.flexion", 110},
+                                          {"right_shoulder.flexion", lift},
+                                          {"right_shoulder.abduction", swing}});
+      const CollisionFound found =
+          deepest_collision(body, clip_of(body, {posture(body, {}), stooped}));
+      through += found.other.ends_with("shank") && found.depth > 0.03 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(through, 1);
+}
+
+TEST(Collision, SeesOneLegInTheOther) {
   const BodyModel body = human_body();
-  EXPECT_EQ(deepest_collision(body, clip_of(body, {posture(body, {})})).depth, 0.0);
+  const auto crossed = posture(body, {{"left_hip.abduction", -20}});
+  const CollisionFound found = deepest_collision(body, clip_of(body, {posture(body, {}), crossed}));
+  EXPECT_TRUE(found.limb.starts_with("left_")) << found.limb;
+  EXPECT_TRUE(found.other.starts_with("right_")) << found.other;
+  EXPECT_GT(found.depth, 0.03);
 }
 
 TEST(Collision, NamesWhatPassesThroughWhatAndWhen) {

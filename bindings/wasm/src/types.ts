@@ -53,6 +53,8 @@ export interface CharacterDescription {
   nodes: NodeDescription[];
   node_unit_m: number;
   support_polygon: [number, number][];
+  /** What of the body nothing should pass through, in the start posture: lines with a thickness. */
+  capsules: { name: string; from_m: Vec3; to_m: Vec3; radius_m: number }[];
   placement?: { unit_m: number; origin: Vec3; left: Vec3; up: Vec3; ahead: Vec3 };
 }
 

@@ -82,7 +82,19 @@ inline constexpr double kThighRadius = 0.043;
 inline constexpr double kForearmRadius = 0.020;
 inline constexpr double kHandRadius = 0.012;
 inline constexpr double kUpperArmRadius = 0.026;
-inline constexpr double kHeadRadius = 0.045;
+// The head and its neck, and the shank at the calf, as fractions of stature: men of the 1988
+// Anthropometric Survey of U.S. Army Personnel (C. Gordon et al., Natick TR-89/044), whose mean
+// stature is 1.756 m, to the nearest 5 mm. Head breadth 0.150 m and length 0.195 m, bigonial
+// breadth 0.120 m, circumferences of neck and calf 0.380 m. The chin is at 0.870 of the stature
+// (Drillis and Contini).
+inline constexpr double kHeadBreadth = 0.150 / 1.756;
+inline constexpr double kHeadDepth = 0.195 / 1.756;
+inline constexpr double kJawRadius = 0.5 * 0.120 / 1.756;
+inline constexpr double kNeckRadius = 0.380 / (2.0 * kPi) / 1.756;
+inline constexpr double kCalfRadius = 0.380 / (2.0 * kPi) / 1.756;
+inline constexpr double kChinBelowVertex = 1.0 - 0.870;
+// A capsule is as thick all along; a shank is as thick as the calf in its upper half alone.
+inline constexpr double kShankRadius = 0.93 * kCalfRadius;
 
 // Share of the foot's length that lies behind the ankle joint.
 inline constexpr double kHeelShare = 0.25;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <shigusa/body/body_constants.hpp>
+#include <shigusa/body/side.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,9 +64,10 @@ struct Effector {
 struct Capsule {
   std::string name;  // "trunk"
   int link = kBaseLink;
-  Vec3d from{};         // m, link frame
-  Vec3d to{};           // m, link frame
-  double radius = 0.0;  // m, > 0
+  Vec3d from{};               // m, link frame
+  Vec3d to{};                 // m, link frame
+  double radius = 0.0;        // m, > 0
+  std::optional<Side> leg{};  // of whose leg it is a part, where it is
 };
 
 // A heel that lifts. The link that stands is then the forefoot, and the rest of the foot turns

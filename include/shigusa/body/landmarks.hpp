@@ -3,15 +3,20 @@
 
 #include <array>
 #include <optional>
+#include <shigusa/body/body_part.hpp>
 #include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/body/side.hpp>
+#include <shigusa/body/skin.hpp>
 #include <shigusa/core/result.hpp>
-#include <shigusa/math/vec3.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace shigusa {
 
-enum class Side { left, right };
+// Corners of a sole, counter-clockwise from above: left of the tip, left of the heel, right of the
+// heel, right of the tip. m, as the landmarks.
+using SoleOutline = std::array<Vec3d, 4>;
 
 inline constexpr std::size_t kSpineJoints = 3;
 
@@ -26,6 +31,8 @@ struct Landmarks {
     Vec3d toe;  // tip of the foot
     // the toes' joint, of a character that lifts its heels the file's node; see toes_joint
     std::optional<Vec3d> toes{};
+    // of a character with a mesh the shoe's, at the height of its lowest point; none: by stature
+    std::optional<SoleOutline> sole{};
   };
   struct Arm {
     Vec3d shoulder;
@@ -45,6 +52,7 @@ struct Landmarks {
   // Joints that the paper's rigid trunk does without; a person from a file may lack some.
   std::vector<Vec3d> spine{};   // 0..kSpineJoints, from below
   std::optional<Vec3d> head{};  // between neck and skull
+  PartShapes parts{};  // of a character with a mesh, those that it tells; see body_part.hpp
 
   [[nodiscard]] const Leg& leg(Side side) const {
     return side == Side::left ? left_leg : right_leg;
@@ -86,6 +94,8 @@ struct MeasuredPerson {
 struct MeasureSettings {
   // m; when given, the skeleton is scaled to this standing height and the unit is not guessed
   std::optional<double> stature;
+  // the mesh in the same posture, in the same units and axes; none: joints alone are measured
+  std::span<const SkinVertex> skin{};
 };
 
 // Measures a person in the posture `world` (nodes; the file's own units and axes): finds the up
@@ -107,6 +117,19 @@ struct MeasureSettings {
 //   hand and what has a name below it, thumbs excepted.
 // - The floor is where the sole of the lower foot is: 0.039 of the stature below its ankle, or at
 //   the tip of the toes.
+//
+// Where there is a mesh, it tells what joints leave open:
+// - A sole is the lowest vertex bound to a foot or what hangs on it, or where a foot has none, to
+//   its shank; the file's own 0 where the lower sole is within kFileFloor of it. Its outline is
+//   that of the vertices a little above that, along the way from ankle to toes. A foot without toes
+//   points where its vertices are.
+// - The vertex of a head without a tip is the highest vertex bound to the head itself over its
+// middle, so
+//   that neither ears nor what hangs on a bone of its own counts; it is no higher above the head's
+//   joint than kTallestSkull times the head is broad. The stature is what the bones and it tell.
+// - Each part's shape is fitted to the vertices bound to it (fitted_parts).
+inline constexpr double kFileFloor = 0.003;  // m
+inline constexpr double kTallestSkull = 1.5;
 [[nodiscard]] Result<MeasuredPerson> measure_person(const Skeleton& skeleton,
                                                     const std::vector<Transformd>& world,
                                                     const HumanoidMap& map,

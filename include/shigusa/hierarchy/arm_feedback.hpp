@@ -7,9 +7,9 @@
 
 namespace shigusa {
 
-// Rule R11: a forearm that passes deeper than kCollisionDepth into trunk, thighs or the other
-// forearm, and deeper than at the start, goes back to the lower layer, which searches the arm anew
-// with a penalty P = min(1, depth / kCollisionFull) of this weight …
+// Rule R11: a forearm that passes deeper than kCollisionDepth into the rest of the body, and deeper
+// than at the start, goes back to the lower layer, which searches the arm anew with a penalty
+// P = min(1, depth / kCollisionFull) of this weight …
 inline constexpr double kCollisionWeight = 0.5;
 // … that is so many times as heavy in each further round, of kCollisionRounds.
 inline constexpr double kCollisionGrowth = 4.0;

@@ -27,7 +27,9 @@ struct CapsulePair {
 };
 // Those of one effector's limb.
 [[nodiscard]] std::vector<CapsulePair> limb_pairs(const BodyModel& body, const Effector& effector);
-// Those of all limbs, each pair once.
+// Those of one leg and the other.
+[[nodiscard]] std::vector<CapsulePair> leg_pairs(const BodyModel& body);
+// Those of all arms and of the legs, each pair once.
 [[nodiscard]] std::vector<CapsulePair> all_limb_pairs(const BodyModel& body);
 
 // How deep a limb is inside the rest of the body.

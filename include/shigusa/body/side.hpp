@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace shigusa {
+
+enum class Side { left, right };
+
+}  // namespace shigusa

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What others must not pass through.
+#include "human_builder.hpp"
+
+namespace shigusa {
+
+void HumanBuilder::add_capsule(BodyPart part, const Part& on) {
+  const Transformd frame = part_frame(part, person_, frames_);
+  const PartShape shape = part_shape(part, person_, frames_, settings_.stature);
+  body_.capsules.push_back({std::string(body_part_name(part)), on.link,
+                            in_link(frame * shape.from, on), in_link(frame * shape.to, on),
+                            shape.radius});
+}
+
+void HumanBuilder::add_trunk_capsules() {
+  if (trunk_.size() == 1) {
+    add_capsule(BodyPart::trunk, trunk_.front());
+  } else {
+    for (std::size_t j = 0; j < trunk_.size(); ++j) {
+      add_capsule(static_cast<BodyPart>(static_cast<std::size_t>(BodyPart::pelvis) + j), trunk_[j]);
+    }
+  }
+  add_capsule(BodyPart::neck, neck_);
+  add_capsule(BodyPart::head, head_);
+  add_capsule(BodyPart::jaw, head_);
+}
+
+void HumanBuilder::add_leg_capsules(Side side) {
+  const LegParts& parts = legs_[index_of(side)];
+  const std::size_t first = body_.capsules.size();
+  add_capsule(of_side(BodyPart::left_thigh, side), parts.thigh);
+  add_capsule(of_side(BodyPart::left_shank, side), parts.shank);
+  add_capsule(of_side(BodyPart::left_foot, side), parts.foot);
+  if (settings_.heels) {
+    // the foot bends at the toes' joint: what is ahead of it goes with the toes
+    const Vec3d bend = toes_joint(person_.leg(side));
+    Capsule& foot = body_.capsules.back();
+    const Vec3d way = foot.to - foot.from;
+    const double share =
+        dot(in_link(bend, parts.foot) - foot.from, way) / max(dot(way, way), 1e-12);
+    Capsule toes = foot;
+    foot.to = foot.from + way * clamp(share, 0.0, 1.0);
+    const auto in_toes = [&](const Vec3d& p) {
+      return in_link(parts.foot.frame * p + parts.foot.origin, parts.toes);
+    };
+    toes.name = prefix_of(side) + "toes";
+    toes.link = parts.toes.link;
+    toes.from = in_toes(foot.to);
+    toes.to = in_toes(toes.to);
+    body_.capsules.push_back(std::move(toes));
+  }
+  for (std::size_t c = first; c < body_.capsules.size(); ++c) body_.capsules[c].leg = side;
+}
+
+void HumanBuilder::add_arm_capsules(Side side) {
+  const ArmParts& parts = arms_[index_of(side)];
+  add_capsule(of_side(BodyPart::left_upper_arm, side), parts.upper);
+  add_capsule(of_side(BodyPart::left_forearm, side), parts.fore);
+  if (whole()) {
+    add_capsule(of_side(BodyPart::left_hand, side), parts.hand);
+  } else {
+    // a hand without a wrist is a part of its forearm
+    body_.capsules.back().to = in_link(person_.arm(side).fingertip, parts.fore);
+  }
+}
+
+}  // namespace shigusa

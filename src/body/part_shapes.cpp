@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "part_shapes.hpp"
+
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/core/check.hpp>
+
+#include "segment_mass.hpp"
+
+namespace shigusa {
+namespace {
+
+using F = StatureFractions;
+
+Vec3d middle(const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; }
+Vec3d mid_hip(const Landmarks& p) { return middle(p.left_leg.hip, p.right_leg.hip); }
+Vec3d mid_shoulder(const Landmarks& p) { return middle(p.left_arm.shoulder, p.right_arm.shoulder); }
+
+// Of parts that come in pairs: whose it is, and the left one's name.
+struct Sided {
+  Side side;
+  BodyPart left;
+};
+std::optional<Sided> sided(BodyPart part) {
+  const int index = static_cast<int>(part) - static_cast<int>(BodyPart::left_thigh);
+  if (index < 0) return std::nullopt;
+  return Sided{index % 2 == 0 ? Side::left : Side::right,
+               static_cast<BodyPart>(static_cast<int>(part) - index % 2)};
+}
+
+Transformd limb_frame(const Sided& part, const Landmarks& person, const HumanFrames& frames) {
+  const Landmarks::Leg& leg = person.leg(part.side);
+  const Landmarks::Arm& arm = person.arm(part.side);
+  const LegFrames& leg_frame = frames.leg(part.side);
+  const ArmFrames& arm_frame = frames.arm(part.side);
+  switch (part.left) {
+    case BodyPart::left_thigh:
+      return {along_segment(leg_frame.thigh, leg.hip, leg.knee), leg.hip};
+    case BodyPart::left_shank:
+      return {along_segment(leg_frame.shank, leg.knee, leg.ankle), leg.knee};
+    case BodyPart::left_foot:
+      return {leg_frame.foot, leg.ankle};
+    case BodyPart::left_upper_arm:
+      return {along_segment(arm_frame.upper_arm, arm.shoulder, arm.elbow), arm.shoulder};
+    case BodyPart::left_forearm:
+      return {along_segment(arm_frame.forearm, arm.elbow, arm.wrist), arm.elbow};
+    default:
+      return {along_segment(arm_frame.forearm, arm.elbow, arm.wrist), arm.wrist};
+  }
+}
+
+// A line between two points of the world.
+PartShape between(const Transformd& frame, const Vec3d& from, const Vec3d& to, double radius) {
+  const Transformd to_part = inverse(frame);
+  return {to_part * from, to_part * to, radius};
+}
+
+// From heel to tip at half the height of its back.
+PartShape foot_shape(const Transformd& frame, const Landmarks::Leg& leg, double stature) {
+  const SoleOutline sole = sole_outline(leg, stature);
+  const Vec3d tip = middle(sole[0], sole[3]);
+  const Vec3d heel = middle(sole[1], sole[2]);
+  const double rise = max(leg.ankle.y - heel.y, 0.25 * F::kAnkleHeight * stature);
+  const double radius = 0.5 * min(min(rise, norm(sole[0] - sole[3])), norm(tip - heel));
+  const Vec3d inset = normalized(tip - heel, {0, 0, 1}) * radius;
+  const Vec3d up{0.0, radius, 0.0};
+  return between(frame, heel + inset + up, tip - inset + up, radius);
+}
+
+PartShape limb_shape(const Sided& part, const Transformd& frame, const Landmarks& person,
+                     double stature) {
+  const Landmarks::Leg& leg = person.leg(part.side);
+  const Landmarks::Arm& arm = person.arm(part.side);
+  switch (part.left) {
+    case BodyPart::left_thigh:
+      return between(frame, leg.hip, leg.knee, kThighRadius * stature);
+    case BodyPart::left_shank:
+      return between(frame, leg.knee, leg.ankle, kShankRadius * stature);
+    case BodyPart::left_foot:
+      return foot_shape(frame, leg, stature);
+    case BodyPart::left_upper_arm:
+      return between(frame, arm.shoulder, arm.elbow, kUpperArmRadius * stature);
+    case BodyPart::left_forearm:
+      return between(frame, arm.elbow, arm.wrist, kForearmRadius * stature);
+    default:
+      return between(frame, arm.wrist, arm.fingertip, kHandRadius * stature);
+  }
+}
+
+PartShape head_shape(BodyPart part, const Landmarks& person, const HumanFrames& frames,
+                     const Transformd& frame, double stature) {
+  const Vec3d joint = head_joint(person);
+  if (part == BodyPart::neck) {
+    return between(frame, person.neck, joint, kNeckRadius * stature);
+  }
+  const Vec3d up = normalized(person.head_top - joint, frames.trunk.cy);
+  const Vec3d ahead = normalized(cross(frames.trunk.cx, up), frames.trunk.cz);
+  const double skull = 0.5 * kHeadBreadth * stature;
+  const double half = 0.5 * kHeadDepth * stature;
+  if (part == BodyPart::head) {
+    const Vec3d centre = person.head_top - up * skull;
+    const Vec3d reach = ahead * (half - skull);
+    return between(frame, centre - reach, centre + reach, skull);
+  }
+  const double radius = kJawRadius * stature;
+  const Vec3d face = person.head_top + ahead * (half - radius);
+  return between(frame, face - up * (2.0 * skull - radius),
+                 face - up * (kChinBelowVertex * stature - radius), radius);
+}
+
+PartShape trunk_shape(BodyPart part, const Landmarks& person, const Transformd& frame,
+                      double stature) {
+  const TrunkPiece piece = trunk_piece(part, person);
+  // the upper end is round: it begins a radius within
+  const Vec3d rise = mid_shoulder(person) - mid_hip(person);
+  const Vec3d inset = normalized(rise) * (piece.last ? kTrunkRadius * stature : 0.0);
+  return between(frame, piece.from, piece.to - inset, kTrunkRadius * stature);
+}
+
+}  // namespace
+
+std::string_view body_part_name(BodyPart part) {
+  static constexpr std::array<std::string_view, kBodyPartCount> kNames{
+      "head",         "jaw",           "neck",           "trunk",
+      "pelvis",       "spine",         "chest",          "upper_chest",
+      "left_thigh",   "right_thigh",   "left_shank",     "right_shank",
+      "left_foot",    "right_foot",    "left_upper_arm", "right_upper_arm",
+      "left_forearm", "right_forearm", "left_hand",      "right_hand"};
+  return kNames[static_cast<std::size_t>(part)];
+}
+
+BodyPart mirrored(BodyPart part) {
+  const auto pair = sided(part);
+  if (!pair) return part;
+  return of_side(pair->left, pair->side == Side::left ? Side::right : Side::left);
+}
+
+Vec3d head_joint(const Landmarks& person) {
+  return person.head.value_or(person.neck + (person.head_top - person.neck) * kHeadJointShare);
+}
+
+Transformd part_frame(BodyPart part, const Landmarks& person, const HumanFrames& frames) {
+  if (const auto limb = sided(part)) return limb_frame(*limb, person, frames);
+  switch (part) {
+    case BodyPart::head:
+    case BodyPart::jaw:
+      return {frames.trunk, head_joint(person)};
+    case BodyPart::neck:
+      return {frames.trunk, person.neck};
+    default:
+      return {frames.trunk, mid_hip(person)};
+  }
+}
+
+TrunkPiece trunk_piece(BodyPart part, const Landmarks& person) {
+  TrunkPiece piece{mid_hip(person), mid_shoulder(person)};
+  if (part == BodyPart::trunk) return piece;
+  const std::size_t joints = std::min(person.spine.size(), kSpineJoints);
+  const auto below = static_cast<std::size_t>(part) - static_cast<std::size_t>(BodyPart::pelvis);
+  SHG_CHECK(below <= joints, "a piece of the trunk that the spine's joints tell");
+  if (below > 0) piece.from = person.spine[below - 1];
+  if (below == joints) return piece;
+  return {piece.from, person.spine[below], false};
+}
+
+PartShape part_shape(BodyPart part, const Landmarks& person, const HumanFrames& frames,
+                     double stature) {
+  if (person.parts[part]) return *person.parts[part];
+  const Transformd frame = part_frame(part, person, frames);
+  if (const auto limb = sided(part)) return limb_shape(*limb, frame, person, stature);
+  if (part == BodyPart::head || part == BodyPart::jaw || part == BodyPart::neck) {
+    return head_shape(part, person, frames, frame, stature);
+  }
+  return trunk_shape(part, person, frame, stature);
+}
+
+}  // namespace shigusa
