@@ -89,6 +89,15 @@ void lay_arms(Landmarks& person, const Landmarks& before, const Vec3d& upper_arm
   }
 }
 
+// The foot goes along with an ankle that was elsewhere.
+void move_foot(Landmarks::Leg& leg, const Vec3d& was) {
+  const Vec3d by = leg.ankle - was;
+  leg.toe += by;
+  if (leg.toes) *leg.toes += by;
+  if (!leg.sole) return;
+  for (Vec3d& corner : *leg.sole) corner += by;
+}
+
 // The leg from a lowered hip: shank upright over a flat foot, thigh ahead of the hip to where the
 // knee is then. A thigh that would slope too much for that has its limit instead: from a high seat
 // the foot hangs, at a low one it stands farther ahead.
@@ -96,6 +105,7 @@ void bend_over_seat(Landmarks::Leg& leg, const Vec3d& hip) {
   constexpr double kDown = 0.5;  // of the thigh's length, from hip to knee
   constexpr double kUp = 0.8;
   const LegLengths length(leg);
+  const Vec3d ankle = leg.ankle;
   const Vec3d sole = leg.toe - leg.ankle;
   const Vec3d ahead = normalized(Vec3d{sole.x, 0.0, sole.z}, {0, 0, 1});
   const double wanted = leg.ankle.y + length.shank - hip.y;
@@ -106,7 +116,7 @@ void bend_over_seat(Landmarks::Leg& leg, const Vec3d& hip) {
   leg.hip = hip;
   leg.knee = hip + ahead * forwards + Vec3d{0, rise, 0};
   leg.ankle = leg.knee + ahead * on - Vec3d{0, foot, 0};
-  leg.toe = leg.ankle + sole;
+  move_foot(leg, ankle);
 }
 
 }  // namespace
@@ -144,7 +154,9 @@ Landmarks seated(const Landmarks& person, double stature, double seat) {
   move_upper_body(result, back);
   for (const Side side : kSides) {
     Landmarks::Leg& leg = leg_of(result, side);
-    for (Vec3d* p : {&leg.hip, &leg.knee, &leg.ankle, &leg.toe}) *p += back;
+    const Vec3d ankle = leg.ankle;
+    for (Vec3d* p : {&leg.hip, &leg.knee, &leg.ankle}) *p += back;
+    move_foot(leg, ankle);
   }
   return result;
 }

@@ -88,7 +88,7 @@ Vec3d BoneFinder::left_of_feet(const BodyShape& shape, const std::array<LimbNode
   Vec3d ahead{};
   Vec3d up{};
   for (const LimbNodes& leg : legs) {
-    ahead += tree_.at(tree_.farthest(leg[2])) - tree_.at(leg[2]);
+    ahead += tree_.foot_from(leg[2]);
     up += tree_.at(leg[0]) - tree_.at(leg[2]);
   }
   constexpr double kClearly = 0.02;

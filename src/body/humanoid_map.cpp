@@ -35,8 +35,9 @@ std::string_view humanoid_bone_name(HumanoidBone bone) {
 }
 
 Result<HumanoidMap> find_humanoid(const Skeleton& skeleton, const std::vector<Transformd>& world,
-                                  const HumanoidMap& given, const HumanoidMap& asked) {
-  const SkeletonTree tree(skeleton, world);
+                                  const HumanoidMap& given, const HumanoidMap& asked,
+                                  std::span<const SkinVertex> skin) {
+  const SkeletonTree tree(skeleton, world, skin);
   return BoneFinder(tree, given, asked).find();
 }
 

@@ -210,7 +210,7 @@ bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map) {
   double scale = 0.0;
   for (const auto& [knee, ankle] : {std::pair(Bone::left_lower_leg, Bone::left_foot),
                                     std::pair(Bone::right_lower_leg, Bone::right_foot)}) {
-    const Vec3d foot = tree.at(tree.farthest(map[ankle])) - tree.at(map[ankle]);
+    const Vec3d foot = tree.foot_from(map[ankle]);
     const Vec3d shank = tree.at(map[knee]) - tree.at(map[ankle]);
     ahead += dot(foot, cross(left, shank));
     scale += norm(foot) * norm(left) * norm(shank);

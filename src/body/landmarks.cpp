@@ -23,7 +23,7 @@ Vec3d Placement::to_world(const Vec3d& p) const {
 Result<MeasuredPerson> measure_person(const Skeleton& skeleton,
                                       const std::vector<Transformd>& world, const HumanoidMap& map,
                                       const MeasureSettings& settings) {
-  return PersonMeasurer(skeleton, world, map).measure(settings);
+  return PersonMeasurer(skeleton, world, map, settings.skin).measure(settings);
 }
 
 }  // namespace shigusa

@@ -38,8 +38,8 @@ Vec3d TrunkAndLegs::common_axis() const {
 }
 
 PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
-                               const HumanoidMap& map)
-    : skeleton_(skeleton), tree_(skeleton, world), map_(map) {
+                               const HumanoidMap& map, std::span<const SkinVertex> skin)
+    : skeleton_(skeleton), tree_(skeleton, world, skin), map_(map) {
   for (int bone = 0; bone < kHumanoidBoneCount; ++bone) {
     const int node = map.node[static_cast<std::size_t>(bone)];
     const Bone b = static_cast<Bone>(bone);
@@ -55,11 +55,13 @@ Result<MeasuredPerson> PersonMeasurer::measure(const MeasureSettings& settings) 
   up_ = find_up();
   if (auto done = find_left(); !done) return tl::unexpected<Error>(done.error());
   read_tips();
+  read_soles();
   stature_ = measure_stature();
   place_missing_tips();
   find_grips();
   if (auto done = find_unit(settings); !done) return tl::unexpected<Error>(done.error());
   move_to_world();
+  fit_parts();
   check_plausibility();
   return std::move(result_);
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <shigusa/body/anthropometry.hpp>
 #include <shigusa/body/landmarks.hpp>
+#include <span>
 #include <utility>
 
 #include "humanoid_names.hpp"
@@ -53,7 +54,7 @@ struct FileUnit;
 class PersonMeasurer {
  public:
   PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
-                 const HumanoidMap& map);
+                 const HumanoidMap& map, std::span<const SkinVertex> skin);
 
   // As measure_person; once.
   Result<MeasuredPerson> measure(const MeasureSettings& settings);
@@ -89,6 +90,14 @@ class PersonMeasurer {
   void place_missing_tips();
   void find_grips();
 
+  // what the mesh tells, where there is one
+  [[nodiscard]] std::vector<Vec3d> flesh_of_foot(Side side) const;
+  void read_soles();
+  [[nodiscard]] SoleOutline outline_of(const std::vector<Vec3d>& flesh, const Vec3d& ankle,
+                                       const Vec3d& ahead) const;
+  [[nodiscard]] std::optional<Vec3d> skull_by_mesh() const;
+  void fit_parts();
+
   // the world
   Result<void> find_unit(const MeasureSettings& settings);
   void doubt_unit(const FileUnit& best);
@@ -108,8 +117,9 @@ class PersonMeasurer {
   int neck_ = -1;
   int head_ = -1;
   int head_tip_ = -1;
-  double head_length_ = 0.0;  // neck to vertex, file units
-  double stature_ = 0.0;      // file units
+  std::optional<Vec3d> skull_;  // the head's joint to the vertex, by the mesh
+  double head_length_ = 0.0;    // neck to vertex, file units
+  double stature_ = 0.0;        // file units
 };
 
 }  // namespace shigusa

@@ -79,24 +79,33 @@ double PersonMeasurer::trunk_length(double leg_length) const {
 
 double PersonMeasurer::measure_stature() {
   double legs = 0.0;
+  double feet = 0.0;  // heights of the ankles over their soles
   for (const Side side : kBothSides) {
     legs += 0.5 * (norm(leg(side).hip - leg(side).knee) + norm(leg(side).knee - leg(side).ankle));
+    if (leg(side).sole) feet += 0.5 * dot(leg(side).ankle - (*leg(side).sole)[0], up_);
   }
-  const double below_neck = legs + trunk_length(legs);
+  const bool soles = leg(Side::left).sole && leg(Side::right).sole && feet > 0.0;
+  const double below_neck = legs + trunk_length(legs) + (soles ? feet : 0.0);
+  const double ankles = soles ? 0.0 : F::kAnkleHeight;  // share of the stature below them
   if (head_ >= 0) {
     head_length_ = neck_ >= 0 ? way(neck_, head_) : norm(tree_.at(head_) - mid_shoulder_);
   }
   if (head_tip_ >= 0) {
     head_length_ = head_ >= 0 ? head_length_ + norm(tree_.at(head_tip_) - tree_.at(head_))
                               : way(neck_, head_tip_);
-    return (below_neck + head_length_) / (1.0 - F::kAnkleHeight);
+    return (below_neck + head_length_) / (1.0 - ankles);
   }
-  const double stature = below_neck / (1.0 - F::kAnkleHeight - F::kHeadLength);
+  skull_ = head_ >= 0 ? skull_by_mesh() : std::nullopt;
+  if (skull_) {
+    head_length_ += norm(*skull_);
+    return (below_neck + head_length_) / (1.0 - ankles);
+  }
+  const double stature = below_neck / (1.0 - ankles - F::kHeadLength);
   if (head_length_ + kLeastSkull * stature <= F::kHeadLength * stature) {
     head_length_ = F::kHeadLength * stature;
     return stature;
   }
-  const double tall = (below_neck + head_length_) / (1.0 - F::kAnkleHeight - kLeastSkull);
+  const double tall = (below_neck + head_length_) / (1.0 - ankles - kLeastSkull);
   head_length_ += kLeastSkull * tall;
   return tall;
 }
@@ -121,6 +130,10 @@ void PersonMeasurer::place_missing_tips() {
   }
   if (head_tip_ >= 0) {
     body().head_top = tree_.at(head_tip_);
+    return;
+  }
+  if (skull_) {
+    body().head_top = tree_.at(head_) + *skull_;
     return;
   }
   const Vec3d trunk = normalized(body().neck - mid_hip_, up_);

@@ -80,6 +80,7 @@ void PersonMeasurer::doubt_unit(const FileUnit& best) {
 // Height of the lowest part of a foot's sole (m, above the world's zero).
 double PersonMeasurer::sole(Side side) const {
   const Landmarks::Leg& l = result_.landmarks.leg(side);
+  if (l.sole) return (*l.sole)[0].y;
   return min(l.ankle.y - F::kAnkleHeight * result_.stature, l.toe.y);
 }
 
@@ -98,6 +99,9 @@ void PersonMeasurer::move_to_world() {
            {&arm(side).shoulder, &arm(side).elbow, &arm(side).wrist, &arm(side).fingertip}) {
         action(*p);
       }
+      if (leg(side).sole) {
+        for (Vec3d& corner : *leg(side).sole) action(corner);
+      }
       action(*arm(side).grip);
       if (arm(side).clavicle) action(*arm(side).clavicle);
     }
@@ -107,7 +111,10 @@ void PersonMeasurer::move_to_world() {
     action(body().head_top);
   };
   each(move);
-  const double floor = min(sole(Side::left), sole(Side::right));
+  double floor = min(sole(Side::left), sole(Side::right));
+  // the file's own, where whoever made it stood the soles on that
+  const double zero = -dot(between, up_) * result_.placement.unit;
+  if (body().left_leg.sole && abs(floor - zero) <= kFileFloor) floor = zero;
   each([&](Vec3d& p) { p.y -= floor; });
   result_.placement = {left_, up_, ahead_, between + up_ * (floor / result_.placement.unit),
                        result_.placement.unit};
@@ -115,8 +122,11 @@ void PersonMeasurer::move_to_world() {
 
 void PersonMeasurer::check_plausibility() {
   for (const Side side : kBothSides) {
+    const bool by_mesh = leg(side).sole.has_value();
     if (sole(side) > kLiftedFoot) {
       doubt("the {} foot is {:.2f} m above the floor", side_word(side), sole(side));
+    } else if (by_mesh && sole(side) > kFileFloor) {
+      doubt("the {} sole is {:.0f} mm above the floor", side_word(side), 1e3 * sole(side));
     }
     const double hand = norm(arm(side).fingertip - arm(side).wrist);
     if (hand < kShortHand * result_.stature) {

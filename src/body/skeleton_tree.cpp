@@ -7,9 +7,11 @@
 
 namespace shigusa {
 
-SkeletonTree::SkeletonTree(const Skeleton& skeleton, const std::vector<Transformd>& world)
+SkeletonTree::SkeletonTree(const Skeleton& skeleton, const std::vector<Transformd>& world,
+                           std::span<const SkinVertex> skin)
     : skeleton_(skeleton),
       world_(world),
+      skin_(skin),
       children_(world.size()),
       reach_(world.size()),
       first_(world.size()),
@@ -88,6 +90,19 @@ int SkeletonTree::farthest(int i, const std::function<bool(int)>& skip) const {
     if (way[index(k)] > way[index(best)] && apart(k, i)) best = k;
   }
   return best;
+}
+
+Vec3d SkeletonTree::foot_from(int ankle) const {
+  const int tip = farthest(ankle);
+  if (tip != ankle) return at(tip) - at(ankle);
+  Vec3d sum{};
+  double count = 0.0;
+  for (const SkinVertex& vertex : skin_) {
+    if (vertex.node < 0 || !below(vertex.node, ankle)) continue;
+    sum += vertex.position - at(ankle);
+    count += 1.0;
+  }
+  return count > 0.0 ? sum * (1.0 / count) : Vec3d{};
 }
 
 }  // namespace shigusa

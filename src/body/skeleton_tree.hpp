@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <shigusa/body/skeleton.hpp>
+#include <shigusa/body/skin.hpp>
+#include <span>
 #include <vector>
 
 namespace shigusa {
@@ -10,8 +12,10 @@ namespace shigusa {
 // The shape of a skeleton in one posture, as questions about its nodes. Borrows both.
 class SkeletonTree {
  public:
-  // `world`: (nodes). Parents must come before children.
-  SkeletonTree(const Skeleton& skeleton, const std::vector<Transformd>& world);
+  // `world`: (nodes). Parents must come before children. `skin`: what its nodes move, in the same
+  // posture.
+  SkeletonTree(const Skeleton& skeleton, const std::vector<Transformd>& world,
+               std::span<const SkinVertex> skin = {});
 
   [[nodiscard]] int size() const { return static_cast<int>(world_.size()); }
   [[nodiscard]] const SkeletonNode& node(int i) const { return skeleton_.nodes[index(i)]; }
@@ -42,11 +46,17 @@ class SkeletonTree {
   // it. Nodes for which `skip` holds are left out with all that is below them.
   [[nodiscard]] int farthest(int i, const std::function<bool(int)>& skip = {}) const;
 
+  [[nodiscard]] std::span<const SkinVertex> skin() const { return skin_; }
+  // Where a foot reaches from its ankle: to the tip of what hangs on it, or, where nothing does, to
+  // the middle of its mesh; 0 where it has neither.
+  [[nodiscard]] Vec3d foot_from(int ankle) const;
+
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   const Skeleton& skeleton_;
   const std::vector<Transformd>& world_;
+  std::span<const SkinVertex> skin_;
   std::vector<std::vector<int>> children_;
   std::vector<double> reach_;
   std::vector<int> first_;  // place in a walk through the tree …

@@ -58,11 +58,8 @@ CharacterRig make_rig(CharacterFile&& file, const SkeletonClip& motion, int fram
 }
 
 std::vector<Vec3d> joints_of(const Landmarks& person) {
-  std::vector<Vec3d> joints = person.spine;
-  for_each_landmark(person, [&](const char*, const Vec3d& p) { joints.push_back(p); });
-  for_each_further_landmark(person, [&](const char*, const std::optional<Vec3d>& p) {
-    if (p) joints.push_back(*p);
-  });
+  std::vector<Vec3d> joints;
+  for_each_point(person, [&](const Vec3d& p) { joints.push_back(p); });
   return joints;
 }
 
@@ -82,27 +79,29 @@ void stand_on_floor(MeasuredPerson& measured, double stature) {
   double floor = 1e9;
   for (const Side side : {Side::left, Side::right}) {
     const Landmarks::Leg& leg = person.leg(side);
-    floor = min(floor, min(leg.ankle.y - StatureFractions::kAnkleHeight * stature, leg.toe.y));
+    const double by_joints = min(leg.ankle.y - StatureFractions::kAnkleHeight * stature, leg.toe.y);
+    floor = min(floor, leg.sole ? (*leg.sole)[0].y : by_joints);
   }
-  for_each_landmark(person, [&](const char*, Vec3d& p) { p.y -= floor; });
-  for_each_further_landmark(person, [&](const char*, std::optional<Vec3d>& p) {
-    if (p) p->y -= floor;
-  });
-  for (Vec3d& joint : person.spine) joint.y -= floor;
+  for_each_point(person, [&](Vec3d& p) { p.y -= floor; });
   measured.placement.origin += measured.placement.up * (floor / measured.placement.unit);
 }
 
 // The person in a frame of an animation, in the unit and with the stature that the rest pose told:
 // what is measured along the bones of a bent trunk is another one.
 Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonClip& clip, int frame,
-                                     const HumanoidMap& map, const MeasuredPerson& rest) {
+                                     const HumanoidMap& map, const MeasuredPerson& rest,
+                                     std::span<const SkinVertex> skin) {
   const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
   const Result<MeasuredPerson> bent =
-      measure_person(skeleton, world, map, {.stature = rest.stature});
+      measure_person(skeleton, world, map, {.stature = rest.stature, .skin = skin});
   if (!bent) return bent;
   const double along = rest.stature * rest.placement.unit / bent->placement.unit;
-  Result<MeasuredPerson> posed = measure_person(skeleton, world, map, {.stature = along});
-  if (posed) stand_on_floor(*posed, rest.stature);
+  Result<MeasuredPerson> posed =
+      measure_person(skeleton, world, map, {.stature = along, .skin = skin});
+  if (!posed) return posed;
+  stand_on_floor(*posed, rest.stature);
+  // limbs are straight at rest, and their mesh as it was made
+  posed->landmarks.parts = rest.landmarks.parts;
   return posed;
 }
 
@@ -187,14 +186,15 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec) {
   for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
   const Result<HumanoidMap> asked = requested_bones(spec.map, nodes, name);
   if (!asked) return tl::unexpected(asked.error());
-  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file->given, *asked);
+  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file->given, *asked, file->skin);
   if (!map) return fail(map.error().code, map.error().to_string(), name);
   const Result<MeasuredPerson> person =
-      measure_person(skeleton, world, *map, {.stature = spec.stature});
+      measure_person(skeleton, world, *map, {.stature = spec.stature, .skin = file->skin});
   if (!person) return fail(person.error().code, person.error().to_string(), name);
   MeasuredPerson start = *person;
   if (animation) {
-    Result<MeasuredPerson> posed = measure_posed(skeleton, motion.clip, spec.frame, *map, *person);
+    Result<MeasuredPerson> posed =
+        measure_posed(skeleton, motion.clip, spec.frame, *map, *person, file->posed_skin);
     if (!posed) return fail(posed.error().code, posed.error().to_string(), name);
     start = std::move(*posed);
   }

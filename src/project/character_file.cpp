@@ -3,11 +3,22 @@
 
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/io/gltf_write.hpp>
 #include <shigusa/io/urdf.hpp>
 
 namespace shigusa {
 namespace {
+
+// The mesh at rest, and where the nodes of an animation's frame take it; doubts about it.
+std::vector<std::string> take_skin(const std::string& bytes, const std::string& name,
+                                   const GltfCharacter& file, std::span<const GltfPlace> posed,
+                                   CharacterFile& character) {
+  Skin rest = read_gltf_skin(bytes, name, file, file.places);
+  character.skin = std::move(rest.vertices);
+  if (!posed.empty()) character.posed_skin = read_gltf_skin(bytes, name, file, posed).vertices;
+  return std::move(rest.doubts);
+}
 
 void take(GltfCharacter&& file, CharacterFile& character) {
   character.rest = std::move(file.rest);
@@ -23,10 +34,12 @@ void take(GltfCharacter&& file, CharacterFile& character) {
 Result<void> parse_gltf_character(const std::string& bytes, const std::string& name,
                                   const std::optional<std::string>& animation, int frame,
                                   CharacterFile& character) {
+  std::vector<std::string> skin_doubts;
   if (animation) {
     Result<GltfMotion> file =
         parse_gltf_animation(bytes, name, {.animation = *animation, .posed = frame});
     if (!file) return tl::unexpected(file.error());
+    skin_doubts = take_skin(bytes, name, file->character, file->posed, character);
     take(std::move(file->character), character);
     character.motion = std::move(file->motion);
     character.posed = std::move(file->posed);
@@ -34,9 +47,11 @@ Result<void> parse_gltf_character(const std::string& bytes, const std::string& n
   } else {
     Result<GltfCharacter> file = parse_gltf(bytes, name);
     if (!file) return tl::unexpected(file.error());
+    skin_doubts = take_skin(bytes, name, *file, {}, character);
     take(std::move(*file), character);
     character.posed = character.rig.places;
   }
+  character.doubts.insert(character.doubts.end(), skin_doubts.begin(), skin_doubts.end());
   character.rig.animations = gltf_animation_names(bytes, name);
   if (const auto fits = check_animations_fit(bytes, name); !fits) {
     character.rig.not_glb = fits.error().message;

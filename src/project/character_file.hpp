@@ -21,12 +21,14 @@ enum class FileKind { none, bvh, gltf, urdf };
 
 // A person's BVH or glTF file.
 struct CharacterFile {
-  SkeletonMotion rest;              // what the person is measured in: of BVH the motion itself
-  SkeletonMotion motion;            // of BVH, or an animation of glTF; no frames: there is none
-  HumanoidMap given;                // by the file itself
-  std::vector<std::string> doubts;  // of reading
-  CharacterRig rig;                 // its format, and what that alone has
-  std::vector<GltfPlace> posed;     // (nodes) of glTF, in the motion's frame or at rest
+  SkeletonMotion rest;                 // what the person is measured in: of BVH the motion itself
+  SkeletonMotion motion;               // of BVH, or an animation of glTF; no frames: there is none
+  HumanoidMap given;                   // by the file itself
+  std::vector<std::string> doubts;     // of reading
+  CharacterRig rig;                    // its format, and what that alone has
+  std::vector<GltfPlace> posed;        // (nodes) of glTF, in the motion's frame or at rest
+  std::vector<SkinVertex> skin;        // of glTF, at rest …
+  std::vector<SkinVertex> posed_skin;  // … and in the motion's frame
 };
 
 // Parses the bytes of such a file. `animation`: of glTF, its name or its index, and the frame of it

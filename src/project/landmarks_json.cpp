@@ -1,7 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "landmarks_json.hpp"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace shigusa {
+
+namespace {
+
+// The legs and the names that their soles have.
+template <class Person>
+auto legs_of(Person& person) {
+  using Leg = decltype((person.left_leg));
+  return std::array<std::pair<const char*, Leg>, 2>{
+      {{"left_sole", person.left_leg}, {"right_sole", person.right_leg}}};
+}
+
+}  // namespace
 
 Json landmarks_to_json(const Landmarks& person) {
   Json json;
@@ -10,6 +26,18 @@ Json landmarks_to_json(const Landmarks& person) {
   for_each_further_landmark(person, [&](const char* name, const std::optional<Vec3d>& p) {
     if (p) json[name] = to_json(*p);
   });
+  for (const auto& [name, leg] : legs_of(person)) {
+    if (!leg.sole) continue;
+    for (const Vec3d& corner : *leg.sole) json[name].push_back(to_json(corner));
+  }
+  for (int i = 0; i < kBodyPartCount; ++i) {
+    const auto part = static_cast<BodyPart>(i);
+    const auto& shape = person.parts[part];
+    if (!shape) continue;
+    json["parts"][std::string(body_part_name(part))] = {{"from_m", to_json(shape->from)},
+                                                        {"to_m", to_json(shape->to)},
+                                                        {"radius_m", shape->radius}};
+  }
   return json;
 }
 
@@ -31,6 +59,47 @@ void check_segments(JsonReader& reader, const Landmarks& p) {
   }
 }
 
+// A sole is a rectangle seen from above, more or less, counter-clockwise.
+void read_sole(JsonReader& landmarks, const char* name, std::optional<SoleOutline>& sole) {
+  if (!landmarks.has(name)) return;
+  constexpr double kShortest = 1e-3;  // m
+  SoleOutline& read = sole.emplace();
+  std::vector<Vec3d> corners;
+  landmarks.vectors(name, corners, read.size(), kLengthRange);
+  if (corners.size() != read.size()) return landmarks.wrong(name, "must be four corners");
+  std::copy(corners.begin(), corners.end(), read.begin());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const Vec3d side = read[(i + 1) % 4] - read[i];
+    const Vec3d next = read[(i + 2) % 4] - read[(i + 1) % 4];
+    const double turn = side.z * next.x - side.x * next.z;  // about +Y
+    if (turn > kShortest * kShortest) continue;
+    return landmarks.wrong(name,
+                           "must be the four corners of a sole, counter-clockwise from above");
+  }
+}
+
+void read_part(JsonReader& parts, const char* name, std::optional<PartShape>& shape) {
+  if (!parts.has(name)) return;
+  constexpr double kThinnest = 1e-4;  // m
+  JsonReader reader = parts.object(name);
+  PartShape& read = shape.emplace();
+  for (const char* key : {"from_m", "to_m", "radius_m"}) reader.require(key);
+  reader.vector("from_m", read.from, kLengthRange);
+  reader.vector("to_m", read.to, kLengthRange);
+  reader.number("radius_m", read.radius, kThinnest, kLengthRange);
+  parts.absorb(reader.finish());
+}
+
+void read_parts(JsonReader& landmarks, PartShapes& parts) {
+  if (!landmarks.has("parts")) return;
+  JsonReader reader = landmarks.object("parts");
+  for (int i = 0; i < kBodyPartCount; ++i) {
+    const auto part = static_cast<BodyPart>(i);
+    read_part(reader, std::string(body_part_name(part)).c_str(), parts[part]);
+  }
+  landmarks.absorb(reader.finish());
+}
+
 }  // namespace
 
 std::optional<Landmarks> read_landmarks(JsonReader& reader) {
@@ -45,6 +114,8 @@ std::optional<Landmarks> read_landmarks(JsonReader& reader) {
   for_each_further_landmark(person, [&](const char* name, std::optional<Vec3d>& p) {
     if (landmarks.has(name)) landmarks.vector(name, p.emplace(), kLengthRange);
   });
+  for (auto& [name, leg] : legs_of(person)) read_sole(landmarks, name, leg.sole);
+  read_parts(landmarks, person.parts);
   reader.absorb(landmarks.finish());
   reader.require("stature_m");
   check_segments(reader, person);

@@ -43,10 +43,24 @@ void for_each_further_landmark(Person& p, Visit&& visit) {
   visit("right_grip", p.right_arm.grip);
 }
 
+// Every point of a person, shapes of parts excepted: these go with their parts.
+template <class Person, class Visit>
+void for_each_point(Person& p, Visit&& visit) {
+  for_each_landmark(p, [&](const char*, auto& point) { visit(point); });
+  for_each_further_landmark(p, [&](const char*, auto& point) {
+    if (point) visit(*point);
+  });
+  for (auto& joint : p.spine) visit(joint);
+  for (auto* leg : {&p.left_leg, &p.right_leg}) {
+    if (!leg->sole) continue;
+    for (auto& corner : *leg->sole) visit(corner);
+  }
+}
+
 [[nodiscard]] Json landmarks_to_json(const Landmarks& person);
 
-// The object `landmarks_m` of a character, where it has one. Wrong are points far away and joints
-// of a limb that coincide.
+// The object `landmarks_m` of a character, where it has one. Wrong are points far away, joints of a
+// limb that coincide, soles that are none and shapes without a thickness.
 [[nodiscard]] std::optional<Landmarks> read_landmarks(JsonReader& character);
 
 }  // namespace shigusa

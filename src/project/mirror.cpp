@@ -6,6 +6,9 @@
 #include <shigusa/project/mirror.hpp>
 #include <utility>
 
+#include "body/part_shapes.hpp"
+#include "landmarks_json.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -18,19 +21,16 @@ Quatd across(const Quatd& q) { return {q.x, -q.y, -q.z, q.w}; }
 void mirror(Landmarks& person) {
   std::swap(person.left_leg, person.right_leg);
   std::swap(person.left_arm, person.right_arm);
+  for_each_point(person, [](Vec3d& p) { p = across(p); });
   for (Landmarks::Leg* leg : {&person.left_leg, &person.right_leg}) {
-    for (Vec3d* p : {&leg->hip, &leg->knee, &leg->ankle, &leg->toe}) *p = across(*p);
-    if (leg->toes) leg->toes = across(*leg->toes);
+    // counter-clockwise again
+    if (leg->sole) std::reverse(leg->sole->begin(), leg->sole->end());
   }
-  for (Landmarks::Arm* arm : {&person.left_arm, &person.right_arm}) {
-    for (Vec3d* p : {&arm->shoulder, &arm->elbow, &arm->wrist, &arm->fingertip}) *p = across(*p);
-    if (arm->grip) arm->grip = across(*arm->grip);
-  }
-  person.neck = across(person.neck);
-  person.head_top = across(person.head_top);
-  for (Vec3d& joint : person.spine) joint = across(joint);
-  for (auto* joint : {&person.head, &person.left_arm.clavicle, &person.right_arm.clavicle}) {
-    if (*joint) *joint = across(**joint);
+  const PartShapes before = person.parts;
+  for (int i = 0; i < kBodyPartCount; ++i) {
+    const auto part = static_cast<BodyPart>(i);
+    auto& shape = person.parts[part] = before[mirrored(part)];
+    if (shape) *shape = {across(shape->from), across(shape->to), shape->radius};
   }
 }
 

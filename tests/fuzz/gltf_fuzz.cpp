@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a glTF, GLB or VRM file to a measured person, to the file with an animation,
-// and to the animation that it has: nothing may crash, hang or fill the memory, and every number
-// stays finite.
+// From the bytes of a glTF, GLB or VRM file to its mesh, to a measured person, to the file with an
+// animation, and to the animation that it has: nothing may crash, hang or fill the memory, and
+// every number stays finite.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <shigusa/body/landmarks.hpp>
 #include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/io/gltf_write.hpp>
 #include <span>
 #include <string_view>
@@ -43,13 +44,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
 
-  const auto map = find_humanoid(skeleton, world, file->humanoid);
+  const Skin skin = read_gltf_skin(bytes, "fuzz.glb", *file, file->places);
+  for (const SkinVertex& vertex : skin.vertices) {
+    const Vec3d& at = vertex.position;
+    if (!is_finite(at.x + at.y + at.z)) std::abort();
+    if (vertex.node >= static_cast<int>(skeleton.nodes.size())) std::abort();
+  }
+
+  const auto map = find_humanoid(skeleton, world, file->humanoid, {}, skin.vertices);
   if (!map) return 0;
-  const auto person = measure_person(skeleton, world, *map);
+  const auto person = measure_person(skeleton, world, *map, {.stature = {}, .skin = skin.vertices});
   if (!person) return 0;
   const Landmarks& l = person->landmarks;
   for (const Vec3d& p : {l.left_leg.toe, l.right_leg.toe, l.left_arm.fingertip, l.head_top}) {
     if (!is_finite(p.x + p.y + p.z)) std::abort();
+  }
+  for (const auto& shape : l.parts.shape) {
+    if (shape && !(shape->radius > 0.0 && is_finite(shape->radius))) std::abort();
   }
   return 0;
 }

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <shigusa/body/skeleton.hpp>
+#include <shigusa/body/skin.hpp>
 #include <shigusa/core/result.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,9 +80,12 @@ struct HumanoidMap {
 // `asked`: what a person says of some bones. It goes before all else; names and shape find the
 // rest, but of the spine only what is asked is taken where any of it is. Fails where such a node
 // does not hang where its bone does.
+//
+// `skin`: the mesh in the same posture; it tells where feet point on which no node hangs.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Skeleton& skeleton,
                                                 const std::vector<Transformd>& world,
                                                 const HumanoidMap& given = {},
-                                                const HumanoidMap& asked = {});
+                                                const HumanoidMap& asked = {},
+                                                std::span<const SkinVertex> skin = {});
 
 }  // namespace shigusa

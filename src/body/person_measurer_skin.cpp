@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What the mesh tells where joints alone would leave a guess.
+#include <algorithm>
+
+#include "fitted_parts.hpp"
+#include "person_measurer.hpp"
+
+namespace shigusa {
+namespace {
+
+// A sole is what is this near to its lowest point, as a share of the ankle's height over that.
+constexpr double kSoleLayer = 0.3;
+// A sole shorter than this share of its foot is a tip that the foot stands or hangs on.
+constexpr double kTipOfFoot = 0.5;
+// What of a direction must be level for it to be a foot's.
+constexpr double kLevel = 0.3;
+// Fewer vertices than this tell nothing of a head.
+constexpr std::size_t kFewest = 12;
+// The middle of the head, where its vertex is, as a share of how broad and how deep it is.
+constexpr double kMiddle = 0.25;
+
+struct Range {
+  double low = 1e300;
+  double high = -1e300;
+
+  void add(double value) {
+    low = min(low, value);
+    high = max(high, value);
+  }
+  [[nodiscard]] double size() const { return high - low; }
+  [[nodiscard]] double middle() const { return 0.5 * (low + high); }
+};
+
+Range range_along(const std::vector<Vec3d>& points, const Vec3d& direction) {
+  Range range;
+  for (const Vec3d& p : points) range.add(dot(p, direction));
+  return range;
+}
+
+}  // namespace
+
+// What is bound to a foot and what hangs on it; of one without a mesh the shank's, which ends in a
+// peg or a boot.
+std::vector<Vec3d> PersonMeasurer::flesh_of_foot(Side side) const {
+  for (const Bone bone : {leg_bones(side).ankle, leg_bones(side).knee}) {
+    std::vector<Vec3d> points;
+    for (const SkinVertex& vertex : tree_.skin()) {
+      if (vertex.node >= 0 && tree_.below(vertex.node, map_[bone])) {
+        points.push_back(vertex.position);
+      }
+    }
+    if (!points.empty()) return points;
+  }
+  return {};
+}
+
+void PersonMeasurer::read_soles() {
+  for (const Side side : kBothSides) {
+    const std::vector<Vec3d> flesh = flesh_of_foot(side);
+    if (flesh.empty()) continue;
+    Landmarks::Leg& l = leg(side);
+    const auto level = [&](const Vec3d& v) { return v - up_ * dot(v, up_); };
+    Vec3d ahead = level(l.toe - l.ankle);
+    if (norm(ahead) <= kLevel * norm(l.toe - l.ankle)) {
+      Vec3d sum{};
+      for (const Vec3d& p : flesh) sum += level(p - l.ankle);
+      const Vec3d mean = sum * (1.0 / static_cast<double>(flesh.size()));
+      const double breadth = range_along(flesh, left_).size();
+      ahead = norm(mean) > 0.5 * kLevel * breadth ? mean : ahead_;
+    }
+    ahead = normalized(ahead, ahead_);
+    l.sole = outline_of(flesh, l.ankle, ahead);
+    const Vec3d front = ((*l.sole)[0] + (*l.sole)[3]) * 0.5;
+    const double reach = dot(front - l.ankle, ahead);
+    const double height = dot(l.ankle - front, up_);
+    // straight ahead of the ankle, however the sole lies about that line
+    if (reach > kLevel * abs(height)) l.toe = l.ankle + ahead * reach - up_ * height;
+  }
+}
+
+// Corners of the sole, at the height of its lowest vertex; file units.
+SoleOutline PersonMeasurer::outline_of(const std::vector<Vec3d>& flesh, const Vec3d& ankle,
+                                       const Vec3d& ahead) const {
+  const double hand = dot(cross(up_, ahead_), left_) < 0.0 ? -1.0 : 1.0;  // of mirrored files
+  const Vec3d left = cross(up_, ahead) * hand;
+  const double low = range_along(flesh, up_).low;
+  const double layer = low + kSoleLayer * max(dot(ankle, up_) - low, 0.0);
+  std::vector<Vec3d> sole;
+  for (const Vec3d& p : flesh) {
+    if (dot(p, up_) <= layer) sole.push_back(p);
+  }
+  const Range whole = range_along(flesh, ahead);
+  Range along = range_along(sole, ahead);
+  Range across = range_along(sole, left);
+  if (along.size() < kTipOfFoot * whole.size()) {
+    along = whole;
+    across = range_along(flesh, left);
+  }
+  const auto corner = [&](double forwards, double leftwards) {
+    return ahead * forwards + left * leftwards + up_ * low;
+  };
+  return {corner(along.high, across.high), corner(along.low, across.high),
+          corner(along.low, across.low), corner(along.high, across.low)};
+}
+
+// From the head's joint straight up to the vertex (file units), by the mesh; nothing where that
+// tells no head. Of who does not stand upright it is along the trunk.
+std::optional<Vec3d> PersonMeasurer::skull_by_mesh() const {
+  constexpr double kUpright = 0.9;
+  const Vec3d trunk = normalized(mid_shoulder_ - mid_hip_, up_);
+  const Vec3d up = dot(trunk, up_) > kUpright ? up_ : trunk;
+  const Vec3d& joint = tree_.at(head_);
+  std::vector<Vec3d> flesh;
+  for (const bool rigid : {false, true}) {
+    for (const SkinVertex& vertex : tree_.skin()) {
+      if (vertex.node == head_ && vertex.rigid == rigid) flesh.push_back(vertex.position - joint);
+    }
+    if (flesh.size() >= kFewest) break;
+  }
+  if (flesh.size() < kFewest) return std::nullopt;
+  const Vec3d deep = normalized(cross(left_, up), ahead_);
+  const Range breadth = range_along(flesh, left_);
+  const Range depth = range_along(flesh, deep);
+  const double all = range_along(flesh, up).high;
+  std::vector<double> heights;
+  for (const Vec3d& p : flesh) heights.push_back(dot(p, up));
+  const auto half = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), half, heights.end());
+  Range over;  // the middle of the head
+  for (const Vec3d& p : flesh) {
+    if (abs(dot(p, left_) - breadth.middle()) > kMiddle * breadth.size()) continue;
+    if (abs(dot(p, deep) - depth.middle()) > kMiddle * depth.size()) continue;
+    over.add(dot(p, up));
+  }
+  // a coarse head may have no vertex there, or but a nose
+  const double top = over.high > *half ? over.high : all;
+  const double skull = min(top, kTallestSkull * max(breadth.size(), depth.size()));
+  if (!(skull > 0.0)) return std::nullopt;
+  return up * skull;
+}
+
+void PersonMeasurer::fit_parts() {
+  if (!tree_.skin().empty()) body().parts = fitted_parts(tree_, map_, result_);
+}
+
+}  // namespace shigusa
