@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <charconv>
+#include <shigusa/core/parse_number.hpp>
 
 #include "commands.hpp"
 
@@ -10,10 +10,7 @@ namespace {
 
 Result<double> parse_stature(const std::string& text, Sex sex) {
   if (const auto percentile = stature_percentile(text, sex)) return *percentile;
-  double stature = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, stature);
-  if (error == std::errc{} && rest == end) return stature;
+  if (const auto stature = parse_number(text)) return *stature;
   return fail(ErrorCode::invalid_argument,
               fmt::format("is '{}'; allowed are metres, p5, p50 and p95", text.substr(0, 80)),
               "--stature");

@@ -2,8 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
+#include <shigusa/core/parse_number.hpp>
 #include <shigusa/project/axis_words.hpp>
 #include <utility>
 
@@ -27,23 +26,25 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& text
   return std::pair{text.substr(0, equals), text.substr(equals + 1)};
 }
 
+Texts split_at_commas(const std::string& text) {
+  Texts parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    parts.push_back(text.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return parts;
+}
+
+// Infinite ones are refused where their ranges are known.
 std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
-  const char* at = text.data();
-  const char* end = text.data() + text.size();
-  while (numbers.size() < count) {
-    double& number = numbers.emplace_back();
-    if (at < end && *at == '+') ++at;
-    const auto [next, code] = std::from_chars(at, end, number);
-    if (code == std::errc::invalid_argument || next == at) return std::nullopt;
-    // too large or too small for a double: infinity or 0, and ranges are told where they are known
-    if (code == std::errc::result_out_of_range) {
-      number = std::strtod(std::string(at, next).c_str(), nullptr);
-    }
-    const bool last = numbers.size() == count;
-    if (last ? next != end : next == end || *next != ',') return std::nullopt;
-    at = next + 1;
+  for (const std::string& part : split_at_commas(text)) {
+    const std::optional<double> number = parse_number(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
   }
+  if (numbers.size() != count) return std::nullopt;
   return numbers;
 }
 
@@ -160,16 +161,6 @@ Result<void> apply_obstacles(const GoalOptions& options, TaskFile& file) {
   return {};
 }
 
-std::vector<std::string> parse_feet(const std::string& text) {
-  std::vector<std::string> feet;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    feet.push_back(text.substr(at, comma - at));
-    at = comma + 1;
-  }
-  return feet;
-}
-
 }  // namespace
 
 Result<void> apply_goal_options(const GoalOptions& options, TaskFile& file) {
@@ -195,7 +186,7 @@ Result<void> apply_goal_options(const GoalOptions& options, TaskFile& file) {
     if (!n) return misread("--look-at", *options.look_at, "X,Y,Z with three numbers in metres");
     file.look_at = Vec3d{(*n)[0], (*n)[1], (*n)[2]};
   }
-  if (options.contacts) file.contacts = parse_feet(*options.contacts);
+  if (options.contacts) file.contacts = split_at_commas(*options.contacts);
   return apply_obstacles(options, file);
 }
 

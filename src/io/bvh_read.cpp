@@ -3,9 +3,8 @@
 
 #include <array>
 #include <charconv>
-#include <cstdlib>
-#include <limits>
 #include <optional>
+#include <shigusa/core/parse_number.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
 #include <vector>
@@ -78,29 +77,6 @@ std::string shown(std::string_view token) {
   std::string text;
   for (const char c : token.substr(0, kLongest)) text += c > ' ' && c < 0x7F ? c : '?';
   return token.size() > kLongest ? "'" + text + "…'" : "'" + text + "'";
-}
-
-// The number that the whole token writes. Too large ones become infinite, too small ones 0.
-std::optional<double> parse_number(std::string_view token) {
-  if (token.starts_with('+')) token.remove_prefix(1);
-  double value = 0.0;
-#ifdef __cpp_lib_to_chars
-  const char* end = token.data() + token.size();
-  const auto [stop, status] = std::from_chars(token.data(), end, value);
-  if (stop != end || status == std::errc::invalid_argument) return std::nullopt;
-  if (status == std::errc::result_out_of_range) {
-    const bool tiny = token.find("e-") != token.npos || token.find("E-") != token.npos;
-    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
-  }
-#else
-  // the WebAssembly library has no from_chars for double; its strtod knows only the C locale
-  if (token.find_first_of("xX") != token.npos) return std::nullopt;
-  const std::string copy(token);
-  char* stop = nullptr;
-  value = std::strtod(copy.c_str(), &stop);
-  if (copy.empty() || stop != copy.c_str() + copy.size()) return std::nullopt;
-#endif
-  return value;
 }
 
 std::optional<int> parse_integer(std::string_view token) {

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <shigusa/io/gltf.hpp>
 
+#include "watched_json.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -111,13 +113,7 @@ Result<Json> parse_small_json(std::string_view text, const std::string& place) {
       throw fmt::format("is nested deeper than {} levels", kMaxValueDepth);
     return true;
   };
-  try {
-    return Json::parse(text, shallow);
-  } catch (const std::string& passed) {
-    return fail(ErrorCode::parse, passed, place);
-  } catch (const Json::exception&) {
-    return fail(ErrorCode::parse, "is not JSON", place);
-  }
+  return parse_watched<Json>(text, shallow, "JSON", place);
 }
 
 GltfAccessors::GltfAccessors(const GlbParts& parts, std::string_view name)

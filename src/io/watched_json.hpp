@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/c_locale.hpp"
+
 namespace shigusa {
 
 // Parses JSON text while `watch`, nlohmann's callback, sees each event: it may throw a std::string,
@@ -14,6 +16,8 @@ namespace shigusa {
 template <class Json, class Watch>
 [[nodiscard]] Result<Json> parse_watched(std::string_view text, const Watch& watch,
                                          const std::string& wrong, const std::string& place) {
+  // it reads numbers by strtod
+  const WithinCLocale point;
   try {
     return Json::parse(text, watch);
   } catch (const std::string& passed) {

@@ -3,22 +3,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <shigusa/core/names.hpp>
+#include <shigusa/core/parse_number.hpp>
 #include <shigusa/project/result_file.hpp>
 #include <utility>
 
 namespace shigusa {
 namespace {
 
-// The whole text as a number; infinity where it is none, which no range allows.
+// Infinity, which no range allows, where the text is no number.
 double number_in(std::string_view text) {
-  const std::string copy(text);
-  char* end = nullptr;
-  const double value = std::strtod(copy.c_str(), &end);
-  const bool whole = !copy.empty() && end == copy.c_str() + copy.size();
-  return whole ? value : std::numeric_limits<double>::infinity();
+  return parse_number(text).value_or(std::numeric_limits<double>::infinity());
 }
 
 Result<double> parse_weight(std::string_view text) {

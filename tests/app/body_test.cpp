@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/gltf_file.hpp"
+#include "support/host_locale.hpp"
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"
 
@@ -111,6 +112,18 @@ TEST_F(Body, StatureMayBeAPercentile) {
   EXPECT_EQ(json({"human", "--stature", "1.6"}).at("stature_m"), 1.6);
   EXPECT_EQ(body({"human", "--stature", "p42"}).exit_code, 2);
   EXPECT_EQ(body({"human", "--stature", "1.6m"}).exit_code, 2);
+}
+
+TEST_F(Body, NumbersHaveAPointWhateverTheShellsLanguage) {
+  const Words asked{"human", "--stature", "1.625", "--mass", "61.5"};
+  const Json usual = json(asked);
+  const HostLocale host("de_DE");
+  if (!host.chosen()) GTEST_SKIP() << "no locale de_DE and no localedef";
+  setenv("LC_ALL", "de_DE.UTF-8", 1);
+  const Json there = json(asked);
+  unsetenv("LC_ALL");
+  EXPECT_EQ(there, usual);
+  EXPECT_EQ(there.at("stature_m"), 1.625);
 }
 
 TEST_F(Body, PlacementTellsWhereGoalsAreInTheFile) {
