@@ -10,6 +10,9 @@ install(DIRECTORY include/shigusa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY studio/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shigusa/studio OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT shigusaTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
+if(TARGET shigusa_c)
+  install(EXPORT shigusaCTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
+endif()
 
 configure_package_config_file(cmake/shigusaConfig.cmake.in shigusaConfig.cmake
                               INSTALL_DESTINATION ${shigusa_package_dir})
