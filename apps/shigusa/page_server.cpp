@@ -123,8 +123,9 @@ Result<Page> read_page(const fs::path& folder) {
   for (fs::recursive_directory_iterator at(folder, wrong), end; !wrong && at != end;
        at.increment(wrong)) {
     if (++entries > kPageMostEntries) return too_much();
-    if (at->symlink_status().type() != fs::file_type::regular) continue;
-    if (at->file_size() > kPageMostBytes - bytes) return too_much();
+    std::error_code gone;
+    if (at->symlink_status(gone).type() != fs::file_type::regular) continue;
+    if (at->file_size(gone) > kPageMostBytes - bytes) return too_much();
     Result<std::string> read = read_text_file(at->path(), kPageMostBytes - bytes);
     if (!read) return tl::unexpected(read.error());
     bytes += read->size();

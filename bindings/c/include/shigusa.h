@@ -3,9 +3,9 @@
  *
  * A character is a body with what its file tells; a result is what a task came to: candidates with
  * their motions. Tasks, results and descriptions are UTF-8 JSON, the same objects that the command
- * line reads and writes (docs/task.schema.json, docs/result.schema.json). Units are metres,
- * kilograms, seconds and radians, the world is right-handed with +Y up, and a body faces +Z with
- * its left at +X.
+ * line reads and writes (docs/task.schema.json, docs/result.schema.json). Numbers have a point,
+ * whatever locale the host has chosen. Units are metres, kilograms, seconds and radians, the world
+ * is right-handed with +Y up, and a body faces +Z with its left at +X.
  *
  * Every function but those that free or tell a version returns a status, and on failure leaves what
  * its pointers point to as it was; shigusa_message() then says in a sentence what is wrong, where,
