@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
-#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -47,15 +46,14 @@ void open_browser(std::string address) {
   posix_spawnattr_destroy(&attributes);
 }
 
-// Can be read once Ctrl-C or kill has asked for the end, which no longer end the program
-// themselves.
-Descriptor wish_to_end() {
+// Ctrl-C and kill no longer end the program, or a thread that starts later, but can be waited for.
+sigset_t blocked_ends() {
   sigset_t ends;
   sigemptyset(&ends);
   sigaddset(&ends, SIGINT);
   sigaddset(&ends, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);
-  return Descriptor(signalfd(-1, &ends, SFD_CLOEXEC));
+  return ends;
 }
 
 }  // namespace
@@ -65,19 +63,17 @@ int studio(const StudioOptions& options) {
   if (!folder) return report(folder.error());
   Result<Page> page = read_page(*folder);
   if (!page) return report(page.error());
+  const sigset_t ends = blocked_ends();
   PageServer server(std::move(*page));
-  if (const auto listening = server.listen(options.port); !listening) {
-    return report(listening.error());
-  }
-  const Descriptor end = wish_to_end();
-  if (end.number() < 0) return report({ErrorCode::io, "cannot wait for signals", "studio"});
+  if (const auto started = server.start(options.port); !started) return report(started.error());
   const std::string address = fmt::format("http://127.0.0.1:{}/", server.port());
   fmt::print("{}\n", address);
   std::fflush(stdout);
   fmt::print(stderr, "shigusa studio: open this address; Ctrl-C ends it\n");
   if (options.open) open_browser(address);
-  const Result<void> served = server.serve(end.number());
-  return served ? kDone : report(served.error());
+  int end = 0;
+  sigwait(&ends, &end);
+  return kDone;
 }
 
 }  // namespace shigusa::app
