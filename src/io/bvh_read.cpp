@@ -365,7 +365,7 @@ class BvhReader {
   Cursor cursor_;
   std::string_view name_;
   SkeletonMotion motion_;
-  NodeNames names_{true};
+  NodeNames names_;
   std::vector<Seen> seen_;         // (nodes)
   std::vector<int> open_;          // nodes whose } is still to come, outermost first
   std::vector<Channel> channels_;  // columns of the motion

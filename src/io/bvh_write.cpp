@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <shigusa/core/check.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <vector>
@@ -159,29 +161,35 @@ class BvhWriter {
     channels_.resize(count);
     rotations_.resize(count, kZxy);
     for (std::size_t i = 0; i < count; ++i) {
-      if (i < given.size() && tells(given[i], turns[i], moves_[i], rotations_[i])) {
-        channels_[i] = given[i];
+      const std::vector<BvhChannel> own = i < given.size() ? given[i] : std::vector<BvhChannel>{};
+      const std::optional<Order> order = order_of(own);
+      rotations_[i] = order.value_or(kZxy);
+      if ((order || !turns[i]) && (places_all(own) || !moves_[i]) && i < given.size()) {
+        channels_[i] = own;
         continue;
       }
       for (int axis = 0; axis < 3 && moves_[i]; ++axis) {
         channels_[i].push_back({false, static_cast<Axis>(axis)});
       }
-      for (const int axis : kZxy) channels_[i].push_back({true, static_cast<Axis>(axis)});
+      for (const int axis : rotations_[i]) channels_[i].push_back({true, static_cast<Axis>(axis)});
     }
   }
 
-  // Whether channels can tell any motion of a node; `order`: of their rotations, if so.
-  static bool tells(const std::vector<BvhChannel>& channels, bool turns, bool moves, Order& order) {
+  // The order of a node's rotations, where that can tell any: three about different axes.
+  static std::optional<Order> order_of(const std::vector<BvhChannel>& channels) {
     std::vector<int> axes;
-    std::size_t positions = 0;
     for (const auto& [rotates, axis] : channels) {
       if (rotates) axes.push_back(static_cast<int>(axis));
-      positions += rotates ? 0 : 1;
     }
-    const bool any =
-        axes.size() == 3 && axes[0] != axes[1] && axes[1] != axes[2] && axes[2] != axes[0];
-    if (any) order = {axes[0], axes[1], axes[2]};
-    return (any || !turns) && (positions == 3 || !moves);
+    if (axes.size() != 3 || axes[0] == axes[1] || axes[1] == axes[2] || axes[2] == axes[0]) {
+      return std::nullopt;
+    }
+    return Order{axes[0], axes[1], axes[2]};
+  }
+
+  static bool places_all(const std::vector<BvhChannel>& channels) {
+    return std::count_if(channels.begin(), channels.end(),
+                         [](const BvhChannel& channel) { return !channel.rotates; }) == 3;
   }
 
   void write_node(std::size_t place) {
@@ -240,7 +248,7 @@ class BvhWriter {
   double unit_;
   int decimals_ = 0;
   double resolution_ = 1.0;  // last decimal of a length, in file units
-  NodeNames names_{false};
+  NodeNames names_;
   std::vector<std::size_t> order_;  // nodes as they are written
   std::vector<int> depth_;          // (nodes)
   std::vector<bool> has_child_;     // (nodes)

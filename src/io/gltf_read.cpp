@@ -261,7 +261,7 @@ class GltfReader {
   bool build() {
     std::vector<Transformd> world(nodes_.size());  // with scales, by the file's own index
     std::vector<int> place(nodes_.size(), -1);     // in the skeleton
-    NodeNames names(true);
+    NodeNames names;
     for (const int i : order_) {
       if (!node(i).needed) continue;
       const auto index = static_cast<std::size_t>(i);

@@ -23,14 +23,23 @@ std::size_t utf8_length(std::string_view text) {
   return overlong || surrogate || beyond ? 0 : length;
 }
 
-std::string cleaned(std::string_view name, bool spaces) {
+// Readers of BVH take the rest of a line for a name, without the blanks around it.
+std::string_view trimmed(std::string_view name) {
+  while (name.starts_with(' ')) name.remove_prefix(1);
+  while (name.ends_with(' ')) name.remove_suffix(1);
+  return name;
+}
+
+std::string cleaned(std::string_view name) {
   std::string clean;
+  name = trimmed(name);
   while (!name.empty()) {
     const std::size_t length = utf8_length(name);
     const char c = name[0];
     const bool control = (c >= 0 && c < ' ') || c == 0x7F;
-    const bool refused = length == 0 || control || c == '{' || c == '}' || (c == ' ' && !spaces);
+    const bool refused = length == 0 || control || c == '{' || c == '}';
     const std::size_t used = length == 0 ? 1 : length;
+    if (clean.size() + used > kNodeNameBytes) break;
     if (refused) {
       clean += '_';
     } else {
@@ -38,13 +47,13 @@ std::string cleaned(std::string_view name, bool spaces) {
     }
     name.remove_prefix(used);
   }
-  return clean.empty() ? "joint" : clean;
+  return clean.empty() ? "joint" : std::string(trimmed(clean));
 }
 
 }  // namespace
 
 std::string NodeNames::take(std::string_view name) {
-  const std::string clean = cleaned(name, spaces_);
+  const std::string clean = cleaned(name);
   std::string unique = clean;
   while (!taken_.emplace(unique, 1).second) {
     unique = clean + '_' + std::to_string(++taken_[clean]);

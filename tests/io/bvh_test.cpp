@@ -320,7 +320,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "line 12 of x.bvh", "'JOINT' where the OFFSET or the } of an End Site"},
         Malformed{"EndWithoutSite", replaced(kArm, "End Site", "End"), "line 11 of x.bvh",
                   "'{' where Site is expected"},
-        Malformed{"ManyNodes", deep(kBvhMaxNodes), "line 2050 of x.bvh", "more than 1024 joints"},
+        Malformed{"ManyNodes", deep(kBvhMaxNodes), "line 8194 of x.bvh", "more than 4096 joints"},
         Malformed{"LongName", replaced(kArm, "Elbow", std::string(300, 'n')), "line 6 of x.bvh",
                   "a name of 300 bytes"},
         Malformed{"NoFrames", kArm + "MOTION\n", "line 17 of x.bvh", "ends where Frames"},
@@ -563,6 +563,24 @@ TEST(BvhWriter, ChannelsThatCannotTellAMotionAreReplaced) {
   EXPECT_EQ(read.channels[2].size(), 1u);
 }
 
+// Of a file whose hips hang on another node: they move there, and have no channels for that.
+TEST(BvhWriter, ANodeThatGetsPositionsKeepsTheOrderOfItsRotations) {
+  SkeletonMotion motion = chain({{{}, turned(30, 40, 50)}});
+  motion.clip.local[1].translation += Vec3d{0.1, 0.2, 0.3};
+  BvhFormat format;
+  const std::vector<Axis> order{Axis::x, Axis::y, Axis::z};
+  format.channels = {channels_of(order, true), channels_of(order, false)};
+  format.channels.resize(motion.skeleton.nodes.size());
+  const std::string text = format_bvh(motion, format);
+  const BvhFile read = parse_bvh_file(text, "written.bvh").value();
+  ASSERT_EQ(read.channels[1].size(), 6u);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(read.channels[1][3 + k].axis, order[k]);
+  const auto tip = [](const SkeletonMotion& of) {
+    return world_transforms(of.skeleton, of.clip, 0).back().translation;
+  };
+  EXPECT_LT(norm(tip(motion) - tip(read.motion) * 0.01), 1e-6);
+}
+
 TEST(BvhWriter, GimbalLockIsWrittenExactly) {
   for (const double x : {90.0, -90.0}) {
     for (const double off : {0.0, 1e-4, 1e-7, 1e-9, 1e-12}) {
@@ -672,14 +690,18 @@ TEST(BvhWriter, NamesAreMadeFitForEveryReader) {
   motion.skeleton.nodes = {{"left {arm}", -1, {}, false},
                            {"左ひじ", 0, {}, false},
                            {"", 0, {}, false},
-                           {"left__arm_", 0, {}, false}};
-  motion.clip = {1.0, 1, std::vector<LocalTransform>(4)};
+                           {"left _arm_", 0, {}, false},
+                           {" Bip01 L Hand ", 0, {}, false},
+                           {std::string(1000, 'x'), 0, {}, false}};
+  motion.clip = {1.0, 1, std::vector<LocalTransform>(6)};
   const auto read = parse_bvh(format_bvh(motion), "x.bvh");
   ASSERT_TRUE(read) << read.error().to_string();
-  EXPECT_EQ(read->skeleton.nodes[0].name, "left__arm_");
+  EXPECT_EQ(read->skeleton.nodes[0].name, "left _arm_");
   EXPECT_EQ(read->skeleton.nodes[1].name, "左ひじ");
   EXPECT_EQ(read->skeleton.nodes[2].name, "joint");
-  EXPECT_EQ(read->skeleton.nodes[3].name, "left__arm__2");
+  EXPECT_EQ(read->skeleton.nodes[3].name, "left _arm__2");
+  EXPECT_EQ(read->skeleton.nodes[4].name, "Bip01 L Hand");
+  EXPECT_EQ(read->skeleton.nodes[5].name, std::string(240, 'x'));
 }
 
 TEST(BvhWriter, FrameTimeReadsBackExactly) {

@@ -13,7 +13,7 @@ namespace shigusa {
 
 // What a BVH file may hold at most; more is refused before memory is taken.
 inline constexpr std::size_t kBvhMaxBytes = std::size_t{64} << 20;
-inline constexpr int kBvhMaxNodes = 1024;
+inline constexpr int kBvhMaxNodes = 4096;
 inline constexpr int kBvhMaxFrames = 200'000;
 inline constexpr std::size_t kBvhMaxTransforms = 8'000'000;  // frames × nodes: 450 MB
 // Numbers beyond this are refused, infinities and NaN among them.
@@ -61,6 +61,7 @@ struct BvhFormat {
   double unit = 0.01;  // m per unit written: centimetres, what animation tools expect of BVH
   // Channels of the nodes as another file has them; empty: as told below. A node keeps its own
   // where they can tell its motion: three different rotations, and three positions if it moves.
+  // One that lacks positions keeps the order of its rotations.
   BvhChannels channels{};
 };
 
@@ -70,8 +71,8 @@ struct BvhFormat {
 // back moves no origin of a human body by more than 1e-6 m.
 //
 // A root's OFFSET is written as 0, since tools differ in whether its channels count from there.
-// Nodes come depth first, children in their order. In names, blanks, braces and control characters
-// become '_', and names are made unique as parse_bvh does. Needs at least one frame.
+// Nodes come depth first, children in their order. Names keep their spaces; braces and control
+// characters become '_', and names are made unique as parse_bvh does. Needs at least one frame.
 [[nodiscard]] std::string format_bvh(const SkeletonMotion& motion, const BvhFormat& format = {});
 
 }  // namespace shigusa
