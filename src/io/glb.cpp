@@ -5,18 +5,50 @@
 
 namespace shigusa {
 
+Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name) {
+  constexpr std::uint32_t kVersion = 2;
+  constexpr std::size_t kHeader = kGlbHeader + kGlbChunkHeader;
+  if (!bytes.starts_with("glTF")) return bytes;
+  const std::string place(name);
+  if (bytes.size() < kHeader) {
+    return fail(ErrorCode::parse,
+                fmt::format("ends after {} bytes; the header of a GLB file takes {}", bytes.size(),
+                            kHeader),
+                place);
+  }
+  if (word_at(bytes, 4) != kVersion) {
+    return fail(ErrorCode::unsupported,
+                fmt::format("is GLB version {}; {} is read", word_at(bytes, 4), kVersion), place);
+  }
+  const std::size_t told = word_at(bytes, 8);
+  if (told > bytes.size()) {
+    return fail(ErrorCode::parse,
+                fmt::format("its header tells {} bytes, but it ends after {}", told, bytes.size()),
+                place);
+  }
+  const std::size_t length = word_at(bytes, kGlbHeader);
+  if (bytes.substr(kGlbHeader + 4, 4) != kGlbJson || length > bytes.size() - kHeader) {
+    return fail(ErrorCode::parse,
+                fmt::format("its first chunk must be of JSON and {} bytes at most; this one tells "
+                            "{} bytes",
+                            bytes.size() - kHeader, length),
+                place);
+  }
+  if (told < kHeader + length) {
+    return fail(ErrorCode::parse,
+                fmt::format("its header tells {} bytes, but its first chunk ends after {}", told,
+                            kHeader + length),
+                place);
+  }
+  return bytes.substr(kHeader, length);
+}
+
 Result<GlbParts> glb_parts(std::string_view bytes, std::string_view name) {
   if (!bytes.starts_with("glTF")) return GlbParts{bytes, {}, {}, false};
-  // the reader has seen to the header and the first chunk
-  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + word_at(bytes, kGlbHeader);
-  if (word_at(bytes, 8) < json_end) {
-    return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but its first chunk ends after {}",
-                            word_at(bytes, 8), json_end),
-                std::string(name));
-  }
-  GlbParts parts{
-      bytes.substr(kGlbHeader + kGlbChunkHeader, word_at(bytes, kGlbHeader)), {}, {}, true};
+  const Result<std::string_view> json = gltf_text(bytes, name);
+  if (!json) return tl::unexpected<Error>(json.error());
+  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + json->size();
+  GlbParts parts{*json, {}, {}, true};
   std::string_view rest = bytes.substr(json_end, word_at(bytes, 8) - json_end);
   if (rest.size() >= kGlbChunkHeader && rest.substr(4, 4) == kGlbBinary) {
     const std::size_t length = word_at(rest, 0);

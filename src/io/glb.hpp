@@ -33,7 +33,11 @@ struct GlbParts {
   bool glb = false;
 };
 
-// The parts of a file that read_gltf_json has read. `name` stands for the file in errors.
+// A file's JSON text: of a GLB its first chunk, else all of it. The one place where the header of a
+// GLB and that of its first chunk are checked. `name` stands for the file in errors.
+[[nodiscard]] Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name);
+
+// The parts of any file, checked; its JSON text may be anything.
 [[nodiscard]] Result<GlbParts> glb_parts(std::string_view bytes, std::string_view name);
 
 }  // namespace shigusa

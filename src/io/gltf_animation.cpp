@@ -217,9 +217,10 @@ class AnimationReader {
 
 }  // namespace
 
-std::vector<std::string> gltf_animation_names(std::string_view bytes, std::string_view name) {
+Result<std::vector<std::string>> gltf_animation_names(std::string_view bytes,
+                                                      std::string_view name) {
   const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return {};
+  if (!parts) return tl::unexpected(parts.error());
   return names_of(JsonSplice(parts->json), std::string(name));
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <shigusa/io/gltf.hpp>
 
@@ -77,43 +76,12 @@ class SkeletonFilter {
   std::size_t values_ = 0;
 };
 
-// The JSON text: of a GLB its first chunk, else all.
-Result<std::string_view> json_text(std::string_view bytes, const std::string& place) {
-  constexpr std::uint32_t kVersion = 2;
-  constexpr std::size_t kHeader = kGlbHeader + kGlbChunkHeader;
-  if (!bytes.starts_with("glTF")) return bytes;
-  if (bytes.size() < kHeader) {
-    return fail(ErrorCode::parse,
-                fmt::format("ends after {} bytes; the header of a GLB file takes {}", bytes.size(),
-                            kHeader),
-                place);
-  }
-  if (word_at(bytes, 4) != kVersion) {
-    return fail(ErrorCode::unsupported,
-                fmt::format("is GLB version {}; {} is read", word_at(bytes, 4), kVersion), place);
-  }
-  if (word_at(bytes, 8) > bytes.size()) {
-    return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but it ends after {}", word_at(bytes, 8),
-                            bytes.size()),
-                place);
-  }
-  if (bytes.substr(16, 4) != "JSON" || word_at(bytes, 12) > bytes.size() - kHeader) {
-    return fail(ErrorCode::parse,
-                fmt::format("its first chunk must be of JSON and {} bytes at most; this one tells "
-                            "{} bytes",
-                            bytes.size() - kHeader, word_at(bytes, 12)),
-                place);
-  }
-  return bytes.substr(kHeader, word_at(bytes, 12));
-}
-
 }  // namespace
 
 Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
   const std::string place(name);
   if (bytes.empty()) return fail(ErrorCode::parse, "the file is empty", place);
-  const Result<std::string_view> text = json_text(bytes, place);
+  const Result<std::string_view> text = gltf_text(bytes, name);
   if (!text) return tl::unexpected(text.error());
   // a parser takes some times the memory of the longest text in it
   if (text->size() > kGltfMaxJsonBytes) {

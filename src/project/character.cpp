@@ -168,11 +168,15 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec) {
   const std::optional<std::string> animation =
       spec.animation || still ? spec.animation : std::optional<std::string>("");
   const bool implied = animation && !spec.animation;
-  if (implied && gltf_animation_names(bytes, name).empty()) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("frame {} does not exist; the file has only its rest pose, frame 0",
-                            spec.frame),
-                name);
+  if (implied) {
+    const auto names = gltf_animation_names(bytes, name);
+    if (!names) return tl::unexpected(names.error());
+    if (names->empty()) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("frame {} does not exist; the file has only its rest pose, frame 0",
+                              spec.frame),
+                  name);
+    }
   }
   Result<CharacterFile> file = parse_character(std::move(bytes), name, animation, spec.frame);
   if (!file) return tl::unexpected(file.error());

@@ -52,7 +52,8 @@ Result<void> parse_gltf_character(const std::string& bytes, const std::string& n
     character.posed = character.rig.places;
   }
   character.doubts.insert(character.doubts.end(), skin_doubts.begin(), skin_doubts.end());
-  character.rig.animations = gltf_animation_names(bytes, name);
+  // of a file whose further chunks are wrong, check_animations_fit tells
+  if (auto names = gltf_animation_names(bytes, name)) character.rig.animations = std::move(*names);
   if (const auto fits = check_animations_fit(bytes, name); !fits) {
     character.rig.not_glb = fits.error().message;
     character.doubts.push_back("motions cannot leave as GLB: " + character.rig.not_glb);

@@ -189,6 +189,16 @@ struct Malformed {
   const char* message;
 };
 
+TEST(GltfAnimationReader, EveryCutOfAFileIsRefusedOrHasNames) {
+  const std::string whole = glb(R"({"animations": [{"name": "wave"}]})", "data");
+  EXPECT_THAT(gltf_animation_names(whole, "x.glb").value(), testing::ElementsAre("wave"));
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const auto names = gltf_animation_names(whole.substr(0, size), "x.glb");
+    if (names) EXPECT_TRUE(names->empty()) << size;
+    if (size >= 4) EXPECT_FALSE(names) << size;
+  }
+}
+
 TEST(GltfAnimationReader, MalformedFilesAreRefusedWithAReason) {
   const std::vector<Malformed> files{
       {"none", [](Json& f) { f.erase("animations"); }, "holds no animation"},

@@ -28,10 +28,10 @@ struct GltfMotion {
   std::vector<std::string> doubts;  // the character's and the animation's
 };
 
-// The names of a file's animations, of one without a name its index; none where the file cannot be
-// read.
-[[nodiscard]] std::vector<std::string> gltf_animation_names(std::string_view bytes,
-                                                            std::string_view name);
+// The names of a file's animations, of one without a name its index. Fails where a GLB's header or
+// chunks are wrong; a text that is no glTF has none.
+[[nodiscard]] Result<std::vector<std::string>> gltf_animation_names(std::string_view bytes,
+                                                                    std::string_view name);
 
 // Parses a .glb, .vrm, .gltf or .vrma file with an animation and samples it from its time 0 on.
 // Numbers come from the binary chunk or from data in the text; other files are not opened. Errors
