@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <shigusa/io/file.hpp>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include "io/descriptor.hpp"
 
 namespace shigusa {
 namespace {
@@ -32,6 +41,11 @@ class File : public ::testing::Test {
   }
 
   [[nodiscard]] fs::path at(const std::string& name) const { return folder_ / name; }
+
+  // Makes a file without the functions that are tested.
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(at(name)) << text;
+  }
 
   [[nodiscard]] std::size_t files() const {
     return static_cast<std::size_t>(
@@ -174,10 +188,68 @@ TEST_F(File, SymbolicLinkStaysALinkToTheWrittenFile) {
   EXPECT_EQ(read_text_file(at("real"), kPlenty).value(), "new");
 }
 
-TEST_F(File, LeftoverOfACrashedProgramIsNoObstacle) {
-  ASSERT_TRUE(write_file(at(".shigusa-0.tmp"), "leftover"));
+TEST_F(File, ALinkInThePlaceOfATemporaryFileIsNotFollowed) {
+  ASSERT_TRUE(write_file(at("victim"), "kept"));
+  for (int i = 0; i < 1000; ++i) {
+    fs::create_symlink("victim", at(".shigusa-" + std::to_string(i) + ".tmp"));
+  }
   ASSERT_TRUE(write_file(at("a"), "new"));
-  EXPECT_EQ(read_text_file(at(".shigusa-0.tmp"), kPlenty).value(), "leftover");
+  EXPECT_EQ(read_text_file(at("victim"), kPlenty).value(), "kept");
+  EXPECT_EQ(files(), 1002u);
+}
+
+TEST_F(File, WhatKilledProgramsLeftIsRemoved) {
+  for (int i = 0; i < 1000; ++i) put(".shigusa-" + std::to_string(i) + ".tmp", "of an old version");
+  fs::create_directory(at(".shigusa-0123456789abcdef.tmp"));
+  put(".shigusa-0123456789abcdef.tmp/a", "half of it");
+  ASSERT_TRUE(write_file(at("a"), "new"));
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(File, WhatIsNotAProgramsLeftoverStays) {
+  put(".shigusa-notes.tmp", "mine");
+  put(".shigusa-12.tmp.txt", "mine");
+  // of a program that is at work
+  fs::create_directory(at(".shigusa-0123456789abcdef.tmp"));
+  const int other = open(at(".shigusa-0123456789abcdef.tmp").c_str(), O_RDONLY);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  ASSERT_TRUE(write_file(at("a"), "new"));
+  EXPECT_EQ(files(), 4u);
+  close(other);
+}
+
+TEST_F(File, ANamedPipeIsRefusedAndNotWaitedFor) {
+  ASSERT_EQ(mkfifo(at("pipe").c_str(), 0600), 0);
+  EXPECT_EQ(read_text_file(at("pipe"), kPlenty).error().message, "is a pipe; a file is expected");
+  EXPECT_EQ(write_file(at("pipe"), "x").error().message, "is a pipe; a file is expected");
+}
+
+TEST_F(File, APipeOfTheProgramsOwnIsReadToItsEnd) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  std::thread writer([&] {
+    // what comes late is waited for
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(write(ends[1], "task", 4), 4);
+    close(ends[1]);
+  });
+  EXPECT_EQ(read_text_file("/dev/fd/" + std::to_string(ends[0]), kPlenty).value(), "task");
+  writer.join();
+  close(ends[0]);
+}
+
+// With the standard streams closed, what is printed would go to the file that took their number.
+TEST_F(File, FilesNeverGetAStandardStreamsNumber) {
+  put("a", "text");
+  const pid_t child = fork();
+  if (child == 0) {
+    for (int number = 0; number < 3; ++number) close(number);
+    const Descriptor file = open_at(AT_FDCWD, at("a").c_str(), O_RDONLY);
+    _exit(file.number() > 2 && read_text_file(at("a"), kPlenty) ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace

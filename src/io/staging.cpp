@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "staging.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <memory>
+#include <random>
+
+namespace shigusa {
+namespace {
+
+constexpr std::string_view kPrefix = ".shigusa-";
+constexpr std::string_view kSuffix = ".tmp";
+constexpr std::size_t kDigits = 16;  // of a name, hexadecimal, at most
+
+// Not from a seed: two programs must not come upon the same name.
+std::string new_name() {
+  std::random_device random;
+  return fmt::format("{}{:08x}{:08x}{}", kPrefix, random(), random(), kSuffix);
+}
+
+bool is_staging_name(std::string_view name) {
+  if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return false;
+  if (name.size() <= kPrefix.size() + kSuffix.size()) return false;
+  name.remove_prefix(kPrefix.size());
+  name.remove_suffix(kSuffix.size());
+  return name.size() <= kDigits && name.find_first_not_of("0123456789abcdef") == name.npos;
+}
+
+struct FolderCloser {
+  void operator()(DIR* folder) const { closedir(folder); }
+};
+
+// The names in a folder, but for "." and ".."; none where it cannot be read.
+std::vector<std::string> names_in(const Descriptor& folder) {
+  std::vector<std::string> names;
+  const int again = openat(folder.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (again < 0) return names;
+  const std::unique_ptr<DIR, FolderCloser> entries(fdopendir(again));
+  if (!entries) {
+    close(again);
+    return names;
+  }
+  while (const dirent* entry = readdir(entries.get())) {
+    const std::string name = entry->d_name;
+    if (name != "." && name != "..") names.push_back(name);
+  }
+  return names;
+}
+
+// Whether a folder or file that is open is nobody's any more. Where the file system has no locks,
+// age tells.
+bool abandoned(const Descriptor& entry) {
+  constexpr std::time_t kOld = 24 * 60 * 60;  // s
+  if (flock(entry.number(), LOCK_EX | LOCK_NB) == 0) return true;
+  struct stat status {};
+  return errno != EWOULDBLOCK && fstat(entry.number(), &status) == 0 &&
+         status.st_mtime + kOld < std::time(nullptr);
+}
+
+// Removes what killed programs left: staging folders, and the files that earlier versions made.
+void remove_leftovers(const Descriptor& folder) {
+  for (const std::string& name : names_in(folder)) {
+    if (!is_staging_name(name)) continue;
+    const Descriptor entry =
+        open_at(folder.number(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+    struct stat status {};
+    if (!entry || fstat(entry.number(), &status) != 0) continue;
+    const bool known = S_ISDIR(status.st_mode) || S_ISREG(status.st_mode);
+    if (!known || !abandoned(entry)) continue;
+    if (S_ISREG(status.st_mode)) {
+      unlinkat(folder.number(), name.c_str(), 0);
+      continue;
+    }
+    for (const std::string& file : names_in(entry)) unlinkat(entry.number(), file.c_str(), 0);
+    unlinkat(folder.number(), name.c_str(), AT_REMOVEDIR);
+  }
+}
+
+}  // namespace
+
+int Staging::make() {
+  remove_leftovers(folder_);
+  constexpr int kTries = 100;
+  int reason = EEXIST;
+  for (int i = 0; i < kTries && reason == EEXIST; ++i) reason = make_locked(new_name());
+  return reason;
+}
+
+// EEXIST where another name must be tried.
+int Staging::make_locked(const std::string& name) {
+  if (mkdirat(folder_.number(), name.c_str(), 0700) != 0) return errno;
+  self_ = open_at(folder_.number(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
+  if (!self_) {
+    const int reason = errno;
+    unlinkat(folder_.number(), name.c_str(), AT_REMOVEDIR);
+    // one that was not locked yet may have been taken for a leftover
+    return reason == ENOENT ? EEXIST : reason;
+  }
+  (void)flock(self_.number(), LOCK_EX);
+  struct stat ours {};
+  struct stat named {};
+  const bool there = fstatat(folder_.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0;
+  if (fstat(self_.number(), &ours) != 0) return errno;
+  if (!there || ours.st_ino != named.st_ino) return EEXIST;
+  name_ = name;
+  return 0;
+}
+
+int Staging::add(const std::string& name, std::string_view bytes, bool durable) {
+  Descriptor file = open_at(self_.number(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+  if (!file) return errno;
+  files_.push_back(name);
+  if (const int reason = write_all(file, bytes)) return reason;
+  if (durable && fsync(file.number()) != 0) return errno;
+  return file.close();
+}
+
+int Staging::move_out(const std::string& name, const std::string& to) {
+  struct stat old {};
+  const bool there = fstatat(folder_.number(), to.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0;
+  constexpr mode_t kPermissions = 0777;
+  if (there && S_ISREG(old.st_mode) &&
+      fchmodat(self_.number(), name.c_str(), old.st_mode & kPermissions, 0) != 0) {
+    return errno;
+  }
+  if (renameat(self_.number(), name.c_str(), folder_.number(), to.c_str()) != 0) return errno;
+  std::erase(files_, name);
+  return 0;
+}
+
+Staging::~Staging() {
+  for (const std::string& name : files_) unlinkat(self_.number(), name.c_str(), 0);
+  if (!name_.empty()) unlinkat(folder_.number(), name_.c_str(), AT_REMOVEDIR);
+}
+
+}  // namespace shigusa

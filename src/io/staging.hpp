@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "descriptor.hpp"
+
+namespace shigusa {
+
+// A new folder within another one, in which files are made whole before they take their names. It
+// has a name of its own each time, ".shigusa-5e0c….tmp", and is locked while it lives: one that
+// nobody holds is a killed program's. Goes with what is left in it.
+//
+// Functions give 0, or the system's reason (errno).
+class Staging {
+ public:
+  // Borrows `folder`.
+  explicit Staging(const Descriptor& folder) : folder_(folder) {}
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  ~Staging();
+
+  // Removes what killed programs left in the folder, and makes this one.
+  [[nodiscard]] int make();
+
+  // A new file. `durable`: it is on the disk, and not on its way there, when this returns.
+  [[nodiscard]] int add(const std::string& name, std::string_view bytes, bool durable);
+
+  // Gives a file of it its name in the folder, in the place of any file or link that has it, whose
+  // permissions it takes over.
+  [[nodiscard]] int move_out(const std::string& name, const std::string& to);
+
+ private:
+  [[nodiscard]] int make_locked(const std::string& name);
+
+  const Descriptor& folder_;
+  Descriptor self_;
+  std::string name_;
+  std::vector<std::string> files_;  // in it
+};
+
+}  // namespace shigusa
