@@ -18,35 +18,34 @@ double tenths(double degrees) { return rounded_to(10.0, degrees); }
 double thousandths(double metres) { return rounded_to(1000.0, metres); }
 
 void print_body(const BodyModel& body, const CharacterSpec& spec) {
-  fmt::print("{}: {:.3f} m, {:.1f} kg, {} dof\n", printable(body.name()), body.stature(),
-             body.mass(), body.dof_count());
-  fmt::print("{:<26} {:>8} {:>16} {:>18}\n", "freedom", "start °", "limits °", "strength N m");
+  print_out("{}: {:.3f} m, {:.1f} kg, {} dof\n", printable(body.name()), body.stature(),
+            body.mass(), body.dof_count());
+  print_out("{:<26} {:>8} {:>16} {:>18}\n", "freedom", "start °", "limits °", "strength N m");
   for (int d = 0; d < body.dof_count(); ++d) {
     const Dof& dof = body.dof(d);
     const std::string source = printable(file_joint(body, d));
-    fmt::print("{:<26} {:>8.1f} {:>7.0f} to {:>5.0f} {:>8.0f} to {:>5.0f}{}{}\n", dof.name,
+    print_out("{:<26} {:>8.1f} {:>7.0f} to {:>5.0f} {:>8.0f} to {:>5.0f}{}{}\n", dof.name,
                tenths(degrees(body.start()[static_cast<std::size_t>(d)])),
                tenths(degrees(dof.lower)), tenths(degrees(dof.upper)), -dof.torque_negative,
                dof.torque_positive, source.empty() ? "" : "  ", source);
     if (const LimitCoupling* coupling = body.coupling_of(d)) {
-      fmt::print("{:<26} {:>8} {:>7} to {:>5.0f} as {} goes from 0 to {:.0f}\n", "", "", "",
+      print_out("{:<26} {:>8} {:>7} to {:>5.0f} as {} goes from 0 to {:.0f}\n", "", "", "",
                  tenths(degrees(widest_limits(body, d).second)), body.dof(coupling->driver).name,
                  tenths(degrees(coupling->driver_full)));
     }
   }
   const std::vector<Vec3d> places = start_places(body);
-  fmt::print("{:<26} {:>24}\n", "goals can be given for", "start x y z m");
+  print_out("{:<26} {:>24}\n", "goals can be given for", "start x y z m");
   for (int i = 0; i < body.effector_count(); ++i) {
     const Vec3d& at = places[static_cast<std::size_t>(i)];
-    fmt::print("{:<26} {:>8.3f}{:>8.3f}{:>8.3f}\n", printable(body.effector(i).name),
-               thousandths(at.x), thousandths(at.y), thousandths(at.z));
+    print_out("{:<26} {:>8.3f}{:>8.3f}{:>8.3f}\n", printable(body.effector(i).name),
+              thousandths(at.x), thousandths(at.y), thousandths(at.z));
   }
-  for (const auto& [bone, node] : spec.humanoid) fmt::print("{:<18} {}\n", bone, node);
+  for (const auto& [bone, node] : spec.humanoid) print_out("{:<18} {}\n", bone, node);
   for (const auto& [node, bone, share] : twist_shares(spec)) {
-    fmt::print("{:<18} {}, {:.0f} % along {}\n", "twist bone", printable(node), 100.0 * share,
-               bone);
+    print_out("{:<18} {}, {:.0f} % along {}\n", "twist bone", printable(node), 100.0 * share, bone);
   }
-  for (const std::string& doubt : body.doubts()) fmt::print("note: {}\n", printable(doubt));
+  for (const std::string& doubt : body.doubts()) print_out("note: {}\n", printable(doubt));
 }
 
 }  // namespace
@@ -63,7 +62,7 @@ int body(const BodyOptions& options) {
   const Result<BodyModel> model = build_character(spec);
   if (!model) return report(model.error());
   if (options.json) {
-    fmt::print("{}", format_character(spec, *model));
+    print_out("{}", format_character(spec, *model));
   } else {
     print_body(*model, spec);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <optional>
 #include <shigusa/core/progress.hpp>
@@ -15,7 +17,7 @@ namespace shigusa::app {
 // Exit codes of the command line (a contract).
 inline constexpr int kDone = 0;
 inline constexpr int kFault = 1;        // a fault of the program
-inline constexpr int kWrongInput = 2;   // the call or an input file is wrong
+inline constexpr int kWrongInput = 2;   // the call or a file is wrong, the standard output too
 inline constexpr int kUnreachable = 3;  // a goal is out of reach, or met by nothing that the body
                                         // could make; what is nearest is written
 
@@ -142,6 +144,28 @@ struct FrameRange {
 
 // A text from a file as it may stand on a terminal: control characters become '?'.
 [[nodiscard]] std::string printable(std::string_view text);
+
+// Closed standard streams are opened, so that no file gets their numbers: what is printed to stderr
+// goes nowhere, and writing to stdout fails.
+void open_standard_streams();
+
+// Writes to the standard output; what fails is kept for finish_output. Never throws.
+void write_out(std::string_view text);
+// The same to stderr, where a failure is nobody's to hear of.
+void write_err(std::string_view text);
+
+template <class... Args>
+void print_out(fmt::format_string<Args...> format, Args&&... args) {
+  write_out(fmt::format(format, std::forward<Args>(args)...));
+}
+template <class... Args>
+void print_err(fmt::format_string<Args...> format, Args&&... args) {
+  write_err(fmt::format(format, std::forward<Args>(args)...));
+}
+
+// The exit code of a command that has printed all of its output: its own, or kWrongInput, with a
+// message, where not all of that could be written. A full disk may show only here.
+int finish_output(int exit_code);
 
 // Prints "shigusa: place: message" to stderr and returns the exit code that the error means.
 int report(const Error& error);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/hierarchy/task.hpp>
+#include <sstream>
 
 #include "commands.hpp"
 #include "usage.hpp"
@@ -224,6 +224,7 @@ void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   catch_interrupts();
   CLI::App app("shigusa: natural whole-body motions from the final state of the hands", "shigusa");
   app.set_version_flag("--version", SHIGUSA_VERSION);
@@ -245,19 +246,16 @@ int main(int argc, char** argv) {
   add_studio(app, studio_options, exit_code);
   try {
     app.parse(argc, argv);
-    // a full disk behind a redirected output shows only now
-    if (std::fflush(stdout) != 0) {
-      fmt::print(stderr, "shigusa: cannot write to the standard output\n");
-      return kFault;
-    }
-    return exit_code;
+    return finish_output(exit_code);
   } catch (const CLI::ParseError& error) {
     // asking for help or the version comes as an "error" too
     if (error.get_exit_code() != 0) return report_usage(app, error);
-    app.exit(error);
-    return kDone;
+    std::ostringstream told;
+    app.exit(error, told);
+    write_out(told.str());
+    return finish_output(kDone);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "shigusa: internal fault: {}\n", error.what());
+    print_err("shigusa: internal fault: {}\n", error.what());
     return kFault;
   }
 }

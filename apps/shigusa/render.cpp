@@ -111,7 +111,7 @@ int render(const RenderOptions& options) {
   const Result<std::string> picture = draw_strip(*motion, {}, settings, *format);
   if (!picture) return report({picture.error().code, picture.error().to_string(), options.clip});
   if (const auto written = write_file(out, *picture); !written) return report(written.error());
-  fmt::print("{}\n", out.string());
+  print_out("{}\n", out.string());
   return kDone;
 }
 

@@ -24,23 +24,23 @@ void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
                  const ClipScore& score) {
   const Clip& clip = score.motion.clip;
   const ClipFit& fit = score.fit;
-  fmt::print("{}: {:.3f} m, {:.1f} kg, {} dof; frames {} to {}, {:.2f} s",
-             printable(recorded.body.name()), recorded.body.stature(), recorded.body.mass(),
-             recorded.body.dof_count(), settings.first, settings.first + clip.frames - 1,
-             clip.duration());
-  fmt::print("{}\n", settings.cutoff > 0.0 ? fmt::format("; smoothed at {:g} Hz", settings.cutoff)
-                                           : std::string());
-  fmt::print(
+  print_out("{}: {:.3f} m, {:.1f} kg, {} dof; frames {} to {}, {:.2f} s",
+            printable(recorded.body.name()), recorded.body.stature(), recorded.body.mass(),
+            recorded.body.dof_count(), settings.first, settings.first + clip.frames - 1,
+            clip.duration());
+  print_out("{}\n", settings.cutoff > 0.0 ? fmt::format("; smoothed at {:g} Hz", settings.cutoff)
+                                          : std::string());
+  print_out(
       "the body's joints are {:.2f} cm from the recorded ones on average, {:.2f} cm at most "
       "({} in frame {})\n",
       100.0 * fit.mean_distance, 100.0 * fit.worst_distance, fit.worst_joint, fit.worst_frame);
   for (const FootTravel& foot : fit.feet) {
-    fmt::print("{} moves by up to {:.2f} cm and {:.1f}°{}\n", foot.foot, 100.0 * foot.travel,
-               degrees(foot.turn), foot.base ? "; the body stands on it" : "");
+    print_out("{} moves by up to {:.2f} cm and {:.1f}°{}\n", foot.foot, 100.0 * foot.travel,
+              degrees(foot.turn), foot.base ? "; the body stands on it" : "");
   }
-  fmt::print("{}", score_table(recorded.body, score));
+  print_out("{}", score_table(recorded.body, score));
   if (score.measures.collides.depth > kCollisionDepth) {
-    fmt::print("{} is {:.1f} cm in {} at {:.2f} s\n", score.measures.collides.limb,
+    print_out("{} is {:.1f} cm in {} at {:.2f} s\n", score.measures.collides.limb,
                100.0 * score.measures.collides.depth, score.measures.collides.other,
                score.measures.collides.time);
   }
@@ -74,7 +74,7 @@ int score(const ScoreOptions& options) {
   for (const std::string& doubt : recorded->body.doubts()) note(recorded->body.name(), doubt);
   for (const std::string& doubt : score->doubts) note(options.clip, doubt);
   if (options.json) {
-    fmt::print("{}", format_clip_score(options.clip, *recorded, settings, *score));
+    print_out("{}", format_clip_score(options.clip, *recorded, settings, *score));
   } else {
     print_score(*recorded, settings, *score);
   }

@@ -67,9 +67,9 @@ int studio(const StudioOptions& options) {
   PageServer server(std::move(*page));
   if (const auto started = server.start(options.port); !started) return report(started.error());
   const std::string address = fmt::format("http://127.0.0.1:{}/", server.port());
-  fmt::print("{}\n", address);
+  print_out("{}\n", address);
   std::fflush(stdout);
-  fmt::print(stderr, "shigusa studio: open this address; Ctrl-C ends it\n");
+  print_err("shigusa studio: open this address; Ctrl-C ends it\n");
   if (options.open) open_browser(address);
   int end = 0;
   sigwait(&ends, &end);

@@ -155,20 +155,19 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
         generation.remaining_turn > 0.0
             ? fmt::format(", turned {:.1f}° from what is asked", degrees(generation.remaining_turn))
             : "";
-    fmt::print(stderr,
-               "shigusa: out of reach: the closest motion ends {:.1f} mm from the goal{}{}\n",
-               1e3 * generation.remaining_distance, task.goals.size() > 1 ? "s" : "", turn);
+    print_err("shigusa: out of reach: the closest motion ends {:.1f} mm from the goal{}{}\n",
+              1e3 * generation.remaining_distance, task.goals.size() > 1 ? "s" : "", turn);
   }
   if (json) {
-    fmt::print("{}", *summary);
+    print_out("{}", *summary);
   } else {
-    fmt::print("{}{}", headline(task, generation, info), candidate_table(task.body, generation));
+    print_out("{}{}", headline(task, generation, info), candidate_table(task.body, generation));
     for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
       const auto& formats = settings.formats;
       if (std::find(formats.begin(), formats.end(), ExportFormat::png) == formats.end()) break;
-      fmt::print("{}\n", (folder / fmt::format("candidate-{}.png", i + 1)).string());
+      print_out("{}\n", (folder / fmt::format("candidate-{}.png", i + 1)).string());
     }
-    fmt::print("{}\n", (folder / kSummaryName).string());
+    print_out("{}\n", (folder / kSummaryName).string());
   }
   return generation.status == ReachStatus::reached ? kDone : kUnreachable;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -21,6 +21,27 @@ void on_interrupt(int) {
 
 }  // namespace
 
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    // the lowest number that is free is this one; of what cannot be written, writing fails
+    (void)!open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+void write_out(std::string_view text) {
+  // the stream itself remembers that writing failed
+  (void)std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void write_err(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
+
+int finish_output(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  print_err("shigusa: cannot write to the standard output\n");
+  return kWrongInput;
+}
+
 std::string printable(std::string_view text) {
   std::string result(text);
   for (char& c : result) {
@@ -32,12 +53,12 @@ std::string printable(std::string_view text) {
 
 int report(const Error& error) {
   end_progress_line();
-  fmt::print(stderr, "shigusa: {}\n", printable(error.to_string()));
+  print_err("shigusa: {}\n", printable(error.to_string()));
   return kWrongInput;
 }
 
 void note(std::string_view place, std::string_view message) {
-  fmt::print(stderr, "shigusa: {}: note: {}\n", printable(place), printable(message));
+  print_err("shigusa: {}: note: {}\n", printable(place), printable(message));
 }
 
 void catch_interrupts() {
@@ -58,16 +79,16 @@ Progress terminal_progress() {
     last = Clock::now();
     constexpr int kWidth = 30;
     const int filled = static_cast<int>(now.fraction * kWidth);
-    fmt::print(stderr, "\r{} [{:<{}}] {} motions, best score {:.4f}  ", now.stage,
-               std::string(static_cast<std::size_t>(filled), '='), kWidth, now.evaluations,
-               now.best_score);
+    print_err("\r{} [{:<{}}] {} motions, best score {:.4f}  ", now.stage,
+              std::string(static_cast<std::size_t>(filled), '='), kWidth, now.evaluations,
+              now.best_score);
     std::fflush(stderr);
   };
   return progress;
 }
 
 void end_progress_line() {
-  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\x1b[K");
+  if (isatty(STDERR_FILENO) != 0) print_err("\r\x1b[K");
 }
 
 }  // namespace shigusa::app

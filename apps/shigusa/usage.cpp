@@ -62,8 +62,8 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
   const std::string called = chosen.empty() ? "shigusa" : "shigusa " + command.get_name();
-  fmt::print(stderr, "{}: {}\n`{} --help` tells what can be given.\n", called,
-             printable(usage_message(app, command, error)), called);
+  print_err("{}: {}\n`{} --help` tells what can be given.\n", called,
+            printable(usage_message(app, command, error)), called);
   return kWrongInput;
 }
 

@@ -126,11 +126,57 @@ TEST_F(Streams, HelpAndVersionAreResults) {
   }
 }
 
-TEST_F(Streams, AFullDiskBehindStdoutIsAFault) {
+// Commands that print, each as a shell calls it.
+std::vector<std::string> printing_calls() {
+  std::vector<std::string> calls;
+  for (const char* arguments :
+       {"body half_body", "body human --json", "--help", "reach --help", "--version",
+        "reach --goal right_hand=-0.2,1.1,0.4 --out one", "edit result", "edit result --json",
+        "mirror result", "render clip.bvh", "score clip.bvh", "score clip.bvh --json"}) {
+    calls.push_back(std::string("'") + SHIGUSA_BINARY + "' " + arguments);
+  }
+  return calls;
+}
+
+class Outputs : public Streams {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(reach("result", {"--candidates", "1"}).exit_code, 0);
+    work_.put("clip.bvh", work_.get("result/candidate-1.bvh"));
+  }
+
+  // The exit code of a call by the shell.
+  int shell(const std::string& call) {
+    const std::string in_folder = "cd '" + work_.path().string() + "' && " + call;
+    const int status = std::system(in_folder.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+};
+
+TEST_F(Outputs, AFullDiskBehindStdoutIsToldByTheExitCode) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  const std::string call =
-      std::string("'") + SHIGUSA_BINARY + "' body half_body >/dev/full 2>/dev/null";
-  EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 1);
+  for (const std::string& call : printing_calls()) {
+    EXPECT_EQ(shell(call + " >/dev/full 2>messages"), 2) << call;
+    EXPECT_THAT(work_.get("messages"), HasSubstr("cannot write to the standard output")) << call;
+    EXPECT_THAT(work_.get("messages"), Not(HasSubstr("internal fault"))) << call;
+  }
+}
+
+TEST_F(Outputs, AClosedStdoutIsToldByTheExitCode) {
+  for (const std::string& call : printing_calls()) {
+    EXPECT_EQ(shell(call + " <&- >&- 2>messages"), 2) << call;
+    EXPECT_THAT(work_.get("messages"), HasSubstr("cannot write to the standard output")) << call;
+  }
+}
+
+TEST_F(Outputs, ClosedStreamsLeaveExitCodesAndFilesAsTheyAre) {
+  const std::string reach = printing_calls()[5];
+  EXPECT_EQ(shell(reach + " >said <&- 2>&-"), 0);
+  EXPECT_THAT(work_.get("said"), testing::StartsWith("reached: full_body"));
+  const auto with_streams = bytes("one");
+  EXPECT_EQ(shell(reach + " <&- >&- 2>&-"), 2);
+  EXPECT_EQ(bytes("one"), with_streams);
+  EXPECT_EQ(shell(std::string("'") + SHIGUSA_BINARY + "' body nobody.bvh <&- >&- 2>&-"), 2);
 }
 
 }  // namespace
