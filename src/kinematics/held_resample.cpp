@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/kinematics/held_resample.hpp>
+#include <shigusa/kinematics/weighted_ik.hpp>
+
+namespace shigusa {
+namespace {
+
+void append(const Vec3d& v, std::vector<double>& numbers) {
+  numbers.insert(numbers.end(), {v.x, v.y, v.z});
+}
+
+// Holds what is held, frame by frame.
+class Holder {
+ public:
+  Holder(const BodyModel& body, const Clip& clip, double rate, const Held& held)
+      : body_(body), held_(held), now_(body), workspace_(body), step_(body.dofs().size()) {
+    forward_kinematics<double>(body, clip.frame(0), now_);
+    for (const Foot& foot : held.feet) standing_.push_back(now_.link_rotation(foot.link));
+    ways_ = resampled(ways_of(clip), rate);
+    inverse_weights_.assign(body.dofs().size(), 0.0);
+    for (std::size_t i = 0; i < clip.angles.size(); ++i) {
+      const std::size_t d = i % inverse_weights_.size();
+      if (clip.angles[i] != clip.angles[d]) inverse_weights_[d] = 1.0;
+    }
+  }
+
+  // `angles`: of the frame at the rate.
+  void hold(int frame, std::span<double> angles) {
+    constexpr int kSteps = 4;
+    constexpr double kNear = 1e-7;  // m
+    const std::vector<IkTarget<double>> targets = targets_at(frame);
+    for (int k = 0; k < kSteps; ++k) {
+      forward_kinematics<double>(body_, angles, now_);
+      double off = 0.0;
+      for (const IkTarget<double>& target : targets) {
+        off = max(off, norm(position_error(now_, target)));
+        if (target.contact) off = max(off, kContactLength * norm(tilt_error(now_, target)));
+      }
+      if (off < kNear) return;
+      weighted_ik_step<double>(body_, now_, targets, inverse_weights_, {}, {}, workspace_, step_);
+      for (std::size_t d = 0; d < step_.size(); ++d) angles[d] += step_[d];
+    }
+  }
+
+ private:
+  // (frames × 6 for each foot and 3 for each effector) m and rad: where soles are and how they are
+  // turned since the first frame, and where effectors are.
+  Clip ways_of(const Clip& clip) {
+    Clip ways{.dofs = static_cast<int>(6 * held_.feet.size() + 3 * held_.effectors.size()),
+              .frames = clip.frames,
+              .frame_time = clip.frame_time,
+              .angles = {}};
+    for (int f = 0; f < clip.frames; ++f) {
+      forward_kinematics<double>(body_, clip.frame(f), now_);
+      for (std::size_t i = 0; i < held_.feet.size(); ++i) {
+        const Foot& foot = held_.feet[i];
+        append(now_.point(foot.link, foot.centre), ways.angles);
+        append(rotation_vector(now_.link_rotation(foot.link) * transpose(standing_[i])),
+               ways.angles);
+      }
+      for (const Effector& effector : held_.effectors) {
+        append(now_.point(effector.link, effector.point), ways.angles);
+      }
+    }
+    return ways;
+  }
+
+  [[nodiscard]] std::vector<IkTarget<double>> targets_at(int frame) const {
+    std::vector<IkTarget<double>> targets;
+    const double* at = ways_.frame(frame).data();
+    const auto next = [&at] {
+      at += 3;
+      return Vec3d{at[-3], at[-2], at[-1]};
+    };
+    for (std::size_t i = 0; i < held_.feet.size(); ++i) {
+      IkTarget<double>& target = targets.emplace_back();
+      target.link = held_.feet[i].link;
+      target.point = held_.feet[i].centre;
+      target.contact = true;
+      target.position = next();
+      target.orientation = rotation_by(next()) * standing_[i];
+    }
+    for (const Effector& effector : held_.effectors) {
+      IkTarget<double>& target = targets.emplace_back();
+      target.link = effector.link;
+      target.point = effector.point;
+      target.position = next();
+    }
+    return targets;
+  }
+
+  const BodyModel& body_;
+  const Held& held_;
+  Kinematics<double> now_;
+  IkWorkspace<double> workspace_;
+  std::vector<double> step_;             // (dofs)
+  std::vector<double> inverse_weights_;  // (dofs)
+  std::vector<Mat3d> standing_;          // (feet) R_WL in the first frame
+  Clip ways_;
+};
+
+}  // namespace
+
+Clip resampled(const BodyModel& body, const Clip& clip, double rate, const Held& held) {
+  Clip result = resampled(clip, rate);
+  if (held.feet.empty() && held.effectors.empty()) return result;
+  Holder holder(body, clip, rate, held);
+  const auto dofs = static_cast<std::size_t>(clip.dofs);
+  // the first and the last are the clip's own
+  for (int f = 1; f < result.frames - 1; ++f) {
+    holder.hold(f,
+                std::span<double>(result.angles).subspan(static_cast<std::size_t>(f) * dofs, dofs));
+  }
+  return result;
+}
+
+}  // namespace shigusa

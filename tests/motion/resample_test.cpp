@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/core/check.hpp>
+#include <shigusa/motion/minimum_jerk.hpp>
+#include <shigusa/motion/resample.hpp>
+
+namespace shigusa {
+namespace {
+
+constexpr int kFrames = 61;  // of the kernel's motions
+
+// Turns by a radian with minimum jerk, and back with another freedom.
+Clip reach(double duration) {
+  Clip clip{.dofs = 2, .frames = kFrames, .frame_time = duration / (kFrames - 1), .angles = {}};
+  for (int f = 0; f < kFrames; ++f) {
+    const double s = minimum_jerk(static_cast<double>(f) / (kFrames - 1));
+    clip.angles.insert(clip.angles.end(), {s, 1.0 - s});
+  }
+  return clip;
+}
+
+TEST(FramesAt, TheLastIsTheFirstThatIsNotBeforeTheEnd) {
+  EXPECT_EQ(frames_at(1.0, 60.0), 61);
+  EXPECT_EQ(frames_at(1.001, 60.0), 62);
+  EXPECT_EQ(frames_at(0.999, 60.0), 61);
+  EXPECT_EQ(frames_at(1.0, 29.97), 31);
+  EXPECT_EQ(frames_at(0.6, 1.0), 2);
+  EXPECT_EQ(frames_at(0.0, 60.0), 1);
+}
+
+TEST(FramesAt, RoundingMakesNoFrame) {
+  for (int frames = 1; frames < 2000; ++frames) {
+    for (const double rate : {1.0, 24.0, 29.97, 30.0, 60.0, 119.88, 240.0}) {
+      EXPECT_EQ(frames_at(frames / rate, rate), frames + 1) << frames << " at " << rate;
+    }
+  }
+}
+
+TEST(Resampled, OfTheClipsOwnRateIsTheClip) {
+  const Clip clip = reach(1.0);
+  const Clip same = resampled(clip, 60.0);
+  EXPECT_EQ(same.frames, clip.frames);
+  EXPECT_EQ(same.angles, clip.angles);
+}
+
+TEST(Resampled, KeepsTheFramesThatBothHave) {
+  const Clip clip = reach(1.0);
+  const Clip slow = resampled(clip, 30.0);
+  const Clip fast = resampled(clip, 120.0);
+  for (int f = 0; f < slow.frames; ++f) EXPECT_EQ(slow.frame(f)[0], clip.frame(2 * f)[0]);
+  for (int f = 0; f < clip.frames; ++f) EXPECT_EQ(fast.frame(2 * f)[0], clip.frame(f)[0]);
+}
+
+TEST(Resampled, EndsWithTheClipsLastPosture) {
+  for (const double duration : {0.6, 1.088, 2.14}) {
+    const Clip clip = reach(duration);
+    for (const double rate : {1.0, 24.0, 25.0, 29.97, 30.0, 60.0, 120.0, 240.0}) {
+      const Clip other = resampled(clip, rate);
+      EXPECT_EQ(other.frames, frames_at(duration, rate));
+      EXPECT_EQ(other.frame_time, 1.0 / rate);
+      EXPECT_GE(other.duration(), duration - 1e-9);
+      EXPECT_LT(other.duration(), duration + 1.0 / rate);
+      EXPECT_EQ(other.frame(0)[0], 0.0);
+      EXPECT_EQ(other.frame(other.frames - 1)[0], 1.0);
+      EXPECT_EQ(other.frame(other.frames - 1)[1], 0.0);
+    }
+  }
+}
+
+// |d³s/dτ³| of the minimum-jerk profile is 60 at most, so of 60 steps a radian is off by
+// 60 / 60³ / 40 at most.
+TEST(Resampled, IsTheMotionBetweenFramesToo) {
+  const double duration = 1.088;
+  const double most = 60.0 / 60.0 / 60.0 / 60.0 / 40.0;
+  for (const double rate : {24.0, 29.97, 60.0, 240.0}) {
+    const Clip other = resampled(reach(duration), rate);
+    for (int f = 0; f < other.frames; ++f) {
+      EXPECT_NEAR(other.frame(f)[0], minimum_jerk(f / rate / duration), most) << f;
+    }
+  }
+}
+
+TEST(Resampled, ARateThatIsNoneIsACallersMistake) {
+  for (const double rate : {0.0, -1.0, 241.0, std::nan("")}) {
+    EXPECT_THROW((void)resampled(reach(1.0), rate), PreconditionError);
+  }
+}
+
+}  // namespace
+}  // namespace shigusa
