@@ -77,13 +77,16 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
   return {};
 }
 
-Result<ExportSettings> export_settings(const std::optional<std::string>& formats, bool one_file,
-                                       const CharacterSpec& spec) {
-  if (!formats) return ExportSettings{usual_formats(spec), one_file};
-  Result<std::vector<ExportFormat>> asked = parse_formats(*formats);
+Result<ExportSettings> export_settings(const FileOptions& options, const CharacterSpec& spec,
+                                       ExportSettings usual) {
+  usual.one_file = options.one_file;
+  usual.rate = options.fps.value_or(usual.rate);
+  if (!options.formats) return usual;
+  Result<std::vector<ExportFormat>> asked = parse_formats(*options.formats);
   if (!asked) return tl::unexpected(asked.error());
   if (const auto can = check_formats(spec, *asked); !can) return tl::unexpected(can.error());
-  return ExportSettings{std::move(*asked), one_file};
+  usual.formats = std::move(*asked);
+  return usual;
 }
 
 }  // namespace shigusa::app

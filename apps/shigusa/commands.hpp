@@ -48,6 +48,13 @@ struct GoalOptions {
   std::vector<std::string> obstacles;   // NAME=X,Y,Z,SX,SY,SZ
 };
 
+// What is written of a result.
+struct FileOptions {
+  std::optional<std::string> formats;
+  bool one_file = false;
+  std::optional<double> fps;
+};
+
 struct ReachOptions {
   std::string task;  // file, or empty
   std::optional<std::string> character;
@@ -69,8 +76,7 @@ struct ReachOptions {
   int threads = 0;  // 0: one for each core
   std::optional<std::string> simd;
   std::string out = "out";
-  std::optional<std::string> formats;
-  bool one_file = false;
+  FileOptions files;
   bool json = false;
 };
 
@@ -81,8 +87,7 @@ struct EditOptions {
   bool mirror = false;                   // left for right
   std::optional<std::string> character;  // the file of the result's person
   std::string out;                       // empty: a new folder beside the result
-  std::optional<std::string> formats;
-  bool one_file = false;
+  FileOptions files;
   bool json = false;
 };
 
@@ -138,9 +143,11 @@ struct FrameRange {
 // on what cannot be read and on what is of an effector without a goal.
 [[nodiscard]] Result<void> apply_goal_options(const GoalOptions& options, TaskFile& file);
 
-// What to write: the formats asked for, or those that are usual for this character.
-[[nodiscard]] Result<ExportSettings> export_settings(const std::optional<std::string>& formats,
-                                                     bool one_file, const CharacterSpec& spec);
+// What to write: what is asked for, and else as in `usual`. Fails on formats that this character
+// cannot leave in.
+[[nodiscard]] Result<ExportSettings> export_settings(const FileOptions& options,
+                                                     const CharacterSpec& spec,
+                                                     ExportSettings usual);
 
 // A text from a file as it may stand on a terminal: control characters become '?'.
 [[nodiscard]] std::string printable(std::string_view text);

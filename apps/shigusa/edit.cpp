@@ -12,48 +12,98 @@
 namespace shigusa::app {
 namespace {
 
-// The folder that the edit goes to; one that the user gives, or else "edit-1", "edit-2", … or
-// "mirror-1", … beside the result. An edit never writes over what it started from.
-Result<std::filesystem::path> edit_folder(const EditOptions& options) {
-  const std::filesystem::path result = options.result;
+namespace fs = std::filesystem;
+
+// The folder that the result is in.
+fs::path folder_of(const EditOptions& options) {
+  const fs::path result = options.result;
   std::error_code ignored;
-  const auto base = std::filesystem::is_directory(result, ignored) ? result : result.parent_path();
-  const std::filesystem::path out = options.out;
-  if (!out.empty() && !std::filesystem::equivalent(out, base.empty() ? "." : base, ignored)) {
-    return out;
+  const fs::path folder = fs::is_directory(result, ignored) ? result : result.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+// An edit never writes over what it started from.
+Result<void> check_folder(const EditOptions& options) {
+  std::error_code ignored;
+  if (options.out.empty() || !fs::equivalent(options.out, folder_of(options), ignored)) return {};
+  return fail(ErrorCode::invalid_argument,
+              "is the result's own folder, which an edit never writes over; give another",
+              "--out " + options.out);
+}
+
+// The folder that the edit goes to, made: the one that the user gives, or else a new "edit-1",
+// "edit-2", … or "mirror-1", … beside the result, which no other program has.
+Result<fs::path> make_folder(const EditOptions& options) {
+  fs::path folder = options.out;
+  for (int k = 1; options.out.empty(); ++k) {
+    folder = folder_of(options) / fmt::format("{}-{}", options.mirror ? "mirror" : "edit", k);
+    std::error_code error;
+    if (fs::create_directory(folder, error)) break;
+    if (error && error != std::errc::file_exists) {
+      return fail(ErrorCode::io, "cannot make this folder: " + error.message(), folder.string());
+    }
   }
-  if (!out.empty()) {
-    return fail(ErrorCode::invalid_argument,
-                "is the result's own folder, which an edit never writes over; give another",
-                "--out " + options.out);
+  if (const auto ready = prepare_folder(folder); !ready) return tl::unexpected(ready.error());
+  return folder;
+}
+
+// Finds the file of the result's person: as told, or else where the result says it is, which may be
+// true no more. Returns where that is.
+Result<fs::path> attach_character(const EditOptions& options, StoredResult& stored) {
+  CharacterSpec& person = stored.task.character;
+  if (options.character) {
+    const auto attached = attach_file(person, *options.character);
+    return attached ? Result<fs::path>(*options.character) : tl::unexpected(attached.error());
   }
-  for (int k = 1;; ++k) {
-    const auto folder = base / fmt::format("{}-{}", options.mirror ? "mirror" : "edit", k);
-    if (!std::filesystem::exists(folder, ignored)) return folder;
+  if (!person.landmarks) return fs::path{};
+  fs::path file;
+  std::string why = "the result does not say where that is";
+  if (!stored.character.empty()) {
+    file = folder_of(options) / stored.character;
+    const auto attached = attach_file(person, file);
+    if (attached) return file;
+    why = attached.error().to_string();
   }
+  note(person.source,
+       "without the file the motion leaves on the measured body's own skeleton, and not as glb or "
+       "vrma: give it by --character FILE (" +
+           why + ")");
+  return file;
+}
+
+// As the result was written, but for what cannot be without the person's file.
+ExportSettings usual_settings(const StoredResult& stored, int candidate, const fs::path& file) {
+  ExportSettings usual{.formats = {}, .rate = stored.rate, .character = file};
+  const auto index = static_cast<std::size_t>(candidate) - 1;
+  if (index < stored.files.size()) {
+    for (const auto& [name, written] : stored.files[index]) {
+      const auto format = parse_formats(name);
+      if (!format || !check_formats(stored.task.character, *format)) continue;
+      usual.formats.push_back(format->front());
+    }
+  }
+  if (usual.formats.empty()) usual.formats = usual_formats(stored.task.character);
+  return usual;
 }
 
 }  // namespace
 
 int edit(const EditOptions& options) {
-  if (const auto formats = parse_formats(options.formats.value_or("")); !formats) {
+  if (const auto formats = parse_formats(options.files.formats.value_or("")); !formats) {
     return report(formats.error());
   }
-  const Result<std::filesystem::path> folder = edit_folder(options);
-  if (!folder) return report(folder.error());
-  Result<StoredResult> stored = read_result(options.result);
+  if (const auto ready = check_folder(options); !ready) return report(ready.error());
+  Result<StoredResult> stored = read_result(options.result, options.candidate);
   if (!stored) return report(stored.error());
   if (options.mirror) {
     if (const auto done = mirror_result(*stored); !done) return report(done.error());
   }
   const Result<Task> task = make_task(stored->task, {});
   if (!task) return report(task.error());
-  if (options.character) {
-    const auto attached = attach_file(stored->task.character, *options.character);
-    if (!attached) return report(attached.error());
-  }
-  const Result<ExportSettings> settings =
-      export_settings(options.formats, options.one_file, stored->task.character);
+  const Result<fs::path> file = attach_character(options, *stored);
+  if (!file) return report(file.error());
+  const Result<ExportSettings> settings = export_settings(
+      options.files, stored->task.character, usual_settings(*stored, options.candidate, *file));
   if (!settings) return report(settings.error());
   const auto begin = std::chrono::steady_clock::now();
   const Result<Generation> generation =
@@ -68,8 +118,14 @@ int edit(const EditOptions& options) {
   RunInfo info{.search = options.mirror ? "mirror" : "edit"};
   info.elapsed_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  if (const auto ready = prepare_folder(*folder); !ready) return report(ready.error());
-  return deliver(*folder, stored->task, *task, *generation, info, *settings, options.json);
+  const Result<fs::path> folder = make_folder(options);
+  if (!folder) return report(folder.error());
+  const int exit_code =
+      deliver(*folder, stored->task, *task, *generation, info, *settings, options.json);
+  // a folder in which nothing could be written goes again
+  std::error_code ignored;
+  if (exit_code == kWrongInput && options.out.empty()) fs::remove(*folder, ignored);
+  return exit_code;
 }
 
 }  // namespace shigusa::app

@@ -4,6 +4,7 @@
 #include <exception>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/hierarchy/task.hpp>
+#include <shigusa/motion/resample.hpp>
 #include <sstream>
 
 #include "commands.hpp"
@@ -42,12 +43,15 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
       ->allow_extra_args(false);
 }
 
-template <class Options>
-void add_export_options(CLI::App* c, Options& o) {
-  c->add_option(
-      "--formats", o.formats,
-      "Of bvh, csv, svg, png, pdf, glb and vrma (default: bvh,csv,svg,png, for a character "
-      "from a glTF or VRM file also glb, from VRM also vrma)");
+// `usual`, `rate`: what is written, and at how many frames a second, where nothing is said.
+void add_file_options(CLI::App* c, FileOptions& o, const std::string& usual,
+                      const std::string& rate) {
+  c->add_option("--formats", o.formats,
+                "Of bvh, csv, svg, png, pdf, glb and vrma (default: " + usual + ")");
+  c->add_option("--fps", o.fps,
+                "Frames a second of bvh, glb and vrma, 1 to 240, such as 24 or 29.97 (default: " +
+                    rate + "); csv has the motion's own frames with their times")
+      ->check(CLI::Range(shigusa::kRateMin, shigusa::kRateMax));
   c->add_flag("--one-file", o.one_file,
               "All candidates in one candidates.glb in place of a GLB for each");
 }
@@ -137,7 +141,10 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->add_option("--simd", o.simd,
                 "Instructions of the search (default: the widest of the machine)");
   c->add_option("--out", o.out, "Folder for the result")->capture_default_str();
-  add_export_options(c, o);
+  add_file_options(c, o.files,
+                   "bvh,csv,svg,png, for a character from a glTF or VRM file also glb, from VRM "
+                   "also vrma",
+                   "60");
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
   c->callback([&] { exit_code = reach(o); });
 }
@@ -145,13 +152,15 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
 // What edit and mirror have in common.
 void add_result_options(CLI::App* c, EditOptions& o, int& exit_code) {
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
-  c->add_option("--character", o.character,
-                "The person's file, which glb, vrma and a BVH of the file's own nodes need");
+  c->add_option(
+      "--character", o.character,
+      "The person's file, which glb, vrma and a BVH of the file's own nodes need (default: "
+      "where the result says it is)");
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
   c->add_option(
       "--out", o.out,
       "Folder for the new result (default: a new one beside the old, named as the command)");
-  add_export_options(c, o);
+  add_file_options(c, o.files, "those of the result", "the result's");
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
   c->callback([&] { exit_code = edit(o); });
 }
@@ -170,7 +179,8 @@ void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
 }
 
 void add_mirror(CLI::App& app, EditOptions& o, int& exit_code) {
-  CLI::App* c = app.add_subcommand("mirror", "A candidate for the other hand: left for right");
+  CLI::App* c = app.add_subcommand(
+      "mirror", "A candidate for the other hand: left for right, by the same person");
   o.mirror = true;
   add_result_options(c, o, exit_code);
 }

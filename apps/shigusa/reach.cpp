@@ -127,7 +127,7 @@ void note_goals_below_floor(const Task& task) {
 }  // namespace
 
 int reach(const ReachOptions& options) {
-  if (const auto formats = parse_formats(options.formats.value_or("")); !formats) {
+  if (const auto formats = parse_formats(options.files.formats.value_or("")); !formats) {
     return report(formats.error());
   }
   const Result<BatchSettings> batch = batch_settings(options);
@@ -141,10 +141,13 @@ int reach(const ReachOptions& options) {
   const auto folder = options.character || options.task.empty()
                           ? std::filesystem::path{}
                           : std::filesystem::path(options.task).parent_path();
+  const std::filesystem::path character =
+      is_complete(file->character) ? std::filesystem::path{} : folder / file->character.source;
   Result<Task> task = make_task(*file, folder);
   if (!task) return report(task.error());
   const Result<ExportSettings> settings =
-      export_settings(options.formats, options.one_file, file->character);
+      export_settings(options.files, file->character,
+                      {.formats = usual_formats(file->character), .character = character});
   if (!settings) return report(settings.error());
   task->batch = *batch;
   task->layers.store = limb_store();

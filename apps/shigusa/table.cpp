@@ -146,8 +146,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
                                  generation.duration));
   }
   if (generation.status == ReachStatus::unsteady) {
-    fmt::print(stderr,
-               "shigusa: unsteady: the goal{} met, but by no motion that this body could make\n",
+    print_err("shigusa: unsteady: the goal{} met, but by no motion that this body could make\n",
                task.goals.size() > 1 ? "s are" : " is");
   }
   if (!generation.meets_goals()) {

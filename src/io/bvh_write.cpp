@@ -109,31 +109,16 @@ class BvhWriter {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
   }
 
-  // Nodes depth first, each one's children in their order.
   void find_order() {
     const std::size_t count = motion_.skeleton.nodes.size();
-    std::vector<std::vector<std::size_t>> children(count);
     depth_.resize(count);
     has_child_.resize(count);
-    std::vector<std::size_t> open;
-    for (std::size_t i = count; i-- > 0;) {
-      const int parent = node(i).parent;
-      SHG_CHECK(parent < static_cast<int>(i), "parents come before their children");
-      if (parent < 0) {
-        open.push_back(i);
-      } else {
-        children[static_cast<std::size_t>(parent)].push_back(i);
-        has_child_[static_cast<std::size_t>(parent)] = true;
-      }
-    }
-    while (!open.empty()) {
-      const std::size_t i = open.back();
-      open.pop_back();
-      order_.push_back(i);
-      for (const std::size_t child : children[i]) {
-        depth_[child] = depth_[i] + 1;
-        open.push_back(child);
-      }
+    for (const int i : bvh_order(motion_.skeleton)) {
+      order_.push_back(static_cast<std::size_t>(i));
+      const int parent = node(order_.back()).parent;
+      if (parent < 0) continue;
+      depth_[order_.back()] = depth_[static_cast<std::size_t>(parent)] + 1;
+      has_child_[static_cast<std::size_t>(parent)] = true;
     }
   }
 
@@ -259,6 +244,26 @@ class BvhWriter {
 };
 
 }  // namespace
+
+std::vector<int> bvh_order(const Skeleton& skeleton) {
+  const int count = static_cast<int>(skeleton.nodes.size());
+  std::vector<std::vector<int>> children(skeleton.nodes.size());
+  std::vector<int> open;
+  std::vector<int> order;
+  // from behind, so that the first of those that wait is the last in the list
+  for (int i = count - 1; i >= 0; --i) {
+    const int parent = skeleton.nodes[static_cast<std::size_t>(i)].parent;
+    SHG_CHECK(parent < i, "parents come before their children");
+    (parent < 0 ? open : children[static_cast<std::size_t>(parent)]).push_back(i);
+  }
+  while (!open.empty()) {
+    order.push_back(open.back());
+    open.pop_back();
+    const std::vector<int>& next = children[static_cast<std::size_t>(order.back())];
+    open.insert(open.end(), next.begin(), next.end());
+  }
+  return order;
+}
 
 std::string format_bvh(const SkeletonMotion& motion, const BvhFormat& format) {
   SHG_CHECK(format.unit > 0.0 && is_finite(format.unit), "the unit is a positive length");

@@ -2,9 +2,11 @@
 #include "descriptor.hpp"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <system_error>
 
 namespace shigusa {
 
@@ -37,6 +39,12 @@ ssize_t read_some(const Descriptor& file, char* block, std::size_t size) {
     const ssize_t count = read(file.number(), block, size);
     if (count >= 0 || errno != EINTR) return count;
   }
+}
+
+tl::unexpected<Error> refused(const std::filesystem::path& path, const char* action, int reason) {
+  const auto code = reason == ENOENT ? ErrorCode::not_found : ErrorCode::io;
+  const std::string why = std::generic_category().message(reason == 0 ? EIO : reason);
+  return fail(code, fmt::format("cannot {}: {}", action, why), path.string());
 }
 
 }  // namespace shigusa

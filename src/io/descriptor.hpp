@@ -3,6 +3,8 @@
 
 #include <sys/types.h>
 
+#include <filesystem>
+#include <shigusa/core/result.hpp>
 #include <string_view>
 #include <utility>
 
@@ -43,5 +45,9 @@ class Descriptor {
 
 // The next bytes of a file; none at its end, and a number below 0, with errno, where it fails.
 [[nodiscard]] ssize_t read_some(const Descriptor& file, char* block, std::size_t size);
+
+// "PATH: cannot ACTION: " and the system's reason (errno).
+[[nodiscard]] tl::unexpected<Error> refused(const std::filesystem::path& path, const char* action,
+                                            int reason);
 
 }  // namespace shigusa

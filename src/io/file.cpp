@@ -16,12 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<Error> refused(const fs::path& path, const char* action, int reason) {
-  const auto code = reason == ENOENT ? ErrorCode::not_found : ErrorCode::io;
-  const std::string why = std::generic_category().message(reason == 0 ? EIO : reason);
-  return fail(code, fmt::format("cannot {}: {}", action, why), path.string());
-}
-
 // A pipe that stands in a folder like a file may have nobody at its other end. The program's own
 // streams, /dev/stdin and what a shell hands over as /dev/fd/63, have somebody.
 bool waits_for_another(const fs::path& path, mode_t mode) {

@@ -39,7 +39,8 @@ struct FolderCloser {
   void operator()(DIR* folder) const { closedir(folder); }
 };
 
-// The names in a folder, but for "." and ".."; none where it cannot be read.
+}  // namespace
+
 std::vector<std::string> names_in(const Descriptor& folder) {
   std::vector<std::string> names;
   const int again = openat(folder.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -55,6 +56,8 @@ std::vector<std::string> names_in(const Descriptor& folder) {
   }
   return names;
 }
+
+namespace {
 
 // Whether a folder or file that is open is nobody's any more. Where the file system has no locks,
 // age tells.

@@ -11,7 +11,8 @@ constexpr double kSame = 1e-6;          // m
 constexpr double kPlaceRange = 100.0;   // m
 constexpr std::size_t kPlacesMax = 64;  // more than any body has nodes
 
-// (nodes) m, world: where the rig's nodes are in the body's start posture.
+}  // namespace
+
 std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
   Clip clip;
   clip.dofs = body.dof_count();
@@ -34,8 +35,6 @@ std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
   }
   return places;
 }
-
-}  // namespace
 
 void find_places(const BodyModel& body, CharacterSpec& spec) {
   if (!spec.rig) return;

@@ -7,6 +7,9 @@
 
 namespace shigusa {
 
+// (nodes) m, world: where the rig's nodes are in the body's start posture.
+[[nodiscard]] std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig);
+
 // Finds the places of a measured person's spec, from its rig and the body that it is.
 void find_places(const BodyModel& body, CharacterSpec& spec);
 

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <shigusa/core/names.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/csv.hpp>
-#include <shigusa/io/file.hpp>
 #include <shigusa/io/strip_figure.hpp>
+#include <shigusa/kinematics/held_resample.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
 #include <shigusa/project/export.hpp>
 #include <utility>
 
 #include "character_export.hpp"
+#include "export_file.hpp"
+#include "json_reader.hpp"
+#include "read_back.hpp"
 #include "robot_columns.hpp"
 
 namespace shigusa {
@@ -25,14 +29,6 @@ constexpr std::array<std::pair<const char*, ExportFormat>, 7> kFormats{
      {"pdf", ExportFormat::pdf},
      {"glb", ExportFormat::glb},
      {"vrma", ExportFormat::vrma}}};
-constexpr const char* kOneFile = "candidates.glb";
-
-const char* format_name(ExportFormat format) {
-  for (const auto& [name, known] : kFormats) {
-    if (known == format) return name;
-  }
-  return "";
-}
 
 void add_point_columns(const std::string& name, const std::vector<Vec3d>& points,
                        std::vector<CsvColumn>& columns) {
@@ -113,28 +109,59 @@ Result<std::string> motion_strip(const Task& task, const Candidate& candidate,
                     strip_settings(task), format);
 }
 
-std::string file_name(std::size_t index, const char* format) {
-  return fmt::format("candidate-{}.{}", index + 1, format);
+Result<MadeFile> drawn(Result<std::string> bytes) {
+  if (!bytes) return tl::unexpected(bytes.error());
+  return MadeFile{std::move(*bytes), {}};
 }
 
-// Removes what an earlier result left in the folder and this one does not have: more candidates, or
-// other formats. Nothing of an older motion may stand beside a new one.
-void remove_surplus(const std::filesystem::path& folder, const std::vector<CandidateFiles>& files) {
-  constexpr std::size_t kMany = 1000;
-  std::error_code ignored;
-  const bool one = !files.empty() && files[0].contains("glb") && files[0].at("glb") == kOneFile;
-  if (!one) std::filesystem::remove(folder / kOneFile, ignored);
-  for (std::size_t i = 0; i < kMany; ++i) {
-    bool any = i < files.size();
-    for (const auto& [name, format] : kFormats) {
-      if (i < files.size() && files[i].contains(name) && files[i].at(name) != kOneFile) continue;
-      any = std::filesystem::remove(folder / file_name(i, name), ignored) || any;
-    }
-    if (!any) return;
-  }
+// The motion as files of it have it. Fails on more of it than a file may hold.
+Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
+                          const Candidate& candidate, double rate) {
+  const Clip& clip = candidate.motion.clip;
+  const std::size_t nodes =
+      character.rig ? character.rig->rig.nodes.size() : task.body.nodes().size();
+  const auto frames = static_cast<std::size_t>(frames_at(clip.duration(), rate));
+  if (frames * nodes <= kBvhMaxTransforms) return motion_at(task.body, candidate, rate);
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} frames of {} nodes are more than a file may hold, {}: ask for fewer "
+                          "frames a second by --fps",
+                          frames, nodes, kBvhMaxTransforms));
+}
+
+// Formats with the motion of nodes: BVH of any body, GLB and VRMA of characters that can.
+Result<std::string> moving_file(const CharacterSpec& character, const BodyModel& body,
+                                const Clip& clip, ExportFormat format, const std::string& name) {
+  if (!character.rig) return format_bvh(skeleton_motion(body, clip));
+  const CharacterExporter exporter(*character.rig);
+  if (format == ExportFormat::bvh) return exporter.bvh(body, clip);
+  if (format == ExportFormat::vrma) return exporter.vrma(body, clip, name);
+  return exporter.glb(std::vector{exporter.animation(body, clip, name)});
 }
 
 }  // namespace
+
+const char* format_name(ExportFormat format) {
+  for (const auto& [name, known] : kFormats) {
+    if (known == format) return name;
+  }
+  return "";
+}
+
+std::string candidate_file(std::size_t rank, ExportFormat format) {
+  return fmt::format("candidate-{}.{}", rank, format_name(format));
+}
+
+bool is_result_file(std::string_view name) {
+  constexpr std::string_view kCandidate = "candidate-";
+  if (name == kOneFile) return true;
+  const std::size_t dot = name.find('.');
+  if (!name.starts_with(kCandidate) || dot == name.npos) return false;
+  const std::string_view rank = name.substr(kCandidate.size(), dot - kCandidate.size());
+  const bool number = !rank.empty() && rank.find_first_not_of("0123456789") == rank.npos;
+  return number && std::any_of(kFormats.begin(), kFormats.end(), [&](const auto& format) {
+           return name.substr(dot + 1) == format.first;
+         });
+}
 
 Result<std::vector<ExportFormat>> parse_formats(std::string_view list) {
   std::vector<ExportFormat> formats;
@@ -148,74 +175,15 @@ Result<std::vector<ExportFormat>> parse_formats(std::string_view list) {
     list = more ? list.substr(comma + 1) : std::string_view{};
     bool found = false;
     for (const auto& [name, format] : kFormats) {
-      if (word == name) formats.push_back(format);
-      found = found || word == name;
+      if (word != name) continue;
+      found = true;
+      const bool again = std::find(formats.begin(), formats.end(), format) != formats.end();
+      if (!again) formats.push_back(format);
     }
     if (!found) return fail(ErrorCode::invalid_argument, unknown_name("format", word, names));
   }
   return formats;
 }
-
-Result<void> prepare_folder(const std::filesystem::path& folder) {
-  if (folder.empty()) {
-    return fail(ErrorCode::invalid_argument, "the folder for the result has an empty name");
-  }
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    return fail(ErrorCode::io,
-                "cannot make this folder: " + (error ? error.message() : "it is a file"),
-                folder.string());
-  }
-  const std::filesystem::path probe = folder / ".shigusa-probe";
-  if (const auto written = write_file(probe, ""); !written) {
-    return fail(ErrorCode::io, "cannot write to this folder: " + written.error().message,
-                folder.string());
-  }
-  std::filesystem::remove(probe, error);
-  return {};
-}
-
-Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
-                                     ExportFormat format) {
-  switch (format) {
-    case ExportFormat::bvh:
-      return format_bvh(skeleton_motion(task.body, candidate.motion.clip));
-    case ExportFormat::csv:
-      return motion_csv(task, candidate);
-    case ExportFormat::svg:
-      return motion_strip(task, candidate, FigureFormat::svg);
-    case ExportFormat::png:
-      return motion_strip(task, candidate, FigureFormat::png);
-    case ExportFormat::pdf:
-      return motion_strip(task, candidate, FigureFormat::pdf);
-    case ExportFormat::glb:
-    case ExportFormat::vrma:
-      break;
-  }
-  return fail(ErrorCode::unsupported, "a body of one's own has no glTF file to leave in");
-}
-
-namespace {
-
-// One candidate's bytes; `name` of its animation.
-Result<std::string> export_any(const CharacterExporter* character, const Task& task,
-                               const Candidate& candidate, ExportFormat format,
-                               const std::string& name) {
-  if (character != nullptr && format == ExportFormat::bvh) {
-    return character->bvh(task.body, candidate.motion.clip);
-  }
-  if (character != nullptr && format == ExportFormat::glb) {
-    return character->glb(
-        std::vector{character->animation(task.body, candidate.motion.clip, name)});
-  }
-  if (character != nullptr && format == ExportFormat::vrma) {
-    return character->vrma(task.body, candidate.motion.clip, name);
-  }
-  return export_candidate(task, candidate, format);
-}
-
-}  // namespace
 
 std::vector<ExportFormat> usual_formats(const CharacterSpec& character) {
   std::vector<ExportFormat> formats{ExportFormat::bvh, ExportFormat::csv, ExportFormat::svg,
@@ -252,65 +220,121 @@ Result<void> check_formats(const CharacterSpec& character,
   return {};
 }
 
-Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
-                                     const Candidate& candidate, ExportFormat format,
-                                     const std::string& animation) {
-  if (const auto can = check_formats(character, {format}); !can) return tl::unexpected(can.error());
-  std::optional<CharacterExporter> exporter;
-  if (character.rig) exporter.emplace(*character.rig);
-  return export_any(exporter ? &*exporter : nullptr, task, candidate, format, animation);
+Result<void> check_rate(double rate, std::string_view place) {
+  if (rate >= kRateMin && rate <= kRateMax) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("is {:g} frames a second; allowed are {:g} to {:g}", rate, kRateMin, kRateMax),
+      std::string(place));
 }
 
-Result<std::string> export_all(const CharacterSpec& character, const Task& task,
-                               const std::vector<Candidate>& candidates) {
+Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
+  Held held;
+  for (const Foot& foot : body.feet()) {
+    const auto stands = [&foot](const ContactResult& contact) {
+      return contact.effector == foot.name;
+    };
+    const auto& contacts = candidate.contacts;
+    // the base cannot move
+    if (foot.link == kBaseLink || std::none_of(contacts.begin(), contacts.end(), stands)) continue;
+    held.feet.push_back(foot);
+  }
+  for (const GoalResult& goal : candidate.goals) {
+    if (const auto effector = body.find_effector(goal.effector)) {
+      held.effectors.push_back(body.effector(*effector));
+    }
+  }
+  return resampled(body, candidate.motion.clip, rate, held);
+}
+
+Result<FileSettings> parse_file_settings(std::string_view text, std::string_view name) {
+  const Result<Json> json = parse_json(text, name);
+  if (!json) return tl::unexpected(json.error());
+  JsonReader reader(*json, std::string(name) + ": ");
+  FileSettings settings;
+  reader.number("fps", settings.rate, kRateMin, kRateMax);
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return settings;
+}
+
+Result<MadeFile> make_file(const CharacterSpec& character, const Task& task,
+                           const Candidate& candidate, ExportFormat format,
+                           const FileSettings& settings) {
+  if (const auto can = check_formats(character, {format}); !can) return tl::unexpected(can.error());
+  if (const auto can = check_rate(settings.rate, "rate"); !can) return tl::unexpected(can.error());
+  switch (format) {
+    case ExportFormat::csv:
+      return drawn(motion_csv(task, candidate));
+    case ExportFormat::svg:
+      return drawn(motion_strip(task, candidate, FigureFormat::svg));
+    case ExportFormat::png:
+      return drawn(motion_strip(task, candidate, FigureFormat::png));
+    case ExportFormat::pdf:
+      return drawn(motion_strip(task, candidate, FigureFormat::pdf));
+    case ExportFormat::bvh:
+    case ExportFormat::glb:
+    case ExportFormat::vrma:
+      break;
+  }
+  const Result<Clip> clip = clip_at_rate(character, task, candidate, settings.rate);
+  if (!clip) return tl::unexpected(clip.error());
+  const ReadBackCheck check(character, task, candidate, *clip);
+  const std::string& name = settings.animation;
+  Result<std::string> bytes = moving_file(character, task.body, *clip, format, name);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const Result<ReadBack> back = format == ExportFormat::bvh   ? check.bvh(*bytes)
+                                : format == ExportFormat::glb ? check.glb(*bytes, name)
+                                                              : check.vrma(*bytes);
+  if (!back) return tl::unexpected(back.error());
+  return MadeFile{std::move(*bytes), *back};
+}
+
+Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
+                             const std::vector<Candidate>& candidates, double rate) {
   if (const auto can = check_formats(character, {ExportFormat::glb}); !can) {
     return tl::unexpected(can.error());
   }
+  if (const auto can = check_rate(rate, "rate"); !can) return tl::unexpected(can.error());
   const CharacterExporter exporter(*character.rig);
   std::vector<GltfAnimation> animations;
+  std::vector<Clip> clips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    animations.push_back(exporter.animation(task.body, candidates[i].motion.clip,
-                                            candidate_animation(character, i + 1)));
+    Result<Clip> clip = clip_at_rate(character, task, candidates[i], rate);
+    if (!clip) return tl::unexpected(clip.error());
+    clips.push_back(std::move(*clip));
+    animations.push_back(
+        exporter.animation(task.body, clips.back(), candidate_animation(character, i + 1)));
   }
-  return exporter.glb(animations);
+  Result<std::string> bytes = exporter.glb(animations);
+  if (!bytes) return tl::unexpected(bytes.error());
+  MadeGlb made{std::move(*bytes), {}};
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const ReadBackCheck check(character, task, candidates[i], clips[i]);
+    const Result<ReadBack> back = check.glb(made.bytes, animations[i].name);
+    if (!back) return tl::unexpected(back.error());
+    made.back.push_back(*back);
+  }
+  return made;
 }
 
-Result<std::string> write_result(const std::filesystem::path& folder, const TaskFile& file,
-                                 const Task& task, const Generation& generation,
-                                 const RunInfo& info, const ExportSettings& settings) {
-  if (const auto can = check_formats(file.character, settings.formats); !can) {
-    return tl::unexpected(can.error());
-  }
-  std::optional<CharacterExporter> character;
-  if (file.character.rig) character.emplace(*file.character.rig);
-  std::vector<CandidateFiles> files(generation.candidates.size());
-  for (const ExportFormat format : settings.formats) {
-    const bool one = settings.one_file && format == ExportFormat::glb;
-    if (one) {
-      const auto bytes = export_all(file.character, task, generation.candidates);
-      if (!bytes) return tl::unexpected(bytes.error());
-      const auto written = write_file(folder / kOneFile, *bytes);
-      if (!written) return tl::unexpected(written.error());
-    }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      const std::string name = one ? kOneFile : file_name(i, format_name(format));
-      files[i][format_name(format)] = name;
-      if (one) continue;
-      const Result<std::string> bytes =
-          export_any(character ? &*character : nullptr, task, generation.candidates[i], format,
-                     candidate_animation(file.character, i + 1));
-      if (!bytes) return tl::unexpected(bytes.error());
-      if (const auto written = write_file(folder / name, *bytes); !written) {
-        return tl::unexpected(written.error());
-      }
-    }
-  }
-  remove_surplus(folder, files);
-  const std::string summary = format_result(file, task, generation, info, files);
-  if (const auto written = write_file(folder / kSummaryName, summary); !written) {
-    return tl::unexpected(written.error());
-  }
-  return summary;
+Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
+                                     const Candidate& candidate, ExportFormat format,
+                                     const FileSettings& settings) {
+  Result<MadeFile> made = make_file(character, task, candidate, format, settings);
+  if (!made) return tl::unexpected(made.error());
+  return std::move(made->bytes);
+}
+
+Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
+                                     ExportFormat format, const FileSettings& settings) {
+  return export_candidate(CharacterSpec{}, task, candidate, format, settings);
+}
+
+Result<std::string> export_all(const CharacterSpec& character, const Task& task,
+                               const std::vector<Candidate>& candidates, double rate) {
+  Result<MadeGlb> made = make_one_glb(character, task, candidates, rate);
+  if (!made) return tl::unexpected(made.error());
+  return std::move(made->bytes);
 }
 
 }  // namespace shigusa

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,9 +21,16 @@ class JsonLimits {
       throw fmt::format("nested deeper than {} levels", kJsonMaxDepth);
     }
     if (++values_ > kJsonMaxValues) throw fmt::format("more than {} values", kJsonMaxValues);
-    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys_.pop_back();
-    if (event == Json::parse_event_t::key) see_key(parsed.get_ref<const std::string&>());
+    using Event = Json::parse_event_t;
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key) see_key(parsed.get_ref<const std::string&>());
+    // of an event, `depth` counts the objects and lists that are open around it
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Event::array_start || event == Event::object_start) objects_[level + 1] = 0;
+    if (event == Event::object_start && ++objects_[level] > kJsonMaxObjects) {
+      throw fmt::format("more than {} objects in one list", kJsonMaxObjects);
+    }
   }
 
  private:
@@ -36,7 +44,8 @@ class JsonLimits {
   }
 
   std::size_t values_ = 0;
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+  std::vector<std::set<std::string>> keys_;               // of the objects that are open
+  std::array<std::size_t, kJsonMaxDepth + 2> objects_{};  // in what is open at a depth
 };
 
 }  // namespace

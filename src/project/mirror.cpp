@@ -18,22 +18,6 @@ bool turns(std::string_view name) { return name_within_phase(name).starts_with("
 Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
 Quatd across(const Quatd& q) { return {q.x, -q.y, -q.z, q.w}; }
 
-void mirror(Landmarks& person) {
-  std::swap(person.left_leg, person.right_leg);
-  std::swap(person.left_arm, person.right_arm);
-  for_each_point(person, [](Vec3d& p) { p = across(p); });
-  for (Landmarks::Leg* leg : {&person.left_leg, &person.right_leg}) {
-    // counter-clockwise again
-    if (leg->sole) std::reverse(leg->sole->begin(), leg->sole->end());
-  }
-  const PartShapes before = person.parts;
-  for (int i = 0; i < kBodyPartCount; ++i) {
-    const auto part = static_cast<BodyPart>(i);
-    auto& shape = person.parts[part] = before[mirrored(part)];
-    if (shape) *shape = {across(shape->from), across(shape->to), shape->radius};
-  }
-}
-
 // "right_elbow.weight=3" of "left_elbow.weight=3", "twist_deg=-20" of "twist_deg=20".
 std::string mirrored_assignment(const std::string& assignment) {
   std::string text = mirrored_name(assignment);
@@ -81,11 +65,6 @@ Result<TaskFile> mirrored(TaskFile task) {
     return fail(ErrorCode::unsupported,
                 fmt::format("{} has one side only: it has {} and no {}", body->name(), dof.name,
                             mirrored_name(dof.name)));
-  }
-  if (task.character.landmarks) mirror(*task.character.landmarks);
-  for (auto& [node, at] : task.character.places) {
-    node = mirrored_name(node);
-    at = across(at);
   }
   for (Goal& goal : task.goals) {
     goal.effector = mirrored_name(goal.effector);

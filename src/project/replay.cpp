@@ -60,9 +60,17 @@ Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
   return ok ? regenerate(task, parameters) : tl::unexpected(ok.error());
 }
 
-Result<Generation> replay_all(const Task& task, StoredResult& stored) {
+Result<Generation> replay_all(const Task& task, StoredResult& stored, const Progress& progress) {
   Result<Generation> all = replay(task, stored, 1);
   for (int k = 2; all && k <= count_of(stored); ++k) {
+    if (progress.report) {
+      progress.report({"replay", static_cast<double>(k - 1) / count_of(stored), k - 1,
+                       all->candidates.front().score.total});
+    }
+    if (progress.cancelled()) {
+      return fail(ErrorCode::cancelled,
+                  fmt::format("stopped after {} of {} candidates", k - 1, count_of(stored)));
+    }
     Result<Generation> next = replay(task, stored, k);
     if (!next) return next;
     all->candidates.push_back(std::move(next->candidates.front()));
@@ -81,14 +89,15 @@ Result<void> mirror_result(StoredResult& stored) {
   if (!image) return tl::unexpected(image.error());
   const Result<Task> task = make_task(*image, {});
   if (!task) return tl::unexpected(task.error());
-  StoredResult other{std::move(*image), {}, {}};
-  for (const Parameters& parameters : stored.candidates) {
-    other.candidates.push_back(mirrored(*body, task->body, parameters));
+  StoredResult other = stored;
+  other.task = std::move(*image);
+  for (Parameters& parameters : other.candidates) {
+    parameters = mirrored(*body, task->body, parameters);
   }
-  for (const LayeredParameters& parameters : stored.layered) {
+  for (LayeredParameters& parameters : other.layered) {
     Result<LayeredParameters> changed = mirrored(*task, parameters);
     if (!changed) return tl::unexpected(changed.error());
-    other.layered.push_back(std::move(*changed));
+    parameters = std::move(*changed);
   }
   stored = std::move(other);
   return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdlib>
-#include <shigusa/io/file.hpp>
 #include <shigusa/project/export.hpp>
 #include <shigusa/project/result_file.hpp>
 
@@ -131,9 +131,23 @@ Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate
   return list;
 }
 
+// What was written of a candidate. Frames are those of the files that hold the motion of nodes.
+void add_files(const Candidate& candidate, const CandidateFiles& files, double rate, Json& json) {
+  json["files"] = Json::object();
+  for (const auto& [format, file] : files) {
+    json["files"][format] = file.name;
+    if (!file.sha256.empty()) json["sha256"][format] = file.sha256;
+    if (!file.read_back) continue;
+    json["fps"] = rate;
+    json["file_frames"] = frames_at(candidate.motion.clip.duration(), rate);
+    json["read_back"][format] = {{"effector_mm", file.read_back->effector * kMillimetres},
+                                 {"feet_mm", file.read_back->feet * kMillimetres},
+                                 {"turn_deg", degrees(file.read_back->turn)}};
+  }
+}
+
 Json candidate_to_json(const CharacterSpec& character, const Task& task,
-                       const Generation& generation, std::size_t index,
-                       const CandidateFiles* files) {
+                       const Generation& generation, std::size_t index, const ResultFiles& files) {
   const Candidate& candidate = generation.candidates[index];
   Json json;
   json["rank"] = index + 1;
@@ -157,13 +171,12 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
                              {"left", candidate.collision_left}};
   }
   json["parameters"] = any_parameters_to_json(task, candidate.parameters, candidate.layered);
-  json["files"] = Json::object();
-  if (files != nullptr) {
-    for (const auto& [format, name] : *files) json["files"][format] = name;
-    if (files->contains("glb")) {
-      json["glb_animation"] = candidate_animation(character, index + 1);
-      json["glb_unit_m"] = character.rig->rig.placement.unit;
-    }
+  const bool written = index < files.candidates.size();
+  const CandidateFiles& own = written ? files.candidates[index] : CandidateFiles{};
+  add_files(candidate, own, files.rate, json);
+  if (own.contains("glb")) {
+    json["glb_animation"] = candidate_animation(character, index + 1);
+    json["glb_unit_m"] = character.rig->rig.placement.unit;
   }
   json["bvh_unit_m"] = bvh_unit(character);
   return json;
@@ -249,6 +262,51 @@ Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
   return parameters;
 }
 
+// A name as it stands in the result's folder: no way out of it.
+bool is_plain_name(const std::string& name) {
+  constexpr std::size_t kLongest = 255;
+  return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
+         name.find_first_of(std::string("/\\\0", 3)) == name.npos;
+}
+
+bool is_sha256(const std::string& text) {
+  constexpr std::size_t kDigits = 64;
+  return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == text.npos;
+}
+
+// What stands of a candidate's files. Results of pages and of other languages name none.
+Result<CandidateFiles> read_files(const Json& candidate, const std::string& place) {
+  CandidateFiles files;
+  const auto texts = [&](const char* key, const auto& take) -> std::optional<Error> {
+    if (!candidate.is_object() || !candidate.contains(key)) return std::nullopt;
+    const Json& object = candidate[key];
+    if (!object.is_object()) {
+      return Error{ErrorCode::parse, "must be an object { … }", place + "." + key};
+    }
+    for (const auto& [format, text] : object.items()) {
+      if (text.is_string() && take(format, text.template get<std::string>())) continue;
+      return Error{ErrorCode::parse,
+                   std::string("must be ") + (key == std::string_view("files")
+                                                  ? "the name of a file beside this one"
+                                                  : "64 hexadecimal digits, of a file"),
+                   place + "." + key + "." + format.substr(0, 20)};
+    }
+    return std::nullopt;
+  };
+  auto wrong = texts("files", [&](const std::string& format, const std::string& name) {
+    files[format].name = name;
+    return is_plain_name(name);
+  });
+  if (wrong) return tl::unexpected(*wrong);
+  wrong = texts("sha256", [&](const std::string& format, const std::string& digits) {
+    if (!files.contains(format)) return false;
+    files[format].sha256 = digits;
+    return is_sha256(digits);
+  });
+  if (wrong) return tl::unexpected(*wrong);
+  return files;
+}
+
 Result<void> check_version(const Json& json, const std::string& place) {
   const auto version = json.find("version");
   if (version != json.end() && *version == kResultVersion) return {};
@@ -267,7 +325,7 @@ TaskFile played_task(TaskFile file, const Generation& generation) {
 }
 
 std::string format_result(const TaskFile& file, const Task& task, const Generation& generation,
-                          const RunInfo& info, const std::vector<CandidateFiles>& files) {
+                          const RunInfo& info, const ResultFiles& files) {
   Json json;
   json["version"] = kResultVersion;
   json["status"] = status_name(generation.status);
@@ -282,6 +340,7 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   json["threads"] = info.threads;
   json["simd"] = info.simd;
   json["character"] = file.character.source;
+  if (!files.character.empty()) json["character_file"] = files.character;
   json["preset"] = preset_name(task.preset);
   json["search"] = info.search;
   json["goals"] = Json::array();
@@ -290,8 +349,7 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   }
   json["candidates"] = Json::array();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
-    json["candidates"].push_back(candidate_to_json(file.character, task, generation, i,
-                                                   i < files.size() ? &files[i] : nullptr));
+    json["candidates"].push_back(candidate_to_json(file.character, task, generation, i, files));
   }
   if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
   json["search_detail"] = search_to_json(task, generation);
@@ -313,6 +371,9 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   Result<TaskFile> task = task_from_json((*json)["task"], place + ": task");
   if (!task) return tl::unexpected(task.error());
   StoredResult result{std::move(*task), {}, {}};
+  if (json->contains("character_file") && (*json)["character_file"].is_string()) {
+    result.character = (*json)["character_file"].get<std::string>();
+  }
   const CharacterSpec& character = result.task.character;
   if (!is_complete(character)) {
     return fail(ErrorCode::parse,
@@ -321,10 +382,16 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
                     : "landmarks_m is missing: a result holds the person as measured",
                 place + ": task.character");
   }
-  const Result<BodyModel> body = build_body(result.task);
-  if (!body) return tl::unexpected(body.error());
   const Json& candidates = (*json)["candidates"];
   if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
+  if (candidates.size() > kResultMaxCandidates) {
+    return fail(
+        ErrorCode::parse,
+        fmt::format("{} candidates; up to {} are allowed", candidates.size(), kResultMaxCandidates),
+        place);
+  }
+  const Result<BodyModel> body = build_body(result.task);
+  if (!body) return tl::unexpected(body.error());
   std::vector<Layer> layers;
   if (const std::optional<LayerStack> stack = preset_layers(result.task.preset)) {
     Result<std::vector<Layer>> known =
@@ -334,6 +401,17 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   }
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);
+    Result<CandidateFiles> files = read_files(candidates[i], at);
+    if (!files) return tl::unexpected(files.error());
+    result.files.push_back(std::move(*files));
+    if (candidates[i].contains("fps")) {
+      const Json& rate = candidates[i]["fps"];
+      if (!rate.is_number()) return fail(ErrorCode::parse, "must be a number", at + ".fps");
+      if (const auto ok = check_rate(rate.get<double>(), at + ".fps"); !ok) {
+        return tl::unexpected(ok.error());
+      }
+      result.rate = rate.get<double>();
+    }
     if (layers.empty()) {
       Result<Parameters> parameters = read_parameters(*body, candidates[i], at);
       if (!parameters) return tl::unexpected(parameters.error());
@@ -345,15 +423,6 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
     }
   }
   return result;
-}
-
-Result<StoredResult> read_result(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const std::filesystem::path file =
-      std::filesystem::is_directory(path, ignored) ? path / kSummaryName : path;
-  const Result<std::string> text = read_text_file(file, kResultMaxBytes);
-  if (!text) return tl::unexpected(text.error());
-  return parse_result(*text, file.filename().string());
 }
 
 }  // namespace shigusa

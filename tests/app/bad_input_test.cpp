@@ -2,8 +2,9 @@
 // Whatever is wrong with a call or a file: exit code 2, a message that names the place, the value
 // and what is allowed, and no file changed.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
-#include "support/person_file.hpp"
+#include "support/gltf_file.hpp"
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"
 
@@ -50,6 +51,8 @@ class FolderOfBadInput : public testing::Test {
     folder_.put("infinite.bvh", one_joint_bvh("Frames: 1\nFrame Time: 0.1\n0 inf 0\n"));
     folder_.put("short.bvh", one_joint_bvh("Frames: 9\nFrame Time: 0.1\n0 0 0\n"));
     folder_.put("truncated.bvh", person.substr(0, person.size() / 3));
+    folder_.put("truncated.glb", glb(person_gltf().dump()).substr(0, 100));
+    SHG_CHECK(mkfifo((folder_ / "pipe.bvh").c_str(), 0600) == 0, "a pipe");
     folder_.put("truncated.json", R"({"version": 1, "goals": [{"effec)");
     folder_.put("folder/kept.txt", "kept");
     folder_.put("taken", "a file where a folder is wanted");
@@ -110,6 +113,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"TooFewEvaluations",
              {"reach", "--goal", kGoal, "--evaluations", "7"},
              {"--evaluations", "'7'", "from 8"}},
+        Case{"RateOfNothing", {"reach", "--goal", kGoal, "--fps", "0"}, {"--fps", "0"}},
+        Case{"RateTooHigh", {"reach", "--goal", kGoal, "--fps", "241"}, {"--fps", "241", "240"}},
+        Case{"RateOfText", {"edit", "result", "--fps", "film"}, {"--fps", "film"}},
         Case{"TextForANumber", {"reach", "--stature", "tall"}, {"--stature", "tall"}}),
     name_of);
 
@@ -231,6 +237,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"MillionFrames", {"body", "million.bvh"}, {"million.bvh", "1000000", "200000"}},
         Case{"Infinite", {"body", "infinite.bvh"}, {"infinite.bvh", "inf"}},
         Case{"FewerFramesThanTold", {"body", "short.bvh"}, {"short.bvh", "9"}},
+        Case{"TruncatedGlb",
+             {"body", "truncated.glb", "--frame", "1"},
+             {"truncated.glb: its header"}},
+        Case{"PipeForACharacter", {"body", "pipe.bvh"}, {"pipe.bvh: is a pipe"}},
         Case{"NoSuchFrame", {"body", "person.bvh", "--frame", "3"}, {"frame 3", "0 to 2"}},
         Case{"StatureOutOfRange", {"body", "person.bvh", "--stature", "9"}, {"9 m", "0.5 to 2.5"}}),
     name_of);

@@ -23,6 +23,17 @@ class CharacterFiles : public testing::Test {
     return run(call);
   }
 
+  // By the GLB's own numbers.
+  static void expect_glb_meets_goal(const StoredRun& stored) {
+    const Json& candidate = stored.candidate(1);
+    const ExportedGlb out(stored.get(candidate.at("files").at("glb")));
+    const Json& goal = candidate.at("reached").at(0);
+    const int last = candidate.at("file_frames").get<int>() - 1;
+    EXPECT_LE(norm(out.at(goal.at("gltf_node"), candidate.at("glb_animation"), last) -
+                   to_vec(goal.at("goal_m"))),
+              kMillimetre);
+  }
+
   WorkFolder work_;
 };
 
@@ -31,31 +42,101 @@ TEST_F(CharacterFiles, AGltfCharacterLeavesAsGlbUnasked) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const StoredRun stored(work_, "out");
   expect_promises_kept(stored);
-  const Json& candidate = stored.candidate(1);
-  EXPECT_EQ(candidate.at("files").size(), 5u);
-  const ExportedGlb out(stored.get(candidate.at("files").at("glb")));
-  const Json& goal = candidate.at("reached").at(0);
-  const int last = candidate.at("frames").get<int>() - 1;
-  EXPECT_LE(norm(out.at(goal.at("gltf_node"), candidate.at("glb_animation"), last) -
-                 to_vec(goal.at("goal_m"))),
-            kMillimetre);
+  EXPECT_EQ(stored.candidate(1).at("files").size(), 5u);
+  expect_glb_meets_goal(stored);
 }
 
-TEST_F(CharacterFiles, EditsNeedTheFileForGlbAlone) {
+std::set<std::string> formats_of(const StoredRun& run) {
+  std::set<std::string> formats;
+  for (const auto& [format, name] : run.candidate(1).at("files").items()) formats.insert(format);
+  return formats;
+}
+
+TEST_F(CharacterFiles, EditsAndMirrorImagesLeaveAsTheResultDid) {
   ASSERT_EQ(reach({}).exit_code, 0);
+  const StoredRun reached(work_, "out");
+  EXPECT_EQ(reached.summary().at("character_file"), "../person.glb");
+  for (const std::string command : {"edit", "mirror"}) {
+    for (const Words& more : {Words{}, Words{"--character", "person.glb"}}) {
+      Words call{command, "out", "--out", command};
+      call.insert(call.end(), more.begin(), more.end());
+      const ProgramRun done = run(call);
+      EXPECT_EQ(done.exit_code, 0) << done.err;
+      EXPECT_THAT(done.err, testing::Not(HasSubstr("--character"))) << command;
+      const StoredRun stored(work_, command);
+      EXPECT_EQ(formats_of(stored), formats_of(reached)) << command;
+      EXPECT_EQ(stored.summary().at("character_file"), "../person.glb");
+      expect_promises_kept(stored);
+      expect_glb_meets_goal(stored);
+    }
+  }
+  // the same parameters give the same motion
+  EXPECT_EQ(work_.get("edit/candidate-1.glb"), work_.get("out/candidate-1.glb"));
+  // an edit of an edit finds the file too
+  ASSERT_EQ(run({"mirror", "edit"}).exit_code, 0);
+  EXPECT_EQ(StoredRun(work_, "edit/mirror-1").summary().at("character_file"), "../../person.glb");
+  EXPECT_EQ(formats_of(StoredRun(work_, "edit/mirror-1")), formats_of(reached));
+}
+
+TEST_F(CharacterFiles, FewerFormatsStayFewer) {
+  ASSERT_EQ(reach({"--formats", "glb,csv", "--fps", "24"}).exit_code, 0);
+  ASSERT_EQ(run({"edit", "out", "--out", "a"}).exit_code, 0);
+  const StoredRun edited(work_, "a");
+  EXPECT_EQ(formats_of(edited), (std::set<std::string>{"glb", "csv"}));
+  EXPECT_EQ(edited.candidate(1).at("fps"), 24.0);
+  ASSERT_EQ(run({"edit", "out", "--out", "b", "--fps", "30"}).exit_code, 0);
+  EXPECT_EQ(StoredRun(work_, "b").candidate(1).at("fps"), 30.0);
+}
+
+TEST_F(CharacterFiles, ABvhLeavesOnItsOwnNodesByTheOtherHandToo) {
+  std::string text = person_bvh();
+  for (const auto& [from, to] :
+       {std::pair{"right_hand\n", "Bip01 R Hand\n"},
+        {"Zrotation Xrotation Yrotation", "Yrotation Xrotation Zrotation"}}) {
+    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + 1)) {
+      text.replace(at, std::string(from).size(), to);
+    }
+  }
+  work_.put("person.bvh", text);
+  ASSERT_EQ(reach({"--frame", "2", "--formats", "bvh"}, "person.bvh").exit_code, 0);
+  const ProgramRun done = run({"mirror", "out", "--candidate", "2", "--out", "m"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  const StoredRun stored(work_, "m");
+  expect_promises_kept(stored);
+  EXPECT_EQ(stored.candidate(1).at("reached").at(0).at("effector"), "left_hand");
+  EXPECT_EQ(to_vec(stored.candidate(1).at("reached").at(0).at("goal_m")).x, 0.2);
+  const std::string bvh = stored.get("candidate-1.bvh");
+  EXPECT_THAT(bvh, HasSubstr("JOINT Bip01 R Hand\n"));
+  EXPECT_THAT(bvh, HasSubstr("CHANNELS 3 Yrotation Xrotation Zrotation"));
+}
+
+TEST_F(CharacterFiles, WithoutTheFileAnEditSaysWhatToGive) {
+  ASSERT_EQ(reach({}).exit_code, 0);
+  std::filesystem::create_directory(work_ / "moved");
+  std::filesystem::rename(work_ / "person.glb", work_ / "moved/person.glb");
   const ProgramRun without = run({"edit", "out", "--set", "right_knee.weight=3", "--out", "a"});
   EXPECT_EQ(without.exit_code, 0) << without.err;
-  EXPECT_EQ(StoredRun(work_, "a").candidate(1).at("files").size(), 4u);
+  EXPECT_THAT(without.err, AllOf(HasSubstr("person.glb: note: "), HasSubstr("--character FILE"),
+                                 HasSubstr("No such file")));
+  EXPECT_EQ(formats_of(StoredRun(work_, "a")), (std::set<std::string>{"bvh", "csv", "png", "svg"}));
   expect_promises_kept(StoredRun(work_, "a"));
   const ProgramRun refused = run({"edit", "out", "--formats", "glb", "--out", "b"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("needs the character's file, person.glb: give it by "
                                      "--character FILE"));
   EXPECT_FALSE(std::filesystem::exists(work_ / "b"));
-  const ProgramRun with = run({"edit", "out", "--character", "person.glb", "--out", "c"});
+  const ProgramRun with = run({"mirror", "out", "--character", "moved/person.glb", "--out", "c"});
   EXPECT_EQ(with.exit_code, 0) << with.err;
-  // the same parameters give the same motion
-  EXPECT_EQ(work_.get("c/candidate-1.glb"), work_.get("out/candidate-1.glb"));
+  EXPECT_EQ(StoredRun(work_, "c").candidate(1).at("files").size(), 5u);
+  EXPECT_EQ(StoredRun(work_, "c").summary().at("character_file"), "../moved/person.glb");
+  // another person's file in its place is not taken
+  nlohmann::json other = person_gltf();
+  other["nodes"][0]["scale"] = {1.1, 1.0, 1.0};
+  work_.put("person.glb", glb(other.dump(), "data"));
+  const ProgramRun another = run({"edit", "out", "--out", "d"});
+  EXPECT_EQ(another.exit_code, 0);
+  EXPECT_THAT(another.err, HasSubstr("is not the person of the result"));
+  EXPECT_EQ(StoredRun(work_, "d").candidate(1).at("files").size(), 4u);
 }
 
 // What one motion ends with the next one begins with.

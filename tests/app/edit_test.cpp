@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <sys/stat.h>
+
+#include <thread>
+
 #include "app/result_checks.hpp"
 #include "support/person_file.hpp"
 
@@ -118,7 +122,7 @@ TEST_F(Edit, LocksThatKeepTheHandFromItsGoalAreToldAsOutOfReach) {
 TEST_F(Edit, OfAPersonFromAFileNeedsTheFileNoMore) {
   work_.put("person.bvh", person_bvh());
   reach({"--character", "person.bvh", "--frame", "2", "--goal", "left_hand=0.1,0.9,0.45"});
-  ASSERT_THAT(edit("result", {"--character", "person.bvh"}).exit_code, delivered());
+  ASSERT_THAT(edit("result").exit_code, delivered());
   EXPECT_EQ(work_.get("result/edit-1/candidate-1.bvh"), work_.get("result/candidate-1.bvh"));
   // without it the motion is the same, on nodes of the body's own
   std::filesystem::remove(work_ / "person.bvh");
@@ -127,7 +131,7 @@ TEST_F(Edit, OfAPersonFromAFileNeedsTheFileNoMore) {
   expect_promises_kept(StoredRun(work_, "result/edit-2"));
 }
 
-TEST_F(Edit, NeverOpensAFileThatAResultNames) {
+TEST_F(Edit, TakesNothingFromAFileThatAResultNamesButItsOwnPersonsSkeleton) {
   // a result from elsewhere may name any file of this machine
   work_.put("person.bvh", person_bvh());
   Json summary = Json::parse(work_.get("result/summary.json"));
@@ -136,6 +140,47 @@ TEST_F(Edit, NeverOpensAFileThatAResultNames) {
   const ProgramRun run = edit("result");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("landmarks_m is missing"));
+}
+
+TEST_F(Edit, WaitsForNoPipeAndReadsNoOtherFileThatAResultNames) {
+  work_.put("person.bvh", person_bvh());
+  reach({"--character", "person.bvh", "--goal", "left_hand=0.1,0.9,0.45"});
+  ASSERT_EQ(mkfifo((work_ / "pipe.bvh").c_str(), 0600), 0);
+  for (const auto& [file, told] : {std::pair{"../pipe.bvh", "is a pipe"},
+                                   {"/etc/passwd", "unknown character"},
+                                   {"", "does not say where"},
+                                   {"../result", "unknown character"}}) {
+    Json summary = Json::parse(work_.get("result/summary.json"));
+    summary["character_file"] = file;
+    work_.put("result/summary.json", summary.dump());
+    const ProgramRun run = edit("result");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(told));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("root:")));
+  }
+}
+
+TEST_F(Edit, RefusesAFileThatIsNotTheOneThatTheResultDescribes) {
+  work_.put("result/candidate-2.svg", "drawn over");
+  const ProgramRun run = edit("result", {"--candidate", "2"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("candidate-2.svg: is not the file that summary.json describes"));
+  EXPECT_THAT(run.err, HasSubstr("Delete it to go on"));
+  EXPECT_FALSE(std::filesystem::exists(work_ / "result/edit-1"));
+  EXPECT_EQ(edit("result", {"--candidate", "1"}).exit_code, 0);
+  std::filesystem::remove(work_ / "result/candidate-2.svg");
+  EXPECT_EQ(edit("result", {"--candidate", "2"}).exit_code, 0);
+}
+
+TEST_F(Edit, ProgramsAtOnceTakeFoldersOfTheirOwn) {
+  std::vector<std::thread> programs;
+  for (int i = 0; i < 4; ++i) {
+    programs.emplace_back([this] { EXPECT_EQ(edit("result").exit_code, 0); });
+  }
+  for (std::thread& program : programs) program.join();
+  for (const char* folder : {"edit-1", "edit-2", "edit-3", "edit-4"}) {
+    EXPECT_TRUE(std::filesystem::exists(work_ / "result" / folder / "summary.json")) << folder;
+  }
 }
 
 TEST_F(Edit, NamesFromAResultReachTheTerminalWithoutControlCharacters) {

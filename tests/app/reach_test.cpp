@@ -193,6 +193,25 @@ TEST_F(Reach, GoalBelowTheFloorIsNoted) {
   EXPECT_THAT(run.err, HasSubstr("goal of right_hand: note: 0.1 m below the floor"));
 }
 
+TEST_F(Reach, FilesHaveTheRateThatIsAskedFor) {
+  for (const auto& [fps, frame_time] : {std::pair{"24", "0.041666666666666664"},
+                                        {"29.97", "0.033366700033366704"},
+                                        {"60", "0.016666666666666666"},
+                                        {"120", "0.008333333333333333"}}) {
+    ASSERT_EQ(
+        reach({"--goal", "right_hand=-0.2,1.1,0.4", "--fps", fps, "--duration", "1.1"}).exit_code,
+        0);
+    const StoredRun stored(work_, "out");
+    expect_promises_kept(stored);
+    EXPECT_THAT(stored.get("candidate-1.bvh"),
+                testing::HasSubstr(std::string("Frame Time: ") + frame_time));
+    EXPECT_EQ(stored.candidate(1).at("fps"), std::stod(fps));
+    EXPECT_EQ(stored.candidate(1).at("duration_s"), 1.1);
+    EXPECT_EQ(csv_column(stored.get("candidate-1.csv"), "time [s]").size(),
+              stored.candidate(1).at("frames").get<std::size_t>());
+  }
+}
+
 TEST_F(Reach, TorquesAndTimesStandInTheCsv) {
   ASSERT_EQ(reach({"--goal", "right_hand=-0.2,1.1,0.4", "--duration", "1.2"}).exit_code, 0);
   const StoredRun stored(work_, "out");

@@ -93,7 +93,7 @@ inline void expect_promises_kept(const StoredRun& run) {
   for (const Json& candidate : run.summary().at("candidates")) {
     const ExportedMotion motion = run.motion(candidate);
     EXPECT_TRUE(motion.finite());
-    EXPECT_EQ(motion.frames(), candidate.at("frames").get<int>());
+    EXPECT_EQ(motion.frames(), candidate.at("file_frames").get<int>());
     expect_goals_met(motion, candidate);
     expect_ends_as_told(motion, candidate);
     expect_feet_stand(motion, candidate);

@@ -45,7 +45,7 @@ TEST_F(ScoreCommand, JsonHasTheNamesOfTheSummary) {
       score({"out/candidate-1.bvh", "--character", "full_body", "--smooth", "0", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json json = Json::parse(run.out);
-  EXPECT_EQ(json.at("frames"), Json({0, candidate.at("frames").get<int>() - 1}));
+  EXPECT_EQ(json.at("frames"), Json({0, candidate.at("file_frames").get<int>() - 1}));
   EXPECT_EQ(json.at("criteria").size(), candidate.at("criteria").size());
   for (const auto& [name, penalty] : candidate.at("criteria").items()) {
     EXPECT_NEAR(json.at("criteria").at(name).get<double>(), penalty.get<double>(), 5e-3) << name;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <thread>
 
 #include "c/handles.hpp"
@@ -138,6 +139,83 @@ TEST(CInterface, AResultComesBackFromItsJson) {
   ASSERT_EQ(shigusa_mirror(restored, &image), SHIGUSA_OK) << shigusa_message();
   const Outcome mirrored(image);
   EXPECT_EQ(json_of(image).at("goals").at(0).at("effector"), "left_hand");
+}
+
+TEST(CInterface, FilesLeaveAtTheRateThatIsAskedFor) {
+  const std::string file = shigusa::testing_support::person_gltf().dump();
+  const Character person = character_of(R"({"source": "person.gltf"})", file);
+  const Outcome result = outcome_of(
+      person.get(), R"({"goals": [{"effector": "right_hand", "position_m": [-0.2, 1.1, 0.35]}]})");
+  const auto written = [&](const char* format, const char* options) {
+    return text_of(shigusa_result_export_with, result.get(), 1, format, options);
+  };
+  EXPECT_THAT(written("bvh", R"({"fps": 24})"), HasSubstr("Frame Time: 0.041666666666666664"));
+  EXPECT_THAT(written("bvh", R"({"fps": 29.97})"), HasSubstr("Frame Time: 0.033366700033366704"));
+  EXPECT_EQ(written("bvh", nullptr), text_of(shigusa_result_export, result.get(), 1, "bvh"));
+  EXPECT_EQ(written("glb", "{}"), written("glb", R"({"fps": 60})"));
+  EXPECT_LT(written("glb", R"({"fps": 24})").size(), written("glb", R"({"fps": 120})").size());
+  EXPECT_LT(text_of(shigusa_result_export_with, result.get(), 0, "glb", R"({"fps": 24})").size(),
+            text_of(shigusa_result_export, result.get(), 0, "glb").size());
+  shigusa_bytes* bytes = nullptr;
+  for (const char* options :
+       {R"({"fps": 0})", R"({"fps": 241})", R"({"fps": "24"})", R"({"rate": 24})", "24", "{"}) {
+    EXPECT_EQ(shigusa_result_export_with(result.get(), 1, "bvh", options, &bytes), SHIGUSA_PARSE)
+        << options;
+  }
+  EXPECT_EQ(bytes, nullptr);
+}
+
+TEST(CInterface, NodesMoveAtTheRateThatIsAskedFor) {
+  const Character human = character_of(R"("human")");
+  const Outcome result = outcome_of(human.get(), kLowReach);
+  shigusa_bytes* bytes = nullptr;
+  size_t frames = 0;
+  size_t columns = 0;
+  const auto at = [&](shigusa_series series, double fps) {
+    EXPECT_EQ(shigusa_result_series_at(result.get(), 1, series, fps, &bytes, &frames, &columns),
+              SHIGUSA_OK)
+        << shigusa_message();
+    std::vector<double> values(frames * columns);
+    EXPECT_EQ(shigusa_bytes_size(bytes), values.size() * sizeof(double));
+    std::memcpy(values.data(), shigusa_bytes_data(bytes), shigusa_bytes_size(bytes));
+    shigusa_bytes_free(bytes);
+    return values;
+  };
+  const std::vector<double> times = at(SHIGUSA_TIME, 25.0);
+  EXPECT_EQ(times.at(10), 10 / 25.0);
+  EXPECT_GE(times.back(), json_of(result.get()).at("candidates").at(0).at("duration_s"));
+  const std::vector<double> turns = at(SHIGUSA_NODE_ROTATIONS, 25.0);
+  const Table own = table_of(result.get(), 1, SHIGUSA_NODE_ROTATIONS);
+  ASSERT_EQ(columns, own.columns);
+  EXPECT_EQ(frames, times.size());
+  for (size_t c = 0; c < columns; ++c) {
+    EXPECT_EQ(turns[c], own.at(0, c));
+    EXPECT_EQ(turns[(frames - 1) * columns + c], own.at(own.frames - 1, c));
+  }
+  EXPECT_EQ(
+      shigusa_result_series_at(result.get(), 1, SHIGUSA_TORQUES, 25.0, &bytes, &frames, &columns),
+      SHIGUSA_UNSUPPORTED);
+  EXPECT_EQ(shigusa_result_series_at(result.get(), 1, SHIGUSA_TIME, 0.0, &bytes, &frames, &columns),
+            SHIGUSA_INVALID_ARGUMENT);
+}
+
+TEST(CInterface, ARestoredResultCanBeStopped) {
+  const Character human = character_of(R"("human")");
+  const Outcome result = outcome_of(human.get(), kLowReach);
+  const std::string summary = text_of(shigusa_result_describe, result.get());
+  ASSERT_GT(shigusa_result_candidates(result.get()), 2);
+  int32_t done = 0;
+  const auto stop_at_two = [](void* user, double, int32_t evaluations, double) -> int32_t {
+    *static_cast<int32_t*>(user) = evaluations;
+    return evaluations == 2 ? 1 : 0;
+  };
+  const shigusa_watch watch{stop_at_two, &done};
+  shigusa_result* restored = nullptr;
+  EXPECT_EQ(shigusa_restore_watched(human.get(), summary.c_str(), &watch, &restored),
+            SHIGUSA_CANCELLED);
+  EXPECT_THAT(shigusa_message(), HasSubstr("stopped after 2 of "));
+  EXPECT_EQ(done, 2);
+  EXPECT_EQ(restored, nullptr);
 }
 
 // The layered presets have parameters of their own; each is assigned by the name it is told by.

@@ -194,8 +194,8 @@ TEST(GltfAnimationReader, EveryCutOfAFileIsRefusedOrHasNames) {
   EXPECT_THAT(gltf_animation_names(whole, "x.glb").value(), testing::ElementsAre("wave"));
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const auto names = gltf_animation_names(whole.substr(0, size), "x.glb");
-    if (names) EXPECT_TRUE(names->empty()) << size;
-    if (size >= 4) EXPECT_FALSE(names) << size;
+    EXPECT_EQ(names.has_value(), size < 4) << size;
+    EXPECT_TRUE(names.value_or(std::vector<std::string>{}).empty()) << size;
   }
 }
 

@@ -142,7 +142,7 @@ TEST_P(AssimpReadsCharacter, HandEndsWhereItIsToldAndFeetStay) {
       for (const auto& candidate : summary.at("candidates")) {
         const AssimpMotion motion(work.get(candidate.at("files").at("bvh")));
         const double unit = candidate.at("bvh_unit_m");
-        ASSERT_EQ(motion.frames(), candidate.at("frames"));
+        ASSERT_EQ(motion.frames(), candidate.at("file_frames"));
         const auto& goal = candidate.at("reached").at(0);
         const std::vector<double> told = goal.at("reached_m");
         const Vec3d end = motion.at(goal.at("joint"), motion.frames() - 1) * unit;

@@ -85,8 +85,9 @@ class CharacterExport : public testing::Test {
     Generation generation = regenerate(task, uniform_parameters(task.body)).value();
     ASSERT_TRUE(generation.meets_goals()) << generation.remaining_distance;
     if (one_file) generation.candidates.push_back(generation.candidates[0]);
-    const auto written = write_result(work_.path(), file_, task, generation, {},
-                                      {parse_formats(formats).value(), one_file});
+    const auto written =
+        write_result(work_.path(), file_, task, generation, {},
+                     {.formats = parse_formats(formats).value(), .one_file = one_file});
     ASSERT_TRUE(written) << written.error().to_string();
     summary_ = Json::parse(*written);
     EXPECT_EQ(SchemaCheck::in_docs("result.schema.json").judge(nlohmann::json::parse(*written)),
@@ -103,7 +104,9 @@ class CharacterExport : public testing::Test {
   void expect_kept(double unit = 1.0) const {
     const ExportedGlb out(work_.get(candidate().at("files").at("glb")));
     const int frames = out.frames(kAnimation);
-    ASSERT_EQ(frames, candidate().at("frames"));
+    ASSERT_EQ(frames, candidate().at("file_frames"));
+    ASSERT_LT(candidate().at("read_back").at("glb").at("effector_mm").get<double>(), 1e3 * kFloats);
+    ASSERT_LT(candidate().at("read_back").at("glb").at("feet_mm").get<double>(), 1e3 * kFloats);
     const Json& goal = candidate().at("reached").at(0);
     const Vec3d hand = out.at(goal.at("gltf_node"), kAnimation, frames - 1) * unit;
     const Vec3d wanted{goal.at("goal_m").at(0), goal.at("goal_m").at(1), goal.at("goal_m").at(2)};
@@ -178,18 +181,18 @@ TEST_F(CharacterExport, HeelsNeedToes) {
 
 TEST_F(CharacterExport, AllJointsStandWhereTheBodysDo) {
   reach_with("person.glb", vrm_person(), "glb");
-  TaskFile again = file_;
-  const Task task = make_task(again, work_.path()).value();
-  const Clip clip =
-      regenerate(task, uniform_parameters(task.body)).value().candidates[0].motion.clip;
-  const ExportedMotion body(format_bvh(skeleton_motion(task.body, clip)), 0.01);
+  TaskFile same = file_;
+  const Task task = make_task(same, work_.path()).value();
+  const Generation again = regenerate(task, uniform_parameters(task.body)).value();
+  const Clip written = motion_at(task.body, again.candidates[0], kUsualRate);
+  const ExportedMotion body(format_bvh(skeleton_motion(task.body, written)), 0.01);
   const ExportedGlb out(work_.get("candidate-1.glb"));
   for (const auto& [bone, node] : file_.character.humanoid) {
     const int i = rig_node(file_.character, bone);
     // of the trunk the body has other joints, and neck, head and toes by proportions
     if (bone.ends_with("chest") || bone == "spine" || bone.ends_with("_shoulder")) continue;
     if (bone == "neck" || bone == "head" || bone.ends_with("toes") || bone == "hips") continue;
-    for (const int f : {0, clip.frames / 2, clip.frames - 1}) {
+    for (const int f : {0, written.frames / 2, written.frames - 1}) {
       EXPECT_LE(
           norm(out.at(file_.character.rig->file_node[static_cast<std::size_t>(i)], kAnimation, f) -
                body.at(bone, f)),
@@ -300,6 +303,16 @@ TEST_F(CharacterExport, VrmAnimationFacesAheadWithBonesUnturnedAtRest) {
   }
 }
 
+TEST_F(CharacterExport, VrmAnimationIsPlayedBackOnTheCharacter) {
+  reach_with("person.vrm", vrm_person(), "bvh,glb,vrma");
+  for (const char* format : {"bvh", "glb", "vrma"}) {
+    const Json& back = candidate().at("read_back").at(format);
+    EXPECT_LT(back.at("effector_mm").get<double>(), 1e3 * kFloats) << format;
+    EXPECT_LT(back.at("feet_mm").get<double>(), 1e3 * kFloats) << format;
+    EXPECT_LT(back.at("turn_deg").get<double>(), 1e-4) << format;
+  }
+}
+
 TEST_F(CharacterExport, AllCandidatesFitInOneFile) {
   work_.put("person.glb", glb(person_gltf().dump(), "data"));
   work_.put("candidate-2.glb", "of an earlier result");
@@ -340,6 +353,32 @@ TEST_F(CharacterExport, BvhKeepsTheFilesNodesChannelsAndUnit) {
         norm(written.motion.skeleton.nodes[i].offset - source.motion.skeleton.nodes[i].offset),
         1e-6);
   }
+  const ExportedMotion motion(out, candidate().at("bvh_unit_m"));
+  const Json& goal = candidate().at("reached").at(0);
+  const Vec3d wanted{goal.at("goal_m").at(0), goal.at("goal_m").at(1), goal.at("goal_m").at(2)};
+  EXPECT_LE(norm(motion.at_end(goal.at("joint")) - wanted), kMillimetre);
+  for (const Json& contact : candidate().at("contacts")) {
+    EXPECT_LE(motion.slide(contact.at("joint")), kMillimetre);
+    EXPECT_LE(motion.tilt(contact.at("joint")), radians(0.1));
+  }
+}
+
+// The hips move where they hang on another node, which has no channels for that in the file.
+TEST_F(CharacterExport, BvhWhoseHipsAreNoRootMeetsTheGoal) {
+  std::string text = person_bvh();
+  const auto replace_all = [&text](const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size())) {
+      text.replace(at, from.size(), to);
+    }
+  };
+  replace_all("Zrotation Xrotation Yrotation", "Xrotation Yrotation Zrotation");
+  replace_all("ROOT hips", "ROOT Reference frame\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT hips");
+  replace_all("MOTION", "}\nMOTION");
+  replace_all("right_hand\n", "Bip01 R Hand\n");
+  work_.put("person.bvh", text);
+  reach("person.bvh", "bvh");
+  const std::string out = work_.get("candidate-1.bvh");
+  EXPECT_THAT(out, HasSubstr("JOINT Bip01 R Hand\n"));
   const ExportedMotion motion(out, candidate().at("bvh_unit_m"));
   const Json& goal = candidate().at("reached").at(0);
   const Vec3d wanted{goal.at("goal_m").at(0), goal.at("goal_m").at(1), goal.at("goal_m").at(2)};

@@ -23,7 +23,7 @@ struct Sample {
   explicit Sample(const TaskFile& asked)
       : file(asked), task(make_task(file, {}).value()), generation(generate(task).value()) {}
 
-  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}, {}); }
+  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}); }
 };
 
 TaskFile layers_task() {

@@ -4,7 +4,12 @@
 
 #include <cmath>
 #include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/project/export.hpp>
 #include <shigusa/project/mirror.hpp>
+#include <shigusa/project/replay.hpp>
+
+#include "support/exported.hpp"
 
 namespace shigusa {
 namespace {
@@ -80,6 +85,58 @@ TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {
   EXPECT_EQ(mirrored(image.body, task.body, across), best.parameters);
   const Generation again = regenerate(image, across).value();
   expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
+}
+
+// Somebody who is not alike on both sides, and stands turned with a foot ahead.
+std::string uneven_person() {
+  const BodyModel body = full_body();
+  Clip clip{.dofs = body.dof_count(), .frames = 1, .frame_time = 0.1, .angles = {}};
+  clip.angles.assign(body.start().begin(), body.start().end());
+  const auto turn = [&](const char* dof, double angle) {
+    clip.angles[static_cast<std::size_t>(body.find_dof(dof).value())] += angle;
+  };
+  turn("right_shoulder.abduction", 0.3);
+  turn("left_elbow.flexion", 0.5);
+  SkeletonMotion motion = skeleton_motion(body, clip);
+  for (SkeletonNode& node : motion.skeleton.nodes) {
+    if (node.name.starts_with("left_lower_arm")) node.offset = node.offset * 1.1;
+  }
+  for (std::size_t i = 0; i < motion.skeleton.nodes.size(); ++i) {
+    if (motion.skeleton.nodes[i].parent >= 0) {
+      motion.clip.local[i].translation = motion.skeleton.nodes[i].offset;
+    }
+  }
+  return format_bvh(motion);
+}
+
+TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
+  TaskFile file = asked(Preset::flat);
+  file.character.source = "person.bvh";
+  ASSERT_TRUE(load_character(uneven_person(), file.character));
+  const Task task = make_task(file, {}).value();
+  StoredResult stored = stored_result(file, generate(task).value());
+  const Landmarks before = *stored.task.character.landmarks;
+  ASSERT_TRUE(mirror_result(stored));
+  const Landmarks& person = *stored.task.character.landmarks;
+  EXPECT_EQ(person.left_arm.elbow, before.left_arm.elbow);
+  ASSERT_TRUE(stored.task.character.rig) << "and so the skeleton is theirs";
+  const Task image = make_task(stored.task, {}).value();
+  const Generation mirrored = replay_all(image, stored).value();
+  EXPECT_EQ(mirrored.status, ReachStatus::reached);
+  for (const Candidate& candidate : mirrored.candidates) {
+    const std::string bvh =
+        export_candidate(stored.task.character, image, candidate, ExportFormat::bvh).value();
+    const testing_support::ExportedMotion motion(bvh, 0.01);
+    const int hand = rig_node(stored.task.character, candidate.goals[0].node);
+    const std::string& node =
+        stored.task.character.rig->skeleton.nodes[static_cast<std::size_t>(hand)].name;
+    EXPECT_TRUE(node.starts_with("left_hand"));
+    EXPECT_LE(norm(motion.at_end(node) - Vec3d{0.25, 0.5, 0.45}), 1e-3);
+    for (const char* foot : {"left_foot", "right_foot"}) {
+      EXPECT_LE(motion.slide(foot), 1e-3);
+      EXPECT_LE(motion.tilt(foot), radians(0.1));
+    }
+  }
 }
 
 TEST(Mirror, TwiceIsTheTaskAgain) {

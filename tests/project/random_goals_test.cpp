@@ -40,12 +40,12 @@ void judge_status(const BodyModel& body, const Vec3d& goal, bool reached) {
 
 // The hand is on its path at every frame: what goes straight follows the minimum-jerk line. A
 // reached goal is met within 1 mm, and so is the way there.
-void judge_path(const ExportedMotion& exported, const GoalResult& goal) {
+void judge_path(const ExportedMotion& exported, const GoalResult& goal, double duration) {
   if (goal.path != PathKind::straight) return;
   const Vec3d start = exported.at(goal.node, 0);
   const Vec3d end = exported.at_end(goal.node);
   for (int f = 0; f < exported.frames(); ++f) {
-    const double s = minimum_jerk(static_cast<double>(f) / (exported.frames() - 1));
+    const double s = minimum_jerk(f * exported.motion().clip.frame_time / duration);
     // the path's own end lies as near to where the hand ends as the goal does
     ASSERT_LE(norm(exported.at(goal.node, f) - (start + (end - start) * s)), 2.0 * kMillimetre)
         << f;
@@ -65,7 +65,7 @@ void judge(const Task& task, const Generation& generation, const Candidate& cand
   ASSERT_TRUE(!reached || candidate.path_error <= kMillimetre) << candidate.path_error;
   double miss = 0.0;
   for (const GoalResult& goal : candidate.goals) {
-    if (reached) judge_path(exported, goal);
+    if (reached) judge_path(exported, goal, candidate.motion.clip.duration());
     miss = std::fmax(miss, norm(exported.at_end(goal.node) - goal.goal));
   }
   ASSERT_EQ(miss <= kMillimetre, reached) << miss << " m";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "project/task_samples.hpp"
@@ -24,7 +25,7 @@ struct Sample {
   explicit Sample(TaskFile asked)
       : file(std::move(asked)), task(make_task(file, {}).value()), generation(make(task)) {}
 
-  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}, {}); }
+  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}); }
 
  private:
   static Generation make(Task& task) {
@@ -48,6 +49,48 @@ const Sample& sample() {
 std::string message(const Json& json) {
   const Result<StoredResult> result = parse_result(json.dump(), "summary.json");
   return result ? "" : result.error().to_string();
+}
+
+TEST(ResultFile, HoldsAThousandCandidatesAtMost) {
+  Json json = Json::parse(sample().text());
+  const Json one = json["candidates"][0];
+  json["candidates"] = Json(1000, one);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(message(json), "");
+  for (const std::size_t many : {1001u, 2001u}) {
+    json["candidates"] = Json(many, one);
+    EXPECT_THAT(message(json), HasSubstr(std::to_string(many) + " candidates; up to 1000"));
+  }
+  // a sanitizer on a busy machine takes long
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+}
+
+TEST(ResultFile, AListOfVeryManyObjectsIsRefusedWhileItIsRead) {
+  std::string text = R"({"candidates":[{})";
+  for (int i = 0; i < 200'000; ++i) text += ",{}";
+  const auto refused = parse_result(text + "]}", "summary.json");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().to_string(), HasSubstr("more than 2048 objects in one list"));
+}
+
+TEST(ResultFile, NamesOfFilesLeadNowhereElse) {
+  Json json = Json::parse(sample().text());
+  Json& candidate = json["candidates"][0];
+  candidate["files"] = {{"bvh", "candidate-1.bvh"}};
+  candidate["sha256"] = {{"bvh", std::string(64, '0')}};
+  EXPECT_EQ(message(json), "");
+  for (const Json& name :
+       {Json("../x.bvh"), Json("/etc/passwd"), Json(".."), Json(""), Json("a\\b"),
+        Json(std::string("a\0b", 3)), Json(std::string(300, 'a')), Json(7)}) {
+    candidate["files"]["bvh"] = name;
+    EXPECT_THAT(message(json), HasSubstr("candidates[0].files.bvh: must be the name")) << name;
+  }
+  candidate["files"] = {{"csv", "candidate-1.csv"}};
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].sha256.bvh: must be 64")) << "of no file";
+  candidate["sha256"] = {{"csv", "short"}};
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].sha256.csv: must be 64"));
+  candidate["sha256"] = Json::array();
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].sha256: must be an object"));
 }
 
 TEST(ResultFile, TaskAndParametersAreReadBackBitForBit) {

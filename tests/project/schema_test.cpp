@@ -31,8 +31,12 @@ Json result_of(TaskFile file, bool edit = false) {
       edit ? regenerate(task, uniform_parameters(task.body)).value() : generate(task).value();
   RunInfo info;
   if (edit) info.search = "edit";
-  const std::vector<CandidateFiles> files(generation.candidates.size(),
-                                          {{"bvh", "candidate-1.bvh"}});
+  const CandidateFiles written{
+      {"bvh", {"candidate-1.bvh", std::string(64, 'a'), ReadBack{1e-6, 2e-6, 1e-7}}},
+      {"csv", {"candidate-1.csv", std::string(64, 'b')}}};
+  const ResultFiles files{.rate = 29.97,
+                          .candidates = {generation.candidates.size(), written},
+                          .character = "../hero.glb"};
   return Json::parse(format_result(file, task, generation, info, files));
 }
 

@@ -42,7 +42,7 @@ async function checkMotion(kind, name, motion, candidate) {
   const degrees = (tilt * 180) / Math.PI;
   console.log(`${kind} ${name}: goal ${(1e3 * miss).toFixed(4)} mm, feet ${(1e3 * slide).toFixed(4)} mm ` +
     `${degrees.toFixed(4)} deg, ${motion.frames} frames`);
-  expect(motion.frames === candidate.frames, `${name}: ${motion.frames} frames of ${candidate.frames}`);
+  expect(motion.frames === candidate.file_frames, `${name}: ${motion.frames} frames of ${candidate.file_frames}`);
   const allowed = summary.status === 'reached' ? 1e-3 : Infinity;
   expect(miss <= allowed, `${name}: the goal is missed by ${1e3 * miss} mm`);
   expect(slide <= 1e-3, `${name}: a foot slides by ${1e3 * slide} mm`);

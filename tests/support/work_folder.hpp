@@ -43,13 +43,16 @@ class WorkFolder {
 
   [[nodiscard]] std::string get(const std::string& name) const { return bytes_of(path_ / name); }
 
-  // Every file below, with its bytes; folders as "name/". Files over 1 MB count by their size.
+  // Every file below, with its bytes; folders as "name/". Files over 1 MB count by their size, and
+  // what is no file by its name.
   [[nodiscard]] std::map<std::string, std::string> contents() const {
     std::map<std::string, std::string> all;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
       const std::string name = std::filesystem::relative(entry.path(), path_).string();
       if (entry.is_directory()) {
         all[name + "/"] = "";
+      } else if (!entry.is_regular_file()) {
+        all[name] = "";
       } else {
         const std::uintmax_t size = entry.file_size();
         all[name] = size > kMuch ? std::to_string(size) : bytes_of(entry.path());

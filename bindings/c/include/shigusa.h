@@ -107,13 +107,21 @@ SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, 
 SHIGUSA_API shigusa_status shigusa_restore(const shigusa_character* character, const char* summary,
                                            shigusa_result** result);
 
+/* The same, watched as a search is: evaluations are the motions that are done. Where the caller
+ * stops it there is no result (SHIGUSA_CANCELLED). A result of 1000 candidates, the most there may
+ * be, takes some seconds. */
+SHIGUSA_API shigusa_status shigusa_restore_watched(const shigusa_character* character,
+                                                   const char* summary, const shigusa_watch* watch,
+                                                   shigusa_result** result);
+
 /* Generates a candidate's motion again with changed parameters: a result of one candidate.
  * `assignments`: JSON list of what `shigusa edit --set` takes, ["squat_deg=60", …]; none or null
  * leaves all as it is. Candidates count from 1. */
 SHIGUSA_API shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
                                           const char* assignments, shigusa_result** edited);
 
-/* All candidates with the other side's hands and feet. */
+/* All candidates with the other side's hands and feet, by the same character from the same start.
+ */
 SHIGUSA_API shigusa_status shigusa_mirror(const shigusa_result* result, shigusa_result** mirrored);
 
 SHIGUSA_API void shigusa_result_free(shigusa_result* result); /* null is allowed */
@@ -138,6 +146,14 @@ SHIGUSA_API shigusa_status shigusa_result_parameters(const shigusa_result* resul
 SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candidate,
                                                  const char* format, shigusa_bytes** file);
 
+/* The same with `options`: {"fps": 24}, frames a second of bvh, glb and vrma, 1 to 240 (60 where
+ * none are given). The last frame is the first that is not before the motion's end, and exactly its
+ * last. The file is read back before it is given: where its nodes are not with the motion there is
+ * none (SHIGUSA_UNSUPPORTED). csv has the frames of the series. `options` may be null. */
+SHIGUSA_API shigusa_status shigusa_result_export_with(const shigusa_result* result,
+                                                      int32_t candidate, const char* format,
+                                                      const char* options, shigusa_bytes** file);
+
 /* What can be read of each frame of a candidate. */
 typedef int32_t shigusa_series;
 enum {
@@ -159,6 +175,14 @@ enum {
 SHIGUSA_API shigusa_status shigusa_result_series(const shigusa_result* result, int32_t candidate,
                                                  shigusa_series series, const double** values,
                                                  size_t* frames, size_t* columns);
+
+/* The series of time, angles and nodes at so many frames a second (1 to 240), as files have them: a
+ * table of frames × columns, doubles row by row, in `table`. The others are of the motion's own
+ * frames alone (SHIGUSA_UNSUPPORTED). */
+SHIGUSA_API shigusa_status shigusa_result_series_at(const shigusa_result* result, int32_t candidate,
+                                                    shigusa_series series, double fps,
+                                                    shigusa_bytes** table, size_t* frames,
+                                                    size_t* columns);
 
 /* ---- Recorded motion ------------------------------------------------------------------------- */
 

@@ -114,6 +114,11 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
 
 shigusa_status shigusa_restore(const shigusa_character* character, const char* summary,
                                shigusa_result** result) {
+  return shigusa_restore_watched(character, summary, nullptr, result);
+}
+
+shigusa_status shigusa_restore_watched(const shigusa_character* character, const char* summary,
+                                       const shigusa_watch* watch, shigusa_result** result) {
   return guarded([&] {
     if (const auto null = need("summary", summary, "result", result)) return null;
     Result<StoredResult> stored = parse_result(summary, "result");
@@ -122,7 +127,11 @@ shigusa_status shigusa_restore(const shigusa_character* character, const char* s
       const auto attached = attach_rig(stored->task.character, character->spec);
       if (!attached) return refuse(attached.error());
     }
-    return replayed(std::move(*stored), "restore", replay_all, result);
+    std::atomic<bool> stop{false};
+    const auto work = [&](const Task& task, StoredResult& all) {
+      return replay_all(task, all, watched_by(watch, stop));
+    };
+    return replayed(std::move(*stored), "restore", work, result);
   });
 }
 
@@ -145,10 +154,8 @@ shigusa_status shigusa_mirror(const shigusa_result* result, shigusa_result** mir
     if (const auto null = need("result", result, "mirrored", mirrored)) return null;
     StoredResult stored = stored_result(result->file, result->generation);
     if (const auto done = mirror_result(stored); !done) return refuse(done.error());
-    // a person who is not alike on both sides is another one in the mirror
-    CharacterSpec& character = stored.task.character;
-    if (character.rig && !attach_rig(character, result->file.character)) character.rig.reset();
-    return replayed(std::move(stored), "mirror", replay_all, mirrored);
+    const auto work = [](const Task& task, StoredResult& all) { return replay_all(task, all); };
+    return replayed(std::move(stored), "mirror", work, mirrored);
   });
 }
 
@@ -161,8 +168,7 @@ int32_t shigusa_result_candidates(const shigusa_result* result) {
 shigusa_status shigusa_result_describe(const shigusa_result* result, shigusa_bytes** json) {
   return guarded([&] {
     if (const auto null = need("result", result, "json", json)) return null;
-    return give(format_result(result->file, result->task, result->generation, result->info, {}),
-                json);
+    return give(format_result(result->file, result->task, result->generation, result->info), json);
   });
 }
 
@@ -180,8 +186,17 @@ shigusa_status shigusa_result_parameters(const shigusa_result* result, int32_t c
 
 shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candidate,
                                      const char* format, shigusa_bytes** file) {
+  return shigusa_result_export_with(result, candidate, format, nullptr, file);
+}
+
+shigusa_status shigusa_result_export_with(const shigusa_result* result, int32_t candidate,
+                                          const char* format, const char* options,
+                                          shigusa_bytes** file) {
   return guarded([&] {
     if (const auto null = need("result", result, "format", format, "file", file)) return null;
+    Result<FileSettings> settings =
+        parse_file_settings(options == nullptr ? "{}" : options, "options");
+    if (!settings) return refuse(settings.error());
     const auto formats = parse_formats(format);
     if (!formats) return refuse(formats.error());
     if (formats->size() != 1) return refuse(SHIGUSA_INVALID_ARGUMENT, "one format at a time");
@@ -190,14 +205,15 @@ shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candi
       if (formats->front() != ExportFormat::glb) {
         return refuse(SHIGUSA_INVALID_ARGUMENT, "all candidates in one file are a glb");
       }
-      Result<std::string> bytes = export_all(result->file.character, result->task, all);
+      Result<std::string> bytes =
+          export_all(result->file.character, result->task, all, settings->rate);
       return bytes ? give(std::move(*bytes), file) : refuse(bytes.error());
     }
     if (!has_candidate(*result, candidate)) return no_candidate(*result, candidate);
     const auto rank = static_cast<size_t>(candidate);
-    Result<std::string> bytes =
-        export_candidate(result->file.character, result->task, all[rank - 1], formats->front(),
-                         candidate_animation(result->file.character, rank));
+    settings->animation = candidate_animation(result->file.character, rank);
+    Result<std::string> bytes = export_candidate(result->file.character, result->task,
+                                                 all[rank - 1], formats->front(), *settings);
     return bytes ? give(std::move(*bytes), file) : refuse(bytes.error());
   });
 }

@@ -14,6 +14,22 @@ constexpr size_t kSeries = SHIGUSA_UPPER_LIMITS + 1;
 
 void add(const Vec3d& v, std::vector<double>& table) { table.insert(table.end(), {v.x, v.y, v.z}); }
 
+void add_times(const Clip& clip, std::vector<double>& table) {
+  for (int f = 0; f < clip.frames; ++f) table.push_back(f * clip.frame_time);
+}
+
+void add_nodes(const shigusa_result& result, const Clip& clip, shigusa_series series,
+               std::vector<double>& table) {
+  for (const LocalTransform& local : node_motion(result.file.character, result.task.body, clip)) {
+    if (series == SHIGUSA_NODE_TRANSLATIONS) {
+      add(local.translation, table);
+    } else {
+      const Quatd& q = local.rotation;
+      table.insert(table.end(), {q.x, q.y, q.z, q.w});
+    }
+  }
+}
+
 // The table of one series, frame by frame.
 std::vector<double> table_of(const shigusa_result& result, const Candidate& candidate,
                              shigusa_series series) {
@@ -22,9 +38,7 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
   std::vector<double> table;
   switch (series) {
     case SHIGUSA_TIME:
-      for (size_t f = 0; f < frames; ++f) {
-        table.push_back(static_cast<double>(f) * motion.clip.frame_time);
-      }
+      add_times(motion.clip, table);
       break;
     case SHIGUSA_ANGLES:
       return motion.clip.angles;
@@ -52,19 +66,24 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
         }
       }
       break;
-    default: {
-      const auto nodes = node_motion(result.file.character, result.task.body, motion.clip);
-      for (const LocalTransform& local : nodes) {
-        if (series == SHIGUSA_NODE_TRANSLATIONS) {
-          add(local.translation, table);
-        } else {
-          const Quatd& q = local.rotation;
-          table.insert(table.end(), {q.x, q.y, q.z, q.w});
-        }
-      }
-    }
+    default:
+      add_nodes(result, motion.clip, series, table);
   }
   return table;
+}
+
+// SHIGUSA_OK, or what is wrong with what is asked for.
+shigusa_status check_series(const shigusa_result& result, int32_t candidate,
+                            shigusa_series series) {
+  if (candidate < 1 || static_cast<size_t>(candidate) > result.generation.candidates.size()) {
+    return refuse(SHIGUSA_INVALID_ARGUMENT,
+                  "candidate " + std::to_string(candidate) + " does not exist");
+  }
+  if (series < 0 || static_cast<size_t>(series) >= kSeries) {
+    return refuse(SHIGUSA_INVALID_ARGUMENT,
+                  "series " + std::to_string(series) + " is none that this build knows");
+  }
+  return SHIGUSA_OK;
 }
 
 }  // namespace
@@ -77,15 +96,8 @@ extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, in
             need("result", result, "values", values, "frames", frames, "columns", columns)) {
       return null;
     }
+    if (const auto wrong = check_series(*result, candidate, series)) return wrong;
     const auto& all = result->generation.candidates;
-    if (candidate < 1 || static_cast<size_t>(candidate) > all.size()) {
-      return refuse(SHIGUSA_INVALID_ARGUMENT,
-                    "candidate " + std::to_string(candidate) + " does not exist");
-    }
-    if (series < 0 || static_cast<size_t>(series) >= kSeries) {
-      return refuse(SHIGUSA_INVALID_ARGUMENT,
-                    "series " + std::to_string(series) + " is none that this build knows");
-    }
     const auto index = static_cast<size_t>(candidate - 1);
     auto& kept = result->series;
     if (kept.empty()) kept.assign(all.size(), std::vector<std::vector<double>>(kSeries));
@@ -95,5 +107,34 @@ extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, in
     *frames = static_cast<size_t>(all[index].motion.clip.frames);
     *columns = *frames == 0 ? 0 : table.size() / *frames;
     return shigusa_status{SHIGUSA_OK};
+  });
+}
+
+extern "C" shigusa_status shigusa_result_series_at(const shigusa_result* result, int32_t candidate,
+                                                   shigusa_series series, double fps,
+                                                   shigusa_bytes** table, size_t* frames,
+                                                   size_t* columns) {
+  return guarded([&] {
+    if (const auto null =
+            need("result", result, "table", table, "frames", frames, "columns", columns)) {
+      return null;
+    }
+    if (const auto wrong = check_series(*result, candidate, series)) return wrong;
+    if (const auto rate = check_rate(fps, "fps"); !rate) return refuse(rate.error());
+    const bool nodes = series == SHIGUSA_NODE_TRANSLATIONS || series == SHIGUSA_NODE_ROTATIONS;
+    if (series != SHIGUSA_TIME && series != SHIGUSA_ANGLES && !nodes) {
+      return refuse(SHIGUSA_UNSUPPORTED,
+                    "series " + std::to_string(series) + " is of the motion's own frames alone");
+    }
+    const auto index = static_cast<size_t>(candidate - 1);
+    const Clip clip = motion_at(result->task.body, result->generation.candidates[index], fps);
+    std::vector<double> values;
+    if (series == SHIGUSA_TIME) add_times(clip, values);
+    if (series == SHIGUSA_ANGLES) values = clip.angles;
+    if (nodes) add_nodes(*result, clip, series, values);
+    *frames = static_cast<size_t>(clip.frames);
+    *columns = values.size() / *frames;
+    return give({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)},
+                table);
   });
 }

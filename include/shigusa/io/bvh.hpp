@@ -75,4 +75,7 @@ struct BvhFormat {
 // characters become '_', and names are made unique as parse_bvh does. Needs at least one frame.
 [[nodiscard]] std::string format_bvh(const SkeletonMotion& motion, const BvhFormat& format = {});
 
+// (nodes) indices in the order that format_bvh writes them.
+[[nodiscard]] std::vector<int> bvh_order(const Skeleton& skeleton);
+
 }  // namespace shigusa

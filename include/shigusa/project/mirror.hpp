@@ -10,8 +10,11 @@ namespace shigusa {
 // "left_hand" of "right_hand" and the other way round; what has no side is as it was.
 [[nodiscard]] std::string mirrored_name(std::string_view name);
 
-// The task on the other side of the body's middle, x = 0: goals, a measured person and what is
-// fixed change sides. Fails on a body of one side.
+// The task on the other side of the body's middle, x = 0: goals, contacts, obstacles and what is
+// fixed change sides. The person is the same, with their own left and right, and stands at the
+// start as before: of somebody who is alike on both sides, and stands so, the motion is the mirror
+// image; anybody else reaches the mirrored goal from their own posture. Fails on a body of one
+// side.
 [[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
 
 // Parameters of a motion for those of its mirror image: weights change sides, and turns their sign.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/core/progress.hpp>
 #include <shigusa/hierarchy/generator.hpp>
 #include <shigusa/project/result_file.hpp>
 #include <span>
@@ -21,10 +22,13 @@ namespace shigusa {
 // which stay changed.
 [[nodiscard]] Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
                                         std::span<const std::string> assignments = {});
-// All of them, in the result's order.
-[[nodiscard]] Result<Generation> replay_all(const Task& task, StoredResult& stored);
+// All of them, in the result's order. Fails with ErrorCode::cancelled where it is stopped between
+// two of them; scores that it reports are of the first.
+[[nodiscard]] Result<Generation> replay_all(const Task& task, StoredResult& stored,
+                                            const Progress& progress = {});
 
-// Turns the result into its mirror image: task and parameters on the other side.
+// Takes task and parameters to the other side (see mirror.hpp). What stands of files stays, and is
+// of the motions that there were.
 [[nodiscard]] Result<void> mirror_result(StoredResult& stored);
 
 // A result as it would be read back from its file.
