@@ -15,7 +15,7 @@ import { Tabs } from './panels/tabs';
 import { TakePanel } from './panels/take';
 import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
-import { openFile } from './state/files';
+import { openFiles } from './state/files';
 import type { Studio } from './state/studio';
 import { Thumbnails } from './view/thumbnails';
 import { shownTheme } from './view/palette';
@@ -101,8 +101,7 @@ export class Page {
     body.addEventListener('drop', (event) => {
       event.preventDefault();
       body.classList.remove('dropping');
-      const file = event.dataTransfer?.files[0];
-      if (file) void openFile(this.studio, file);
+      void openFiles(this.studio, [...(event.dataTransfer?.files ?? [])]);
     });
   }
 }

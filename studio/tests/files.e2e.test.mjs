@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What is dropped onto the page: characters, odd files, results; and links.
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { validateBytes } from 'gltf-validator';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drag, drop, openStudio, settled, state, take, visit } from './support.mjs';
+import { drag, drop, dropAll, openStudio, settled, state, take, visit } from './support.mjs';
 
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
@@ -143,6 +144,43 @@ test('a VRM character leaves in every format', { skip: !files.includes(kRobot) &
     const { issues } = await validateBytes(new Uint8Array(bytes));
     assert.deepEqual(issues.messages.filter((message) => message.severity < 2), [], format);
   }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('files leave at the frames a second that are chosen', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  await page.click('#tab-take');
+  const rate = page.locator('.panel select');
+  assert.equal(await rate.inputValue(), '60');
+  await rate.selectOption('24');
+  assert.match((await take(page, 'bvh')).toString(), /Frame Time: 0\.041666666666666664/);
+  const glb = parseGlb(await take(page, 'glb'));
+  const times = glb.json.accessors[glb.json.animations[0].samplers[0].input];
+  const { duration_s } = await page.evaluate(() => window.shigusa.document.result.summary.candidates[window.shigusa.chosen]);
+  assert.equal(times.count, Math.ceil(duration_s * 24 - 1e-6) + 1);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a result that comes with other files than it describes is told of', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const summary = JSON.parse(await take(page, 'result'));
+  const csv = await take(page, 'csv');
+  const digest = createHash('sha256').update(csv).digest('hex');
+  for (const candidate of summary.candidates) {
+    candidate.files = { csv: 'candidate-1.csv' };
+    candidate.sha256 = { csv: digest };
+  }
+  await dropAll(page, [['candidate-1.csv', 'another'], ['summary.json', JSON.stringify(summary)]]);
+  await page.waitForFunction(() => window.shigusa.state.notice?.key === 'changedFile');
+  assert.match(await page.locator('.message').innerText(), /candidate-1\.csv/);
+  const count = summary.candidates.length - 1;
+  summary.candidates.length = count;
+  await dropAll(page, [['summary.json', JSON.stringify(summary)], ['candidate-1.csv', csv], ['notes.txt', 'mine']]);
+  await page.waitForFunction((n) => window.shigusa.document.result?.summary.candidates.length === n, count);
   assert.deepEqual(errors, []);
   await context.close();
 });

@@ -86,12 +86,20 @@ export async function drag(page, effector, dx, dy, { hold = 0, steps = 6 } = {})
 }
 
 /** As a browser does when a person lets a file go over the page. */
-export async function drop(page, name, bytes) {
-  const data = await page.evaluateHandle(({ file, base64 }) => {
+export function drop(page, name, bytes) {
+  return dropAll(page, [[name, bytes]]);
+}
+
+/** Several at once, each with its name. */
+export async function dropAll(page, files) {
+  const coded = files.map(([file, bytes]) => ({ file, base64: Buffer.from(bytes).toString('base64') }));
+  const data = await page.evaluateHandle((all) => {
     const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], file));
+    for (const { file, base64 } of all) {
+      transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], file));
+    }
     return transfer;
-  }, { file: name, base64: Buffer.from(bytes).toString('base64') });
+  }, coded);
   await page.dispatchEvent('body', 'drop', { dataTransfer: data });
 }
 

@@ -6,7 +6,8 @@ import { EngineError } from './errors.js';
 import createModule, { type ShigusaModule } from './module/shigusa.mjs';
 import {
   seriesNames, type Candidate, type CharacterDescription, type CharacterSpec, type EngineFailure, type ExportFormat,
-  type Generated, type Parameter, type Progress, type Series, type SeriesName, type Summary, type Task,
+  type ExportOptions, type Generated, type Parameter, type Progress, type SampledName, type Series, type SeriesName,
+  type Summary, type Task,
 } from './types.js';
 
 export { EngineError } from './errors.js';
@@ -144,12 +145,25 @@ export class DoorResult {
     });
   }
 
+  /** The same at so many frames a second, as files have them. */
+  sampled(candidate: number, name: SampledName, fps: number): Series {
+    return this.calls.with((scratch) => {
+      const size = scratch.room(8);
+      const table = this.calls.bytes(scratch, (at) => this.calls.module._shigusa_result_series_at(
+        this.pointer, candidate, seriesNames.indexOf(name), fps, at, size, size + 4));
+      return {
+        frames: this.calls.word(size), columns: this.calls.word(size + 4), values: new Float64Array(table.buffer as ArrayBuffer),
+      };
+    });
+  }
+
   /** Candidate 0: all of them in one GLB. */
-  export(candidate: number, format: ExportFormat | 'png' | 'pdf'): Uint8Array {
+  export(candidate: number, format: ExportFormat | 'png' | 'pdf', options: ExportOptions = {}): Uint8Array {
     return this.calls.with((scratch) => {
       const name = scratch.text(format);
+      const chosen = scratch.text(JSON.stringify(options));
       return this.calls.bytes(scratch, (at) =>
-        this.calls.module._shigusa_result_export(this.pointer, candidate, name, at));
+        this.calls.module._shigusa_result_export_with(this.pointer, candidate, name, chosen, at));
     });
   }
 
@@ -214,35 +228,44 @@ export class Door {
 
   /** `task` may be text as well; without a character it has its own, which needs no file. */
   generate(character: DoorCharacter | null, task: Task | string, watch?: Watch): DoorResult {
-    const { module } = this.calls;
     return this.calls.with((scratch) => {
       const text = scratch.text(typeof task === 'string' ? task : JSON.stringify(task));
-      let thrown: { error: unknown } | undefined;
-      // nothing may be thrown through the module, which would not unwind
-      module.report = (fraction, evaluations, best_score) => {
-        try {
-          return watch?.({ fraction, evaluations, best_score }) === true;
-        } catch (error) {
-          thrown = { error };
-          return true;
-        }
-      };
-      const pointer = watch === undefined ? 0 : module._shigusa_script_watch();
-      const result = new DoorResult(this.calls, this.calls.made(scratch, (at) =>
-        module._shigusa_generate(character?.pointer ?? 0, text, 1, pointer, at)));
-      if (thrown === undefined) return result;
-      result.free();
-      throw thrown.error;
+      return this.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
+        this.calls.module._shigusa_generate(character?.pointer ?? 0, text, 1, pointer, at)));
     });
   }
 
-  /** A result's motions anew from its JSON; with the character they can leave on its own skeleton. */
-  restore(character: DoorCharacter | null, summary: Summary | string): DoorResult {
+  /** A result's motions anew from its JSON; with the character they can leave on its own skeleton. What is stopped
+   *  comes to nothing. */
+  restore(character: DoorCharacter | null, summary: Summary | string, watch?: Watch): DoorResult {
     return this.calls.with((scratch) => {
       const text = scratch.text(typeof summary === 'string' ? summary : JSON.stringify(summary));
-      return new DoorResult(this.calls, this.calls.made(scratch, (at) =>
-        this.calls.module._shigusa_restore(character?.pointer ?? 0, text, at)));
+      return this.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
+        this.calls.module._shigusa_restore_watched(character?.pointer ?? 0, text, pointer, at)));
     });
+  }
+
+  /** The result of a call that is watched. */
+  private watched(watch: Watch | undefined, call: (watch: number) => number): DoorResult {
+    const { module } = this.calls;
+    let thrown: { error: unknown } | undefined;
+    // nothing may be thrown through the module, which would not unwind
+    module.report = (fraction, evaluations, best_score) => {
+      try {
+        return watch?.({ fraction, evaluations, best_score }) === true;
+      } catch (error) {
+        thrown = { error };
+        return true;
+      }
+    };
+    try {
+      const result = new DoorResult(this.calls, call(watch === undefined ? 0 : module._shigusa_script_watch()));
+      if (thrown === undefined) return result;
+      result.free();
+    } catch (error) {
+      if (thrown === undefined) throw error;
+    }
+    throw thrown.error;
   }
 
   scoreClip(name: string, bytes: Uint8Array, options?: object): object {

@@ -3,7 +3,9 @@
 // abort ends it; the other one does what must be quick.
 import { EngineError } from './errors.js';
 import { Lane } from './lane.js';
-import type { Character, CharacterSpec, Engine, ExportFormat, GenerateOptions, Generated, Summary, Task } from './types.js';
+import type {
+  Character, CharacterSpec, Engine, ExportFormat, ExportOptions, GenerateOptions, Generated, SampledName, Series, Summary, Task,
+} from './types.js';
 
 export { EngineError } from './errors.js';
 export * from './types.js';
@@ -121,18 +123,33 @@ class WorkerEngine implements Engine {
     });
   }
 
-  restore(character: Character, summary: Summary): Promise<Generated> {
-    return always(this.quick.run({ call: { kind: 'restore', character: character.id, summary }, character }));
+  restore(character: Character, summary: Summary, options: GenerateOptions = {}): Promise<Generated> {
+    const { signal, onProgress } = options;
+    const progress = onProgress !== undefined;
+    return always(this.search.run({
+      call: { kind: 'restore', character: character.id, summary, progress }, character, signal, onProgress,
+    }));
   }
 
   mirror(character: Character, summary: Summary): Promise<Generated> {
     return always(this.quick.run({ call: { kind: 'mirror', character: character.id, summary }, character }));
   }
 
-  export(character: Character, summary: Summary, candidate: number, format: ExportFormat): Promise<Uint8Array> {
+  export(
+    character: Character, summary: Summary, candidate: number, format: ExportFormat, options: ExportOptions = {},
+  ): Promise<Uint8Array> {
     return always(this.quick.run({
-      call: { kind: 'export', character: character.id, summary, candidate, format }, character,
+      call: { kind: 'export', character: character.id, summary, candidate, format, options }, character,
     }));
+  }
+
+  async sampled<Name extends SampledName>(
+    character: Character, summary: Summary, candidate: number, names: readonly Name[], fps: number,
+  ): Promise<Record<Name, Series>> {
+    const series = await always(this.quick.run({
+      call: { kind: 'sampled', character: character.id, summary, candidate, names, fps }, character,
+    }));
+    return series as Record<Name, Series>;
   }
 
   scoreClip(name: string, bytes: Uint8Array, options?: object): Promise<object> {

@@ -2,7 +2,8 @@
 // What goes between engine.ts and its workers. A worker gets the module first, then what it must know of
 // characters and calls, one at a time; it answers each call once, after any progress.
 import type {
-  CharacterDescription, CharacterSpec, EngineFailure, ExportFormat, Generated, Progress, Summary, Task,
+  CharacterDescription, CharacterSpec, EngineFailure, ExportFormat, ExportOptions, Generated, Progress, SampledName,
+  Series, Summary, Task,
 } from './types.js';
 
 export type Call =
@@ -11,9 +12,14 @@ export type Call =
   | { kind: 'open'; character: number }
   | { kind: 'generate'; character: number; task: Task; progress: boolean }
   | { kind: 'replay'; character: number; summary: Summary; candidate: number; assignments: string[] }
-  | { kind: 'restore'; character: number; summary: Summary }
+  | { kind: 'restore'; character: number; summary: Summary; progress: boolean }
   | { kind: 'mirror'; character: number; summary: Summary }
-  | { kind: 'export'; character: number; summary: Summary; candidate: number; format: ExportFormat }
+  | {
+    kind: 'export'; character: number; summary: Summary; candidate: number; format: ExportFormat; options: ExportOptions;
+  }
+  | {
+    kind: 'sampled'; character: number; summary: Summary; candidate: number; names: readonly SampledName[]; fps: number;
+  }
   | { kind: 'score'; name: string; bytes: Uint8Array; options: object | undefined };
 
 export interface Answers {
@@ -25,6 +31,7 @@ export interface Answers {
   restore: Generated;
   mirror: Generated;
   export: Uint8Array;
+  sampled: Partial<Record<SampledName, Series>>;
   score: object;
 }
 

@@ -80,14 +80,21 @@ export class Server {
         const result = this.result(door, call.character, call.summary);
         return timed(() => result.replay(call.candidate, call.assignments));
       }
-      case 'restore':
-        return timed(() => door.restore(this.character(door, call.character), call.summary));
+      case 'restore': {
+        const character = this.character(door, call.character);
+        const watch = call.progress ? this.watch(id) : undefined;
+        return timed(() => door.restore(character, call.summary, watch));
+      }
       case 'mirror': {
         const result = this.result(door, call.character, call.summary);
         return timed(() => result.mirror());
       }
       case 'export':
-        return this.result(door, call.character, call.summary).export(call.candidate, call.format);
+        return this.result(door, call.character, call.summary).export(call.candidate, call.format, call.options);
+      case 'sampled': {
+        const result = this.result(door, call.character, call.summary);
+        return Object.fromEntries(call.names.map((name) => [name, result.sampled(call.candidate, name, call.fps)]));
+      }
       case 'score':
         return door.scoreClip(call.name, call.bytes, call.options);
     }

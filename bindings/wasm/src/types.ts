@@ -115,7 +115,14 @@ export interface CandidateSummary {
   support?: { centre_of_mass: { least_mm: number; time_s: number }; pressure: { least_mm: number; time_s: number } };
   collision?: { depth_mm: number; limb: string; other: string; time_s: number };
   duration_s: number;
-  frames: number;
+  frames: number; // of the motion itself
+  /** Of what the command line wrote beside: names, and the SHA-256 of each file's bytes, by format. */
+  files: Record<string, string>;
+  sha256?: Record<string, string>;
+  fps?: number; // of bvh, glb and vrma
+  file_frames?: number;
+  /** How far those files' nodes are from the motion, as they were read back. */
+  read_back?: Record<string, { effector_mm: number; feet_mm: number; turn_deg: number }>;
   [key: string]: unknown;
 }
 
@@ -129,6 +136,8 @@ export interface Summary {
   /** Of the search with other random numbers each; more than 1 of the preset paper alone. */
   runs: number;
   candidates: CandidateSummary[];
+  /** Where the character's file was, from the result's folder. */
+  character_file?: string;
   /** Why there are fewer than asked for, in English. */
   fewer?: string;
   [key: string]: unknown;
@@ -185,6 +194,13 @@ export interface GenerateOptions {
 
 export type ExportFormat = 'bvh' | 'csv' | 'svg' | 'glb' | 'vrma';
 
+export interface ExportOptions {
+  fps?: number; // of bvh, glb and vrma, 1 to 240; 60 when not given
+}
+
+/** The series that can be had at any rate, as files have them. */
+export type SampledName = 'time' | 'angles' | 'node_translations' | 'node_rotations';
+
 /** What the engine refuses: a code of the C interface and a sentence for a person. */
 export interface EngineFailure {
   code: 'invalid_argument' | 'not_found' | 'parse' | 'io' | 'unsupported' | 'cancelled' | 'out_of_memory' | 'fault';
@@ -211,11 +227,17 @@ export interface Engine {
   preview(character: Character, task: Task): Promise<Generated | undefined>;
   /** A candidate (from 1) anew, with changed parameters; like preview, the newest call alone is answered. */
   replay(character: Character, summary: Summary, candidate: number, assignments: string[]): Promise<Generated | undefined>;
-  /** All candidates of a result anew, from its JSON. */
-  restore(character: Character, summary: Summary): Promise<Generated>;
+  /** All candidates of a result anew, from its JSON. An abort ends it at once. */
+  restore(character: Character, summary: Summary, options?: GenerateOptions): Promise<Generated>;
   mirror(character: Character, summary: Summary): Promise<Generated>;
-  /** `candidate` 0: all, in one GLB. */
-  export(character: Character, summary: Summary, candidate: number, format: ExportFormat): Promise<Uint8Array>;
+  /** `candidate` 0: all, in one GLB. Refused where the file, read back, is not where the motion is. */
+  export(
+    character: Character, summary: Summary, candidate: number, format: ExportFormat, options?: ExportOptions,
+  ): Promise<Uint8Array>;
+  /** A candidate's series at so many frames a second. */
+  sampled<Name extends SampledName>(
+    character: Character, summary: Summary, candidate: number, names: readonly Name[], fps: number,
+  ): Promise<Record<Name, Series>>;
   scoreClip(name: string, bytes: Uint8Array, options?: object): Promise<object>;
   /** Bytes that the two modules have taken, most of them free again: modules never shrink. */
   memory(): Promise<{ search: number; quick: number }>;

@@ -164,6 +164,32 @@ test('candidates leave as BVH, CSV and SVG', () => {
   result.free();
 });
 
+test('files and series have the rate that is asked for', () => {
+  const result = door.generate(human, smallTask);
+  const text = (options) => new TextDecoder().decode(result.export(1, 'bvh', options));
+  assert.match(text({ fps: 24 }), /Frame Time: 0\.041666666666666664/);
+  assert.equal(text({}), text({ fps: 60 }));
+  assert.equal(failureOf(() => result.export(1, 'bvh', { fps: 0 })).code, 'parse');
+  const time = result.sampled(1, 'time', 24);
+  const turns = result.sampled(1, 'node_rotations', 24);
+  const own = result.series(1, 'node_rotations');
+  assert.equal(time.values[12], 12 / 24);
+  assert.equal(turns.frames, time.frames);
+  assert.equal(turns.columns, own.columns);
+  assert.deepEqual(turns.values.slice(-turns.columns), own.values.slice(-own.columns));
+  assert.equal(failureOf(() => result.sampled(1, 'torques', 24)).code, 'unsupported');
+  result.free();
+});
+
+test('a result that is restored can be stopped', () => {
+  const result = door.generate(human, smallTask);
+  const failure = failureOf(() => door.restore(human, result.summaryText(), ({ evaluations }) => evaluations === 1));
+  assert.equal(failure.code, 'cancelled');
+  assert.match(failure.message, /stopped after 1/);
+  assert.throws(() => door.restore(human, result.summaryText(), () => { throw new RangeError('enough'); }), RangeError);
+  result.free();
+});
+
 test('a motion that left as BVH is read as a character and scored', () => {
   const result = door.generate(human, smallTask);
   const bvh = result.export(1, 'bvh');

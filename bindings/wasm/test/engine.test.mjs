@@ -88,6 +88,20 @@ test('a summary is enough to replay, mirror, restore and export', async () => {
   assert.equal(typeof score, 'object');
 });
 
+test('a result of many candidates that is restored ends at once when it is aborted', async () => {
+  const { summary } = await engine.generate(human, smallTask);
+  const many = { ...summary, candidates: Array.from({ length: 1000 }, () => summary.candidates[0]) };
+  const controller = new AbortController();
+  const restored = engine.restore(human, many, { signal: controller.signal, onProgress: () => controller.abort() });
+  const begin = performance.now();
+  await assert.rejects(restored, { name: 'AbortError' });
+  assert.ok(performance.now() - begin < 5000);
+  const more = { ...many, candidates: [...many.candidates, summary.candidates[0]] };
+  await assert.rejects(engine.restore(human, more), /1001 candidates; up to 1000/);
+  const nodes = await engine.sampled(human, summary, 1, ['time', 'node_rotations'], 30);
+  assert.equal(nodes.node_rotations.frames, nodes.time.frames);
+});
+
 test('failures have a code and a sentence, and do not stop the engine', async () => {
   const goals = [{ effector: 'tail', position_m: [0, 1, 0] }];
   const failure = await engine.generate(human, { ...smallTask, goals }).catch((error) => error);

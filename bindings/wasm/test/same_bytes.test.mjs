@@ -36,7 +36,9 @@ function comparable(text) {
     if (value !== null && typeof value === 'object') delete value.cells_searched;
     return value;
   });
-  for (const candidate of summary.candidates) delete candidate.files;
+  for (const candidate of summary.candidates) {
+    for (const key of ['files', 'sha256', 'fps', 'file_frames', 'read_back']) delete candidate[key];
+  }
   return summary;
 }
 

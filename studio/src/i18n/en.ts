@@ -62,10 +62,11 @@ export const en = {
   takeIntro: 'Of the chosen motion, unless something else is said.', animation: 'Animation', figure: 'Figure', again: 'To go on later',
   glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: 'Strip, SVG', png: 'Strip, PNG', task: 'Task, JSON', result: 'Result, JSON',
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
-  saved: '{name} is saved.', glbDrawn: 'the mannequin as drawn here', vrmaOnly: 'for VRM characters',
+  fps: 'Frames a second', fpsOf: 'of GLB, VRMA and BVH; CSV has the motion’s own frames', saved: '{name} is saved.', glbDrawn: 'the mannequin as drawn here', vrmaOnly: 'for VRM characters',
   // failures
   badSeed: 'A seed is a whole number from 0 to {most}, not “{value}”.',
   failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged: its task cannot be read.',
+  changedFile: '{name} is not the file that the result describes: it was changed, or is another result’s. Leave it out to open the result without it.',
   unknownFile: '{name}: only characters in VRM, GLB, glTF and BVH and results in JSON can be opened.',
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',
   noSimd: 'This browser has no WebAssembly SIMD, which the engine needs: Chrome and Edge have it since 91, Firefox since 89, Safari since 16.4.',

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Take away: animation files, figures, the task and the result, a link.
 import { type Key, t } from '../i18n';
-import { openFile } from '../state/files';
+import { openFiles } from '../state/files';
 import type { Studio } from '../state/studio';
 import { canTake, link, save, type Taken, takeAway } from '../state/take_away';
-import { button, fill, h, type Panel } from './dom';
+import { button, fill, h, type Panel, select } from './dom';
 
 const kGroups: readonly (readonly [Key, readonly Taken[]])[] = [
   ['animation', ['glb', 'vrma', 'bvh', 'csv']],
   ['figure', ['svg', 'png']],
   ['again', ['result', 'task']],
 ];
+
+/** Frames a second that films, television and games have. */
+const kRates = ['24', '25', '29.97', '30', '50', '60', '120'];
 
 export class TakePanel implements Panel {
   readonly element: HTMLElement;
@@ -20,10 +23,9 @@ export class TakePanel implements Panel {
 
   constructor(private readonly studio: Studio) {
     const input = h('input', {
-      type: 'file', accept: '.json', hidden: true,
+      type: 'file', accept: '.json', hidden: true, multiple: true,
       onChange: () => {
-        const file = input.files?.[0];
-        if (file) void openFile(studio, file);
+        void openFiles(studio, [...(input.files ?? [])]);
         input.value = '';
       },
     });
@@ -33,6 +35,10 @@ export class TakePanel implements Panel {
         this.buttons.set(format, element);
         return element;
       }))));
+    const rate = select(t('fps'), kRates.map((value) => [value, value] as const), String(studio.store.state.fps),
+      (value) => studio.store.set({ fps: Number(value) }));
+    rate.title = t('fpsOf');
+    groups[0]?.append(h('div', { class: 'fields' }, h('label', {}, h('span', {}, t('fps')), rate)));
     groups[2]?.append(h('div', { class: 'take' }, button(t('link'), () => void this.copyLink(), { 'data-format': 'link' }),
       button(t('openResult'), () => input.click()), input), this.shown);
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('takeIntro')), ...groups);

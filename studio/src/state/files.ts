@@ -9,12 +9,21 @@ import { moreOf } from './task';
 
 const kCharacters = new Set(['glb', 'gltf', 'vrm', 'bvh']);
 const kMostBytes = 200e6;
+const kOfTheFile = new Set(['source', 'frame', 'animation', 'seat_m', 'heels', 'map']);
 const kBuiltIn = new Set(['human', 'full_body', 'half_body']);
 
 const endingOf = (name: string): string => name.toLowerCase().split('.').pop() ?? '';
 
-/** Opens what was dropped or picked; what cannot be opened is told, and everything stays as it was. */
-export async function openFile(studio: Studio, file: File): Promise<void> {
+/** Opens what was dropped or picked: the result among several files, which must be those that it describes, else the
+ *  first. */
+export async function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
+  const result = files.find((file) => file.name === 'summary.json') ?? files.find((file) => endingOf(file.name) === 'json');
+  const file = files.length > 1 && result ? result : files[0];
+  if (file) await openFile(studio, file, files.filter((other) => other !== file));
+}
+
+/** Opens one; what cannot be opened is told, and everything stays as it was. `beside`: files that came with it. */
+export async function openFile(studio: Studio, file: File, beside: readonly File[] = []): Promise<void> {
   const ending = endingOf(file.name);
   if (!kCharacters.has(ending) && ending !== 'json') {
     return studio.tell({ kind: 'text', key: 'unknownFile', values: { name: file.name } });
@@ -23,7 +32,7 @@ export async function openFile(studio: Studio, file: File): Promise<void> {
   studio.store.set({ opening: file.name, notice: null });
   try {
     const bytes = new Uint8Array(await file.arrayBuffer());
-    if (ending === 'json') await openJson(studio, new TextDecoder().decode(bytes));
+    if (ending === 'json') await openJson(studio, new TextDecoder().decode(bytes), beside);
     else await openCharacter(studio, { source: file.name }, bytes);
   } catch (error) {
     studio.fail(error, file.name);
@@ -42,24 +51,56 @@ export async function openCharacter(studio: Studio, spec: CharacterSpec, bytes?:
   void studio.begin(document).catch((error: unknown) => studio.fail(error));
 }
 
-async function openJson(studio: Studio, text: string): Promise<void> {
+async function openJson(studio: Studio, text: string, beside: readonly File[]): Promise<void> {
   const value: unknown = JSON.parse(text);
   if (typeof value !== 'object' || value === null) throw new SyntaxError('no result and no task');
-  if (Array.isArray((value as Summary).candidates)) await openResult(studio, value as Summary);
+  if (Array.isArray((value as Summary).candidates)) {
+    const changed = await changedFile(value as Summary, beside);
+    if (changed !== undefined) return studio.tell({ kind: 'text', key: 'changedFile', values: { name: changed } });
+    await openResult(studio, value as Summary, beside);
+  }
   else if (Array.isArray((value as Task).goals)) await openTask(studio, value as Task);
   else throw new SyntaxError('neither a result ("candidates") nor a task ("goals")');
 }
 
-export async function openResult(studio: Studio, summary: Summary): Promise<void> {
+/** The name of a file that came with a result and is not the one that it describes. */
+async function changedFile(summary: Summary, beside: readonly File[]): Promise<string | undefined> {
+  // pages that came over an open network have no digests
+  if (globalThis.crypto.subtle === undefined) return undefined;
+  for (const { files, sha256 } of summary.candidates) {
+    for (const [format, name] of Object.entries(files ?? {})) {
+      const file = beside.find((other) => other.name === name);
+      const told = sha256?.[format];
+      if (file === undefined || told === undefined) continue;
+      const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', await file.arrayBuffer()));
+      if ([...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('') !== told) return name;
+    }
+  }
+  return undefined;
+}
+
+export async function openResult(studio: Studio, summary: Summary, beside: readonly File[] = []): Promise<void> {
   const task = summary['task'] as Task & { character?: CharacterSpec | string };
-  const character = await characterOf(studio, task.character);
-  const result: Generated = await studio.engine.restore(character, summary);
+  const character = (await characterBeside(studio, task.character, beside)) ?? (await characterOf(studio, task.character));
+  const result: Generated = await studio.restore(character, summary);
   await studio.begin({ ...documentOf(newDocument(character, task.goals), task), result });
 }
 
 export async function openTask(studio: Studio, task: Task & { character?: CharacterSpec | string }): Promise<void> {
   const character = await characterOf(studio, task.character);
   await studio.begin(documentOf(newDocument(character, task.goals), task));
+}
+
+/** The character of a result by its own file, where that came with it. */
+async function characterBeside(
+  studio: Studio, named: CharacterSpec | string | undefined, beside: readonly File[],
+): Promise<Document['character'] | undefined> {
+  if (typeof named !== 'object') return undefined;
+  const file = beside.find(({ name }) => name === named.source && kCharacters.has(endingOf(name)));
+  if (file === undefined) return undefined;
+  // as it was read then; what was measured of it is in the file
+  const said = Object.entries(named).filter(([key]) => kOfTheFile.has(key));
+  return studio.open(Object.fromEntries(said) as unknown as CharacterSpec, new Uint8Array(await file.arrayBuffer()));
 }
 
 /** The character of a task: the one at hand where it is of the same file, as that has its mesh. */

@@ -57,6 +57,7 @@ export interface State {
   readonly tab: Tab;
   readonly compareMode: CompareMode;
   readonly overlays: boolean; // paths, centre of mass, support
+  readonly fps: number; // of files that are saved
   readonly language: 'en' | 'ja';
   readonly theme: 'auto' | 'light' | 'dark';
 }
@@ -79,6 +80,7 @@ export const initialState: State = {
   tab: 'goals',
   compareMode: 'beside',
   overlays: true,
+  fps: 60,
   language: 'en',
   theme: 'auto',
 };

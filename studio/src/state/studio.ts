@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a person can do, in one place: each panel and key calls these. Steps that undo knows go through `commit`.
-import type { Candidate, Character, Generated, Goal, Quat, Task, Vec3 } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, Generated, Goal, Quat, Series, Summary, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import type { History } from './history';
 import { ranking } from './criteria';
 import { candidateAt, type Document, goalOf } from './model';
@@ -164,6 +164,27 @@ export class Studio extends Workbench {
     return this.search();
   }
 
+  /** A result's motions anew, which can be stopped as a search can. */
+  async restore(character: Character, summary: Summary): Promise<Generated> {
+    this.cancel();
+    const controller = new AbortController();
+    this.running = controller;
+    this.store.set({ search: { fraction: 0, best: Infinity } });
+    try {
+      return await this.engine.restore(character, summary, {
+        signal: controller.signal,
+        onProgress: ({ fraction, best_score }) => {
+          if (this.running === controller) this.store.set({ search: { fraction, best: best_score } });
+        },
+      });
+    } finally {
+      if (this.running === controller) {
+        this.running = null;
+        this.store.set({ search: null });
+      }
+    }
+  }
+
   cancel(): void {
     this.running?.abort();
     this.running = null;
@@ -302,9 +323,23 @@ export class Studio extends Workbench {
     const document = this.document;
     if (!document?.result) throw new Error('no motion');
     const which = index ?? document.chosen;
-    const edit = document.edits[which];
-    const [summary, candidate] = edit ? [edit.generated.summary, 1] : [document.result.summary, which + 1];
-    return this.engine.export(document.character, summary, candidate, format);
+    const [summary, candidate] = this.source(document.result, document.edits, which);
+    return this.engine.export(document.character, summary, candidate, format, { fps: this.store.state.fps });
+  }
+
+  /** The nodes of the chosen motion at the rate of files. */
+  async sampledNodes(): Promise<Record<'time' | 'node_translations' | 'node_rotations', Series>> {
+    const document = this.document;
+    if (!document?.result) throw new Error('no motion');
+    const [summary, candidate] = this.source(document.result, document.edits, document.chosen);
+    const names = ['time', 'node_translations', 'node_rotations'] as const;
+    return this.engine.sampled(document.character, summary, candidate, names, this.store.state.fps);
+  }
+
+  /** The result that a motion is in, and its number there. */
+  private source(result: Generated, edits: Document['edits'], index: number): [Summary, number] {
+    const edit = edits[index];
+    return edit ? [edit.generated.summary, 1] : [result.summary, index + 1];
   }
 
   /** The strip figure as SVG; null where the body has none, or where it has been replaced meanwhile. */

@@ -34,7 +34,7 @@ export async function takeAway(studio: Studio, format: Taken): Promise<{ name: s
     case 'glb': {
       const bytes = document.character.bytes && /\.(glb|gltf|vrm)$/i.test(document.character.spec.source)
         ? await studio.exported('glb')
-        : await (await import('../view/drawn_glb')).drawnGlb(document.character, studio.chosen()!);
+        : await (await import('../view/drawn_glb')).drawnGlb(document.character, await studio.sampledNodes());
       return { name: `${name}.glb`, bytes };
     }
     default:

@@ -4,7 +4,7 @@ import {
   AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, Scene, Vector3, VectorKeyframeTrack,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
-import type { Candidate, Character } from '../../../bindings/wasm/src/types';
+import type { Character, Series } from '../../../bindings/wasm/src/types';
 import { disposeFigure, makeFigure } from './figures';
 import { palettes } from './palette';
 
@@ -19,12 +19,14 @@ function normalize(geometry: BufferGeometry): void {
   }
 }
 
-export async function drawnGlb(character: Character, candidate: Candidate): Promise<Uint8Array> {
+export async function drawnGlb(
+  character: Character, series: Record<'time' | 'node_translations' | 'node_rotations', Series>,
+): Promise<Uint8Array> {
   const figure = await makeFigure(character);
   try {
     figure.skin.color = palettes.light.skin;
     figure.joints.color = palettes.light.joints;
-    const { time, node_translations: places, node_rotations: turns } = candidate.series;
+    const { time, node_translations: places, node_rotations: turns } = series;
     const times = Array.from(time.values.subarray(0, time.frames));
     const column = (values: Float64Array, columns: number, first: number, width: number): number[] => {
       const out: number[] = [];
@@ -47,7 +49,7 @@ export async function drawnGlb(character: Character, candidate: Candidate): Prom
         new QuaternionKeyframeTrack(`${node.uuid}.quaternion`, times, column(turns.values, turns.columns, 4 * n, 4)),
       );
     });
-    const clip = new AnimationClip('shigusa', candidate.summary.duration_s, tracks);
+    const clip = new AnimationClip('shigusa', times[times.length - 1] ?? 0, tracks);
     // a skin's mesh stands beside the bones in the scene, under nothing that could move it
     const scene = new Scene();
     scene.name = character.description.name;

@@ -28,16 +28,21 @@ export interface ShigusaModule {
   _shigusa_character_describe(character: number, json: number): number;
 
   _shigusa_generate(character: number, task: number, threads: number, watch: number, result: number): number;
-  _shigusa_restore(character: number, summary: number, result: number): number;
+  _shigusa_restore_watched(character: number, summary: number, watch: number, result: number): number;
   _shigusa_replay(result: number, candidate: number, assignments: number, edited: number): number;
   _shigusa_mirror(result: number, mirrored: number): number;
   _shigusa_result_free(result: number): void;
   _shigusa_result_candidates(result: number): number;
   _shigusa_result_describe(result: number, json: number): number;
   _shigusa_result_parameters(result: number, candidate: number, json: number): number;
-  _shigusa_result_export(result: number, candidate: number, format: number, file: number): number;
+  _shigusa_result_export_with(
+    result: number, candidate: number, format: number, options: number, file: number,
+  ): number;
   _shigusa_result_series(
     result: number, candidate: number, series: number, values: number, frames: number, columns: number,
+  ): number;
+  _shigusa_result_series_at(
+    result: number, candidate: number, series: number, fps: number, table: number, frames: number, columns: number,
   ): number;
   _shigusa_score_clip(name: number, file: number, fileSize: number, options: number, json: number): number;
 }
