@@ -45,12 +45,6 @@ bool is_twist_segment(std::string_view body_node) {
   });
 }
 
-std::vector<int> parents_of(const Skeleton& skeleton) {
-  std::vector<int> parents;
-  for (const SkeletonNode& node : skeleton.nodes) parents.push_back(node.parent);
-  return parents;
-}
-
 tl::unexpected<Error> unreadable(const char* format, const std::string& why) {
   return fail(ErrorCode::unsupported,
               fmt::format("cannot be read back: {}; leave the format out", why),
@@ -126,6 +120,23 @@ Transformd ReadBackCheck::in_world(const Transformd& node, double unit) const {
           file.to_world(node.translation * (unit / file.unit))};
 }
 
+ReadBackCheck::FileMotion ReadBackCheck::file_motion(const char* format, const SkeletonClip& clip,
+                                                     const Skeleton& nodes,
+                                                     const ReadBackDigits& digits) {
+  FileMotion motion{.format = format,
+                    .frames = clip.frames,
+                    .frame_time = clip.frame_time,
+                    .parents = {},
+                    .node_of = {},
+                    .digits = digits,
+                    .places = {}};
+  for (const SkeletonNode& node : nodes.nodes) {
+    motion.node_of.push_back(static_cast<int>(motion.node_of.size()));
+    motion.parents.push_back(node.parent);
+  }
+  return motion;
+}
+
 Result<ReadBack> ReadBackCheck::bvh(std::string_view bytes) const {
   const Result<BvhFile> file = parse_bvh_file(bytes, "bvh");
   if (!file) return unreadable("bvh", file.error().to_string());
@@ -133,13 +144,7 @@ Result<ReadBack> ReadBackCheck::bvh(std::string_view bytes) const {
   const Skeleton own = character_.rig ? character_.rig->skeleton : body_skeleton(body_);
   const std::vector<int> order = bvh_order(own);
   if (order.size() != motion.skeleton.nodes.size()) return unreadable("bvh", "it has other nodes");
-  FileMotion back{.format = "bvh",
-                  .frames = motion.clip.frames,
-                  .frame_time = motion.clip.frame_time,
-                  .parents = parents_of(motion.skeleton),
-                  .node_of = std::vector<int>(order.size()),
-                  .digits = kBvhDigits,
-                  .places = {}};
+  FileMotion back = file_motion("bvh", motion.clip, motion.skeleton, kBvhDigits);
   for (std::size_t k = 0; k < order.size(); ++k) {
     back.node_of[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
   }
@@ -159,14 +164,7 @@ Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& a
   const CharacterRig& rig = *character_.rig;
   const SkeletonMotion& motion = file->motion;
   if (file->character.file_node != rig.file_node) return unreadable("glb", "it has other nodes");
-  FileMotion back{.format = "glb",
-                  .frames = motion.clip.frames,
-                  .frame_time = motion.clip.frame_time,
-                  .parents = parents_of(motion.skeleton),
-                  .node_of = std::vector<int>(rig.file_node.size()),
-                  .digits = kFloatDigits,
-                  .places = {}};
-  for (std::size_t i = 0; i < back.node_of.size(); ++i) back.node_of[i] = static_cast<int>(i);
+  FileMotion back = file_motion("glb", motion.clip, motion.skeleton, kFloatDigits);
   back.places = [&](int frame) {
     Places places = world_transforms(motion.skeleton, motion.clip, frame);
     for (Transformd& node : places) node = in_world(node, rig.rig.placement.unit);
@@ -197,20 +195,13 @@ Result<ReadBack> ReadBackCheck::vrma(std::string_view bytes) const {
     mark.point = in_link(mark.link, start_[static_cast<std::size_t>(mark.node)]);
     marks.push_back(std::move(mark));
   }
-  FileMotion back{.format = "vrma",
-                  .frames = motion.clip.frames,
-                  .frame_time = motion.clip.frame_time,
-                  .parents = parents_of(rig.skeleton),
-                  .node_of = std::vector<int>(bone_of.size()),
-                  .digits = kFloatDigits,
-                  .places = {}};
-  for (std::size_t i = 0; i < back.node_of.size(); ++i) back.node_of[i] = static_cast<int>(i);
+  FileMotion back = file_motion("vrma", motion.clip, rig.skeleton, kFloatDigits);
   back.places = [&](int frame) {
     Places places = played(rig, bone_of, world_transforms(motion.skeleton, motion.clip, frame));
     for (Transformd& node : places) node = in_world(node, rig.rig.placement.unit);
     return places;
   };
-  return compare(back, std::move(marks));
+  return compare(back, marks);
 }
 
 Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,

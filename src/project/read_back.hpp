@@ -56,6 +56,9 @@ class ReadBackCheck {
     std::function<Places(int)> places;  // of a frame
   };
 
+  // Of a file whose nodes are these, in their order.
+  [[nodiscard]] static FileMotion file_motion(const char* format, const SkeletonClip& clip,
+                                              const Skeleton& nodes, const ReadBackDigits& digits);
   void add_mark(const std::string& name, const std::string& body_node, bool foot, bool turns);
   // How far a node may be off.
   struct Allowance {

@@ -71,6 +71,12 @@ nlohmann::json vrm_person() {
   return file;
 }
 
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
 class CharacterExport : public testing::Test {
  protected:
   // Bends the person of a file to a low goal and writes the result; candidates with all weights 1.
@@ -120,6 +126,18 @@ class CharacterExport : public testing::Test {
         EXPECT_LE(norm(now.rotation.cx - first.rotation.cx) / norm(first.rotation.cx),
                   radians(0.1));
       }
+    }
+  }
+
+  // Goal and feet by a BVH's own kinematics.
+  void expect_bvh_kept(const std::string& bvh) const {
+    const ExportedMotion motion(bvh, candidate().at("bvh_unit_m"));
+    const Json& goal = candidate().at("reached").at(0);
+    const Vec3d wanted{goal.at("goal_m").at(0), goal.at("goal_m").at(1), goal.at("goal_m").at(2)};
+    EXPECT_LE(norm(motion.at_end(goal.at("joint")) - wanted), kMillimetre);
+    for (const Json& contact : candidate().at("contacts")) {
+      EXPECT_LE(motion.slide(contact.at("joint")), kMillimetre);
+      EXPECT_LE(motion.tilt(contact.at("joint")), radians(0.1));
     }
   }
 
@@ -330,14 +348,9 @@ TEST_F(CharacterExport, AllCandidatesFitInOneFile) {
 TEST_F(CharacterExport, BvhKeepsTheFilesNodesChannelsAndUnit) {
   // another order of channels and inches
   std::string text = person_bvh();
-  const auto replace_all = [&text](const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size())) {
-      text.replace(at, from.size(), to);
-    }
-  };
-  replace_all("Zrotation Xrotation Yrotation", "Yrotation Xrotation Zrotation");
-  replace_all("right_upper_arm", "RightArm");
-  replace_all("left_foot", "LeftFoot");
+  replace_all(text, "Zrotation Xrotation Yrotation", "Yrotation Xrotation Zrotation");
+  replace_all(text, "right_upper_arm", "RightArm");
+  replace_all(text, "left_foot", "LeftFoot");
   work_.put("person.bvh", text);
   reach("person.bvh", "bvh");
   const std::string out = work_.get("candidate-1.bvh");
@@ -353,40 +366,21 @@ TEST_F(CharacterExport, BvhKeepsTheFilesNodesChannelsAndUnit) {
         norm(written.motion.skeleton.nodes[i].offset - source.motion.skeleton.nodes[i].offset),
         1e-6);
   }
-  const ExportedMotion motion(out, candidate().at("bvh_unit_m"));
-  const Json& goal = candidate().at("reached").at(0);
-  const Vec3d wanted{goal.at("goal_m").at(0), goal.at("goal_m").at(1), goal.at("goal_m").at(2)};
-  EXPECT_LE(norm(motion.at_end(goal.at("joint")) - wanted), kMillimetre);
-  for (const Json& contact : candidate().at("contacts")) {
-    EXPECT_LE(motion.slide(contact.at("joint")), kMillimetre);
-    EXPECT_LE(motion.tilt(contact.at("joint")), radians(0.1));
-  }
+  expect_bvh_kept(out);
 }
 
 // The hips move where they hang on another node, which has no channels for that in the file.
 TEST_F(CharacterExport, BvhWhoseHipsAreNoRootMeetsTheGoal) {
   std::string text = person_bvh();
-  const auto replace_all = [&text](const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size())) {
-      text.replace(at, from.size(), to);
-    }
-  };
-  replace_all("Zrotation Xrotation Yrotation", "Xrotation Yrotation Zrotation");
-  replace_all("ROOT hips", "ROOT Reference frame\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT hips");
-  replace_all("MOTION", "}\nMOTION");
-  replace_all("right_hand\n", "Bip01 R Hand\n");
+  replace_all(text, "Zrotation Xrotation Yrotation", "Xrotation Yrotation Zrotation");
+  replace_all(text, "ROOT hips", "ROOT Reference frame\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT hips");
+  replace_all(text, "MOTION", "}\nMOTION");
+  replace_all(text, "right_hand\n", "Bip01 R Hand\n");
   work_.put("person.bvh", text);
   reach("person.bvh", "bvh");
   const std::string out = work_.get("candidate-1.bvh");
   EXPECT_THAT(out, HasSubstr("JOINT Bip01 R Hand\n"));
-  const ExportedMotion motion(out, candidate().at("bvh_unit_m"));
-  const Json& goal = candidate().at("reached").at(0);
-  const Vec3d wanted{goal.at("goal_m").at(0), goal.at("goal_m").at(1), goal.at("goal_m").at(2)};
-  EXPECT_LE(norm(motion.at_end(goal.at("joint")) - wanted), kMillimetre);
-  for (const Json& contact : candidate().at("contacts")) {
-    EXPECT_LE(motion.slide(contact.at("joint")), kMillimetre);
-    EXPECT_LE(motion.tilt(contact.at("joint")), radians(0.1));
-  }
+  expect_bvh_kept(out);
 }
 
 TEST_F(CharacterExport, BvhOfAGltfCharacterHasItsNodesInCentimetres) {
