@@ -25,6 +25,9 @@ class Descriptor {
   [[nodiscard]] int number() const { return number_; }
   explicit operator bool() const { return number_ >= 0; }
 
+  // The number, for somebody else to close.
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
+
   // 0, or the system's reason: a full disk may show only now.
   [[nodiscard]] int close();
 

@@ -43,13 +43,12 @@ struct FolderCloser {
 
 std::vector<std::string> names_in(const Descriptor& folder) {
   std::vector<std::string> names;
-  const int again = openat(folder.number(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (again < 0) return names;
-  const std::unique_ptr<DIR, FolderCloser> entries(fdopendir(again));
-  if (!entries) {
-    close(again);
-    return names;
-  }
+  Descriptor again = open_at(folder.number(), ".", O_RDONLY | O_DIRECTORY);
+  if (!again) return names;
+  const std::unique_ptr<DIR, FolderCloser> entries(fdopendir(again.number()));
+  if (!entries) return names;
+  // closed with the entries
+  (void)again.release();
   while (const dirent* entry = readdir(entries.get())) {
     const std::string name = entry->d_name;
     if (name != "." && name != "..") names.push_back(name);
