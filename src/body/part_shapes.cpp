@@ -128,12 +128,6 @@ std::string_view body_part_name(BodyPart part) {
   return kNames[static_cast<std::size_t>(part)];
 }
 
-BodyPart mirrored(BodyPart part) {
-  const auto pair = sided(part);
-  if (!pair) return part;
-  return of_side(pair->left, pair->side == Side::left ? Side::right : Side::left);
-}
-
 Vec3d head_joint(const Landmarks& person) {
   return person.head.value_or(person.neck + (person.head_top - person.neck) * kHeadJointShare);
 }

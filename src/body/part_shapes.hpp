@@ -11,8 +11,6 @@ namespace shigusa {
 [[nodiscard]] constexpr BodyPart of_side(BodyPart left, Side side) {
   return side == Side::left ? left : static_cast<BodyPart>(static_cast<int>(left) + 1);
 }
-// The same part of the other side; what has no side stays.
-[[nodiscard]] BodyPart mirrored(BodyPart part);
 
 // A part's own frame (see PartShape) in the person's posture.
 [[nodiscard]] Transformd part_frame(BodyPart part, const Landmarks& person,

@@ -6,9 +6,6 @@
 #include <shigusa/project/mirror.hpp>
 #include <utility>
 
-#include "body/part_shapes.hpp"
-#include "landmarks_json.hpp"
-
 namespace shigusa {
 namespace {
 
