@@ -41,7 +41,7 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
     print_out("{:<26} {:>8.3f}{:>8.3f}{:>8.3f}\n", printable(body.effector(i).name),
               thousandths(at.x), thousandths(at.y), thousandths(at.z));
   }
-  for (const auto& [bone, node] : spec.humanoid) print_out("{:<18} {}\n", bone, node);
+  for (const auto& [bone, node] : spec.humanoid) print_out("{:<18} {}\n", bone, printable(node));
   for (const auto& [node, bone, share] : twist_shares(spec)) {
     print_out("{:<18} {}, {:.0f} % along {}\n", "twist bone", printable(node), 100.0 * share, bone);
   }

@@ -36,10 +36,10 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
       "--heels", o.heels,
       "Heels may lift where people's do: on tiptoe for what is high, in a deep squat (human, "
       "standing)");
-  c.add_option(
-       "--map", o.map,
-       "BONE=NODE: which node of the file a bone is (right_hand=Bone_17), or a JSON file of "
-       "them; repeatable")
+  c.add_option("--map", o.map,
+               "BONE=NODE: which node of the file a bone is (right_hand=Bone_17, or #17 by its "
+               "place), or a "
+               "file of them: JSON, or what `shigusa body` printed; repeatable")
       ->allow_extra_args(false);
 }
 

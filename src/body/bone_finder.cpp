@@ -33,18 +33,7 @@ Result<HumanoidMap> BoneFinder::find() {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("no body: all {} nodes stand at one point", tree_.size()));
   }
-  std::size_t gap = kLimbs.size();
-  for (std::size_t limb = kLimbs.size(); limb-- > 0;) {
-    if (!take_given(limb) && !find_by_name(limb)) gap = limb;
-  }
-  if (gap < kLimbs.size()) {
-    if (!find_by_shape()) return fail(ErrorCode::invalid_argument, missing(gap));
-    doubt("the names do not tell the {}: all limbs were found by the skeleton's shape",
-          kLimbNames[gap]);
-    for (const auto& limb : kLimbs) {
-      for (const Bone bone : limb) map_[bone] = asked_[bone] >= 0 ? asked_[bone] : map_[bone];
-    }
-  }
+  if (const auto found = find_limbs(); !found) return tl::unexpected(found.error());
   if (!find_hips()) {
     return fail(ErrorCode::invalid_argument, "no hips: the limbs hang on several roots");
   }
@@ -62,6 +51,22 @@ Result<HumanoidMap> BoneFinder::find() {
         "mirrored, or its left and right are exchanged");
   }
   return std::move(map_);
+}
+
+// Each limb by the file's own map or its names, and those that these do not tell by shape.
+Result<void> BoneFinder::find_limbs() {
+  std::array<bool, 4> found{};
+  for (std::size_t limb = kLimbs.size(); limb-- > 0;) {
+    found[limb] = take_given(limb) || find_by_name(limb);
+  }
+  const auto gap =
+      static_cast<std::size_t>(std::find(found.begin(), found.end(), false) - found.begin());
+  if (gap == found.size()) return {};
+  const bool none = std::count(found.begin(), found.end(), true) == 0;
+  if (!find_by_shape(found)) return fail(ErrorCode::invalid_argument, missing(gap));
+  doubt("the names do not tell the {}: {} found by the skeleton's shape", kLimbNames[gap],
+        none ? "all limbs were" : "what they do not tell was");
+  return {};
 }
 
 // A whole Rigify rig has each limb several times; its mesh goes with the bones called DEF- alone.
@@ -86,7 +91,7 @@ bool BoneFinder::deforms(int i) const {
 }
 
 // Nodes of that side and these parts; those of an earlier part first, then the higher ones.
-std::vector<int> BoneFinder::named(NameSide side, std::initializer_list<BonePart> parts) const {
+std::vector<int> BoneFinder::named(NameSide side, const std::vector<BonePart>& parts) const {
   std::vector<int> nodes;
   for (const BonePart part : parts) {
     for (int i = 0; i < tree_.size(); ++i) {
@@ -109,6 +114,14 @@ int BoneFinder::first_below(const std::vector<int>& nodes, int ancestor) const {
     if (strictly_below(first, i) && strictly_below(i, ancestor)) first = i;
   }
   return first;
+}
+
+// Whether a node is of no limb, nor bears one: a foot or a hand may hang so, as controls do.
+bool BoneFinder::is_beside_limbs(int i) const {
+  return std::none_of(kLimbs.begin(), kLimbs.end(), [&](const auto& limb) {
+    const int upper = map_[limb[0]];
+    return tree_.below(i, upper) || tree_.below(upper, i);
+  });
 }
 
 bool BoneFinder::at_parent(int i) const {
@@ -139,7 +152,9 @@ Result<void> BoneFinder::check_asked() const {
     const auto asks = [&](Bone bone) { return asked_[bone] >= 0; };
     if (std::none_of(limb.begin(), limb.end(), asks)) continue;
     for (std::size_t k = 1; k < limb.size(); ++k) {
-      if (strictly_below(map_[limb[k]], map_[limb[k - 1]])) continue;
+      const int above = map_[limb[k - 1]];
+      if (strictly_below(map_[limb[k]], above)) continue;
+      if (k == 2 && is_beside_limbs(map_[limb[k]])) continue;
       return refuse(asked_[limb[k]] >= 0 ? limb[k] : limb[k - 1]);
     }
   }

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <initializer_list>
+#include <optional>
 #include <shigusa/body/humanoid_map.hpp>
 #include <utility>
+#include <vector>
 
 #include "humanoid_names.hpp"
 #include "humanoid_shape.hpp"
@@ -45,17 +46,29 @@ class BoneFinder {
 
   void leave_to_deforming_bones();
   [[nodiscard]] bool deforms(int i) const;
-  [[nodiscard]] std::vector<int> named(NameSide side, std::initializer_list<BonePart> parts) const;
+  [[nodiscard]] std::vector<int> named(NameSide side, const std::vector<BonePart>& parts) const;
   [[nodiscard]] int first_below(const std::vector<int>& nodes, int ancestor) const;
+  [[nodiscard]] bool is_beside_limbs(int i) const;
   [[nodiscard]] bool at_parent(int i) const;
   [[nodiscard]] bool strictly_below(int i, int ancestor) const;
   [[nodiscard]] Result<void> check_asked() const;
 
   // limbs
+  Result<void> find_limbs();
   bool take_given(std::size_t limb);
   bool find_by_name(std::size_t limb);
-  int foot_at_tip(const std::vector<int>& feet, int shank, std::size_t limb);
-  bool find_by_shape();
+  [[nodiscard]] std::vector<int> called(std::size_t limb, std::size_t k,
+                                        const std::vector<BonePart>& parts) const;
+  void find_lower_in_row(std::size_t limb, const std::vector<int>& ends, LimbNodes& nodes) const;
+  int end_beside(const std::vector<int>& ends, const LimbNodes& nodes, std::size_t limb);
+  int end_below(const LimbNodes& nodes, std::size_t limb);
+  [[nodiscard]] int nearest_to_mean(const std::vector<int>& nodes) const;
+  void pass_collar(LimbNodes& nodes) const;
+  bool find_by_shape(const std::array<bool, 4>& found);
+  [[nodiscard]] std::optional<BodyShape> shape_beside(const std::array<bool, 4>& found) const;
+  [[nodiscard]] BranchPair branches_of(std::size_t left_limb) const;
+  [[nodiscard]] bool may_be_limbs(const BranchPair& pair, bool legs,
+                                  const std::array<bool, 4>& found) const;
   Vec3d left_of_feet(const BodyShape& shape, const std::array<LimbNodes, 2>& legs);
   [[nodiscard]] std::size_t left_of(const BranchPair& pair, const std::array<LimbNodes, 2>& limbs,
                                     const Vec3d& left) const;
@@ -68,6 +81,8 @@ class BoneFinder {
   void find_trunk_branch();
   void find_neck_and_head();
   [[nodiscard]] int head_by_shape() const;
+  [[nodiscard]] bool in_row(int i, int next) const;
+  [[nodiscard]] int way_up(int i) const;
   [[nodiscard]] int neck_by_shape(int head) const;
   [[nodiscard]] std::vector<int> joints_between(int top, int end) const;
   void find_spine();

@@ -19,21 +19,18 @@ bool BoneFinder::take_given(std::size_t limb) {
   return true;
 }
 
-// Takes the first chain with the right names; of an incomplete one what there is, for the
-// message. False where a bone is missing.
+// Takes the first chain with the right names, and what is missing of it from the joints around it;
+// of an incomplete one what there is, for the message. False where a bone is missing.
 bool BoneFinder::find_by_name(std::size_t limb) {
   using P = BonePart;
-  const NameSide side = limb % 2 == 0 ? NameSide::left : NameSide::right;
   const bool leg = limb < 2;
-  const auto called = [&](std::size_t k, std::initializer_list<P> of_leg,
-                          std::initializer_list<P> of_arm) {
-    const int asked = asked_[kLimbs[limb][k]];
-    return asked >= 0 ? std::vector<int>{asked} : named(side, leg ? of_leg : of_arm);
-  };
-  const std::vector<int> uppers =
-      called(0, {P::upper_leg, P::hip, P::leg}, {P::upper_arm, P::arm, P::shoulder});
-  const std::vector<int> lowers = called(1, {P::lower_leg, P::leg}, {P::lower_arm});
-  const std::vector<int> ends = called(2, {P::ankle, P::foot}, {P::hand});
+  const std::vector<int> uppers = called(limb, 0,
+                                         leg ? std::vector{P::upper_leg, P::hip, P::leg}
+                                             : std::vector{P::upper_arm, P::arm, P::shoulder});
+  const std::vector<int> lowers =
+      called(limb, 1, leg ? std::vector{P::lower_leg, P::leg} : std::vector{P::lower_arm});
+  const std::vector<int> ends =
+      called(limb, 2, leg ? std::vector{P::ankle, P::foot} : std::vector{P::hand});
   LimbNodes best{-1, -1, -1};
   for (const int upper : uppers) {
     // a hip at the very place of its parent only carries the leg (CMU's LHipJoint)
@@ -43,42 +40,200 @@ bool BoneFinder::find_by_name(std::size_t limb) {
     if (best[0] < 0 || (best[1] < 0 && lower >= 0) || end >= 0) best = {upper, lower, end};
     if (end >= 0) break;
   }
-  if (leg && best[1] >= 0 && best[2] < 0) best[2] = foot_at_tip(ends, best[1], limb);
+  if (best[0] >= 0 && best[1] < 0) find_lower_in_row(limb, ends, best);
+  if (best[1] >= 0 && best[2] < 0) best[2] = end_beside(ends, best, limb);
+  if (best[1] >= 0 && best[2] < 0) best[2] = end_below(best, limb);
+  if (best[2] >= 0) pass_collar(best);
   for (std::size_t k = 0; k < 3; ++k) map_[kLimbs[limb][k]] = best[k];
   return best[2] >= 0;
 }
 
+// The nodes of a limb's k-th bone: what a person asks for, or those of the right side and name.
+std::vector<int> BoneFinder::called(std::size_t limb, std::size_t k,
+                                    const std::vector<BonePart>& parts) const {
+  const int asked = asked_[kLimbs[limb][k]];
+  if (asked >= 0) return {asked};
+  return named(limb % 2 == 0 ? NameSide::left : NameSide::right, parts);
+}
+
+// A limb whose joints are all called the same ("arm.L", "arm.L.001", "arm.L.002"; LArm, LArm1,
+// LHand): each is the next bone.
+void BoneFinder::find_lower_in_row(std::size_t limb, const std::vector<int>& ends,
+                                   LimbNodes& nodes) const {
+  const BonePart part = name(nodes[0]).part;
+  if (part != BonePart::arm && part != BonePart::leg) return;
+  for (const int i : called(limb, 1, {part})) {
+    if (!strictly_below(i, nodes[0]) || !tree_.apart(i, nodes[0])) continue;
+    const int end = first_below(ends, i);
+    if (end < 0 && !ends.empty() && first_below(ends, nodes[0]) >= 0) continue;
+    nodes[1] = i;
+    nodes[2] = end;
+    return;
+  }
+}
+
 // A foot that hangs on a root, as a control, at the end of a shank without one (Quaternius), or
-// -1.
-int BoneFinder::foot_at_tip(const std::vector<int>& feet, int shank, std::size_t limb) {
-  constexpr double kNear = 0.15;  // of the shank
-  const int tip = tree_.farthest(shank);
-  const double length = norm(tree_.at(tip) - tree_.at(shank));
-  for (const int foot : feet) {
-    if (tip == shank || norm(tree_.at(foot) - tree_.at(tip)) > kNear * length) continue;
-    doubt("{} stands at the end of the {} and does not hang on it", tree_.described(foot),
+// -1; likewise a hand.
+int BoneFinder::end_beside(const std::vector<int>& ends, const LimbNodes& nodes, std::size_t limb) {
+  constexpr double kNear = 0.15;  // of the segment
+  // without a tip: lengths of the segment before the end, in those of the one before it
+  constexpr double kShortest = 0.5;
+  constexpr double kLongest = 2.0;
+  const Vec3d& joint = tree_.at(nodes[1]);
+  const double before = norm(joint - tree_.at(nodes[0]));
+  const int tip = tree_.farthest(nodes[1]);
+  for (const int end : ends) {
+    if (tree_.below(nodes[1], end) || tree_.below(end, nodes[1])) continue;
+    const double length = norm(tree_.at(end) - joint);
+    const bool at_tip = norm(tree_.at(end) - tree_.at(tip)) <= kNear * norm(tree_.at(tip) - joint);
+    const bool stretched = norm(tree_.at(end) - tree_.at(nodes[0])) > before;
+    const bool in_place = length > kShortest * before && length < kLongest * before && stretched;
+    const bool asked = asked_[kLimbs[limb][2]] == end;
+    if (!asked && (tip == nodes[1] ? !in_place : !at_tip)) continue;
+    doubt("{} stands at the end of the {} and does not hang on it", tree_.described(end),
           kLimbNames[limb]);
-    return foot;
+    return end;
   }
   return -1;
 }
 
-// All limbs by the shape of the skeleton; false where it does not tell them.
-bool BoneFinder::find_by_shape() {
-  const std::optional<BodyShape> shape = find_body_shape(tree_);
+// The joint below a lower limb that is its hand or foot, whatever it is called, or -1: what is
+// called a palm, of several the one in their middle, else the next joint but for twist bones.
+int BoneFinder::end_below(const LimbNodes& nodes, std::size_t limb) {
+  const NameSide side = limb % 2 == 0 ? NameSide::left : NameSide::right;
+  std::vector<int> palms;
+  for (const int i : limb < 2 ? std::vector<int>{} : named(side, {BonePart::palm})) {
+    const auto above = [&](int palm) { return tree_.below(i, palm); };
+    if (strictly_below(i, nodes[1]) && std::none_of(palms.begin(), palms.end(), above)) {
+      palms.push_back(i);
+    }
+  }
+  if (!palms.empty()) return nearest_to_mean(palms);
+  constexpr double kShare = 0.5;  // of the segment before
+  const double least = kShare * norm(tree_.at(nodes[1]) - tree_.at(nodes[0]));
+  const auto is_other = [&](int i) {
+    const BonePart part = name(i).part;
+    return part == BonePart::thumb || part == BonePart::ornament;
+  };
+  const int tip = tree_.farthest(nodes[1], is_other);
+  std::vector<int> way;
+  for (int i = tip; i != nodes[1]; i = tree_.node(i).parent) way.push_back(i);
+  for (auto i = way.rbegin(); i != way.rend(); ++i) {
+    if (norm(tree_.at(*i) - tree_.at(nodes[1])) < least || is_twist_name(tree_.node(*i).name)) {
+      continue;
+    }
+    if (tree_.node(*i).end_site) return -1;
+    if (tree_.children(tree_.node(*i).parent).size() > 1) {
+      doubt("{} is taken as the end of the {}, by where it stands", tree_.described(*i),
+            kLimbNames[limb]);
+    }
+    return *i;
+  }
+  return -1;
+}
+
+int BoneFinder::nearest_to_mean(const std::vector<int>& nodes) const {
+  Vec3d mean{};
+  for (const int i : nodes) mean += tree_.at(i) * (1.0 / static_cast<double>(nodes.size()));
+  return *std::min_element(nodes.begin(), nodes.end(), [&](int a, int b) {
+    return norm(tree_.at(a) - mean) < norm(tree_.at(b) - mean);
+  });
+}
+
+// A shoulder that stands where a collar bone does, with another joint before the elbow, is one.
+void BoneFinder::pass_collar(LimbNodes& nodes) const {
+  if (name(nodes[0]).part != BonePart::shoulder) return;
+  // of people's upper arms to their forearms; from the inner end of the collar bone it is 1.8
+  constexpr double kLongest = 1.5;
+  constexpr double kUsual = 1.2;
+  const double forearm = norm(tree_.at(nodes[2]) - tree_.at(nodes[1]));
+  const auto ratio = [&](int i) { return norm(tree_.at(nodes[1]) - tree_.at(i)) / forearm; };
+  if (!(ratio(nodes[0]) > kLongest)) return;
+  const int collar = nodes[0];
+  for (int i = tree_.node(nodes[1]).parent; i != collar; i = tree_.node(i).parent) {
+    if (abs(ratio(i) - kUsual) < abs(ratio(nodes[0]) - kUsual)) nodes[0] = i;
+  }
+}
+
+// The limbs that names do not tell by the shape of the skeleton; false where it does not tell them.
+bool BoneFinder::find_by_shape(const std::array<bool, 4>& found) {
+  const bool all_legs = found[0] && found[1];
+  const bool all_arms = found[2] && found[3];
+  const std::optional<BodyShape> shape = shape_beside(found);
   if (!shape) return false;
   const auto legs = leg_nodes(tree_, shape->legs);
   const auto arms = arm_nodes(tree_, shape->arms);
-  if (!legs || !arms) return false;
-  const Vec3d left = left_of_feet(*shape, *legs);
-  const std::size_t left_leg = left_of(shape->legs, *legs, left);
-  const Vec3d across = tree_.at((*legs)[left_leg][0]) - tree_.at((*legs)[1 - left_leg][0]);
-  const std::size_t left_arm = left_of(shape->arms, *arms, across);
-  for (std::size_t k = 0; k < 3; ++k) {
-    map_[kLimbs[0][k]] = (*legs)[left_leg][k];
-    map_[kLimbs[1][k]] = (*legs)[1 - left_leg][k];
-    map_[kLimbs[2][k]] = (*arms)[left_arm][k];
-    map_[kLimbs[3][k]] = (*arms)[1 - left_arm][k];
+  if ((!legs && !all_legs) || (!arms && !all_arms)) return false;
+  const auto take = [&](std::size_t limb, const LimbNodes& nodes) {
+    for (std::size_t k = 0; k < 3 && !found[limb]; ++k) {
+      const Bone bone = kLimbs[limb][k];
+      map_[bone] = asked_[bone] >= 0 ? asked_[bone] : nodes[k];
+    }
+  };
+  if (!all_legs) {
+    const std::size_t left = left_of(shape->legs, *legs, left_of_feet(*shape, *legs));
+    take(0, (*legs)[left]);
+    take(1, (*legs)[1 - left]);
+  }
+  if (!all_arms) {
+    const Vec3d across = at(Bone::left_upper_leg) - at(Bone::right_upper_leg);
+    const std::size_t left = left_of(shape->arms, *arms, across);
+    take(2, (*arms)[left]);
+    take(3, (*arms)[1 - left]);
+  }
+  return true;
+}
+
+// The branches of legs and arms; those of a pair that names tell are these.
+std::optional<BodyShape> BoneFinder::shape_beside(const std::array<bool, 4>& found) const {
+  const auto may_be = [&](const BranchPair& pair, bool legs) {
+    return may_be_limbs(pair, legs, found);
+  };
+  const bool all_legs = found[0] && found[1];
+  if (all_legs == (found[2] && found[3])) return find_body_shape(tree_, may_be);
+  const BranchPair told = branches_of(all_legs ? 0 : 2);
+  if (told.node < 0) return std::nullopt;
+  const std::optional<BranchPair> other =
+      longest_pair(tree_, told, [&](const BranchPair& pair) { return may_be(pair, !all_legs); });
+  if (!other) return std::nullopt;
+  return all_legs ? BodyShape{told, *other} : BodyShape{*other, told};
+}
+
+// The branches on which a limb that was found and its fellow on the right hang.
+BranchPair BoneFinder::branches_of(std::size_t left_limb) const {
+  const int left = map_[kLimbs[left_limb][0]];
+  const int right = map_[kLimbs[left_limb + 1][0]];
+  const auto branch = [&](int node, int hub) {
+    while (node >= 0 && tree_.node(node).parent != hub) node = tree_.node(node).parent;
+    return node;
+  };
+  const int hub = tree_.common_ancestor(left, right);
+  return {hub, {branch(left, hub), branch(right, hub)}, 0.0};
+}
+
+// Whether two branches may be the legs, or the arms: those that names tell are, no joint called as
+// one of a leg is of an arm, none of an arm of a leg, and no ornament of either.
+bool BoneFinder::may_be_limbs(const BranchPair& pair, bool legs,
+                              const std::array<bool, 4>& found) const {
+  using P = BonePart;
+  for (const std::size_t limb : {legs ? 0u : 2u, legs ? 1u : 3u}) {
+    if (!found[limb]) continue;
+    const int upper = map_[kLimbs[limb][0]];
+    if (!tree_.below(upper, pair.branch[0]) && !tree_.below(upper, pair.branch[1])) return false;
+  }
+  for (const int branch : pair.branch) {
+    if (name(branch).part == P::ornament) return false;
+    for (int i = branch; i < tree_.size(); ++i) {
+      if (!tree_.below(i, branch) || name(i).side == NameSide::none) continue;
+      const P part = name(i).part;
+      const bool of_leg = part == P::hip || part == P::upper_leg || part == P::leg ||
+                          part == P::lower_leg || part == P::ankle || part == P::foot ||
+                          part == P::toes;
+      const bool of_arm = part == P::collar || part == P::shoulder || part == P::upper_arm ||
+                          part == P::arm || part == P::lower_arm || part == P::hand ||
+                          part == P::palm;
+      if (legs ? of_arm : of_leg) return false;
+    }
   }
   return true;
 }

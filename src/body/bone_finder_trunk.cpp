@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <shigusa/body/anthropometry.hpp>
+#include <shigusa/body/landmarks.hpp>
 
 #include "bone_finder.hpp"
 
@@ -41,6 +42,11 @@ bool BoneFinder::find_hips() {
 // Where all limbs hang on one node, as the deforming bones of a Rigify rig do without the others,
 // the trunk is a branch beside them: its last joint below the shoulders bears neck and head.
 void BoneFinder::find_trunk_branch() {
+  // 3ds Max' Biped has the collar bones on the neck
+  const bool neck = read_bone_name(tree_.node(chest_).name).part == BonePart::neck;
+  if (neck && strictly_below(chest_, map_[Bone::hips])) {
+    chest_ = tree_.node(chest_).parent;
+  }
   const Vec3d from = (at(Bone::left_upper_leg) + at(Bone::right_upper_leg)) * 0.5;
   const Vec3d way = (at(Bone::left_upper_arm) + at(Bone::right_upper_arm)) * 0.5 - from;
   if (chest_ != tree_.common_ancestor(map_[Bone::left_upper_leg], map_[Bone::right_upper_leg])) {
@@ -89,28 +95,49 @@ void BoneFinder::find_neck_and_head() {
   if (head < 0) doubt("no head joint: no chain leaves the trunk between the arms");
 }
 
-// The node where the way up from the neck ends or forks; without a neck, of the longest branch
-// beside the limbs.
+// The node where the way up from the neck ends or forks, or where the face begins; without a neck,
+// of the longest branch beside the limbs.
 int BoneFinder::head_by_shape() const {
-  int start = map_[Bone::neck];
-  double longest = 0.02 * tree_.extent();
-  for (const int child : tree_.children(chest_)) {
-    if (map_[Bone::neck] >= 0) break;
-    const double length = norm(tree_.at(child) - tree_.at(chest_)) + tree_.reach(child);
-    bool limb = false;
-    for (const auto& bones : kLimbs) limb = limb || tree_.below(map_[bones[0]], child);
-    if (limb || length <= longest) continue;
-    start = child;
-    longest = length;
-  }
-  if (start < 0) return -1;
+  const int neck = map_[Bone::neck];
+  int at = neck >= 0 ? neck : way_up(chest_);
   int head = -1;
-  for (const int i : tree_.chain(tree_.node(start).parent, start)) {
-    if (tree_.node(i).end_site) break;
-    if (i != map_[Bone::neck]) head = i;
-    if (head >= 0 && tree_.children(i).size() > 1) break;
+  const auto is_tip = [&](int i) {
+    return tree_.node(i).end_site || name(i).part == BonePart::tip;
+  };
+  while (at >= 0 && !is_tip(at)) {
+    if (at != neck && (head < 0 || tree_.apart(at, head))) head = at;
+    const int next = way_up(at);
+    if (head >= 0 && tree_.children(at).size() > 1 && !in_row(at, next)) break;
+    at = next;
   }
   return head;
+}
+
+// Whether two nodes follow one another in a numbered row of the spine.
+bool BoneFinder::in_row(int i, int next) const {
+  const BonePart part = name(i).part;
+  return next >= 0 && (part == BonePart::spine || part == BonePart::neck) &&
+         is_next_in_row(tree_.node(i).name, tree_.node(next).name);
+}
+
+// Of a node's children the one towards the head: the next of a numbered row ("spine.004" above
+// "spine.003"), else of those that are no limb, ornament or tip and of no side the one with the
+// longest chain; -1 where there is none.
+int BoneFinder::way_up(int i) const {
+  constexpr double kShortest = 0.02;  // of the figure
+  int best = -1;
+  double longest = i == chest_ ? kShortest * tree_.extent() : -1.0;
+  for (const int child : tree_.children(i)) {
+    bool limb = false;
+    for (const auto& bones : kLimbs) limb = limb || tree_.below(map_[bones[0]], child);
+    if (limb || name(child).part == BonePart::ornament) continue;
+    if (in_row(i, child)) return child;
+    const double length = norm(tree_.at(child) - tree_.at(i)) + tree_.reach(child);
+    if (name(child).side != NameSide::none || length <= longest) continue;
+    best = child;
+    longest = length;
+  }
+  return best;
 }
 
 // The lowest joint between chest and head that stands apart from both.
@@ -186,7 +213,8 @@ void BoneFinder::find_shoulder(Bone shoulder, Bone upper_arm) {
   }
   if (flat_) find_collar_beside(shoulder, arm);
   if (!strictly_below(arm, chest_)) return;
-  const std::vector<int> joints = joints_between(chest_, tree_.node(arm).parent);
+  const int fork = tree_.common_ancestor(map_[Bone::left_upper_arm], map_[Bone::right_upper_arm]);
+  const std::vector<int> joints = joints_between(fork, tree_.node(arm).parent);
   if (!joints.empty() && tree_.apart(joints.front(), arm)) map_[shoulder] = joints.front();
 }
 
@@ -208,7 +236,13 @@ void BoneFinder::find_toes(NameSide side, Bone foot, Bone toes) {
   }
   const bool ankle = name(map_[foot]).part == BonePart::ankle;
   map_[toes] = first_below(named(side, {BonePart::toes}), map_[foot]);
-  if (map_[toes] < 0 && ankle) map_[toes] = first_below(named(side, {BonePart::foot}), map_[foot]);
+  // below an ankle the foot may be where the toes bend, and the toes their tip
+  const int ball = ankle ? first_below(named(side, {BonePart::foot}), map_[foot]) : -1;
+  const auto off = [&](int i) {
+    const double length = norm(tree_.at(tree_.farthest(map_[foot])) - at(foot));
+    return i < 0 ? 1e9 : abs(norm(tree_.at(i) - at(foot)) - kToesShare * length);
+  };
+  if (off(ball) < off(map_[toes])) map_[toes] = ball;
   if (map_[toes] >= 0) return;
   const std::vector<int> chain = tree_.chain(map_[foot], map_[foot]);
   if (!chain.empty() && !tree_.node(chain.front()).end_site) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "humanoid_names.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ constexpr Word kWords[] = {
     {"uleg", BonePart::upper_leg},
     {"legupper", BonePart::upper_leg},
     {"leglower", BonePart::lower_leg},
+    {"legup", BonePart::upper_leg},
+    {"leglow", BonePart::lower_leg},
+    {"legtop", BonePart::upper_leg},
+    {"legbottom", BonePart::lower_leg},
     {"lleg", BonePart::lower_leg},
     {"shin", BonePart::lower_leg},
     {"shank", BonePart::lower_leg},
@@ -38,6 +43,7 @@ constexpr Word kWords[] = {
     {"ankle", BonePart::ankle},
     {"talus", BonePart::ankle},
     {"foot", BonePart::foot},
+    {"feet", BonePart::foot},
     {"toe", BonePart::toes},
     {"toes", BonePart::toes},
     {"toebase", BonePart::toes},
@@ -45,6 +51,7 @@ constexpr Word kWords[] = {
     {"collar", BonePart::collar},
     {"clavicle", BonePart::collar},
     {"clav", BonePart::collar},
+    {"collarbone", BonePart::collar},
     {"scapula", BonePart::collar},
     {"shoulder", BonePart::shoulder},
     {"upperarm", BonePart::upper_arm},
@@ -52,6 +59,13 @@ constexpr Word kWords[] = {
     {"uarm", BonePart::upper_arm},
     {"armupper", BonePart::upper_arm},
     {"armlower", BonePart::lower_arm},
+    {"armup", BonePart::upper_arm},
+    {"armlow", BonePart::lower_arm},
+    {"armtop", BonePart::upper_arm},
+    {"armbottom", BonePart::lower_arm},
+    {"bicep", BonePart::upper_arm},
+    {"biceps", BonePart::upper_arm},
+    {"forarm", BonePart::lower_arm},
     {"humerus", BonePart::upper_arm},
     {"shldr", BonePart::upper_arm},
     {"arm", BonePart::arm},
@@ -66,6 +80,11 @@ constexpr Word kWords[] = {
     {"ulna", BonePart::lower_arm},
     {"wrist", BonePart::hand},
     {"hand", BonePart::hand},
+    {"palm", BonePart::palm},
+    {"fist", BonePart::palm},
+    {"spine", BonePart::spine},
+    {"torso", BonePart::spine},
+    {"chest", BonePart::spine},
     {"neck", BonePart::neck},
     {"lowerneck", BonePart::neck},
     {"upperneck", BonePart::neck},
@@ -84,11 +103,21 @@ constexpr Word kWords[] = {
 
 // Words of joints that belong to a bone, or control it, but are not it.
 constexpr std::string_view kOthers[] = {
-    "twist",      "roll",   "ik",      "fk",     "mch",    "pole", "target", "ctrl",
-    "control",    "goal",   "tweak",   "helper", "site",   "heel", "slot",   "effector",
-    "helmet",     "muscle", "palm",    "index",  "middle", "ring", "pinky",  "little",
-    "metacarpal", "carpal", "fingers", "mesh",   "geo",    "prop", "finger", "corrective",
-    "share",      "bck",    "fwd",     "inner",  "outer",  "sec",  "adj",
+    "twist",      "roll",   "ik",      "fk",     "mch",   "pole",  "target", "ctrl",
+    "control",    "goal",   "tweak",   "helper", "site",  "heel",  "slot",   "effector",
+    "helmet",     "muscle", "index",   "middle", "ring",  "pinky", "little", "hint",
+    "metacarpal", "carpal", "fingers", "mesh",   "geo",   "prop",  "finger", "corrective",
+    "share",      "bck",    "fwd",     "inner",  "outer", "sec",   "adj",
+};
+// Words of what hangs on a body and is no part of the spine or a limb.
+constexpr std::string_view kOrnaments[] = {
+    "face",     "facial",  "jaw",     "chin",   "eye",   "eyes",     "eyeball",  "eyelid",  "lid",
+    "brow",     "brows",   "eyebrow", "ear",    "ears",  "nose",     "nostril",  "lip",     "lips",
+    "mouth",    "teeth",   "tooth",   "tongue", "cheek", "temple",   "forehead", "hair",    "beard",
+    "ponytail", "pigtail", "braid",   "hat",    "hood",  "horn",     "horns",    "antenna", "crown",
+    "tail",     "wing",    "wings",   "skirt",  "cape",  "cloak",    "dress",    "ribbon",  "scarf",
+    "belt",     "breast",  "breasts", "bust",   "boob",  "pectoral", "sleeve",   "cloth",   "mane",
+    "weapon",   "sword",   "shield",  "gun",    "bag",   "backpack",
 };
 constexpr std::string_view kThumbs[] = {"thumb", "lthumb", "rthumb", "左親指", "右親指"};
 constexpr std::string_view kTips[] = {"end", "nub", "tip", "top"};
@@ -98,6 +127,7 @@ constexpr std::string_view kRightWords[] = {"right", "r"};
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // bytes of UTF-8 beyond ASCII count as letters
 bool is_letter(char c) { return is_upper(c) || is_lower(c) || (c & 0x80) != 0; }
 
@@ -147,7 +177,8 @@ BonePart longest_part(const std::vector<std::string>& words) {
     for (std::size_t k = i; k < words.size() && run.size() < 16; ++k) {
       run += words[k];
       const BonePart part = part_of(run);
-      if (part == BonePart::none || run.size() <= best_length) continue;
+      // of equals the last one: "foot ball" is a ball and "arm hand" is a hand
+      if (part == BonePart::none || run.size() < best_length) continue;
       best = part;
       best_length = run.size();
     }
@@ -168,10 +199,40 @@ BoneName read_glued(const std::vector<std::string>& words) {
   return {};
 }
 
+// "Arm top" is an upper arm; "head top" is the end of the head.
+bool has_limb(const std::vector<std::string>& words) {
+  return contains(words, "arm") || contains(words, "leg");
+}
+
 // Words of bones that control or decorate, whatever else their names say.
 constexpr std::string_view kNoTwist[] = {"ik", "fk", "mch", "pole", "target", "ctrl", "control"};
 
 }  // namespace
+
+bool is_next_in_row(std::string_view name, std::string_view next) {
+  const auto digits = [](std::string_view text) {
+    std::size_t count = 0;
+    while (count < text.size() && is_digit(text[text.size() - 1 - count])) ++count;
+    return count;
+  };
+  const auto number = [&](std::string_view text) {
+    constexpr std::size_t kLongest = 6;
+    int value = 0;
+    for (const char c : text.substr(text.size() - std::min(digits(text), kLongest))) {
+      value = 10 * value + (c - '0');
+    }
+    return value;
+  };
+  const auto stem = [&](std::string_view text) {
+    text.remove_suffix(digits(text));
+    // Blender's first one has no number: "spine", "spine.001"
+    while (!text.empty() && (text.back() == '.' || text.back() == '_' || text.back() == ' ')) {
+      text.remove_suffix(1);
+    }
+    return text;
+  };
+  return digits(next) > 0 && stem(name) == stem(next) && number(next) == number(name) + 1;
+}
 
 bool is_twist_name(std::string_view name) {
   bool twist = false;
@@ -187,7 +248,10 @@ BoneName read_bone_name(std::string_view name) {
   std::vector<std::string> words = words_of(name);
   for (const std::string& word : words) {
     if (contains(kThumbs, word)) return {BonePart::thumb};
-    if (contains(kTips, word)) return {BonePart::tip};
+    if (contains(kOrnaments, word)) return {BonePart::ornament};
+  }
+  for (const std::string& word : words) {
+    if (contains(kTips, word) && !(word == "top" && has_limb(words))) return {BonePart::tip};
   }
   // a robot's roll is an axis, not a twist bone
   const bool robot = contains(words, "link");

@@ -23,10 +23,13 @@ enum class BonePart {
   arm,  // upper arm, where nothing is called so more clearly
   lower_arm,
   hand,
+  palm,  // the hand, where nothing is called so more clearly
+  spine,
   neck,
   head,
   thumb,
-  tip,  // "HeadTop_End", "Toe.nub": the end of the bone before
+  ornament,  // face, hair, clothes, tail, wings, what is carried: no limb and no part of the spine
+  tip,       // "HeadTop_End", "Toe.nub": the end of the bone before
 };
 
 enum class NameSide { none, left, right };
@@ -40,6 +43,9 @@ struct BoneName {
 // "J_Bip_L_UpperLeg", "Bip01 L Calf", "leftUpperLeg", "左ひじ" and their like. Fingers, twist and
 // control joints and the like have no part.
 [[nodiscard]] BoneName read_bone_name(std::string_view name);
+
+// Whether `next` goes on where `name` stands in a numbered row: "spine.004" after "spine.003".
+[[nodiscard]] bool is_next_in_row(std::string_view name, std::string_view next);
 
 // Whether a name is one of a bone that takes a share of a limb's twist: "lowerarm_twist_01_l",
 // "LeftForeArmRoll", "左手捩", Source's "Bip01_L_Ulna".

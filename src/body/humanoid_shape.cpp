@@ -152,23 +152,39 @@ std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>
 
 }  // namespace
 
-std::optional<BodyShape> find_body_shape(const SkeletonTree& tree) {
-  std::vector<BranchPair> pairs;
-  for (int i = 0; i < tree.size(); ++i) add_pairs(tree, i, pairs);
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const BranchPair& a, const BranchPair& b) { return a.length > b.length; });
-  pairs.resize(std::min(pairs.size(), kPairsTried));
+std::optional<BodyShape> find_body_shape(const SkeletonTree& tree, const MayBeLimbs& may_be) {
+  const std::vector<BranchPair> pairs = longest_pairs(tree);
+  std::vector<bool> legs;
+  std::vector<bool> arms;
+  for (const BranchPair& pair : pairs) {
+    legs.push_back(may_be(pair, true));
+    arms.push_back(may_be(pair, false));
+  }
   std::optional<BodyShape> best;
   double longest = 0.0;
-  for (const BranchPair& upper : pairs) {
-    for (const BranchPair& lower : pairs) {
-      if (&upper == &lower || !independent(tree, upper, lower)) continue;
-      if (upper.length + lower.length <= longest) continue;
-      longest = upper.length + lower.length;
-      best = ordered(tree, upper, lower);
+  for (std::size_t u = 0; u < pairs.size(); ++u) {
+    for (std::size_t l = 0; l < pairs.size(); ++l) {
+      const double length = pairs[u].length + pairs[l].length;
+      if (u == l || length <= longest || !independent(tree, pairs[u], pairs[l])) continue;
+      const bool as_told = legs[u] && arms[l];
+      const bool turned = legs[l] && arms[u];
+      if (!as_told && !turned) continue;
+      longest = length;
+      best = as_told && turned ? ordered(tree, pairs[u], pairs[l])
+             : as_told         ? BodyShape{pairs[u], pairs[l]}
+                               : BodyShape{pairs[l], pairs[u]};
     }
   }
   return best;
+}
+
+std::optional<BranchPair> longest_pair(const SkeletonTree& tree, const BranchPair& other,
+                                       const std::function<bool(const BranchPair&)>& may_be) {
+  for (const BranchPair& pair : longest_pairs(tree)) {
+    const bool apart = independent(tree, other, pair) || independent(tree, pair, other);
+    if (apart && may_be(pair)) return pair;
+  }
+  return std::nullopt;
 }
 
 std::optional<std::array<LimbNodes, 2>> leg_nodes(const SkeletonTree& tree,

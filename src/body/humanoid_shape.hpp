@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <shigusa/body/humanoid_map.hpp>
 #include <string>
@@ -27,9 +28,18 @@ struct BodyShape {
 // Thigh, shank and foot, or upper arm, forearm and hand.
 using LimbNodes = std::array<int, 3>;
 
+// Whether a pair may be the legs (true) or the arms.
+using MayBeLimbs = std::function<bool(const BranchPair&, bool legs)>;
+
 // The two pairs of limbs with the longest chains, such that the arms hang on another branch than
 // the legs: below the node of the legs, at it, or (the root stands in the chest) above it.
-[[nodiscard]] std::optional<BodyShape> find_body_shape(const SkeletonTree& tree);
+[[nodiscard]] std::optional<BodyShape> find_body_shape(const SkeletonTree& tree,
+                                                       const MayBeLimbs& may_be);
+
+// The pair with the longest chains that hangs on other branches than `other`.
+[[nodiscard]] std::optional<BranchPair> longest_pair(
+    const SkeletonTree& tree, const BranchPair& other,
+    const std::function<bool(const BranchPair&)>& may_be);
 
 // The joints of a pair of limbs, by the proportions of people: a joint is the first node at least
 // a given share of the limb's length away from the joint before, so that helper and twist joints

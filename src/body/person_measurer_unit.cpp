@@ -8,6 +8,7 @@ namespace shigusa {
 struct FileUnit {
   std::string_view name;
   double metres;
+  bool rare = false;
 };
 
 namespace {
@@ -28,13 +29,18 @@ constexpr double kUsualHigh = 2.1;
 constexpr double kPlausibleLow = 0.8;
 constexpr double kPlausibleHigh = 2.2;
 
-constexpr std::array<FileUnit, 5> kUnits{{{"metres", 1.0},
-                                          {"centimetres", 0.01},
-                                          {"millimetres", 0.001},
-                                          {"inches", 0.0254},
-                                          {"1/0.45 inch, the CMU database's unit", 0.0254 / 0.45}}};
+constexpr std::array<FileUnit, 5> kUnits{
+    {{"metres", 1.0},
+     {"centimetres", 0.01},
+     {"millimetres", 0.001},
+     {"inches", 0.0254, true},
+     {"1/0.45 inch, the CMU database's unit", 0.0254 / 0.45, true}}};
 
 bool is_person(double stature) { return stature >= kShortestPerson && stature <= kTallestPerson; }
+// Whether a unit may be told by the stature that it gives: rare ones by a usual stature alone.
+bool tells(const FileUnit& unit, double stature) {
+  return unit.rare ? stature >= kPlausibleLow && stature <= kPlausibleHigh : is_person(stature);
+}
 double oddness(double stature) { return abs(stature - kMeanStature); }
 
 }  // namespace
@@ -52,16 +58,18 @@ Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
   for (const FileUnit& unit : kUnits) {
     if (oddness(stature_ * unit.metres) < oddness(stature_ * best->metres)) best = &unit;
   }
-  result_.placement.unit = best->metres;
-  result_.stature = stature_ * best->metres;
-  if (!is_person(result_.stature)) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("no unit gives a person of {} to {} m: along the bones the file's is "
-                    "{:g} units tall, {:g} m in {}; the stature must be given",
-                    kShortestPerson, kTallestPerson, stature_, result_.stature, best->name));
+  if (tells(*best, stature_ * best->metres)) {
+    result_.placement.unit = best->metres;
+    result_.stature = stature_ * best->metres;
+    doubt_unit(*best);
+  } else {
+    result_.placement.unit = kMeanStature / stature_;
+    result_.stature = kMeanStature;
+    doubt(
+        "along the bones the person is {:g} units tall, and no unit makes that {} to {} m: a "
+        "stature of {:.2f} m is guessed; with --stature it is another",
+        stature_, kShortestPerson, kTallestPerson, kMeanStature);
   }
-  doubt_unit(*best);
   return {};
 }
 

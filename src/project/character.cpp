@@ -188,7 +188,7 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec) {
   const std::vector<Transformd> world = world_transforms(skeleton, file->rest.clip, measured);
   std::vector<std::string> nodes;
   for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
-  const Result<HumanoidMap> asked = requested_bones(spec.map, nodes, name);
+  const Result<HumanoidMap> asked = requested_bones(spec.map, nodes, name, file->rig.file_node);
   if (!asked) return tl::unexpected(asked.error());
   const Result<HumanoidMap> map = find_humanoid(skeleton, world, file->given, *asked, file->skin);
   if (!map) return fail(map.error().code, map.error().to_string(), name);

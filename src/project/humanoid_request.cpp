@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <shigusa/core/names.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/project/task_file.hpp>
@@ -19,11 +20,45 @@ std::vector<std::string> bone_names() {
   return names;
 }
 
+// The node that a person names: by its name, or by "#17" its place in the file, from 0.
+int named_node(const std::string& name, const std::vector<std::string>& nodes,
+               const std::vector<int>& indices) {
+  const auto node = std::find(nodes.begin(), nodes.end(), name);
+  if (node != nodes.end() && !name.empty()) return static_cast<int>(node - nodes.begin());
+  int index = -1;
+  const char* end = name.data() + name.size();
+  if (!name.starts_with('#')) return -1;
+  const auto [rest, error] = std::from_chars(name.data() + 1, end, index);
+  if (error != std::errc{} || rest != end || index < 0) return -1;
+  if (indices.empty()) return index < static_cast<int>(nodes.size()) ? index : -1;
+  const auto place = std::find(indices.begin(), indices.end(), index);
+  return place == indices.end() ? -1 : static_cast<int>(place - indices.begin());
+}
+
+// What `shigusa body` prints of a character: of each bone the last line that begins with its name,
+// as the places of goals come before the bones.
+BoneRequest bones_of_text(std::string_view text) {
+  BoneRequest request;
+  const std::vector<std::string> bones = bone_names();
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::size_t gap = line.find(' ');
+    const std::size_t node = line.find_first_not_of(' ', gap);
+    const std::string bone(line.substr(0, gap));
+    const bool known = std::find(bones.begin(), bones.end(), bone) != bones.end();
+    if (gap == line.npos || node == line.npos || !known) continue;
+    std::erase_if(request, [&](const auto& told) { return told.first == bone; });
+    request.emplace_back(bone, line.substr(node));
+  }
+  return request;
+}
+
 }  // namespace
 
 Result<HumanoidMap> requested_bones(const BoneRequest& request,
-                                    const std::vector<std::string>& nodes,
-                                    const std::string& file) {
+                                    const std::vector<std::string>& nodes, const std::string& file,
+                                    const std::vector<int>& indices) {
   const std::vector<std::string> bones = bone_names();
   HumanoidMap map;
   const auto wrong = [](std::string message) {
@@ -32,13 +67,12 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
   for (const auto& [bone_name, node_name] : request) {
     const auto bone = std::find(bones.begin(), bones.end(), bone_name);
     if (bone == bones.end()) return wrong(unknown_name("bone", bone_name, bones));
-    const auto node = std::find(nodes.begin(), nodes.end(), node_name);
-    if (node == nodes.end() || node_name.empty()) {
+    const int place = named_node(node_name, nodes, indices);
+    if (place < 0) {
       const std::string_view near = nearest_name(node_name, nodes);
       return wrong(fmt::format("{} has no '{}' for {}{}", file, node_name.substr(0, 80), bone_name,
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
     }
-    const auto place = static_cast<int>(node - nodes.begin());
     int& told = map.node[static_cast<std::size_t>(bone - bones.begin())];
     if (told >= 0) return wrong(fmt::format("{} is told twice", bone_name));
     if (std::find(map.node.begin(), map.node.end(), place) != map.node.end()) {
@@ -67,9 +101,18 @@ Result<BoneRequest> read_bone_request(const std::filesystem::path& path) {
   const Result<std::string> text = read_text_file(path, kTaskMaxBytes);
   if (!text) return tl::unexpected(text.error());
   const std::string name = path.filename().string();
+  const std::size_t begin = text->find_first_not_of(" \t\r\n");
+  if (BoneRequest bones = bones_of_text(*text); begin == text->npos || (*text)[begin] != '{') {
+    if (!bones.empty()) return bones;
+    return fail(ErrorCode::invalid_argument,
+                "names no bones: it is neither an object of bones and nodes "
+                R"({"right_hand": "Bone_17"}, nor what `shigusa body` prints)",
+                name);
+  }
   const Result<Json> json = parse_json(*text, name);
   if (!json) return tl::unexpected(json.error());
-  Result<BoneRequest> request = bone_request(*json);
+  const auto answer = json->find("humanoid");
+  Result<BoneRequest> request = bone_request(answer != json->end() ? *answer : *json);
   if (!request) return fail(request.error().code, request.error().message, name);
   return request;
 }

@@ -106,6 +106,38 @@ TEST_F(Body, MapOfTheCallerGoesBeforeNames) {
   EXPECT_EQ(body({"person.bvh", "--map", "neck=head", "--map", "neck=neck"}).exit_code, 2);
 }
 
+// Names with spaces, beyond ASCII and twice the same come back as they were printed.
+TEST_F(Body, MapTakesWhatBodyPrinted) {
+  nlohmann::json file = testing_support::person_gltf();
+  for (nlohmann::json& node : file["nodes"]) {
+    const std::string name = node.value("name", "");
+    if (name == "right_hand") node["name"] = "NPC R Hand [RHnd]";
+    if (name == "left_hand") node["name"] = "左手首";
+    if (name.ends_with("_toes")) node["name"] = "Toe";
+  }
+  work_.put("odd.glb", testing_support::glb(file.dump()));
+  const Json humanoid = json({"odd.glb"}).at("humanoid");
+  EXPECT_EQ(humanoid.at("right_hand"), "NPC R Hand [RHnd]");
+  EXPECT_EQ(humanoid.at("right_toes"), "Toe_2");
+  for (const bool as_json : {false, true}) {
+    const ProgramRun printed = as_json ? body({"odd.glb", "--json"}) : body({"odd.glb"});
+    work_.put("map.txt", printed.out);
+    EXPECT_EQ(json({"odd.glb", "--map", "map.txt"}).at("humanoid"), humanoid) << as_json;
+  }
+  work_.put("map.txt", "nothing of the kind");
+  EXPECT_THAT(body({"odd.glb", "--map", "map.txt"}).err, HasSubstr("map.txt: names no bones"));
+}
+
+TEST_F(Body, MapTakesANodesPlaceInTheFile) {
+  const nlohmann::json file = testing_support::person_gltf();
+  work_.put("person.glb", testing_support::glb(file.dump()));
+  std::size_t head = 0;
+  while (file["nodes"][head].value("name", "") != "head") ++head;
+  const std::string place = "neck=#" + std::to_string(head);
+  EXPECT_EQ(json({"person.glb", "--map", place}).at("humanoid").at("neck"), "head");
+  EXPECT_THAT(body({"person.glb", "--map", "neck=#999"}).err, HasSubstr("has no '#999' for neck"));
+}
+
 TEST_F(Body, StatureMayBeAPercentile) {
   EXPECT_EQ(json({"human", "--stature", "p5", "--sex", "female"}).at("stature_m"), 1.528);
   EXPECT_EQ(json({"human", "--stature", "p95"}).at("stature_m"), 1.867);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -15,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using F = StatureFractions;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -140,10 +142,17 @@ TEST(MeasurePerson, UnusualStatureIsADoubt) {
   EXPECT_THAT(person.doubts, Contains(HasSubstr("a stature of 1.00 m is unusual")));
 }
 
-TEST(MeasurePerson, NoUnitIsGuessedForWhatIsNoPerson) {
-  const auto person = measure(standing_figure().transformed(scale(5.0)));
-  ASSERT_FALSE(person);
-  EXPECT_THAT(person.error().message, HasSubstr("no unit gives a person of 0.5 to 2.5 m"));
+// A giant of 3.2 m, a toy, and sizes between inches and metres.
+TEST(MeasurePerson, FigureOfNoUnitIsTakenAsAPersonOfUsualStature) {
+  for (const double size : {0.3, 3.2, 8.5, 12.0, 400.0, 1e6}) {
+    const MeasuredPerson person = measured(standing_figure().transformed(scale(size / 1.7)));
+    EXPECT_EQ(person.stature, 1.7) << size;
+    EXPECT_NEAR(person.placement.unit * size, 1.7, 1e-9) << size;
+    EXPECT_NEAR(person.landmarks.head_top.y, 1.7, 1e-9) << size;
+    EXPECT_THAT(person.doubts, Contains(AllOf(HasSubstr("a stature of 1.70 m is guessed"),
+                                              HasSubstr(fmt::format("{:g} units tall", size)),
+                                              HasSubstr("--stature"))));
+  }
 }
 
 TEST(MeasurePerson, StatureIsTheSameInAStoop) {

@@ -101,8 +101,8 @@ struct MeasureSettings {
 // Measures a person in the posture `world` (nodes; the file's own units and axes): finds the up
 // axis and the facing from the body itself, guesses the unit among metres, centimetres,
 // millimetres, inches and the CMU database's 1/0.45 inch by the stature it would give, and moves
-// the person onto the floor, between the feet, facing +Z. Fails when a limb segment has zero
-// length or no unit gives a person of 0.5 to 2.5 m.
+// the person onto the floor, between the feet, facing +Z. A figure that no unit makes a person of
+// 0.5 to 2.5 m is taken to be 1.70 m tall, with a doubt. Fails when a limb segment has zero length.
 //
 // - Up is the axis of the file, ±x ±y ±z, nearest to the way from the ankles to the head. Where
 //   legs and trunk do not both point along it (a stoop, a person who sits), the axis along which

@@ -35,10 +35,12 @@ struct CharacterRig {
   std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
 };
 
-// Humanoid bones ("right_hand") and the nodes of a file that they are, as a person tells them.
+// Humanoid bones ("right_hand") and the nodes of a file that they are, as a person tells them: by
+// name, or by "#17" the node of that place in the file.
 using BoneRequest = std::vector<std::pair<std::string, std::string>>;
 
-// Reads such a list from a JSON file: {"right_hand": "Bone_17", …}.
+// Reads such a list from a file: {"right_hand": "Bone_17", …}, or what `shigusa body` printed of a
+// character, as text or as JSON.
 [[nodiscard]] Result<BoneRequest> read_bone_request(const std::filesystem::path& path);
 
 // Who moves: a built-in body, or a person measured from a file.
