@@ -18,9 +18,11 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
   c.add_option("--extent", o.extent,
                "Of a person from a file: human (spine, neck, wrists, …), full (18 dof) or half (9)")
       ->check(CLI::IsMember({"human", "full", "half"}));
-  c.add_option("--frame", o.frame,
-               "Frame of the file that is the start posture (from 0; of glTF at 60 a second)")
-      ->check(whole_number(0, 1'000'000));
+  c.add_option(
+       "--frame", o.frame,
+       "Frame of the file that is the start posture, exactly (from 0; of glTF of an animation, "
+       "at 60 a second), or rest: the file's rest pose, at ease")
+      ->transform(frame_or_rest());
   c.add_option("--animation", o.animation,
                "Name or index of a glTF file's animation (default: its first)");
   c.add_option(

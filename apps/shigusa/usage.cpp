@@ -46,6 +46,15 @@ std::string usage_message(const CLI::App& app, const CLI::App& command,
 
 }  // namespace
 
+CLI::Validator frame_or_rest() {
+  const auto accept = [](std::string& text) {
+    if (text != "rest") return whole_number(0, 1'000'000)(text);
+    text = std::to_string(kRestPose);
+    return std::string();
+  };
+  return {accept, "INT|rest"};
+}
+
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
   const auto wrong = [low, high](const std::string& text) -> std::string {
     std::uint64_t value = 0;

@@ -59,7 +59,7 @@ class BoneFinder {
   bool find_by_name(std::size_t limb);
   [[nodiscard]] std::vector<int> called(std::size_t limb, std::size_t k,
                                         const std::vector<BonePart>& parts) const;
-  void find_lower_in_row(std::size_t limb, const std::vector<int>& ends, LimbNodes& nodes) const;
+  void find_in_row(std::size_t limb, const std::vector<int>& ends, LimbNodes& nodes) const;
   int end_beside(const std::vector<int>& ends, const LimbNodes& nodes, std::size_t limb);
   int end_below(const LimbNodes& nodes, std::size_t limb);
   [[nodiscard]] int nearest_to_mean(const std::vector<int>& nodes) const;

@@ -40,7 +40,7 @@ bool BoneFinder::find_by_name(std::size_t limb) {
     if (best[0] < 0 || (best[1] < 0 && lower >= 0) || end >= 0) best = {upper, lower, end};
     if (end >= 0) break;
   }
-  if (best[0] >= 0 && best[1] < 0) find_lower_in_row(limb, ends, best);
+  find_in_row(limb, ends, best);
   if (best[1] >= 0 && best[2] < 0) best[2] = end_beside(ends, best, limb);
   if (best[1] >= 0 && best[2] < 0) best[2] = end_below(best, limb);
   if (best[2] >= 0) pass_collar(best);
@@ -57,19 +57,25 @@ std::vector<int> BoneFinder::called(std::size_t limb, std::size_t k,
 }
 
 // A limb whose joints are all called the same ("arm.L", "arm.L.001", "arm.L.002"; LArm, LArm1,
-// LHand): each is the next bone.
-void BoneFinder::find_lower_in_row(std::size_t limb, const std::vector<int>& ends,
-                                   LimbNodes& nodes) const {
-  const BonePart part = name(nodes[0]).part;
-  if (part != BonePart::arm && part != BonePart::leg) return;
-  for (const int i : called(limb, 1, {part})) {
-    if (!strictly_below(i, nodes[0]) || !tree_.apart(i, nodes[0])) continue;
-    const int end = first_below(ends, i);
-    if (end < 0 && !ends.empty() && first_below(ends, nodes[0]) >= 0) continue;
-    nodes[1] = i;
-    nodes[2] = end;
+// LHand; a robot's leg_left_1 to 6): by the lengths between them.
+void BoneFinder::find_in_row(std::size_t limb, const std::vector<int>& ends,
+                             LimbNodes& nodes) const {
+  const BonePart part = nodes[0] < 0 ? BonePart::none : name(nodes[0]).part;
+  const bool row = part == BonePart::arm || part == BonePart::leg;
+  if (!row || nodes[2] >= 0 || (nodes[1] >= 0 && name(nodes[1]).part != part)) return;
+  const int end = first_below(ends, nodes[0]);
+  if (end < 0) {
+    nodes = limb_joints(tree_, nodes[0], limb >= 2).value_or(nodes);
     return;
   }
+  const auto off_middle = [&](int i) {
+    return abs(norm(tree_.at(i) - tree_.at(nodes[0])) - norm(tree_.at(end) - tree_.at(i)));
+  };
+  for (const int i : called(limb, 1, {part})) {
+    if (!strictly_below(i, nodes[0]) || !strictly_below(end, i)) continue;
+    if (nodes[1] < 0 || off_middle(i) < off_middle(nodes[1])) nodes[1] = i;
+  }
+  nodes[2] = nodes[1] < 0 ? -1 : end;
 }
 
 // A foot that hangs on a root, as a control, at the end of a shank without one (Quaternius), or

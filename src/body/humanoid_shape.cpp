@@ -219,6 +219,12 @@ std::optional<std::array<LimbNodes, 2>> arm_nodes(const SkeletonTree& tree,
   return std::array<LimbNodes, 2>{*a, *b};
 }
 
+std::optional<LimbNodes> limb_joints(const SkeletonTree& tree, int upper, bool arm) {
+  std::vector<int> chain = tree.chain(upper, upper);
+  chain.insert(chain.begin(), upper);
+  return joints(tree, chain, 0, arm ? kForearmShare : kSegmentShare);
+}
+
 bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map) {
   using Bone = HumanoidBone;
   const Vec3d left = tree.at(map[Bone::left_upper_leg]) - tree.at(map[Bone::right_upper_leg]);

@@ -37,6 +37,12 @@ Vec3d TrunkAndLegs::common_axis() const {
   return both ? axis : Vec3d{};
 }
 
+Vec3d TrunkAndLegs::common_line() const {
+  constexpr double kStraight = 0.98;  // cosine of 11°
+  const Vec3d up = normalized(normalized(trunk) + normalized(legs));
+  return dot(normalized(trunk), normalized(legs)) > kStraight ? up : Vec3d{};
+}
+
 PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
                                const HumanoidMap& map, std::span<const SkinVertex> skin)
     : skeleton_(skeleton), tree_(skeleton, world, skin), map_(map) {
@@ -106,6 +112,12 @@ Vec3d PersonMeasurer::find_up() {
   }
   const Vec3d rise = mid_shoulder_ - ankles;
   if (rest != none && dot(rest, rise) > 0.0) return rest;
+  if (const Vec3d own = TrunkAndLegs{mid_shoulder_ - mid_hip_, mid_hip_ - ankles}.common_line();
+      own != none) {
+    doubt(
+        "the body stands upright along no axis of the file: up is taken along its trunk and legs");
+    return own;
+  }
   doubt("the body does not stand: up is taken as {}, from its feet to its shoulders",
         axis_name(nearest_axis(rise)));
   return nearest_axis(rise);

@@ -46,6 +46,8 @@ struct TrunkAndLegs {
 
   // The axis that both point along, or 0.
   [[nodiscard]] Vec3d common_axis() const;
+  // The direction of a body that is straight from the ankles to the shoulders, or 0.
+  [[nodiscard]] Vec3d common_line() const;
 };
 
 struct FileUnit;

@@ -8,10 +8,9 @@
 #include <shigusa/io/gltf_animation.hpp>
 
 #include "gltf_accessor.hpp"
-#include "gltf_places.hpp"
+#include "gltf_pose.hpp"
 #include "gltf_tracks.hpp"
 #include "gltf_vrm.hpp"
-#include "math/linear_map.hpp"
 
 namespace shigusa {
 namespace {
@@ -163,7 +162,7 @@ class AnimationReader {
     clip.frame_time = 1.0 / rate;
     clip.frames = static_cast<int>(frames);
     clip.local.reserve(static_cast<std::size_t>(clip.frames) * rest.nodes.size());
-    resting_ = world_places(rest, result_.character.places);
+    resting_ = placed_nodes(rest, result_.character.places);
     for (int f = 0; f < clip.frames; ++f) {
       if (const auto added = add_frame(rest, f * clip.frame_time); !added) return added;
       if (f == choice.posed) result_.posed = places(f * clip.frame_time);
@@ -184,24 +183,16 @@ class AnimationReader {
   }
 
   Result<void> add_frame(const Skeleton& rest, double time) {
-    const std::vector<Transformd> world = world_places(rest, places(time));
-    std::vector<Mat3d> turned;
+    const std::vector<Transformd> world = placed_nodes(rest, places(time));
     for (std::size_t i = 0; i < world.size(); ++i) {
       const Vec3d& at = world[i].translation;
-      if (!(abs(at.x) + abs(at.y) + abs(at.z) <= kGltfMaxValue)) {
-        return wrong(fmt::format("at {:g} s '{}' stands beyond {:g} m from the origin", time,
-                                 rest.nodes[i].name, kGltfMaxValue));
-      }
-      const int parent = rest.nodes[i].parent;
-      const Mat3d above = parent < 0 ? Mat3d{} : turned[static_cast<std::size_t>(parent)];
-      const auto back = inverse_of(resting_[i].rotation);
-      // a node that is scaled to nothing goes with its parent
-      const bool flat = !back || !inverse_of(world[i].rotation);
-      turned.push_back(flat ? above : orthonormal(world[i].rotation * *back));
-      const Vec3d from = parent < 0 ? Vec3d{} : world[static_cast<std::size_t>(parent)].translation;
-      result_.motion.clip.local.push_back(
-          {transpose_times(above, at - from), to_quat(transpose(above) * turned.back())});
+      if (abs(at.x) + abs(at.y) + abs(at.z) <= kGltfMaxValue) continue;
+      return wrong(fmt::format("at {:g} s '{}' stands beyond {:g} m from the origin", time,
+                               rest.nodes[i].name, kGltfMaxValue));
     }
+    const std::vector<LocalTransform> local = turned_from_rest(rest, resting_, world);
+    std::vector<LocalTransform>& all = result_.motion.clip.local;
+    all.insert(all.end(), local.begin(), local.end());
     return {};
   }
 

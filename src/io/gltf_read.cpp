@@ -9,6 +9,7 @@
 #include <shigusa/io/gltf.hpp>
 
 #include "gltf_json.hpp"
+#include "gltf_pose.hpp"
 #include "gltf_vrm.hpp"
 #include "node_names.hpp"
 
@@ -31,17 +32,6 @@ struct FileNode {
   bool joint = false;   // of a skin or of VRM
   bool needed = false;  // stands in the skeleton
 };
-
-// A matrix without shear in its parts; a mirroring one has a negative scale along x.
-GltfPlace parts_of(const Transformd& place) {
-  const Mat3d& m = place.rotation;
-  const double side = dot(cross(m.cx, m.cy), m.cz) < 0.0 ? -1.0 : 1.0;
-  const Vec3d x = normalized(m.cx * side, {1, 0, 0});
-  const Vec3d z = normalized(cross(x, m.cy), {0, 0, 1});
-  return {place.translation,
-          to_quat(Mat3d{x, cross(z, x), z}),
-          {side * norm(m.cx), norm(m.cy), norm(m.cz)}};
-}
 
 // An index of another list of the file, or -1 where there is none that can be one.
 int index_or_none(const Json& json, const char* key) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "gltf_accessor.hpp"
-#include "gltf_places.hpp"
+#include "gltf_pose.hpp"
 
 namespace shigusa {
 namespace {
@@ -41,7 +41,7 @@ class SkinReader {
         name_(name),
         json_(parts.json),
         accessors_(parts, name),
-        world_(world_places(character.rest.skeleton, places)),
+        world_(placed_nodes(character.rest.skeleton, places)),
         bound_(character.skins.size()) {}
 
   Skin read() {

@@ -5,14 +5,13 @@
 #include <array>
 #include <shigusa/body/at_ease.hpp>
 #include <shigusa/core/names.hpp>
-#include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/project/character.hpp>
 
 #include "character_file.hpp"
 #include "character_heels.hpp"
 #include "character_places.hpp"
 #include "character_robot.hpp"
-#include "humanoid_request.hpp"
+#include "character_start.hpp"
 #include "landmarks_json.hpp"
 
 namespace shigusa {
@@ -35,25 +34,25 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
       "character");
 }
 
-// What ties the file's nodes to the person who was measured from them in that frame of the motion.
-CharacterRig make_rig(CharacterFile&& file, const SkeletonClip& motion, int frame,
-                      const HumanoidMap& map, const MeasuredPerson& person,
-                      const Landmarks& start) {
+// What ties the file's nodes to the person who was measured from them, and starts from a pose of
+// theirs.
+CharacterRig make_rig(CharacterFile&& file, const PersonStart& found, const Landmarks& start) {
   CharacterRig result = std::move(file.rig);
-  result.rig = {{}, map, person.grip_nodes, person.placement, person.landmarks, start};
-  const Skeleton& skeleton = file.rest.skeleton;
-  const LocalTransform* posed = motion.frame(skeleton, frame);
-  result.posed.assign(posed, posed + skeleton.nodes.size());
-  for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
-    const int parent = skeleton.nodes[i].parent;
+  const MeasuredPerson& person = found.start;
+  result.rig = {{}, found.map, person.grip_nodes, person.placement, person.landmarks, start};
+  result.posed = found.posed.local;
+  result.ahead = found.person.placement.ahead;
+  for (std::size_t i = 0; i < file.skeleton.nodes.size(); ++i) {
+    const int parent = file.skeleton.nodes[i].parent;
     if (result.format == CharacterFormat::bvh) {
-      result.rig.nodes.push_back({parent, posed[i].translation, posed[i].rotation});
+      const LocalTransform& posed = result.posed[i];
+      result.rig.nodes.push_back({parent, posed.translation, posed.rotation});
     } else {
-      const GltfPlace& place = file.posed[i];
+      const GltfPlace& place = found.posed.places[i];
       result.rig.nodes.push_back({parent, place.translation, place.rotation, place.scale});
     }
   }
-  result.skeleton = std::move(file.rest.skeleton);
+  result.skeleton = std::move(file.skeleton);
   return result;
 }
 
@@ -73,38 +72,6 @@ double apart(const Landmarks& a, const Landmarks& b) {
   return most;
 }
 
-// Moves the person up or down until the lower sole of somebody of that stature is on the floor.
-void stand_on_floor(MeasuredPerson& measured, double stature) {
-  Landmarks& person = measured.landmarks;
-  double floor = 1e9;
-  for (const Side side : {Side::left, Side::right}) {
-    const Landmarks::Leg& leg = person.leg(side);
-    const double by_joints = min(leg.ankle.y - StatureFractions::kAnkleHeight * stature, leg.toe.y);
-    floor = min(floor, leg.sole ? (*leg.sole)[0].y : by_joints);
-  }
-  for_each_point(person, [&](Vec3d& p) { p.y -= floor; });
-  measured.placement.origin += measured.placement.up * (floor / measured.placement.unit);
-}
-
-// The person in a frame of an animation, in the unit and with the stature that the rest pose told:
-// what is measured along the bones of a bent trunk is another one.
-Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonClip& clip, int frame,
-                                     const HumanoidMap& map, const MeasuredPerson& rest,
-                                     std::span<const SkinVertex> skin) {
-  const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
-  const Result<MeasuredPerson> bent =
-      measure_person(skeleton, world, map, {.stature = rest.stature, .skin = skin});
-  if (!bent) return bent;
-  const double along = rest.stature * rest.placement.unit / bent->placement.unit;
-  Result<MeasuredPerson> posed =
-      measure_person(skeleton, world, map, {.stature = along, .skin = skin});
-  if (!posed) return posed;
-  stand_on_floor(*posed, rest.stature);
-  // limbs are straight at rest, and their mesh as it was made
-  posed->landmarks.parts = rest.landmarks.parts;
-  return posed;
-}
-
 // What is said of the person, before the file is read.
 Result<void> check_person(const CharacterSpec& spec) {
   if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
@@ -112,15 +79,6 @@ Result<void> check_person(const CharacterSpec& spec) {
   }
   if (const auto ok = check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"); !ok) return ok;
   return is_robot(spec) ? check_robot_options(spec) : Result<void>{};
-}
-
-Result<void> check_frame(const SkeletonClip& clip, const CharacterSpec& spec) {
-  if (spec.frame >= 0 && spec.frame < clip.frames) return {};
-  const std::string has =
-      clip.frames == 1 ? "only frame 0" : fmt::format("the frames 0 to {}", clip.frames - 1);
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("frame {} does not exist; the file has {}", spec.frame, has),
-              spec.source);
 }
 
 }  // namespace
@@ -162,58 +120,23 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec) {
   if (const auto ok = check_person(spec); !ok) return ok;
   if (const auto ok = check_source(spec); !ok) return ok;
   if (is_robot(spec)) return load_robot(bytes, spec);
-  const std::string& name = spec.source;
-  // a frame of a file that has animations is one of the first
-  const bool still = file_kind(name) == FileKind::bvh || spec.frame == 0;
-  const std::optional<std::string> animation =
-      spec.animation || still ? spec.animation : std::optional<std::string>("");
-  const bool implied = animation && !spec.animation;
-  if (implied) {
-    const auto names = gltf_animation_names(bytes, name);
-    if (!names) return tl::unexpected(names.error());
-    if (names->empty()) {
-      return fail(ErrorCode::invalid_argument,
-                  fmt::format("frame {} does not exist; the file has only its rest pose, frame 0",
-                              spec.frame),
-                  name);
-    }
-  }
-  Result<CharacterFile> file = parse_character(std::move(bytes), name, animation, spec.frame);
+  Result<CharacterFile> file = parse_character(std::move(bytes), spec);
   if (!file) return tl::unexpected(file.error());
-  const SkeletonMotion& motion = animation ? file->motion : file->rest;
-  if (const auto ok = check_frame(motion.clip, spec); !ok) return ok;
-  // glTF is measured at rest, where no animation hides what its bones are
-  const int measured = animation ? 0 : spec.frame;
-  const Skeleton& skeleton = file->rest.skeleton;
-  const std::vector<Transformd> world = world_transforms(skeleton, file->rest.clip, measured);
-  std::vector<std::string> nodes;
-  for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
-  const Result<HumanoidMap> asked = requested_bones(spec.map, nodes, name, file->rig.file_node);
-  if (!asked) return tl::unexpected(asked.error());
-  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file->given, *asked, file->skin);
-  if (!map) return fail(map.error().code, map.error().to_string(), name);
-  const Result<MeasuredPerson> person =
-      measure_person(skeleton, world, *map, {.stature = spec.stature, .skin = file->skin});
-  if (!person) return fail(person.error().code, person.error().to_string(), name);
-  MeasuredPerson start = *person;
-  if (animation) {
-    Result<MeasuredPerson> posed =
-        measure_posed(skeleton, motion.clip, spec.frame, *map, *person, file->posed_skin);
-    if (!posed) return fail(posed.error().code, posed.error().to_string(), name);
-    start = std::move(*posed);
-  }
+  Result<PersonStart> found = find_person(*file, spec);
+  if (!found) return tl::unexpected(found.error());
+  const std::vector<Transformd> world = world_transforms(file->skeleton, found->measured.clip(), 0);
   tell_bones(
-      *map, [&](std::size_t node) { return skeleton.nodes[node].name; }, spec);
+      found->map, [&](std::size_t node) { return file->skeleton.nodes[node].name; }, spec);
+  MeasuredPerson& start = found->start;
   if (spec.heels) {
-    if (const auto ok = find_toes(world, *map, *person, name, start); !ok) return ok;
+    const auto ok = find_toes(world, found->map, found->person, spec.source, start);
+    if (!ok) return ok;
   }
-  spec.stature = person->stature;
-  const bool rests = !animation && file->rig.format != CharacterFormat::bvh;
-  spec.landmarks = rests ? at_ease(start.landmarks, person->stature) : start.landmarks;
-  if (spec.seat) spec.landmarks = seated(*spec.landmarks, person->stature, *spec.seat);
+  spec.stature = found->person.stature;
+  spec.landmarks = found->eased ? at_ease(start.landmarks, *spec.stature) : start.landmarks;
+  if (spec.seat) spec.landmarks = seated(*spec.landmarks, *spec.stature, *spec.seat);
   spec.doubts = file->doubts;
-  const std::vector<std::string>* found[] = {&map->doubts, &start.doubts};
-  for (const auto* more : found) {
+  for (const auto* more : {&found->map.doubts, &start.doubts}) {
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
   }
   if (start.placement.mirrored()) {
@@ -221,10 +144,8 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec) {
         "files with the character's own skeleton keep the mirrored axes: goals are not where they "
         "stand in them");
   }
-  const SkeletonClip clip = std::move(animation ? file->motion.clip : file->rest.clip);
-  spec.rig = make_rig(std::move(*file), clip, spec.frame, *map, start, *spec.landmarks);
-  spec.rig->ahead = person->placement.ahead;
-  spec.rig->rig.twists = find_twist_bones(spec.rig->skeleton, world, *map);
+  spec.rig = make_rig(std::move(*file), *found, *spec.landmarks);
+  spec.rig->rig.twists = find_twist_bones(spec.rig->skeleton, world, found->map);
   if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
   return {};
 }
@@ -255,24 +176,28 @@ Result<void> attach_rig(CharacterSpec& spec, const CharacterSpec& measured) {
 }
 
 Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path) {
-  Result<void> attached;
+  struct Try {
+    std::optional<double> stature;
+    std::optional<int> frame;
+  };
   // the stature stands in a result whether it was given or measured
-  for (const std::optional<double>& stature : {std::optional<double>{}, spec.stature}) {
+  std::vector<Try> tries{{std::nullopt, spec.frame}, {spec.stature, spec.frame}};
+  // older results have frame 0 for glTF's rest pose
+  if (spec.frame == 0 && !spec.animation) tries.push_back({std::nullopt, std::nullopt});
+  Result<void> attached;
+  for (const auto& [stature, frame] : tries) {
     CharacterSpec fresh{.source = path.string(),
                         .stature = stature,
-                        .frame = spec.frame,
+                        .frame = frame,
                         .animation = spec.animation,
                         .seat = spec.seat,
                         .heels = spec.heels,
                         .map = spec.map};
-    if (const auto measured = measure_character(fresh, {}); !measured) {
-      if (stature) return measured;
-      continue;
-    }
-    attached = attach_rig(spec, fresh);
-    if (attached) return attached;
+    attached = measure_character(fresh, {});
+    if (attached) attached = attach_rig(spec, fresh);
+    if (attached) break;
   }
-  return fail(attached.error().code, attached.error().message, path.filename().string());
+  return attached;
 }
 
 Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "character_file.hpp"
 
+#include <fmt/format.h>
+
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_skin.hpp>
@@ -10,18 +12,9 @@
 namespace shigusa {
 namespace {
 
-// The mesh at rest, and where the nodes of an animation's frame take it; doubts about it.
-std::vector<std::string> take_skin(const std::string& bytes, const std::string& name,
-                                   const GltfCharacter& file, std::span<const GltfPlace> posed,
-                                   CharacterFile& character) {
-  Skin rest = read_gltf_skin(bytes, name, file, file.places);
-  character.skin = std::move(rest.vertices);
-  if (!posed.empty()) character.posed_skin = read_gltf_skin(bytes, name, file, posed).vertices;
-  return std::move(rest.doubts);
-}
-
 void take(GltfCharacter&& file, CharacterFile& character) {
-  character.rest = std::move(file.rest);
+  character.skeleton = std::move(file.rest.skeleton);
+  character.rest = {std::move(file.rest.clip.local), file.places};
   character.given = std::move(file.humanoid);
   character.doubts = std::move(file.doubts);
   character.rig.places = std::move(file.places);
@@ -31,29 +24,55 @@ void take(GltfCharacter&& file, CharacterFile& character) {
   character.rig.vrm_bones = std::move(file.vrm_bones);
 }
 
-Result<void> parse_gltf_character(const std::string& bytes, const std::string& name,
-                                  const std::optional<std::string>& animation, int frame,
-                                  CharacterFile& character) {
-  std::vector<std::string> skin_doubts;
-  if (animation) {
-    Result<GltfMotion> file =
-        parse_gltf_animation(bytes, name, {.animation = *animation, .posed = frame});
-    if (!file) return tl::unexpected(file.error());
-    skin_doubts = take_skin(bytes, name, file->character, file->posed, character);
-    take(std::move(file->character), character);
-    character.motion = std::move(file->motion);
-    character.posed = std::move(file->posed);
-    character.doubts = std::move(file->doubts);
-  } else {
-    Result<GltfCharacter> file = parse_gltf(bytes, name);
-    if (!file) return tl::unexpected(file.error());
-    skin_doubts = take_skin(bytes, name, *file, {}, character);
-    take(std::move(*file), character);
-    character.posed = character.rig.places;
+// The animation that a spec asks for, "" the first; fails for a frame of a file that has none.
+Result<std::optional<std::string>> animation_of(const CharacterSpec& spec,
+                                                const std::vector<std::string>& animations) {
+  if (!spec.frame) return spec.animation;
+  if (*spec.frame == kRestPose) {
+    if (!spec.animation) return std::optional<std::string>{};
+    return fail(ErrorCode::invalid_argument,
+                "the rest pose is of no animation: leave the frame or the animation out",
+                spec.source);
   }
-  character.doubts.insert(character.doubts.end(), skin_doubts.begin(), skin_doubts.end());
-  // of a file whose further chunks are wrong, check_animations_fit tells
-  if (auto names = gltf_animation_names(bytes, name)) character.rig.animations = std::move(*names);
+  if (!spec.animation && animations.empty()) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("frame {} does not exist: the file has no animation, only its rest "
+                            "pose; leave the frame out",
+                            *spec.frame),
+                spec.source);
+  }
+  return spec.animation ? spec.animation : std::optional<std::string>("");
+}
+
+Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec& spec,
+                                  CharacterFile& character) {
+  const std::string& name = spec.source;
+  Result<GltfCharacter> file = parse_gltf(bytes, name);
+  if (!file) return tl::unexpected(file.error());
+  Skin rest = read_gltf_skin(bytes, name, *file, file->places);
+  character.skin = std::move(rest.vertices);
+  if (std::optional<GltfPose> bound = gltf_bind_pose(bytes, name, *file)) {
+    character.bound_skin = read_gltf_skin(bytes, name, *file, bound->places).vertices;
+    character.bound = FilePose{std::move(bound->local), std::move(bound->places)};
+  }
+  const auto animations = gltf_animation_names(bytes, name);
+  if (animations) character.rig.animations = *animations;
+  const auto animation = animation_of(spec, character.rig.animations);
+  // of a file whose further chunks are wrong, and that is wanted at rest, check_animations_fit tells
+  if (!animation) return tl::unexpected(animations ? animation.error() : animations.error());
+  if (*animation) {
+    Result<GltfMotion> moving = parse_gltf_animation(
+        bytes, name, {.animation = **animation, .posed = spec.frame.value_or(0)});
+    if (!moving) return tl::unexpected(moving.error());
+    character.posed_skin = read_gltf_skin(bytes, name, *file, moving->posed).vertices;
+    take(std::move(moving->character), character);
+    character.motion = std::move(moving->motion.clip);
+    character.posed = std::move(moving->posed);
+    character.doubts = std::move(moving->doubts);
+  } else {
+    take(std::move(*file), character);
+  }
+  character.doubts.insert(character.doubts.end(), rest.doubts.begin(), rest.doubts.end());
   if (const auto fits = check_animations_fit(bytes, name); !fits) {
     character.rig.not_glb = fits.error().message;
     character.doubts.push_back("motions cannot leave as GLB: " + character.rig.not_glb);
@@ -91,21 +110,25 @@ Result<std::string> read_character_bytes(const std::filesystem::path& path) {
                                                        : kGltfMaxBytes);
 }
 
-Result<CharacterFile> parse_character(std::string bytes, const std::string& name,
-                                      const std::optional<std::string>& animation, int frame) {
+Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec) {
+  const std::string& name = spec.source;
   CharacterFile character;
   character.rig.file = name;
   if (file_kind(name) == FileKind::gltf) {
-    const auto parsed = parse_gltf_character(bytes, name, animation, frame, character);
+    const auto parsed = parse_gltf_character(bytes, spec, character);
     if (!parsed) return tl::unexpected(parsed.error());
     character.rig.bytes = std::make_shared<const std::string>(std::move(bytes));
     return character;
   }
-  if (animation) return holds_one_motion(name);
+  if (spec.animation) return holds_one_motion(name);
   Result<BvhFile> file = parse_bvh_file(bytes, name);
   if (!file) return tl::unexpected(file.error());
-  character.rest = std::move(file->motion);
+  character.skeleton = std::move(file->motion.skeleton);
+  character.motion = std::move(file->motion.clip);
   character.rig.channels = std::move(file->channels);
+  for (const SkeletonNode& node : character.skeleton.nodes) {
+    character.rest.local.push_back({node.offset, {}});
+  }
   return character;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/body/skin.hpp>
 #include <shigusa/project/character.hpp>
 
 namespace shigusa {
@@ -19,22 +20,31 @@ enum class FileKind { none, bvh, gltf, urdf };
 // The whole of a character's file, of any kind but `none`.
 [[nodiscard]] Result<std::string> read_character_bytes(const std::filesystem::path& path);
 
-// A person's BVH or glTF file.
-struct CharacterFile {
-  SkeletonMotion rest;                 // what the person is measured in: of BVH the motion itself
-  SkeletonMotion motion;               // of BVH, or an animation of glTF; no frames: there is none
-  HumanoidMap given;                   // by the file itself
-  std::vector<std::string> doubts;     // of reading
-  CharacterRig rig;                    // its format, and what that alone has
-  std::vector<GltfPlace> posed;        // (nodes) of glTF, in the motion's frame or at rest
-  std::vector<SkinVertex> skin;        // of glTF, at rest …
-  std::vector<SkinVertex> posed_skin;  // … and in the motion's frame
+// One pose of a file's nodes.
+struct FilePose {
+  std::vector<LocalTransform> local;  // (nodes) turned from the rest pose
+  std::vector<GltfPlace> places;      // (nodes) of glTF
+
+  [[nodiscard]] SkeletonClip clip() const { return {0.0, 1, local}; }
 };
 
-// Parses the bytes of such a file. `animation`: of glTF, its name or its index, and the frame of it
-// that the person is posed in; without one the file's rest pose is all.
-[[nodiscard]] Result<CharacterFile> parse_character(std::string bytes, const std::string& name,
-                                                    const std::optional<std::string>& animation,
-                                                    int frame);
+// A person's BVH or glTF file.
+struct CharacterFile {
+  Skeleton skeleton;
+  FilePose rest;                    // of BVH that of the OFFSETs
+  std::optional<FilePose> bound;    // of glTF: in which the mesh was bound, where it is another
+  SkeletonClip motion;              // of BVH, or an animation of glTF; no frames: there is none
+  std::vector<GltfPlace> posed;     // (nodes) of glTF, in the motion's frame asked for
+  HumanoidMap given;                // by the file itself
+  std::vector<std::string> doubts;  // of reading
+  CharacterRig rig;                 // its format, and what that alone has
+  std::vector<SkinVertex> skin;        // of glTF, at rest,
+  std::vector<SkinVertex> bound_skin;  // where it was bound,
+  std::vector<SkinVertex> posed_skin;  // and in the frame asked for
+};
+
+// Parses the bytes of such a file. Of glTF with the animation that the spec asks for, by its name,
+// its index or as the first for a frame alone.
+[[nodiscard]] Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec);
 
 }  // namespace shigusa

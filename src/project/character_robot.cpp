@@ -43,7 +43,7 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
                  {"extent", spec.extent.has_value()},
                  {"seat", spec.seat.has_value()},
                  {"heels", spec.heels},
-                 {"frame", spec.frame != 0}};
+                 {"frame", spec.frame.has_value()}};
   for (const auto& option : persons) {
     if (!option.given) continue;
     return fail(ErrorCode::invalid_argument,

@@ -208,7 +208,7 @@ Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string&
     body = std::move(*built);
     settings.stature = body->stature();
   }
-  const int frame = own ? character.frame : first;
+  const int frame = own ? character.frame.value_or(first) : first;
   Result<MeasuredFile> measured =
       measure(*file, frame, own ? character.map : BoneRequest{}, settings, name);
   if (!measured) return tl::unexpected(measured.error());

@@ -39,7 +39,7 @@ Json character_to_json(const CharacterSpec& c) {
   for (const auto& [name, extent] : kExtents) {
     if (c.extent == extent) json["extent"] = name;
   }
-  json["frame"] = c.frame;
+  if (c.frame) json["frame"] = *c.frame == kRestPose ? Json("rest") : Json(*c.frame);
   if (c.animation) json["animation"] = *c.animation;
   if (!c.doubts.empty()) json["doubts"] = c.doubts;
   add_places(c, json);
@@ -60,6 +60,17 @@ void read_texts(JsonReader& reader, const char* key, std::vector<std::string>& t
   for (const Json& text : list) {
     if (!text.is_string()) return reader.wrong(key, "must be a list of texts");
     texts.push_back(text.get<std::string>());
+  }
+}
+
+void read_frame(JsonReader& reader, std::optional<int>& frame) {
+  if (!reader.has("frame")) return;
+  if (reader.value("frame") == "rest") {
+    frame = kRestPose;
+  } else if (reader.value("frame").is_string()) {
+    reader.wrong("frame", R"(must be a whole number from 0, or "rest")");
+  } else {
+    reader.integer("frame", frame.emplace(), 0, kFrameMax);
   }
 }
 
@@ -97,7 +108,7 @@ void read_character(JsonReader& task, CharacterSpec& c) {
   if (reader.has("extent")) {
     reader.choice<BodyExtent>("extent", c.extent.emplace(), {kExtents.begin(), kExtents.end()});
   }
-  reader.integer("frame", c.frame, 0, kFrameMax);
+  read_frame(reader, c.frame);
   reader.number("seat_m", c.seat, 0.1, 1.2);
   read_truth(reader, "heels", c.heels);
   if (reader.has("animation")) reader.text("animation", c.animation.emplace());

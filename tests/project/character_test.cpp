@@ -47,7 +47,7 @@ class RecordedCharacter : public testing::TestWithParam<Recorded> {
   [[nodiscard]] TaskFile reach_task() const {
     TaskFile file;
     file.character.source = path_;
-    file.character.frame = GetParam().frame;
+    if (path_.ends_with(".bvh")) file.character.frame = GetParam().frame;
     const Landmarks person = recorded();
     const auto& arm = person.right_arm;
     const double length = norm(arm.elbow - arm.shoulder) + norm(arm.wrist - arm.elbow);
@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         Shared{"VRM-Addon-for-Blender__basic_armature.vrm", 1.621, "head has no tip", "hand.L"},
         Shared{"VRM-Addon-for-Blender__debug_robot.vrm", 1.977, "", "hand.L"},
         // the whole armature is tilted
-        Shared{"VRM-Addon-for-Blender__armature_transform.vrm", 2.246, "does not stand", "hand.L"},
+        Shared{"VRM-Addon-for-Blender__armature_transform.vrm", 2.246, "along no axis", "hand.L"},
         Shared{"KayKit_Knight.glb", 2.317, "no neck joint", "wrist.l"},
         Shared{"lab0_CesiumMan.glb", 1.518, "nothing follows joint",
                "Skeleton_arm_joint_L__2_"},
@@ -204,7 +204,8 @@ TEST(MeasureCharacter, GltfHasOneFrame) {
   const auto measured = measure_character(spec, work.path());
   ASSERT_FALSE(measured);
   EXPECT_EQ(measured.error().to_string(),
-            "person.glb: frame 1 does not exist; the file has only its rest pose, frame 0");
+            "person.glb: frame 1 does not exist: the file has no animation, only its rest pose; "
+            "leave the frame out");
 }
 
 TEST(MeasureCharacter, RelativePathStartsAtTheFolder) {

@@ -38,7 +38,7 @@ inline CharacterSpec any_character() {
   spec.sex = *rc::gen::element(Sex::male, Sex::female);
   if (is_built_in(spec)) return spec;
   spec.extent = *rc::gen::element(BodyExtent::full, BodyExtent::half);
-  spec.frame = *rc::gen::inRange(0, 1'000'001);
+  if (*rc::gen::arbitrary<bool>()) spec.frame = *rc::gen::inRange(kRestPose, 1'000'001);
   if (*rc::gen::arbitrary<bool>()) spec.animation = "walk \"1\"";
   if (*rc::gen::arbitrary<bool>()) spec.seat = any_number(0.1, 1.2);
   spec.heels = *rc::gen::arbitrary<bool>();
@@ -112,9 +112,9 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
   all.insert(all.end(),
              {static_cast<std::uint64_t>(c.sex),
               static_cast<std::uint64_t>(c.extent.value_or(BodyExtent::half)),
-              static_cast<std::uint64_t>(c.frame), c.landmarks.has_value(), task.seed, task.pareto,
-              static_cast<std::uint64_t>(task.generator), static_cast<std::uint64_t>(task.phases),
-              static_cast<std::uint64_t>(task.candidates),
+              static_cast<std::uint64_t>(c.frame.value_or(-2)), c.landmarks.has_value(), task.seed,
+              task.pareto, static_cast<std::uint64_t>(task.generator),
+              static_cast<std::uint64_t>(task.phases), static_cast<std::uint64_t>(task.candidates),
               static_cast<std::uint64_t>(task.evaluations.value_or(-1))});
   if (c.landmarks) {
     Landmarks person = *c.landmarks;

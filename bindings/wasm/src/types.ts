@@ -13,7 +13,7 @@ export interface CharacterSpec {
   mass_kg?: number;
   sex?: 'male' | 'female';
   extent?: 'human' | 'full' | 'half';
-  frame?: number;
+  frame?: number | 'rest';
   animation?: string;
   seat_m?: number;
   heels?: boolean;

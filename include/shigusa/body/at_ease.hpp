@@ -15,6 +15,14 @@ inline constexpr double kKneesAtEase = radians(5.0);
 // modelled in a T with straight legs, and nobody reaches from that.
 [[nodiscard]] Landmarks at_ease(const Landmarks& person, double stature);
 
+// Whether a person holds both arms straight and alike out to the sides, 30° to 110° from hanging,
+// on straight legs: a T or an A, in which people are modelled and recordings begin.
+[[nodiscard]] bool spreads_arms(const Landmarks& person);
+
+// Whether a person stands as who has not begun to move: upright on both feet, knees no more than a
+// little bent, left and right alike. Who leaps or is ready to fight does not.
+[[nodiscard]] bool stands_at_rest(const Landmarks& person, double stature);
+
 // Height of the hip joints over the seat, as a share of the stature: some 9 cm, an estimate. How
 // far the forearms of who sits point down, to lay the hands on the thighs.
 inline constexpr double kSeatedHip = 0.05;

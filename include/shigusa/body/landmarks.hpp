@@ -106,7 +106,8 @@ struct MeasureSettings {
 //
 // - Up is the axis of the file, ±x ±y ±z, nearest to the way from the ankles to the head. Where
 //   legs and trunk do not both point along it (a stoop, a person who sits), the axis along which
-//   both point at rest, in the OFFSETs, comes first.
+//   both point at rest, in the OFFSETs, comes first. A body that is straight along no axis, as one
+//   below a tilted armature, has its own direction, with a doubt.
 // - Left is the mean of the hip line and the shoulder line, made horizontal. If the feet then point
 //   backwards, the file is mirrored, and so is the person measured.
 // - Stature is ankle height (0.039 of it) + shank + thigh + the chain of joints from between the

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <shigusa/io/gltf.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace shigusa {
 
@@ -27,6 +29,18 @@ struct GltfMotion {
   std::vector<GltfPlace> posed;
   std::vector<std::string> doubts;  // the character's and the animation's
 };
+
+// A pose of a character's nodes.
+struct GltfPose {
+  std::vector<LocalTransform> local;  // (nodes of character.rest) turned from the rest pose
+  std::vector<GltfPlace> places;      // (nodes) as character.places
+};
+
+// The pose in which the meshes were bound to the joints, by the inverse bind matrices of the skins;
+// nothing where that is the rest pose, or the file tells none that can be read. Joints of no skin
+// stand in their parents as at rest. Numbers are read as parse_gltf_animation reads them.
+[[nodiscard]] std::optional<GltfPose> gltf_bind_pose(std::string_view bytes, std::string_view name,
+                                                     const GltfCharacter& character);
 
 // The names of a file's animations, of one without a name its index. Fails where a GLB's header or
 // chunks are wrong; a text that is no glTF has none.

@@ -43,6 +43,11 @@ using BoneRequest = std::vector<std::pair<std::string, std::string>>;
 // character, as text or as JSON.
 [[nodiscard]] Result<BoneRequest> read_bone_request(const std::filesystem::path& path);
 
+// In a frame's place: the file's rest pose, from which the person stands at ease. Of BVH that of
+// the OFFSETs; of glTF that of the nodes, or where they rest in the middle of a motion that in
+// which the mesh was bound.
+inline constexpr int kRestPose = -1;
+
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
   // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM or URDF file; for a
@@ -52,10 +57,12 @@ struct CharacterSpec {
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
   Sex sex = Sex::male;
   std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
-  // of the file's motion: the start posture. glTF without an animation has its rest pose, 0, alone;
-  // with one, the motion begins as the animation has all nodes
-  int frame = 0;
-  std::optional<std::string> animation{};  // of glTF: its name or index; at 60 frames a second
+  // of the file's motion: the start posture, exactly as that frame has it, or kRestPose. Of glTF it
+  // is one of an animation, at 60 frames a second. None: of an animation its first; else of glTF
+  // the rest pose, of BVH frame 0, where that is no T- or A-pose; in these people stand at ease
+  std::optional<int> frame{};
+  std::optional<std::string>
+      animation{};               // of glTF: its name or index; the first for a frame alone
   std::optional<double> seat{};  // m, 0.1..1.2: height of the seat that the person sits on
   bool heels = false;            // they may lift; of the body human, standing, of a file with toes
   BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
@@ -89,8 +96,8 @@ struct CharacterSpec {
 [[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
 
 // Measures the person or robot of a file in memory: the file's name in spec.source tells its kind,
-// and errors name it. Fills stature, landmarks, doubts and rig, of a robot urdf. glTF's rest pose
-// is mostly a T: from that the person stands at_ease. A robot has its own stature and mass.
+// and errors name it. Fills stature, landmarks, doubts and rig, of a robot urdf. A rest pose is
+// mostly a T: from that the person stands at_ease. A robot has its own stature and mass.
 [[nodiscard]] Result<void> load_character(std::string bytes, CharacterSpec& spec);
 
 // The same by the file that `source` names, if it does and has not been measured yet; leaves the
