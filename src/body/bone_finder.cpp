@@ -31,7 +31,10 @@ Result<HumanoidMap> BoneFinder::find() {
   if (tree_.size() == 0) return fail(ErrorCode::invalid_argument, "no body: there are no nodes");
   if (tree_.extent() <= 0.0) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("no body: all {} nodes stand at one point", tree_.size()));
+                fmt::format("no skeleton in this file: {}",
+                            tree_.size() == 1
+                                ? "it has one node alone"
+                                : fmt::format("its {} nodes stand at one point", tree_.size())));
   }
   if (const auto found = find_limbs(); !found) return tl::unexpected(found.error());
   if (!find_hips()) {

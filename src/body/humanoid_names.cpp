@@ -122,8 +122,8 @@ constexpr std::string_view kOrnaments[] = {
 constexpr std::string_view kThumbs[] = {"thumb", "lthumb", "rthumb", "左親指", "右親指"};
 constexpr std::string_view kTips[] = {"end", "nub", "tip", "top"};
 
-constexpr std::string_view kLeftWords[] = {"left", "l"};
-constexpr std::string_view kRightWords[] = {"right", "r"};
+constexpr std::string_view kLeftWords[] = {"left", "l", "lft", "lt"};
+constexpr std::string_view kRightWords[] = {"right", "r", "rgt", "rt"};
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
@@ -186,7 +186,7 @@ BonePart longest_part(const std::vector<std::string>& words) {
   return best;
 }
 
-// A name in one piece: "lfemur", "leftupleg", "左足".
+// A name in one piece: "lfemur", "leftupleg", "handleft", "左足".
 BoneName read_glued(const std::vector<std::string>& words) {
   std::string all;
   for (const std::string& word : words) all += word;
@@ -195,6 +195,12 @@ BoneName read_glued(const std::vector<std::string>& words) {
     const BonePart part = part_of(std::string_view(all).substr(prefix.size()));
     const bool left = prefix.starts_with('l') || prefix == "左";
     if (part != BonePart::none) return {part, left ? NameSide::left : NameSide::right};
+  }
+  for (const std::string_view suffix : {"left", "right", "l", "r"}) {
+    if (!std::string_view(all).ends_with(suffix)) continue;
+    const BonePart part = part_of(std::string_view(all).substr(0, all.size() - suffix.size()));
+    const NameSide side = suffix.starts_with('l') ? NameSide::left : NameSide::right;
+    if (part != BonePart::none) return {part, side};
   }
   return {};
 }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 #include <shigusa/body/robot.hpp>
 #include <utility>
 
@@ -36,6 +39,24 @@ void tell_sides(const Robot& robot, const std::vector<Transformd>& places, Human
   }
 }
 
+// Where a forearm ends, in its link's frame: at its shapes' end, else at twice the distance of its
+// centre of mass, or nowhere.
+std::optional<Vec3d> forearm_end(const Robot::Link& link) {
+  constexpr double kShortest = 0.02;  // m
+  Vec3d along = link.com;
+  if (!link.corners.empty()) {
+    Vec3d mean{};
+    for (const Vec3d& c : link.corners)
+      mean += c * (1.0 / static_cast<double>(link.corners.size()));
+    double length = 0.0;
+    for (const Vec3d& c : link.corners) length = max(length, dot(c, normalized(mean)));
+    along = normalized(mean) * length;
+  } else {
+    along = along * 2.0;
+  }
+  return norm(along) > kShortest ? std::optional(along) : std::nullopt;
+}
+
 bool is_toe(std::string_view link) { return read_bone_name(link).part == BonePart::toes; }
 
 }  // namespace
@@ -52,6 +73,51 @@ std::vector<Transformd> robot_places(const Robot& robot) {
                          : places[static_cast<std::size_t>(joint->parent)] * joint->origin);
   }
   return places;
+}
+
+Robot with_hands(Robot robot) {
+  std::vector<bool> bears(robot.links.size(), false);
+  for (const Robot::Joint& joint : robot.joints)
+    bears[static_cast<std::size_t>(joint.parent)] = true;
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(robot.links.begin(), robot.links.end(),
+                       [&](const Robot::Link& link) { return link.name == name; });
+  };
+  for (std::size_t i = 0; i < bears.size(); ++i) {
+    const BoneName name = read_bone_name(robot.links[i].name);
+    if (bears[i] || name.part != BonePart::lower_arm || name.side == NameSide::none) continue;
+    const std::string hand = name.side == NameSide::left ? "left_hand" : "right_hand";
+    const std::optional<Vec3d> end = forearm_end(robot.links[i]);
+    if (!end || taken(hand)) continue;
+    robot.doubts.push_back(
+        fmt::format("link '{}' ends its arm: the hand is taken to be {:.2f} m on, {}",
+                    robot.links[i].name, norm(*end),
+                    robot.links[i].corners.empty() ? "twice as far as its centre of mass"
+                                                   : "where its shapes end"));
+    Robot::Joint fixed{.name = hand + "_fixed",
+                       .parent = static_cast<int>(i),
+                       .child = static_cast<int>(robot.links.size()),
+                       .origin = {Mat3d{}, *end}};
+    robot.links.emplace_back().name = hand;
+    robot.joints.push_back(std::move(fixed));
+  }
+  return robot;
+}
+
+Landmarks limbs_of(const Robot& robot, const HumanoidMap& map) {
+  const std::vector<Transformd> places = robot_places(robot);
+  const auto at = [&](HumanoidBone bone) {
+    return places[static_cast<std::size_t>(map[bone])].translation;
+  };
+  using Bone = HumanoidBone;
+  Landmarks limbs;
+  limbs.left_leg = {at(Bone::left_upper_leg), at(Bone::left_lower_leg), at(Bone::left_foot), {}};
+  limbs.right_leg = {
+      at(Bone::right_upper_leg), at(Bone::right_lower_leg), at(Bone::right_foot), {}};
+  limbs.left_arm = {at(Bone::left_upper_arm), at(Bone::left_lower_arm), at(Bone::left_hand), {}};
+  limbs.right_arm = {
+      at(Bone::right_upper_arm), at(Bone::right_lower_arm), at(Bone::right_hand), {}};
+  return limbs;
 }
 
 Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) {
@@ -82,7 +148,9 @@ Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) 
       }
     }
     std::erase_if(map->doubts, [](const std::string& doubt) {
-      return doubt.starts_with("no left_toes") || doubt.starts_with("no right_toes");
+      // frames on a foot point anywhere, and a robot is no mirror image
+      return doubt.starts_with("no left_toes") || doubt.starts_with("no right_toes") ||
+             doubt.starts_with("the feet point backwards");
     });
   }
   return map;

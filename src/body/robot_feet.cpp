@@ -21,6 +21,17 @@ struct Bounds {
   double back = 0.0;
 };
 
+// Around the corners up to that height.
+Bounds bounds_below(const std::vector<Vec3d>& corners, double height) {
+  constexpr double kNone = 1e9;
+  Bounds b{-kNone, kNone, -kNone, kNone};
+  for (const Vec3d& c : corners) {
+    if (c.y > height) continue;
+    b = {max(b.left, c.x), min(b.right, c.x), max(b.front, c.z), min(b.back, c.z)};
+  }
+  return b;
+}
+
 RobotSole rectangle(const Bounds& b, double y, bool guessed) {
   return {{Vec3d{b.left, y, b.front}, Vec3d{b.left, y, b.back}, Vec3d{b.right, y, b.back},
            Vec3d{b.right, y, b.front}},
@@ -38,21 +49,24 @@ RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed, const std::v
     for (const Vec3d& corner : robot.links[i].corners) corners.push_back(placed.links[i] * corner);
     lowest_frame = min(lowest_frame, placed.links[i].translation.y);
   }
-  if (!corners.empty()) {
-    double y = corners[0].y;
-    for (const Vec3d& c : corners) y = min(y, c.y);
-    std::erase_if(corners, [y](const Vec3d& c) { return c.y > y + kSoleSlack; });
-    Bounds b{corners[0].x, corners[0].x, corners[0].z, corners[0].z};
-    for (const Vec3d& c : corners) {
-      b = {max(b.left, c.x), min(b.right, c.x), max(b.front, c.z), min(b.back, c.z)};
-    }
-    const double least = kLeastSole * stature;
-    if (b.left - b.right > least && b.front - b.back > least) return rectangle(b, y, false);
-  }
   const double length = F::kFootLength * stature;
   const double half = 0.5 * F::kFootBreadth * stature;
   const Bounds person{ankle.x + half, ankle.x - half, ankle.z + (1.0 - kHeelShare) * length,
                       ankle.z - kHeelShare * length};
+  if (!corners.empty()) {
+    double y = corners[0].y;
+    for (const Vec3d& c : corners) y = min(y, c.y);
+    const double least = kLeastSole * stature;
+    const auto is_sole = [&](const Bounds& b) {
+      return b.left - b.right > least && b.front - b.back > least;
+    };
+    // the sole is where the shapes end: all of the foot's tell its outline where the lowest do not
+    for (const double slack : {kSoleSlack, ankle.y - y}) {
+      const Bounds b = bounds_below(corners, y + slack);
+      if (is_sole(b)) return rectangle(b, y, false);
+    }
+    if (y < ankle.y) return rectangle(person, y, true);
+  }
   const double drop = ankle.y - lowest_frame;
   const bool has_frame = drop > 0.01 * stature && drop < 0.15 * stature;
   return rectangle(person, has_frame ? lowest_frame : ankle.y - F::kAnkleHeight * stature, true);

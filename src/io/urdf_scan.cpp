@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <shigusa/io/file.hpp>
@@ -30,6 +31,7 @@ constexpr Rule kKept[] = {
     {"geometry", "box"},
     {"geometry", "sphere"},
     {"geometry", "cylinder"},
+    {"geometry", "capsule"},
     {"joint", "origin"},
     {"joint", "parent"},
     {"joint", "child"},
@@ -42,6 +44,27 @@ bool is_kept(std::string_view parent, std::string_view child) {
   return std::any_of(std::begin(kKept), std::end(kKept), [&](const Rule& rule) {
     return rule.parent == parent && rule.child == child;
   });
+}
+
+// "inf" and "nan" in any case, and numbers of more than kUrdfMaxValue, by their digits.
+bool is_no_limit(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n+-");
+  if (begin == text.npos) return false;
+  text.remove_prefix(begin);
+  const char first = text[0];
+  if (first == 'i' || first == 'I' || first == 'n' || first == 'N') return true;
+  const std::size_t mantissa = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t whole = std::min(text.find('.'), mantissa);
+  const std::size_t zeros = std::min(text.find_first_not_of('0'), whole);
+  long exponent = 0;
+  if (mantissa < text.size()) {
+    std::string_view digits = text.substr(mantissa + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (read.ec == std::errc::result_out_of_range) return !digits.starts_with('-');
+  }
+  constexpr long kDigits = 6;  // of kUrdfMaxValue
+  return static_cast<long>(whole - zeros) + exponent > kDigits;
 }
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -67,6 +90,7 @@ class Scanner {
  private:
   struct Element {
     std::string_view name;
+    std::string_view written;  // the name in the output
     bool kept = false;
     std::size_t begin = 0;  // in the output
     bool shape = false;     // a collision with a box, sphere or cylinder
@@ -153,6 +177,27 @@ class Scanner {
     return {};
   }
 
+  // urdfdom has no capsules; without its round ends one is a cylinder.
+  static std::string_view written_as(std::string_view name) {
+    return name == "capsule" ? "cylinder" : name;
+  }
+
+  // A joint's limits. What stands for none, "inf" or a number beyond all others, is no limit, and
+  // urdfdom reads neither infinity nor a joint without effort.
+  void limit(std::string_view tag) {
+    out_ += "<limit";
+    for (const std::string_view name : {"lower", "upper", "effort", "velocity"}) {
+      const bool angle = name == "lower" || name == "upper";
+      const std::string_view value = attribute(tag, name).value_or(angle ? "" : "0");
+      if (value.empty()) continue;
+      const std::string_view none = !angle ? "0" : value.find('-') != value.npos ? "-1000" : "1000";
+      const std::string_view written = is_no_limit(value) ? none : value;
+      const char quote = written.find('"') == written.npos ? '"' : '\'';
+      (((((out_ += ' ') += name) += '=') += quote) += written) += quote;
+    }
+    out_ += tag.ends_with('/') ? "/>" : ">";
+  }
+
   // Links that hang in a circle would never leave urdfdom's memory.
   [[nodiscard]] Result<void> check_tree() const {
     std::map<std::string_view, std::string_view> above;
@@ -197,7 +242,8 @@ class Scanner {
       return wrong("<{}> is nested deeper than {} elements", shortened(name), kUrdfMaxDepth);
     }
     const bool parent_kept = open_.empty() || open_.back().kept;
-    Element element{name, parent_kept && is_kept(open_.empty() ? "" : open_.back().name, name),
+    Element element{name, written_as(name),
+                    parent_kept && is_kept(open_.empty() ? "" : open_.back().name, name),
                     out_.size()};
     if (element.kept && name == "link" && ++links_ > kUrdfMaxLinks) {
       return wrong("more than {} links", kUrdfMaxLinks);
@@ -209,9 +255,12 @@ class Scanner {
     if (element.kept && name == "joint") hung_.emplace_back();
     if (hangs) {
       if (const auto done = hang(name, tag); !done) return done;
+    } else if (element.kept && name == "limit") {
+      limit(tag);
     } else if (element.kept) {
-      ((out_ += '<') += tag) += '>';
-      const bool shape = name == "box" || name == "sphere" || name == "cylinder";
+      (((out_ += '<') += element.written) += tag.substr(name.size())) += '>';
+      const bool shape =
+          element.written == "box" || element.written == "sphere" || element.written == "cylinder";
       if (shape) open_[open_.size() - 2].shape = true;
     }
     open_.push_back(element);
@@ -229,7 +278,7 @@ class Scanner {
 
   Result<void> finish(bool tag) {
     const Element& element = open_.back();
-    if (element.kept && tag) ((out_ += "</") += element.name) += '>';
+    if (element.kept && tag) ((out_ += "</") += element.written) += '>';
     // a mesh is not read, and urdfdom wants a shape
     if (element.kept && element.name == "collision" && !element.shape) out_.resize(element.begin);
     if (element.kept && (element.name == "link" || element.name == "joint")) out_ += '\n';

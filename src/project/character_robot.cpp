@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <shigusa/body/likeness.hpp>
 #include <shigusa/io/urdf.hpp>
 #include <shigusa/rollout/settled_posture.hpp>
 
@@ -20,6 +21,7 @@ Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
   const std::string name = std::filesystem::path(spec.source).filename().string();
   Result<Robot> robot = parse_urdf(urdf, name);
   if (!robot) return tl::unexpected(robot.error());
+  *robot = with_hands(std::move(*robot));
   robot->name = name;
   std::vector<std::string> links;
   for (const Robot::Link& link : robot->links) links.push_back(link.name);
@@ -28,6 +30,10 @@ Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
   Result<HumanoidMap> map = find_humanoid(*robot, *asked);
   if (!map) {
     return fail(map.error().code, "no humanoid robot: " + map.error().to_string(), name);
+  }
+  if (const std::string why = unlike_a_person(limbs_of(*robot, *map));
+      spec.map.empty() && !why.empty()) {
+    return fail(ErrorCode::invalid_argument, no_person(why), name);
   }
   return ReadRobot{std::move(*robot), std::move(*map)};
 }

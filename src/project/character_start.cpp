@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <shigusa/body/anthropometry.hpp>
 #include <shigusa/body/at_ease.hpp>
+#include <shigusa/body/likeness.hpp>
+#include <shigusa/io/gltf_animation.hpp>
 
 #include "humanoid_request.hpp"
 #include "landmarks_json.hpp"
@@ -74,6 +77,10 @@ Result<PersonStart> measure_in(const CharacterFile& file, const CharacterSpec& s
   const Result<MeasuredPerson> person =
       measure_person(file.skeleton, world, *map, {.stature = spec.stature, .skin = skin});
   if (!person) return fail(person.error().code, person.error().to_string(), spec.source);
+  const std::string why = unlike_a_person(person->landmarks);
+  if (spec.map.empty() && !why.empty()) {
+    return fail(ErrorCode::invalid_argument, no_person(why), spec.source);
+  }
   return PersonStart{*map, pose, *person, pose, *person};
 }
 
@@ -94,19 +101,33 @@ Result<PersonStart> measure_at_rest(const CharacterFile& file, const CharacterSp
   return bound;
 }
 
+// The first of a file's animations that begins with the person standing, or "".
+std::string standing_animation(const CharacterFile& file, const PersonStart& found) {
+  constexpr std::size_t kTried = 6;
+  constexpr double kSlowly = 1.0;  // Hz: the first frame alone is looked at
+  const std::vector<std::string>& names = file.rig.animations;
+  for (std::size_t i = 0; i < std::min(names.size(), kTried); ++i) {
+    const Result<GltfMotion> moving = parse_gltf_animation(
+        *file.rig.bytes, file.rig.file.string(), {.animation = names[i], .frame_rate = kSlowly});
+    if (!moving) continue;
+    const Result<MeasuredPerson> posed =
+        measure_posed(file.skeleton, moving->motion.clip, 0, found.map, found.person);
+    if (posed && stands_at_rest(posed->landmarks, found.person.stature)) return names[i];
+  }
+  return {};
+}
+
 Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec& spec) {
   Result<PersonStart> found = measure_at_rest(file, spec);
   if (!found) return found;
   found->eased = file.motion.frames == 0;
   if (found->eased) {
-    if (!rests(*found)) {
-      found->start.doubts.push_back(fmt::format(
-          "the nodes do not rest as who stands does{}",
-          file.rig.animations.empty()
-              ? ""
-              : fmt::format(": a frame of an animation may ('{}', with --animation and --frame)",
-                            file.rig.animations.front())));
-    }
+    if (rests(*found)) return found;
+    const std::string better = standing_animation(file, *found);
+    found->start.doubts.push_back(fmt::format(
+        "the nodes do not rest as who stands does{}",
+        better.empty() ? ""
+                       : fmt::format("; frame 0 of the animation '{}' does: --animation", better)));
     return found;
   }
   const Result<int> frame = frame_of(file.motion, spec);

@@ -35,21 +35,21 @@ int named_node(const std::string& name, const std::vector<std::string>& nodes,
   return place == indices.end() ? -1 : static_cast<int>(place - indices.begin());
 }
 
-// What `shigusa body` prints of a character: of each bone the last line that begins with its name,
-// as the places of goals come before the bones.
+// The lines that `shigusa body` prints of a character's bones. Those of places that goals are for
+// have the same names and wider columns.
 BoneRequest bones_of_text(std::string_view text) {
   BoneRequest request;
   const std::vector<std::string> bones = bone_names();
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
+    constexpr std::size_t kColumn = 19;
     const std::size_t gap = line.find(' ');
     const std::size_t node = line.find_first_not_of(' ', gap);
     const std::string bone(line.substr(0, gap));
     const bool known = std::find(bones.begin(), bones.end(), bone) != bones.end();
     if (gap == line.npos || node == line.npos || !known) continue;
-    std::erase_if(request, [&](const auto& told) { return told.first == bone; });
-    request.emplace_back(bone, line.substr(node));
+    if (node == kColumn || node == gap + 1) request.emplace_back(bone, line.substr(node));
   }
   return request;
 }
@@ -81,6 +81,10 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
     told = place;
   }
   return map;
+}
+
+std::string no_person(const std::string& why) {
+  return fmt::format("no person: {}; if it is one, say which nodes are its bones with --map", why);
 }
 
 Result<BoneRequest> bone_request(const Json& json) {

@@ -17,6 +17,10 @@ namespace shigusa {
                                                   const std::string& file,
                                                   const std::vector<int>& indices = {});
 
+// The refusal of a figure for that reason, see unlike_a_person. What a person says of its bones
+// goes before it.
+[[nodiscard]] std::string no_person(const std::string& why);
+
 // {"right_hand": "Bone_17", …}; fails on anything but an object of texts.
 [[nodiscard]] Result<BoneRequest> bone_request(const Json& json);
 

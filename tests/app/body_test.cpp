@@ -113,12 +113,13 @@ TEST_F(Body, MapTakesWhatBodyPrinted) {
     const std::string name = node.value("name", "");
     if (name == "right_hand") node["name"] = "NPC R Hand [RHnd]";
     if (name == "left_hand") node["name"] = "左手首";
-    if (name.ends_with("_toes")) node["name"] = "Toe";
+    if (name.ends_with("_foot")) node["name"] = "Foot";
   }
   work_.put("odd.glb", testing_support::glb(file.dump()));
   const Json humanoid = json({"odd.glb"}).at("humanoid");
   EXPECT_EQ(humanoid.at("right_hand"), "NPC R Hand [RHnd]");
-  EXPECT_EQ(humanoid.at("right_toes"), "Toe_2");
+  EXPECT_EQ(humanoid.at("left_foot").get<std::string>().substr(0, 4), "Foot");
+  EXPECT_NE(humanoid.at("left_foot"), humanoid.at("right_foot"));
   for (const bool as_json : {false, true}) {
     const ProgramRun printed = as_json ? body({"odd.glb", "--json"}) : body({"odd.glb"});
     work_.put("map.txt", printed.out);

@@ -626,7 +626,7 @@ TEST(HumanoidMap, StickOfTwoNodesIsRefused) {
 
 TEST(HumanoidMap, BodyWithoutLengthIsRefused) {
   EXPECT_EQ(error_of(standing_figure().transformed({{}, {}, {}})),
-            "no body: all 25 nodes stand at one point");
+            "no skeleton in this file: its 25 nodes stand at one point");
 }
 
 TEST(HumanoidMap, EmptySkeletonIsRefused) {

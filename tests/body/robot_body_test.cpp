@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -121,6 +122,65 @@ TEST(RobotBody, StandsOnItsSoles) {
     EXPECT_NEAR(norm(foot.outline[0] - foot.outline[1]), 0.2, 1e-9);
     EXPECT_NEAR(norm(foot.outline[1] - foot.outline[2]), 0.1, 1e-9);
   }
+}
+
+// The small robot with other shapes for its soles.
+BodyModel with_soles(const std::string& shapes) {
+  std::string text = RobotFile().text();
+  const std::string box =
+      "<collision><origin xyz=\"0.03 0 -0.04\"/><geometry><box size=\"0.2 0.1 0.02\"/>"
+      "</geometry></collision>";
+  for (std::size_t at = text.find(box); at != text.npos; at = text.find(box, at + 1)) {
+    text.replace(at, box.size(), shapes);
+  }
+  const Robot robot = parse_urdf(text, "small.urdf").value();
+  return build_robot(robot, find_humanoid(robot).value()).value();
+}
+
+std::string shape(const char* geometry, const char* xyz, const char* rpy = "0 0 0") {
+  return fmt::format(
+      "<collision><origin xyz=\"{}\" rpy=\"{}\"/><geometry>{}</geometry></collision>", xyz, rpy,
+      geometry);
+}
+
+// Height of the foot's frame, at the ankle's first joint, over the sole.
+double ankle_height(const BodyModel& body) { return -body.feet()[0].outline[0].y; }
+
+// Shapes on one line, or of which one alone touches the floor, leave no area.
+TEST(RobotBody, SoleIsWhereShapesEnd) {
+  const std::string line = shape("<sphere radius=\"0.01\"/>", "0.1 0 -0.08") +
+                           shape("<sphere radius=\"0.01\"/>", "-0.05 0 -0.08");
+  const std::string rocker = shape("<box size=\"0.2 0.1 0.02\"/>", "0.03 0 -0.06") +
+                             shape("<sphere radius=\"0.01\"/>", "0.03 0 -0.08");
+  const std::string capsule =
+      shape("<capsule radius=\"0.02\" length=\"0.2\"/>", "0.03 0 -0.07", "0 1.5707963 0");
+  for (const std::string& shapes : {line, rocker, capsule}) {
+    EXPECT_NEAR(ankle_height(with_soles(shapes)), 0.10, 1e-6) << shapes;
+  }
+  // an area is the feet's own where shapes have one
+  const BodyModel body = with_soles(rocker);
+  EXPECT_NEAR(norm(body.feet()[0].outline[0] - body.feet()[0].outline[1]), 0.2, 1e-9);
+}
+
+TEST(RobotBody, ArmThatEndsAtItsElbowHasAHandWithADoubt) {
+  const Robot robot = with_hands(parse_urdf(RobotFile(false).text(), "small.urdf").value());
+  const BodyModel body = build_robot(robot, find_humanoid(robot).value()).value();
+  EXPECT_EQ(body.effectors()[1].name, "left_hand");
+  EXPECT_TRUE(body.find_dof("left_elbow.flexion"));
+  EXPECT_TRUE(body.find_dof("left_shoulder.rotation"));
+  EXPECT_THAT(body.doubts(), testing::Contains(testing::HasSubstr(
+                                 "link 'left_forearm' ends its arm: the hand is taken to be 0.20 m "
+                                 "on, twice as far as its centre of mass")));
+}
+
+TEST(RobotBody, FramesOnAFootTellNothingOfItsFacing) {
+  std::string text = RobotFile().text();
+  text.replace(text.find("</robot>"), 8,
+               "<joint name=\"c\" type=\"fixed\"><parent link=\"left_sole\"/><child link=\"c\"/>"
+               "<origin xyz=\"-0.3 0 0\"/></joint><link name=\"c\"/></robot>");
+  const Robot robot = parse_urdf(text, "small.urdf").value();
+  EXPECT_THAT(find_humanoid(robot).value().doubts,
+              testing::Not(testing::Contains(testing::HasSubstr("backwards"))));
 }
 
 TEST(RobotBody, HandsEndAtThePalmsFrame) {

@@ -45,6 +45,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
 
+  if (const auto bound = gltf_bind_pose(bytes, "fuzz.glb", *file)) {
+    if (bound->local.size() != skeleton.nodes.size()) std::abort();
+    if (bound->places.size() != skeleton.nodes.size()) std::abort();
+    for (const LocalTransform& local : bound->local) {
+      const Vec3d& at = local.translation;
+      const Quatd& q = local.rotation;
+      if (!is_finite(at.x + at.y + at.z + q.x + q.y + q.z + q.w)) std::abort();
+    }
+  }
+
   const Skin skin = read_gltf_skin(bytes, "fuzz.glb", *file, file->places);
   for (const SkinVertex& vertex : skin.vertices) {
     const Vec3d& at = vertex.position;

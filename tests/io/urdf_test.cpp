@@ -73,6 +73,27 @@ TEST(Urdf, ContinuousJointsAndWholeTurnsHaveNoLimits) {
   }
 }
 
+TEST(Urdf, WhatStandsForNoLimitIsNone) {
+  for (const char* effort : {"1e+9", "inf", "INF", "1000000000", "1.5e12", "nan", "1e999"}) {
+    const std::string text = with(kTwoLinks, "effort=\"7\"", fmt::format("effort=\"{}\"", effort));
+    const Result<Robot> robot = parse_urdf(text, "r.urdf");
+    ASSERT_TRUE(robot) << robot.error().to_string();
+    EXPECT_EQ(robot->joints[0].effort, 0.0) << effort;
+    EXPECT_EQ(robot->joints[0].upper, 2.0);
+  }
+  const Robot small = parse_urdf(with(kTwoLinks, "\"7\"", "\"1e-9\""), "r.urdf").value();
+  EXPECT_EQ(small.joints[0].effort, 1e-9);
+  for (const char* wide : {"lower=\"-inf\" upper=\"inf\"", "lower=\"-1e20\" upper=\"+1E20\""}) {
+    const Robot robot =
+        parse_urdf(with(kTwoLinks, "lower=\"-1\" upper=\"2\"", wide), "r.urdf").value();
+    EXPECT_TRUE(robot.joints[0].turns);
+    EXPECT_FALSE(robot.joints[0].limited) << wide;
+  }
+  const Result<Robot> without = parse_urdf(with(kTwoLinks, " effort=\"7\"", ""), "r.urdf");
+  ASSERT_TRUE(without) << without.error().to_string();
+  EXPECT_EQ(without->joints[0].effort, 0.0);
+}
+
 TEST(Urdf, ReductionKeepsTheRobotAndLeavesOutMeshes) {
   const std::string text = RobotFile().text();
   const std::string reduced = reduced_urdf(text, "small.urdf").value();

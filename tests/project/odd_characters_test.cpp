@@ -7,6 +7,7 @@
 #include <project/character_export.hpp>
 #include <shigusa/project/export.hpp>
 
+#include "support/convention.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
 
@@ -305,6 +306,60 @@ TEST(OddCharacter, ATrunkBesideItsLimbsIsFoundAndGoesWithThem) {
                              {"head", "left_shoulder"}}) {
     EXPECT_NEAR(between(a, b, 1), between(a, b, 0), 1e-9) << a << ' ' << b;
   }
+}
+
+// A giant of 3.2 m and a toy of 0.3: a person of 1.70 m moves, and the file's own size stays.
+TEST(OddCharacter, OfNoPersonsSizeMovesAsAPersonAndPlaysOnItsFile) {
+  for (const double size : {0.3, 3.2}) {
+    json gltf = person_gltf();
+    const double scale = size / 1.741;
+    put_below(gltf, {{"scale", {scale, scale, scale}}});
+    TaskFile file;
+    file.character = {.source = "odd.glb"};
+    ASSERT_TRUE(load_character(glb(gltf.dump(), "data"), file.character));
+    EXPECT_EQ(*file.character.stature, 1.7);
+    EXPECT_THAT(file.character.doubts, Contains(HasSubstr("a stature of 1.70 m is guessed")));
+    file.goals = {{"right_hand", Vec3d{-0.1, 0.4, 0.3} * 1.7}};
+    const Task task = make_task(file, {}).value();
+    EXPECT_NEAR(task.body.mass(), default_mass(1.7, Sex::male), 1e-9);
+    const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+    ASSERT_EQ(generation.status, ReachStatus::reached);
+    const Clip& clip = generation.candidates[0].motion.clip;
+    const CharacterExporter exporter(*file.character.rig);
+    const GltfAnimation animation = exporter.animation(task.body, clip, kMotion);
+    const ExportedGlb out(exporter.glb(std::span(&animation, 1)).value());
+    const double unit = file.character.rig->rig.placement.unit;
+    EXPECT_NEAR(unit, 1.7 / size, 0.01 / size);
+    const int hand =
+        file.character.rig
+            ->file_node[static_cast<std::size_t>(rig_node(file.character, "right_hand_grip"))];
+    const Vec3d end = out.at(hand, kMotion, clip.frames - 1) * unit;
+    EXPECT_LE(norm(end - file.goals[0].position), kMillimetre);
+  }
+}
+
+TEST(OddCharacter, AnimalsAreRefusedUnlessAPersonInsists) {
+  const StickFigure fox =
+      read_convention(std::filesystem::path(SHIGUSA_SOURCE_DIR) / "tests/animals/fox.txt").figure;
+  json file{{"asset", {{"version", "2.0"}}}, {"nodes", json::array()}};
+  for (const StickFigure::Point& point : fox.points) {
+    const Vec3d from =
+        point.parent < 0 ? Vec3d{} : fox.points[static_cast<std::size_t>(point.parent)].at;
+    const Vec3d off = point.at - from;
+    if (point.parent >= 0) {
+      file["nodes"][static_cast<std::size_t>(point.parent)]["children"].push_back(
+          file["nodes"].size());
+    }
+    file["nodes"].push_back({{"name", point.name}, {"translation", {off.x, off.y, off.z}}});
+  }
+  CharacterSpec spec{.source = "fox.glb"};
+  const auto refused = load_character(glb(file.dump()), spec);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(
+      refused.error().to_string(),
+      testing::AllOf(HasSubstr("fox.glb: no person: it stands on four legs"), HasSubstr("--map")));
+  CharacterSpec insisted{.source = "fox.glb", .map = {{"head", "b_Head_05"}}};
+  EXPECT_TRUE(load_character(glb(file.dump()), insisted));
 }
 
 TEST(OddCharacter, SidesThatNamesExchangeAreADoubt) {

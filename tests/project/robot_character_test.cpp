@@ -121,6 +121,32 @@ TEST_F(RobotCharacter, LayersSayThatTheyAreForPeople) {
   EXPECT_THAT(generation.error().message, HasSubstr("layers are for bodies"));
 }
 
+// Four legs of three joints each below a level trunk.
+TEST_F(RobotCharacter, OnFourLegsIsRefused) {
+  std::string text =
+      "<robot name=\"dog\"><link name=\"base\"><inertial><mass value=\"9\"/>"
+      "<inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>"
+      "</inertial></link>";
+  const auto joint = [&](const std::string& parent, const std::string& child, const char* xyz) {
+    text += fmt::format(
+        "<link name=\"{1}\"/><joint name=\"{1}_joint\" type=\"continuous\"><parent link=\"{0}\"/>"
+        "<child link=\"{1}\"/><origin xyz=\"{2}\"/><axis xyz=\"0 1 0\"/></joint>",
+        parent, child, xyz);
+  };
+  for (const auto& [leg, xyz] : {std::pair("FL", "0.3 0.1 0"), std::pair("FR", "0.3 -0.1 0"),
+                                 std::pair("RL", "-0.3 0.1 0"), std::pair("RR", "-0.3 -0.1 0")}) {
+    const std::string name(leg);
+    joint("base", name + "_a", xyz);
+    joint(name + "_a", name + "_b", "0 0 -0.2");
+    joint(name + "_b", name + "_c", "0 0 -0.2");
+    joint(name + "_c", name + "_d", "0.03 0 -0.02");
+  }
+  file_.character.source = folder_.put("dog.urdf", text + "</robot>");
+  const Result<Task> task = make_task(file_, {});
+  ASSERT_FALSE(task);
+  EXPECT_THAT(task.error().to_string(), HasSubstr("dog.urdf: no person: it stands on four legs"));
+}
+
 TEST_F(RobotCharacter, ThatIsNoHumanoidIsToldSo) {
   file_.character.source = folder_.put(
       "arm.urdf",

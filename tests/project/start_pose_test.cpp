@@ -162,8 +162,31 @@ constexpr Bend kLeap[] = {{"right_upper_leg", Axis::x, -80.0},
                           {"hips", Axis::x, 20.0},
                           {"right_upper_arm", Axis::x, -120.0}};
 
+// An animation whose only frame has no node turned, as the person's nodes are where they stand.
+json standing_animation(json& file, std::string& binary) {
+  binary.clear();
+  const auto put = [&](float x) { binary += word_bytes(std::bit_cast<std::uint32_t>(x)); };
+  put(0.0f);
+  for (const float x : {0.0f, 0.0f, 0.0f, 1.0f}) put(x);
+  file["buffers"] = {{{"byteLength", binary.size()}}};
+  file["bufferViews"] = {{{"buffer", 0}, {"byteLength", 4}},
+                         {{"buffer", 0}, {"byteOffset", 4}, {"byteLength", 16}}};
+  file["accessors"] = {
+      {{"bufferView", 0}, {"componentType", 5126}, {"count", 1}, {"type", "SCALAR"}},
+      {{"bufferView", 1}, {"componentType", 5126}, {"count", 1}, {"type", "VEC4"}}};
+  json animation{{"name", "stand"}, {"samplers", {{{"input", 0}, {"output", 1}}}}};
+  for (std::size_t i = 0; i < file["nodes"].size(); ++i) {
+    for (const Bend& bend : kLeap) {
+      if (file["nodes"][i].value("name", "") != bend.node) continue;
+      animation["channels"].push_back(
+          {{"sampler", 0}, {"target", {{"node", i}, {"path", "rotation"}}}});
+    }
+  }
+  return animation;
+}
+
 // A person bound as they stand, below an armature with z up, whose nodes rest in a leap.
-std::string leaping_glb(bool skinned) {
+std::string leaping_glb(bool skinned, bool animated = false) {
   json file = person_gltf();
   const SinCos<double> half = sin_cos(radians(-45.0));
   json& nodes = file["nodes"];
@@ -206,6 +229,12 @@ std::string leaping_glb(bool skinned) {
       const Quatd turned = about(axis, angle_deg) * Quatd{q[0], q[1], q[2], q[3]};
       node["rotation"] = {turned.x, turned.y, turned.z, turned.w};
     }
+  }
+  if (animated) {
+    file["animations"] = {
+        {{"name", "still"}, {"samplers", json::array()}, {"channels", json::array()}},
+        standing_animation(file, binary)};
+    return glb(file.dump(), binary);
   }
   if (!skinned) return glb(file.dump());
   file["skins"] = {{{"joints", joints}, {"inverseBindMatrices", 0}}};
@@ -254,6 +283,13 @@ TEST(StartPose, NodesInALeapWithoutABoundPoseAreADoubt) {
   const auto spec = loaded(leaping_glb(false), {.source = "leap.glb"});
   ASSERT_TRUE(spec) << spec.error().to_string();
   EXPECT_THAT(spec->doubts, Contains(HasSubstr("the nodes do not rest as who stands does")));
+}
+
+TEST(StartPose, AnimationThatWouldDoIsNamed) {
+  const auto spec = loaded(leaping_glb(false, true), {.source = "leap.glb"});
+  ASSERT_TRUE(spec) << spec.error().to_string();
+  EXPECT_THAT(spec->doubts,
+              Contains(HasSubstr("frame 0 of the animation 'stand' does: --animation")));
 }
 
 TEST(StartPose, PeopleAtRestAreToldFromThoseInMotion) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <body/stick_figure.hpp>
 #include <filesystem>
 #include <fstream>

@@ -12,7 +12,8 @@ namespace shigusa::testing_support {
 
 class RobotFile {
  public:
-  RobotFile() {
+  // `hands`: else the arms end at the elbows
+  explicit RobotFile(bool hands = true) : hands_(hands) {
     link("pelvis", 6.0, "0 0 0.05");
     for (const char* side : {"left", "right"}) add_leg(side, side[0] == 'l' ? 1.0 : -1.0);
     joint("waist_yaw", "pelvis", "waist", "0 0 0.1", "0 0 0", "0 0 1", -1.2, 1.2, 90);
@@ -91,6 +92,7 @@ class RobotFile {
     joint(p + "elbow", p + "upper_arm", p + "forearm", "0 0 -0.2", "0 0 0", "0 1 0", -2.2, -0.2,
           30);
     link(p + "forearm", 0.8, "0 0 -0.1");
+    if (!hands_) return;
     body_ += fmt::format(
         "<joint name=\"{0}wrist\" type=\"continuous\"><parent link=\"{0}forearm\"/>"
         "<child link=\"{0}wrist\"/><origin xyz=\"0 0 -0.2\"/><axis xyz=\"0 0 2\"/></joint>\n"
@@ -114,6 +116,7 @@ class RobotFile {
     link(p + "thumb", 0.02, "0 0 -0.01");
   }
 
+  bool hands_;
   std::string body_;
 };
 

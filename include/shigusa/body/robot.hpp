@@ -3,6 +3,7 @@
 
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/body/landmarks.hpp>
 #include <shigusa/core/result.hpp>
 #include <string>
 #include <vector>
@@ -42,6 +43,13 @@ struct Robot {
 // Places of the links (links) where all angles are 0, in the root's frame.
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);
 
+// The robot with a link for the hand, fixed at the end of the forearm, where an arm ends at its
+// elbow, with a doubt.
+[[nodiscard]] Robot with_hands(Robot robot);
+
+// The joints of a robot's limbs where all angles are 0, in the root's frame; other landmarks are 0.
+[[nodiscard]] Landmarks limbs_of(const Robot& robot, const HumanoidMap& map);
+
 // The humanoid bones among a robot's links (see find_humanoid). Where neither names nor feet tell
 // left from right, +y of a robot with z up is left. Toes are only what is called so, or asked for.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked = {});
@@ -58,8 +66,8 @@ struct Robot {
 // - Limits and strengths are the file's. A joint that may turn all the way round has a person's
 //   limits where it is a person's joint; one without effort gets a person's strength, by the
 //   robot's weight.
-// - The sole is what the foot collides with, else the lowest frame that is fixed to it, else a
-//   person's.
+// - The sole is where what the foot collides with ends, else the lowest frame that is fixed to it,
+//   else a person's.
 // - Hands end at the frame of a gripper, palm or hand that is fixed beyond the wrist, else at the
 //   wrist's link.
 // - Stature is that of a person with such legs and trunk.
