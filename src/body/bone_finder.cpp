@@ -82,6 +82,7 @@ void BoneFinder::leave_to_deforming_bones() {
     }
   }
   if (deforming < kFewest) return;
+  deforming_only_ = true;
   for (int i = 0; i < tree_.size(); ++i) {
     if (name(i).side != NameSide::none && !deforms(i)) {
       names_[static_cast<std::size_t>(i)].part = BonePart::none;

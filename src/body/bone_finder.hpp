@@ -60,6 +60,8 @@ class BoneFinder {
   [[nodiscard]] std::vector<int> called(std::size_t limb, std::size_t k,
                                         const std::vector<BonePart>& parts) const;
   void find_in_row(std::size_t limb, const std::vector<int>& ends, LimbNodes& nodes) const;
+  void read_arm_as_forearm(const std::vector<int>& uppers, const std::vector<int>& ends,
+                           LimbNodes& nodes) const;
   int end_beside(const std::vector<int>& ends, const LimbNodes& nodes, std::size_t limb);
   int end_below(const LimbNodes& nodes, std::size_t limb);
   [[nodiscard]] int nearest_to_mean(const std::vector<int>& nodes) const;
@@ -78,6 +80,7 @@ class BoneFinder {
 
   // what is between and beyond them
   bool find_hips();
+  [[nodiscard]] int deforming_trunk() const;
   void find_trunk_branch();
   void find_neck_and_head();
   [[nodiscard]] int head_by_shape() const;
@@ -97,8 +100,9 @@ class BoneFinder {
   bool any_given_ = false;       // by the file
   std::vector<BoneName> names_;  // (nodes)
   HumanoidMap map_;
-  int chest_ = -1;     // where the arms meet, or the trunk ends
-  bool flat_ = false;  // the arms hang on no trunk
+  int chest_ = -1;               // where the arms meet, or the trunk ends
+  bool deforming_only_ = false;  // names count of bones called DEF- alone
+  bool flat_ = false;            // the arms hang on no trunk
 };
 
 }  // namespace shigusa

@@ -41,6 +41,7 @@ bool BoneFinder::find_by_name(std::size_t limb) {
     if (end >= 0) break;
   }
   find_in_row(limb, ends, best);
+  if (best[1] < 0 && best[0] >= 0) read_arm_as_forearm(uppers, ends, best);
   if (best[1] >= 0 && best[2] < 0) best[2] = end_beside(ends, best, limb);
   if (best[1] >= 0 && best[2] < 0) best[2] = end_below(best, limb);
   if (best[2] >= 0) pass_collar(best);
@@ -76,6 +77,22 @@ void BoneFinder::find_in_row(std::size_t limb, const std::vector<int>& ends,
     if (nodes[1] < 0 || off_middle(i) < off_middle(nodes[1])) nodes[1] = i;
   }
   nodes[2] = nodes[1] < 0 ? -1 : end;
+}
+
+// An arm below a shoulder is a forearm where it leads to a hand and the shoulder before it is of an
+// upper arm's length: a collar bone is shorter.
+void BoneFinder::read_arm_as_forearm(const std::vector<int>& uppers, const std::vector<int>& ends,
+                                     LimbNodes& nodes) const {
+  constexpr double kShortest = 0.5;  // of the forearm
+  const int end = first_below(ends, nodes[0]);
+  if (end < 0) return;
+  const auto length = [&](int from, int to) { return norm(tree_.at(to) - tree_.at(from)); };
+  for (const int upper : uppers) {
+    if (name(upper).part != BonePart::shoulder || !strictly_below(nodes[0], upper)) continue;
+    if (length(upper, nodes[0]) < kShortest * length(nodes[0], end)) continue;
+    nodes = {upper, nodes[0], end};
+    return;
+  }
 }
 
 // A foot that hangs on a root, as a control, at the end of a shank without one (Quaternius), or

@@ -17,10 +17,16 @@ constexpr double kLeastSpine = 0.03;
 
 bool BoneFinder::find_hips() {
   const auto meet = [&](Bone a, Bone b) { return tree_.common_ancestor(map_[a], map_[b]); };
-  const int legs = meet(Bone::left_upper_leg, Bone::right_upper_leg);
+  int legs = meet(Bone::left_upper_leg, Bone::right_upper_leg);
   chest_ = meet(Bone::left_upper_arm, Bone::right_upper_arm);
-  const int all = legs < 0 || chest_ < 0 ? -1 : tree_.common_ancestor(legs, chest_);
+  int all = legs < 0 || chest_ < 0 ? -1 : tree_.common_ancestor(legs, chest_);
   if (all < 0) return false;
+  if (const int trunk = deforming_trunk(); trunk >= 0 && !tree_.below(chest_, trunk)) {
+    all = tree_.common_ancestor(all, trunk);
+    if (all < 0) return false;
+    chest_ = legs = all;
+    flat_ = true;
+  }
   // a root in the chest: the legs hang together below it
   const int lowest = all == chest_ ? legs : all;
   map_[Bone::hips] = lowest;
@@ -39,6 +45,15 @@ bool BoneFinder::find_hips() {
   return true;
 }
 
+// The first of the trunk's bones called DEF-, where those of the limbs were taken, or -1.
+int BoneFinder::deforming_trunk() const {
+  const auto is_trunk = [this](int i) { return name(i).part == BonePart::spine && deforms(i); };
+  for (int i = 0; deforming_only_ && i < tree_.size(); ++i) {
+    if (is_trunk(i)) return i;
+  }
+  return -1;
+}
+
 // Where all limbs hang on one node, as the deforming bones of a Rigify rig do without the others,
 // the trunk is a branch beside them: its last joint below the shoulders bears neck and head.
 void BoneFinder::find_trunk_branch() {
@@ -49,9 +64,8 @@ void BoneFinder::find_trunk_branch() {
   }
   const Vec3d from = (at(Bone::left_upper_leg) + at(Bone::right_upper_leg)) * 0.5;
   const Vec3d way = (at(Bone::left_upper_arm) + at(Bone::right_upper_arm)) * 0.5 - from;
-  if (chest_ != tree_.common_ancestor(map_[Bone::left_upper_leg], map_[Bone::right_upper_leg])) {
-    return;
-  }
+  const int legs = tree_.common_ancestor(map_[Bone::left_upper_leg], map_[Bone::right_upper_leg]);
+  if (chest_ != legs && !flat_) return;
   constexpr double kShoulders = 0.9;  // of the way
   constexpr double kAside = 0.3;
   for (const int child : tree_.children(chest_)) {
@@ -218,10 +232,12 @@ void BoneFinder::find_shoulder(Bone shoulder, Bone upper_arm) {
   if (!joints.empty() && tree_.apart(joints.front(), arm)) map_[shoulder] = joints.front();
 }
 
-// Of limbs that hang on no trunk, by its name.
+// Of limbs that hang on no trunk, as it is given or by its name.
 void BoneFinder::find_collar_beside(Bone shoulder, int arm) {
   const NameSide side = shoulder == Bone::left_shoulder ? NameSide::left : NameSide::right;
-  for (const int i : named(side, {BonePart::collar, BonePart::shoulder})) {
+  std::vector<int> collars = named(side, {BonePart::collar, BonePart::shoulder});
+  if (const int given = given_[shoulder]; given >= 0) collars.insert(collars.begin(), given);
+  for (const int i : collars) {
     const bool bears_limb = tree_.below(arm, i) || tree_.below(i, arm);
     if (bears_limb || !tree_.apart(i, arm)) continue;
     map_[shoulder] = i;

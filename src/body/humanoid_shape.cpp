@@ -78,7 +78,8 @@ bool independent(const SkeletonTree& tree, const BranchPair& legs, const BranchP
     }
     return true;
   }
-  return tree.below(arms.node, legs.node) && !tree.below(arms.node, legs.branch[0]) &&
+  // a pelvis may be a branch beside the spine
+  return !tree.below(legs.node, arms.node) && !tree.below(arms.node, legs.branch[0]) &&
          !tree.below(arms.node, legs.branch[1]);
 }
 
