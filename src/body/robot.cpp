@@ -57,6 +57,45 @@ std::optional<Vec3d> forearm_end(const Robot::Link& link) {
   return norm(along) > kShortest ? std::optional(along) : std::nullopt;
 }
 
+// The joint that a link hangs on, or -1.
+int carrier_of(const Robot& robot, int link) {
+  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&](const Robot::Joint& joint) { return joint.child == link; });
+  return found == robot.joints.end() ? -1 : static_cast<int>(found - robot.joints.begin());
+}
+
+// Moves a link's frame in it; what the link has stays where it is.
+void move_frame(Robot& robot, int link, const Vec3d& by) {
+  Robot::Link& moved = robot.links[static_cast<std::size_t>(link)];
+  moved.com = moved.com - by;
+  for (Vec3d& corner : moved.corners) corner = corner - by;
+  for (Robot::Joint& joint : robot.joints) {
+    if (joint.parent == link) joint.origin.translation += -by;
+    if (joint.child == link) joint.origin.translation += joint.origin.rotation * by;
+  }
+}
+
+// Makes a fixed joint between shank and foot an ankle that turns about the knee's axis.
+void add_ankle(Robot& robot, int foot, const Robot::Joint& knee, int fixed) {
+  constexpr double kAnkle = 0.137;  // of the way from a person's knee to the sole, from the sole
+  const std::vector<Transformd> places = robot_places(robot);
+  const auto at = [&](int link) { return places[static_cast<std::size_t>(link)]; };
+  const Vec3d from = at(knee.child).translation;
+  const Vec3d along = normalized(at(foot).translation - from);
+  double sole = 0.0;
+  for (const Vec3d& corner : robot.links[static_cast<std::size_t>(foot)].corners) {
+    sole = max(sole, dot(at(foot) * corner - from, along));
+  }
+  Robot::Joint& joint = robot.joints[static_cast<std::size_t>(fixed)];
+  const Transformd child = at(joint.child);
+  const double length = sole > 0.0 ? (1.0 - kAnkle) * sole : norm(at(foot).translation - from);
+  move_frame(robot, joint.child,
+             transpose_times(child.rotation, from + along * length - child.translation));
+  joint.axis = transpose_times(child.rotation, at(knee.child).rotation * knee.axis);
+  joint.turns = joint.moves = true;
+  joint.name = robot.links[static_cast<std::size_t>(foot)].name + "_ankle";
+}
+
 bool is_toe(std::string_view link) { return read_bone_name(link).part == BonePart::toes; }
 
 }  // namespace
@@ -100,6 +139,34 @@ Robot with_hands(Robot robot) {
                        .origin = {Mat3d{}, *end}};
     robot.links.emplace_back().name = hand;
     robot.joints.push_back(std::move(fixed));
+  }
+  return robot;
+}
+
+Robot with_ankles(Robot robot, const HumanoidMap& map) {
+  using Bone = HumanoidBone;
+  std::vector<std::string> added;
+  for (const auto& [shank, foot] : {std::pair(Bone::left_lower_leg, Bone::left_foot),
+                                    std::pair(Bone::right_lower_leg, Bone::right_foot)}) {
+    const int knee = carrier_of(robot, map[shank]);
+    if (knee < 0 || !robot.joints[static_cast<std::size_t>(knee)].turns) continue;
+    int first = -1;  // the joint by which the foot hangs on the shank
+    bool turns = false;
+    for (int link = map[foot]; link != map[shank];) {
+      first = carrier_of(robot, link);
+      if (first < 0) break;
+      turns = turns || robot.joints[static_cast<std::size_t>(first)].turns;
+      link = robot.joints[static_cast<std::size_t>(first)].parent;
+    }
+    if (first < 0 || turns) continue;
+    add_ankle(robot, map[foot], robot.joints[static_cast<std::size_t>(knee)], first);
+    added.push_back(robot.joints[static_cast<std::size_t>(first)].name);
+  }
+  if (!added.empty()) {
+    robot.doubts.push_back(fmt::format(
+        "the legs have no ankles: joints that the file lacks, '{}' the first, are added, about the "
+        "axes of the knees",
+        added[0]));
   }
   return robot;
 }

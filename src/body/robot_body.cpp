@@ -270,7 +270,7 @@ Result<void> RobotBuilder::add_masses() {
       sum.add(LinkMass::of(l.mass, com, place.rotation * l.inertia * transpose(place.rotation)));
     }
     if (!(sum.mass > 0.0)) {
-      massless_.push_back(robot_.links[at(members_[g][0])].name);
+      if (!is_within_joint(g)) massless_.push_back(robot_.links[at(members_[g][0])].name);
       continue;
     }
     const int link = link_of_[g];
@@ -290,6 +290,20 @@ Result<void> RobotBuilder::add_masses() {
     dof.torque_positive = dof.torque_negative = usual_strength(dof.joint) * most;
   }
   return {};
+}
+
+// A link without length stands between two axes of one joint, and needs no mass.
+bool RobotBuilder::is_within_joint(std::size_t group) const {
+  constexpr double kApart = 0.05;  // of the stature, between the axes
+  for (const Moving& m : moving_) {
+    if (m.inner != static_cast<int>(group)) continue;
+    for (const Moving& other : moving_) {
+      const bool carries = other.outer == m.inner;
+      const double apart = norm(centre(*m.person) - centre(*other.person));
+      if (carries && apart < kApart * body_.stature) return true;
+    }
+  }
+  return false;
 }
 
 int RobotBuilder::dof_of(const PersonJoint& joint) const {

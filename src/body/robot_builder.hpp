@@ -62,6 +62,7 @@ class RobotBuilder {
   void add_dof(Moving& moving, int group, int parent);
   std::string unique(const std::string& name);
   Result<void> add_masses();
+  [[nodiscard]] bool is_within_joint(std::size_t group) const;
 
   [[nodiscard]] int dof_of(const PersonJoint& joint) const;
   [[nodiscard]] int link_of(int robot_link) const {

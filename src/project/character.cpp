@@ -88,7 +88,8 @@ bool is_complete(const CharacterSpec& spec) {
 }
 
 bool is_robot(const CharacterSpec& spec) {
-  return spec.urdf || (!spec.landmarks && file_kind(spec.source) == FileKind::urdf);
+  const FileKind kind = file_kind(spec.source);
+  return spec.urdf || (!spec.landmarks && (kind == FileKind::urdf || kind == FileKind::mjcf));
 }
 
 bool is_built_in(const CharacterSpec& spec) {
@@ -101,7 +102,7 @@ Result<void> check_source(const CharacterSpec& spec) {
   const std::vector<std::string> names(kBuiltIn.begin(), kBuiltIn.end());
   return fail(ErrorCode::invalid_argument,
               unknown_name("character", spec.source, names) +
-                  ", or a file that ends in .bvh, .glb, .gltf, .vrm or .urdf",
+                  ", or a file that ends in .bvh, .glb, .gltf, .vrm, .urdf or .xml",
               "character");
 }
 
@@ -113,13 +114,14 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   Result<std::string> bytes = read_character_bytes(path);
   if (!bytes) return tl::unexpected(bytes.error());
   spec.source = path.filename().string();
-  return load_character(std::move(*bytes), spec);
+  return load_character(std::move(*bytes), spec, path.parent_path());
 }
 
-Result<void> load_character(std::string bytes, CharacterSpec& spec) {
+Result<void> load_character(std::string bytes, CharacterSpec& spec,
+                            const std::optional<std::filesystem::path>& folder) {
   if (const auto ok = check_person(spec); !ok) return ok;
   if (const auto ok = check_source(spec); !ok) return ok;
-  if (is_robot(spec)) return load_robot(bytes, spec);
+  if (is_robot(spec)) return load_robot(bytes, spec, folder);
   Result<CharacterFile> file = parse_character(std::move(bytes), spec);
   if (!file) return tl::unexpected(file.error());
   Result<PersonStart> found = find_person(*file, spec);

@@ -7,6 +7,7 @@
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/io/gltf_write.hpp>
+#include <shigusa/io/mjcf.hpp>
 #include <shigusa/io/urdf.hpp>
 
 namespace shigusa {
@@ -97,6 +98,7 @@ FileKind file_kind(const std::string& name) {
   const std::string ending = file_ending(name);
   if (ending == ".bvh") return FileKind::bvh;
   if (ending == ".urdf") return FileKind::urdf;
+  if (ending == ".xml" || ending == ".mjcf") return FileKind::mjcf;
   for (const char* each : {".glb", ".gltf", ".vrm"}) {
     if (ending == each) return FileKind::gltf;
   }
@@ -107,6 +109,7 @@ Result<std::string> read_character_bytes(const std::filesystem::path& path) {
   const FileKind kind = file_kind(path.string());
   return read_text_file(path, kind == FileKind::bvh    ? kBvhMaxBytes
                               : kind == FileKind::urdf ? kUrdfMaxBytes
+                              : kind == FileKind::mjcf ? kMjcfMaxBytes
                                                        : kGltfMaxBytes);
 }
 

@@ -12,7 +12,7 @@ namespace shigusa {
 // The error of an animation that is asked for in a BVH file.
 [[nodiscard]] tl::unexpected<Error> holds_one_motion(const std::string& name);
 
-enum class FileKind { none, bvh, gltf, urdf };
+enum class FileKind { none, bvh, gltf, urdf, mjcf };
 
 // By the name's ending, in any case.
 [[nodiscard]] FileKind file_kind(const std::string& name);

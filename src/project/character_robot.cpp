@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <shigusa/body/likeness.hpp>
+#include <shigusa/io/mjcf.hpp>
 #include <shigusa/io/urdf.hpp>
 #include <shigusa/rollout/settled_posture.hpp>
 
+#include "character_file.hpp"
 #include "humanoid_request.hpp"
 
 namespace shigusa {
@@ -35,7 +37,17 @@ Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
       spec.map.empty() && !why.empty()) {
     return fail(ErrorCode::invalid_argument, no_person(why), name);
   }
-  return ReadRobot{std::move(*robot), std::move(*map)};
+  return ReadRobot{with_ankles(std::move(*robot), *map), std::move(*map)};
+}
+
+// A robot of an MJCF file as URDF, in which results keep robots.
+Result<std::string> urdf_of_mjcf(std::string_view bytes, CharacterSpec& spec,
+                                 const std::optional<std::filesystem::path>& folder) {
+  Result<Robot> robot =
+      parse_mjcf(bytes, spec.source, folder ? included_from(*folder) : MjcfInclude{});
+  if (!robot) return tl::unexpected(robot.error());
+  spec.doubts = std::move(robot->doubts);
+  return write_urdf(*robot);
 }
 
 }  // namespace
@@ -60,8 +72,11 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
   return {};
 }
 
-Result<void> load_robot(std::string_view bytes, CharacterSpec& spec) {
-  Result<std::string> text = reduced_urdf(bytes, spec.source);
+Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
+                        const std::optional<std::filesystem::path>& folder) {
+  const bool mjcf = file_kind(spec.source) == FileKind::mjcf;
+  Result<std::string> text =
+      mjcf ? urdf_of_mjcf(bytes, spec, folder) : reduced_urdf(bytes, spec.source);
   if (!text) return tl::unexpected(text.error());
   const Result<ReadRobot> read = read_robot(*text, spec);
   if (!read) return tl::unexpected(read.error());
@@ -77,6 +92,7 @@ Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
   const Result<BodyModel> body = build_robot(read->robot, read->map);
   if (!body) return fail(body.error().code, body.error().to_string(), spec.source);
   BodyDefinition standing = body->definition();
+  standing.doubts.insert(standing.doubts.end(), spec.doubts.begin(), spec.doubts.end());
   standing.start = settled_posture(*body, standing.doubts);
   return BodyModel(std::move(standing));
 }

@@ -8,8 +8,10 @@ namespace shigusa {
 // Fails on what is of a person alone.
 [[nodiscard]] Result<void> check_robot_options(const CharacterSpec& spec);
 
-// Reads the robot of a URDF file: fills urdf and humanoid.
-[[nodiscard]] Result<void> load_robot(std::string_view bytes, CharacterSpec& spec);
+// Reads the robot of a URDF or MJCF file: fills urdf, humanoid and of MJCF doubts. What an MJCF
+// file includes is looked for in `folder`; nowhere without one.
+[[nodiscard]] Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
+                                      const std::optional<std::filesystem::path>& folder);
 
 // The body of a robot that was read, on settled feet.
 [[nodiscard]] Result<BodyModel> build_robot_character(const CharacterSpec& spec);

@@ -30,6 +30,7 @@ Json character_to_json(const CharacterSpec& c) {
   for (const auto& [bone, node] : c.map) json["map"][bone] = node;
   if (c.urdf) {
     json["urdf"] = *c.urdf;
+    if (!c.doubts.empty()) json["doubts"] = c.doubts;
     return json;
   }
   json["sex"] = c.sex == Sex::male ? "male" : "female";

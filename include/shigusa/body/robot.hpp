@@ -47,6 +47,11 @@ struct Robot {
 // elbow, with a doubt.
 [[nodiscard]] Robot with_hands(Robot robot);
 
+// The robot with ankles, where no joint turns between shank and foot, with a doubt: each turns
+// about the knee's axis, as high above the sole as a person's. Links keep their indices; the frame
+// of such a foot moves into its ankle.
+[[nodiscard]] Robot with_ankles(Robot robot, const HumanoidMap& map);
+
 // The joints of a robot's limbs where all angles are 0, in the root's frame; other landmarks are 0.
 [[nodiscard]] Landmarks limbs_of(const Robot& robot, const HumanoidMap& map);
 

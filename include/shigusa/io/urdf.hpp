@@ -30,4 +30,8 @@ inline constexpr double kUrdfMaxValue = 1e6;
 // Reads and reduces a file; parse_urdf takes the result.
 [[nodiscard]] Result<std::string> read_urdf(const std::filesystem::path& path);
 
+// The robot as a URDF file that parse_urdf reads as the same robot, its angles to a few 1e-16; a
+// link's corners are written as the boxes that they are of, by eights. Doubts are not written.
+[[nodiscard]] std::string write_urdf(const Robot& robot);
+
 }  // namespace shigusa

@@ -50,8 +50,8 @@ inline constexpr int kRestPose = -1;
 
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
-  // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM or URDF file; for a
-  // person or a robot read before (landmarks, urdf below), only a name
+  // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, URDF or MJCF file; for
+  // a person or a robot read before (landmarks, urdf below), only a name
   std::string source = "full_body";
   std::optional<double> stature{};  // m, 0.5..2.5
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
@@ -68,11 +68,12 @@ struct CharacterSpec {
   BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
-  std::optional<std::string> urdf{};  // the robot as read (reduced_urdf), in landmarks' place
+  // the robot as read (reduced_urdf; of MJCF write_urdf), in landmarks' place
+  std::optional<std::string> urdf{};
   // of a person: nodes of the file that are not where the body has those of their names, hips and
   // chest mostly (m, world, in the start posture): goals are for the file's
   std::vector<std::pair<std::string, Vec3d>> places{};
-  std::vector<std::string> doubts{};  // what was guessed in measuring
+  std::vector<std::string> doubts{};  // what was guessed in measuring, or left out of MJCF
   // what measuring found: humanoid bone and the file's node for it; not kept in files
   std::vector<std::pair<std::string, std::string>> humanoid{};
   std::optional<CharacterRig> rig{};  // not kept in files either
@@ -97,8 +98,11 @@ struct CharacterSpec {
 
 // Measures the person or robot of a file in memory: the file's name in spec.source tells its kind,
 // and errors name it. Fills stature, landmarks, doubts and rig, of a robot urdf. A rest pose is
-// mostly a T: from that the person stands at_ease. A robot has its own stature and mass.
-[[nodiscard]] Result<void> load_character(std::string bytes, CharacterSpec& spec);
+// mostly a T: from that the person stands at_ease. A robot has its own stature and mass. Files that
+// an MJCF file includes are looked for in `folder`, where there is one.
+[[nodiscard]] Result<void> load_character(
+    std::string bytes, CharacterSpec& spec,
+    const std::optional<std::filesystem::path>& folder = std::nullopt);
 
 // The same by the file that `source` names, if it does and has not been measured yet; leaves the
 // file's bare name as the source. A relative path starts at `folder`.

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "mjcf_files.hpp"
+
+#include <algorithm>
+#include <shigusa/io/file.hpp>
+
+namespace shigusa {
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string result;
+  for (const char c : text.substr(0, kLongest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7F ? '?' : c;
+  }
+  return text.size() > kLongest ? "'" + result + "…'" : "'" + result + "'";
+}
+
+MjcfInclude included_from(std::filesystem::path folder) {
+  return [folder = std::move(folder)](const std::string& file) -> Result<std::string> {
+    namespace fs = std::filesystem;
+    std::error_code failed;
+    const fs::path base = fs::weakly_canonical(folder.empty() ? "." : folder, failed);
+    const fs::path path = fs::weakly_canonical(base / file, failed);
+    const fs::path within = path.lexically_relative(base);
+    if (failed || within.empty() || *within.begin() == ".." || fs::path(file).is_absolute()) {
+      return fail(ErrorCode::invalid_argument,
+                  "stands outside the model's folder: put it there, or leave it out", file);
+    }
+    return read_text_file(path, kMjcfMaxBytes);
+  };
+}
+
+MjcfFiles::MjcfFiles(std::string_view text, std::string_view name, const MjcfInclude& include) {
+  root_ = parse(text, std::string(name));
+  if (root_ == nullptr) return;
+  if (std::string_view(root_->Name()) != "mujoco") {
+    wrong(*root_, "<{}> in place of <mujoco>: this is no MJCF file", root_->Name());
+  } else {
+    follow(*root_, include);
+  }
+  if (error_) root_ = nullptr;
+}
+
+const XmlElement* MjcfFiles::parse(std::string_view text, const std::string& name) {
+  if (text.size() > kMjcfMaxBytes) {
+    refuse(fmt::format("{} bytes; {} are allowed", text.size(), kMjcfMaxBytes), name);
+    return nullptr;
+  }
+  if (text.find('\0') != text.npos) {
+    refuse("a zero byte: this is no text", name);
+    return nullptr;
+  }
+  tags_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'));
+  if (tags_ > kMjcfMaxTags) {
+    refuse(fmt::format("more than {} tags", kMjcfMaxTags), name);
+    return nullptr;
+  }
+  auto document = std::make_unique<tinyxml2::XMLDocument>();
+  const tinyxml2::XMLError status = document->Parse(text.data(), text.size());
+  const XmlElement* root = document->RootElement();
+  if (status == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
+    refuse(fmt::format("elements are nested deeper than {}", TINYXML2_MAX_ELEMENT_DEPTH),
+           fmt::format("line {} of {}", document->ErrorLineNum(), name));
+    return nullptr;
+  }
+  if (status != tinyxml2::XML_SUCCESS || root == nullptr) {
+    refuse(root == nullptr && status == tinyxml2::XML_SUCCESS
+               ? "no element: this is no XML file"
+               : "no well-formed XML: a tag, an attribute or an end is not as it should be",
+           fmt::format("line {} of {}", document->ErrorLineNum(), name));
+    return nullptr;
+  }
+  files_.emplace_back(name, std::move(document));
+  return root;
+}
+
+void MjcfFiles::follow(const XmlElement& element, const MjcfInclude& include_file) {
+  for (const XmlElement* e = element.FirstChildElement(); e != nullptr && !error_;
+       e = e->NextSiblingElement()) {
+    if (std::string_view(e->Name()) == "include") {
+      include(*e, include_file);
+    } else {
+      follow(*e, include_file);
+    }
+  }
+}
+
+void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_file) {
+  const char* file = element.Attribute("file");
+  if (file == nullptr || *file == '\0') return wrong(element, "<include> names no file");
+  const std::string name = file;
+  const auto same = [&](const auto& each) { return each.first == name; };
+  if (std::any_of(files_.begin(), files_.end(), same)) {
+    return wrong(element, "includes {} a second time; a model has each file once", shown(name));
+  }
+  if (static_cast<int>(files_.size()) >= kMjcfMaxFiles) {
+    return wrong(element, "more than {} files", kMjcfMaxFiles);
+  }
+  const XmlElement*& root = included_[&element];
+  const Result<std::string> text =
+      include_file ? include_file(name)
+                   : Result<std::string>(fail(ErrorCode::not_found, "no files beside it"));
+  if (!text && text.error().code == ErrorCode::not_found) {
+    absent_.push_back(name);
+    return;
+  }
+  if (!text) return wrong(element, "includes {}: {}", shown(name), text.error().message);
+  root = parse(*text, name);
+  if (root != nullptr) follow(*root, include_file);
+}
+
+std::string MjcfFiles::place_of(const XmlElement& element) const {
+  for (const auto& [name, document] : files_) {
+    if (element.GetDocument() != document.get()) continue;
+    return fmt::format("line {} of {}", element.GetLineNum(), name);
+  }
+  return {};
+}
+
+void MjcfFiles::refuse(std::string message, std::string place) {
+  if (!error_) error_ = Error{ErrorCode::parse, std::move(message), std::move(place)};
+}
+
+}  // namespace shigusa

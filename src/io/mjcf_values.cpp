@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "mjcf_values.hpp"
+
+#include <algorithm>
+#include <shigusa/core/parse_number.hpp>
+#include <shigusa/math/quat.hpp>
+
+namespace shigusa {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kShortest = 1e-9;  // of a direction or a quaternion
+// Each attribute is looked up in all classes around an element.
+constexpr int kMaxClassDepth = 16;
+constexpr std::size_t kMaxClassElements = 32;
+
+// All actuators share their classes' words.
+bool is_actuator(std::string_view tag) {
+  constexpr std::string_view kTags[] = {"general",  "motor",       "position",
+                                        "velocity", "intvelocity", "damper",
+                                        "cylinder", "muscle",      "adhesion"};
+  return std::find(std::begin(kTags), std::end(kTags), tag) != std::end(kTags);
+}
+
+bool same_kind(std::string_view tag, std::string_view other) {
+  return tag == other || (is_actuator(tag) && is_actuator(other));
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+}  // namespace
+
+Mat3d turned_about(const Vec3d& axis, double angle) {
+  const SinCos<double> half = sin_cos(0.5 * angle);
+  return to_matrix(Quatd{axis.x * half.sin, axis.y * half.sin, axis.z * half.sin, half.cos});
+}
+
+Mat3d turned_to(const Vec3d& z) {
+  const Vec3d across = cross(Vec3d{0, 0, 1}, z);
+  const double sine = norm(across);
+  const Vec3d axis = sine < kShortest ? Vec3d{1, 0, 0} : across * (1.0 / sine);
+  return turned_about(axis, atan2(sine, z.z));
+}
+
+MjcfValues::MjcfValues(MjcfFiles& files) : files_(files) {
+  classes_[main_] = {};
+  if (files.root() == nullptr) return;
+  bool first = true;
+  files.each(*files.root(), [&](const XmlElement& e) {
+    if (std::string_view(e.Name()) != "default") return;
+    const char* name = e.Attribute("class");
+    if (first && name != nullptr && main_ != name) {
+      classes_.erase(main_);
+      main_ = name;
+    }
+    first = false;
+    read_class(e, "", 1);
+  });
+  files.each(*files.root(), [&](const XmlElement& e) {
+    if (std::string_view(e.Name()) == "compiler") read_compiler(e);
+  });
+}
+
+void MjcfValues::read_compiler(const XmlElement& compiler) {
+  const MjcfPart part{compiler, {}};
+  const auto word = [&](const char* attribute, std::string_view yes, std::string_view no,
+                        bool& value) {
+    const char* text = compiler.Attribute(attribute);
+    if (text == nullptr) return;
+    if (text != yes && text != no) {
+      files_.wrong(compiler, "{} is {}; allowed are {} and {}", attribute, shown(text), yes, no);
+    }
+    value = text == yes;
+  };
+  word("angle", "degree", "radian", settings_.degrees);
+  word("autolimits", "true", "false", settings_.autolimits);
+  bool local = true;
+  word("coordinate", "local", "global", local);
+  if (!local) files_.wrong(compiler, "coordinate is 'global', which MuJoCo has given up");
+  if (const char* text = compiler.Attribute("inertiafromgeom")) {
+    settings_.from_inertial = std::string_view(text) != "true";
+    settings_.from_geoms = std::string_view(text) != "false";
+  }
+  if (const char* text = compiler.Attribute("eulerseq")) {
+    settings_.euler = text;
+    const auto is_axis = [](char c) { return std::string_view("xyzXYZ").find(c) < 6; };
+    if (settings_.euler.size() != 3 ||
+        !std::all_of(settings_.euler.begin(), settings_.euler.end(), is_axis)) {
+      files_.wrong(compiler, "eulerseq is {}; it is three of xyzXYZ", shown(text));
+      settings_.euler = "xyz";
+    }
+  }
+  std::array<double, 2> groups{0, 5};
+  numbers(part, "inertiagrouprange", groups, 2);
+  settings_.groups = {static_cast<int>(groups[0]), static_cast<int>(groups[1])};
+  settings_.total_mass = max(number(part, "settotalmass", settings_.total_mass), 0.0);
+}
+
+void MjcfValues::read_class(const XmlElement& element, const std::string& above, int depth) {
+  if (depth > kMaxClassDepth) {
+    return files_.wrong(element, "classes are nested deeper than {}", kMaxClassDepth);
+  }
+  const char* text = element.Attribute("class");
+  if (text == nullptr && depth > 1) return files_.wrong(element, "<default> names no class");
+  const std::string name = text == nullptr ? main_ : text;
+  Class& read = classes_[name];
+  if (name != main_) read.above = above.empty() ? main_ : above;
+  files_.each(element, [&](const XmlElement& e) {
+    if (std::string_view(e.Name()) == "default") {
+      read_class(e, name, depth + 1);
+      return;
+    }
+    std::vector<const XmlElement*>& elements = classes_[name].elements;
+    if (elements.size() >= kMaxClassElements) {
+      files_.wrong(e, "class {} has more than {} elements", shown(name), kMaxClassElements);
+    }
+    elements.push_back(&e);
+  });
+}
+
+MjcfValues::Found MjcfValues::find(const MjcfPart& part, const char* attribute) const {
+  const XmlElement& element = part.element;
+  if (const char* text = element.Attribute(attribute)) return {&element, text, 0};
+  const char* own = element.Attribute("class");
+  std::string_view name = own != nullptr ? own : part.childclass;
+  if (name.empty()) name = main_;
+  // a class that is named again within itself has no end
+  for (int distance = 1; distance <= kMaxClassDepth && !name.empty(); ++distance) {
+    const auto found = classes_.find(name);
+    if (found == classes_.end()) {
+      if (distance == 1) files_.wrong(element, "class {} is not defined", shown(name));
+      return {};
+    }
+    const auto& list = found->second.elements;
+    for (auto e = list.rbegin(); e != list.rend(); ++e) {
+      const char* text = (*e)->Attribute(attribute);
+      if (text != nullptr && same_kind((*e)->Name(), element.Name())) return {*e, text, distance};
+    }
+    name = found->second.above;
+  }
+  return {};
+}
+
+std::string_view MjcfValues::word(const MjcfPart& part, const char* attribute) const {
+  const Found found = find(part, attribute);
+  return found.text == nullptr ? std::string_view{} : found.text;
+}
+
+bool MjcfValues::has(const MjcfPart& part, const char* attribute) const {
+  return find(part, attribute).text != nullptr;
+}
+
+std::size_t MjcfValues::parse(const Found& found, const char* attribute, std::span<double> values,
+                              std::size_t least, double most) {
+  if (found.text == nullptr) return 0;
+  const std::string_view text = found.text;
+  std::size_t count = 0;
+  for (std::size_t at = 0;;) {
+    while (at < text.size() && is_blank(text[at])) ++at;
+    if (at == text.size()) break;
+    const std::size_t begin = at;
+    while (at < text.size() && !is_blank(text[at])) ++at;
+    const std::optional<double> value = parse_number(text.substr(begin, at - begin));
+    const bool tame = value && (abs(*value) <= kMjcfMaxValue || abs(*value) == most);
+    if (count == values.size() || !tame) {
+      files_.wrong(*found.at, "{} is {}; it takes {} numbers of up to {:g}", attribute, shown(text),
+                   values.size(), kMjcfMaxValue);
+      return count;
+    }
+    values[count++] = *value;
+  }
+  if (count < least) {
+    files_.wrong(*found.at, "{} is {}; it takes {} numbers", attribute, shown(text), least);
+  }
+  return count;
+}
+
+std::size_t MjcfValues::numbers(const MjcfPart& part, const char* attribute,
+                                std::span<double> values, std::size_t least) {
+  return parse(find(part, attribute), attribute, values, least, kMjcfMaxValue);
+}
+
+double MjcfValues::number(const MjcfPart& part, const char* attribute, double otherwise) {
+  numbers(part, attribute, {&otherwise, 1}, 1);
+  return otherwise;
+}
+
+Vec3d MjcfValues::vector(const MjcfPart& part, const char* attribute, const Vec3d& otherwise) {
+  std::array<double, 3> v{otherwise.x, otherwise.y, otherwise.z};
+  numbers(part, attribute, v, 3);
+  return {v[0], v[1], v[2]};
+}
+
+std::optional<std::array<double, 2>> MjcfValues::range(const MjcfPart& part, const char* attribute,
+                                                       const char* limited) {
+  const Found found = find(part, attribute);
+  std::string_view limits = word(part, limited);
+  if (limits.empty() || limits == "auto") {
+    limits = settings_.autolimits && found.text != nullptr ? "true" : "false";
+  }
+  if (limits == "false") return std::nullopt;
+  if (limits != "true") {
+    files_.wrong(part.element, "{} is {}; allowed are true, false and auto", limited,
+                 shown(limits));
+  }
+  if (found.text == nullptr) {
+    files_.wrong(part.element, "{} is true, and there is no {}", limited, attribute);
+  }
+  std::array<double, 2> ends{};
+  parse(found, attribute, ends, 2, kInfinity);
+  if (ends[0] > ends[1]) {
+    files_.wrong(*found.at, "{} is {}; the lower end comes first", attribute, shown(found.text));
+  }
+  return ends;
+}
+
+Transformd MjcfValues::place(const MjcfPart& part) {
+  return {orientation(part), vector(part, "pos")};
+}
+
+Vec3d MjcfValues::direction(const Found& found, const char* attribute, const Vec3d& v) {
+  const double length = norm(v);
+  if (length > kShortest) return v * (1.0 / length);
+  files_.wrong(*found.at, "{} is {}, which is no direction", attribute, shown(found.text));
+  return {0, 0, 1};
+}
+
+Mat3d MjcfValues::orientation(const MjcfPart& part) {
+  constexpr std::array kWays{"quat", "axisangle", "euler", "xyaxes", "zaxis"};
+  const char* way = nullptr;
+  Found nearest;
+  for (const char* each : kWays) {
+    const Found found = find(part, each);
+    // of one element's own, MuJoCo takes quat last
+    const bool nearer = nearest.text == nullptr || found.distance <= nearest.distance;
+    if (found.text == nullptr || !nearer) continue;
+    nearest = found;
+    way = each;
+  }
+  if (way == nullptr) return {};
+  std::array<double, 6> v{};
+  const std::string_view name = way;
+  const std::size_t count = name == "xyaxes" ? 6 : name == "quat" || name == "axisangle" ? 4 : 3;
+  parse(nearest, way, std::span(v).first(count), count, kMjcfMaxValue);
+  const Vec3d first{v[0], v[1], v[2]};
+  if (name == "euler") return euler(first);
+  if (name == "zaxis") return turned_to(direction(nearest, way, first));
+  if (name == "axisangle") {
+    return turned_about(direction(nearest, way, first), angle(v[3]));
+  }
+  if (name == "xyaxes") {
+    const Vec3d x = direction(nearest, way, first);
+    const Vec3d other{v[3], v[4], v[5]};
+    const Vec3d y = direction(nearest, way, other - x * dot(x, other));
+    return {x, y, cross(x, y)};
+  }
+  const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
+  if (!(length > kShortest)) {
+    files_.wrong(*nearest.at, "quat is {}, which is no rotation", shown(nearest.text));
+    return {};
+  }
+  return to_matrix(Quatd{v[1] / length, v[2] / length, v[3] / length, v[0] / length});
+}
+
+Mat3d MjcfValues::euler(const Vec3d& written) const {
+  Mat3d turn;
+  for (int k = 0; k < 3; ++k) {
+    const char axis = settings_.euler[static_cast<std::size_t>(k)];
+    const bool fixed = axis >= 'X' && axis <= 'Z';
+    const Vec3d about{axis == 'x' || axis == 'X' ? 1.0 : 0.0,
+                      axis == 'y' || axis == 'Y' ? 1.0 : 0.0,
+                      axis == 'z' || axis == 'Z' ? 1.0 : 0.0};
+    const Mat3d one = turned_about(about, angle(written[k]));
+    turn = fixed ? one * turn : turn * one;
+  }
+  return turn;
+}
+
+}  // namespace shigusa
