@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// From the text of an MJCF file, which may include itself, through URDF to a body that stands:
+// nothing may crash, hang or fill the memory, every number stays finite, and what the one reader
+// took the other takes.
+#include <cstddef>
+#include <cstdint>
+#include <shigusa/io/mjcf.hpp>
+#include <shigusa/io/urdf.hpp>
+#include <string_view>
+
+#include "robot_checks.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace shigusa;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto robot =
+      parse_mjcf(text, "fuzz.xml", [&](const std::string&) { return std::string(text); });
+  if (!robot) return 0;
+  auto again = parse_urdf(write_urdf(*robot), "fuzz.urdf");
+  if (!again || again->links.size() != robot->links.size()) std::abort();
+  check_robot(std::move(*again));
+  return 0;
+}

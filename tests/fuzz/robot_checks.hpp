@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdlib>
+#include <shigusa/body/robot.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/rollout/settled_posture.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+// From a robot that was read to a body that stands: every number stays finite.
+inline void check_robot(Robot robot) {
+  for (const Transformd& x : robot_places(robot)) {
+    if (!is_finite(x.translation.x + x.translation.y + x.translation.z)) std::abort();
+  }
+  robot = with_hands(std::move(robot));
+  const auto map = find_humanoid(robot);
+  if (!map) return;
+  const auto body = build_robot(with_ankles(std::move(robot), *map), *map);
+  if (!body) return;
+  std::vector<std::string> doubts;
+  for (const double angle : settled_posture(*body, doubts)) {
+    if (!is_finite(angle)) std::abort();
+  }
+}
+
+}  // namespace shigusa
