@@ -59,7 +59,7 @@ Found free_motions(const BodyModel& body) {
     task.evaluations = 400;
     const Generation generation = generate(task).value();
     for (const Candidate& candidate : generation.candidates) {
-      if (candidate.collides.depth > kCollisionDepth) continue;
+      if (candidate.measures.collides.depth > kCollisionDepth) continue;
       ++found.free;
       const Flesh::Depths depths = Flesh(body, candidate.motion.clip).deepest();
       found.head = std::fmax(found.head, depths.head);

@@ -122,7 +122,7 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
   ASSERT_TRUE(stored.task.character.rig) << "and so the skeleton is theirs";
   const Task image = make_task(stored.task, {}).value();
   const Generation mirrored = replay_all(image, stored).value();
-  EXPECT_EQ(mirrored.status, ReachStatus::reached);
+  EXPECT_TRUE(mirrored.meets_goals());
   for (const Candidate& candidate : mirrored.candidates) {
     const std::string bvh =
         export_candidate(stored.task.character, image, candidate, ExportFormat::bvh).value();

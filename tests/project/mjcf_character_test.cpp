@@ -46,7 +46,7 @@ TEST_F(MjcfCharacter, HasItsJointsNamedAsAPersons) {
 TEST_F(MjcfCharacter, OfEachLayoutReachesItsGoal) {
   for (const std::string& text :
        {research_mjcf(), research_mjcf(false), research_mjcf(false, false), makers_mjcf()}) {
-    EXPECT_EQ(generate(task_of(text)).value().status, ReachStatus::reached);
+    EXPECT_TRUE(generate(task_of(text)).value().meets_goals());
   }
 }
 

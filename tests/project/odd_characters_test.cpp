@@ -91,7 +91,7 @@ Result<Played> reach_with_right_hand(TaskFile& file) {
   file.goals = {{"right_hand", Vec3d{-0.1, 0.4, 0.3} * *file.character.stature}};
   const Task task = make_task(file, {}).value();
   const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
-  if (generation.status != ReachStatus::reached) {
+  if (!generation.meets_goals()) {
     return fail(ErrorCode::unsupported, "the goal is not reached");
   }
   const Clip& clip = generation.candidates[0].motion.clip;
