@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shigusa_reliability FOLDER TASKS: generates motions for random tasks, judges them from outside and
-// writes FOLDER/reliability.md. Exits with 1 where a promise was not kept.
+// shigusa_reliability FOLDER TASKS: generates motions for random tasks, judges them from outside
+// and writes FOLDER/reliability.md. Exits with 1 where a promise was not kept.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -80,10 +80,14 @@ std::string page(const std::vector<Audit>& kinds) {
   std::string text = fmt::format(
       "# Reliability\n\n"
       "Written by `scripts/make_reliability`; not edited by hand.\n\n"
-      "{} random tasks, the same each time: statures of 1.45 to 2.00 m, both sexes, goals within and beyond\n"
-      "reach, {} motions scored for each. Goals, feet and rotations are judged by the exported BVH's own forward\n"
-      "kinematics; limits by every frame; what is delivered as free by an ellipsoid for the head and tapering\n"
-      "limbs, which are another geometry than the kernel's capsules; verdicts by every frame's torques.\n\n"
+      "{} random tasks, the same each time: statures of 1.45 to 2.00 m, both sexes, goals within "
+      "and beyond\n"
+      "reach, {} motions scored for each. Goals, feet and rotations are judged by the exported "
+      "BVH's own forward\n"
+      "kinematics; limits by every frame; what is delivered as free by an ellipsoid for the head "
+      "and tapering\n"
+      "limbs, which are another geometry than the kernel's capsules; verdicts by every frame's "
+      "torques.\n\n"
       "## What was promised and not kept: {}\n\n",
       all.tasks, kEvaluations, all.failures.empty() ? "nothing" : "see below");
   text += fmt::format(
@@ -96,14 +100,16 @@ std::string page(const std::vector<Audit>& kinds) {
       "| forearm in the head, told as free | {:.1f} mm | |\n"
       "| forearm in a shank, told as free | {:.1f} mm | |\n"
       "| … by more than {:.0f} mm | {} of {} | |\n\n"
-      "Before heads and shanks had capsules, forearms passed through the middle of them in 104 of 7,432 motions\n"
+      "Before heads and shanks had capsules, forearms passed through the middle of them in 104 of "
+      "7,432 motions\n"
       "that were told as free.\n\n",
       1e3 * all.goal, degrees(all.turn), degrees(2e-3), 1e3 * all.slide, degrees(all.tilt),
       degrees(2e-3), degrees(all.limit), degrees(2e-3), 1e3 * std::fmax(all.head, 0.0),
       1e3 * std::fmax(all.shank, 0.0), 1e3 * kThroughFlesh, all.through, all.candidates);
   text +=
       "## Status and verdicts\n\n"
-      "| asked for | tasks | reached | unsteady | unreachable | candidates | possible | strains | impossible |\n"
+      "| asked for | tasks | reached | unsteady | unreachable | candidates | possible | strains | "
+      "impossible |\n"
       "|---|---|---|---|---|---|---|---|---|\n";
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     text += row(task_kind_name(kTaskKinds[k]), kinds[k]);
@@ -112,7 +118,8 @@ std::string page(const std::vector<Audit>& kinds) {
   const int met = count_of(all.best, "possible") + count_of(all.best, "strains") +
                   count_of(all.best, "impossible");
   text += fmt::format(
-      "\nOf {} tasks whose goals are met, the first candidate is possible in {}, strains in {} and is\n"
+      "\nOf {} tasks whose goals are met, the first candidate is possible in {}, strains in {} and "
+      "is\n"
       "impossible, and told so, in {}.\n",
       met, count_of(all.best, "possible"), count_of(all.best, "strains"),
       count_of(all.best, "impossible"));

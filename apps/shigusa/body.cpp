@@ -25,13 +25,13 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
     const Dof& dof = body.dof(d);
     const std::string source = printable(file_joint(body, d));
     print_out("{:<26} {:>8.1f} {:>7.0f} to {:>5.0f} {:>8.0f} to {:>5.0f}{}{}\n", dof.name,
-               tenths(degrees(body.start()[static_cast<std::size_t>(d)])),
-               tenths(degrees(dof.lower)), tenths(degrees(dof.upper)), -dof.torque_negative,
-               dof.torque_positive, source.empty() ? "" : "  ", source);
+              tenths(degrees(body.start()[static_cast<std::size_t>(d)])),
+              tenths(degrees(dof.lower)), tenths(degrees(dof.upper)), -dof.torque_negative,
+              dof.torque_positive, source.empty() ? "" : "  ", source);
     if (const LimitCoupling* coupling = body.coupling_of(d)) {
       print_out("{:<26} {:>8} {:>7} to {:>5.0f} as {} goes from 0 to {:.0f}\n", "", "", "",
-                 tenths(degrees(widest_limits(body, d).second)), body.dof(coupling->driver).name,
-                 tenths(degrees(coupling->driver_full)));
+                tenths(degrees(widest_limits(body, d).second)), body.dof(coupling->driver).name,
+                tenths(degrees(coupling->driver_full)));
     }
   }
   const std::vector<Vec3d> places = start_places(body);

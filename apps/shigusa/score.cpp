@@ -41,8 +41,8 @@ void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
   print_out("{}", score_table(recorded.body, score));
   if (score.measures.collides.depth > kCollisionDepth) {
     print_out("{} is {:.1f} cm in {} at {:.2f} s\n", score.measures.collides.limb,
-               100.0 * score.measures.collides.depth, score.measures.collides.other,
-               score.measures.collides.time);
+              100.0 * score.measures.collides.depth, score.measures.collides.other,
+              score.measures.collides.time);
   }
 }
 

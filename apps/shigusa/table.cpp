@@ -147,7 +147,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
   }
   if (generation.status == ReachStatus::unsteady) {
     print_err("shigusa: unsteady: the goal{} met, but by no motion that this body could make\n",
-               task.goals.size() > 1 ? "s are" : " is");
+              task.goals.size() > 1 ? "s are" : " is");
   }
   if (!generation.meets_goals()) {
     const std::string turn =

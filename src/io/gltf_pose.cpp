@@ -5,8 +5,7 @@
 
 namespace shigusa {
 
-std::vector<Transformd> placed_nodes(const Skeleton& skeleton,
-                                     std::span<const GltfPlace> places) {
+std::vector<Transformd> placed_nodes(const Skeleton& skeleton, std::span<const GltfPlace> places) {
   std::vector<Transformd> world;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const GltfPlace& place = places[i];

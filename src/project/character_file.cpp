@@ -59,7 +59,8 @@ Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec&
   const auto animations = gltf_animation_names(bytes, name);
   if (animations) character.rig.animations = *animations;
   const auto animation = animation_of(spec, character.rig.animations);
-  // of a file whose further chunks are wrong, and that is wanted at rest, check_animations_fit tells
+  // of a file whose further chunks are wrong, and that is wanted at rest, check_animations_fit
+  // tells
   if (!animation) return tl::unexpected(animations ? animation.error() : animations.error());
   if (*animation) {
     Result<GltfMotion> moving = parse_gltf_animation(

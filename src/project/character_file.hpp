@@ -31,13 +31,13 @@ struct FilePose {
 // A person's BVH or glTF file.
 struct CharacterFile {
   Skeleton skeleton;
-  FilePose rest;                    // of BVH that of the OFFSETs
-  std::optional<FilePose> bound;    // of glTF: in which the mesh was bound, where it is another
-  SkeletonClip motion;              // of BVH, or an animation of glTF; no frames: there is none
-  std::vector<GltfPlace> posed;     // (nodes) of glTF, in the motion's frame asked for
-  HumanoidMap given;                // by the file itself
-  std::vector<std::string> doubts;  // of reading
-  CharacterRig rig;                 // its format, and what that alone has
+  FilePose rest;                       // of BVH that of the OFFSETs
+  std::optional<FilePose> bound;       // of glTF: in which the mesh was bound, where it is another
+  SkeletonClip motion;                 // of BVH, or an animation of glTF; no frames: there is none
+  std::vector<GltfPlace> posed;        // (nodes) of glTF, in the motion's frame asked for
+  HumanoidMap given;                   // by the file itself
+  std::vector<std::string> doubts;     // of reading
+  CharacterRig rig;                    // its format, and what that alone has
   std::vector<SkinVertex> skin;        // of glTF, at rest,
   std::vector<SkinVertex> bound_skin;  // where it was bound,
   std::vector<SkinVertex> posed_skin;  // and in the frame asked for

@@ -30,12 +30,12 @@ void stand_on_floor(MeasuredPerson& measured, double stature) {
 
 // The person in a frame of an animation, in the unit and with the stature that the rest pose told:
 // what is measured along the bones of a bent trunk is another one.
-Result<MeasuredPerson> measure_posed(const CharacterFile& file, int frame, const HumanoidMap& map,
-                                     const MeasuredPerson& rest) {
-  const std::vector<Transformd> world = world_transforms(file.skeleton, file.motion, frame);
+Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonClip& clip, int frame,
+                                     std::span<const SkinVertex> skin, const PersonStart& found) {
+  const MeasuredPerson& rest = found.person;
+  const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
   const auto measured = [&](double stature) {
-    return measure_person(file.skeleton, world, map,
-                          {.stature = stature, .skin = file.posed_skin});
+    return measure_person(skeleton, world, found.map, {.stature = stature, .skin = skin});
   };
   const Result<MeasuredPerson> bent = measured(rest.stature);
   if (!bent) return bent;
@@ -111,7 +111,7 @@ std::string standing_animation(const CharacterFile& file, const PersonStart& fou
         *file.rig.bytes, file.rig.file.string(), {.animation = names[i], .frame_rate = kSlowly});
     if (!moving) continue;
     const Result<MeasuredPerson> posed =
-        measure_posed(file.skeleton, moving->motion.clip, 0, found.map, found.person);
+        measure_posed(file.skeleton, moving->motion.clip, 0, {}, found);
     if (posed && stands_at_rest(posed->landmarks, found.person.stature)) return names[i];
   }
   return {};
@@ -132,7 +132,8 @@ Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec&
   }
   const Result<int> frame = frame_of(file.motion, spec);
   if (!frame) return tl::unexpected(frame.error());
-  Result<MeasuredPerson> posed = measure_posed(file, *frame, found->map, found->person);
+  Result<MeasuredPerson> posed =
+      measure_posed(file.skeleton, file.motion, *frame, file.posed_skin, *found);
   if (!posed) return fail(posed.error().code, posed.error().to_string(), spec.source);
   found->posed = pose_at(file, *frame);
   found->start = std::move(*posed);

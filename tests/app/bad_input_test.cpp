@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
             "Unknown", {"body", "half_bodi"}, {"'half_bodi'", "did you mean 'half_body'?", ".bvh"}},
         Case{"OtherFormat",
              {"body", "hero.fbx"},
-             {"'hero.fbx'", ".bvh, .glb, .gltf, .vrm or .urdf"}},
+             {"'hero.fbx'", ".bvh, .glb, .gltf, .vrm, .urdf or .xml"}},
         Case{"MissingVrm", {"body", "hero.vrm"}, {"hero.vrm", "No such file"}},
         Case{"EmptyGlb", {"body", "empty.glb"}, {"empty.glb", "empty"}},
         Case{"BinaryGlb", {"body", "binary.glb"}, {"binary.glb", "not glTF"}},

@@ -122,10 +122,10 @@ TEST_F(Layers, TaskFileNamesPresetAndReading) {
     "goals": [{"effector": "right_hand", "position_m": [-0.3, 0.9, 0.45]}]})");
   ASSERT_THAT(run({"reach", "task.json", "--formats", "bvh,csv", "--out", "file"}).exit_code,
               delivered());
-  ASSERT_EQ(
+  ASSERT_THAT(
       reach({"--character", "full_body", "--goal", kGoal, "--layer-reading", "contraction_a_limb"})
           .exit_code,
-      0);
+      delivered());
   EXPECT_EQ(bytes("file"), bytes("out"));
   ASSERT_THAT(reach({"--character", "full_body", "--goal", kGoal}, "other").exit_code, delivered());
   EXPECT_NE(bytes("other"), bytes("out"));
@@ -164,11 +164,14 @@ TEST_F(Layers, EditWithoutChangesGivesTheSameBytes) {
                            Words{"--goal", "right_hand=0,3,0"}}) {
     Words call{"--character", "full_body", "--evaluations", "200"};
     call.insert(call.end(), how.begin(), how.end());
-    const int status = reach(call).exit_code;
+    ASSERT_THAT(reach(call).exit_code, delivered());
     const StoredRun stored(work_, "out");
     for (std::size_t rank = 1; rank <= stored.summary().at("candidates").size(); ++rank) {
       const ProgramRun run = edit("out", {"--candidate", std::to_string(rank), "--out", "same"});
-      EXPECT_EQ(run.exit_code, status) << run.err;
+      // an edit tells of its one motion
+      const bool met = stored.summary().at("status") != "unreachable";
+      const bool possible = stored.candidate(rank).at("verdict") != "impossible";
+      EXPECT_EQ(run.exit_code, met && possible ? 0 : 3) << run.err;
       const StoredRun same(work_, "same");
       for (const std::string ending : {".bvh", ".csv"}) {
         EXPECT_EQ(same.get("candidate-1" + ending),
@@ -215,11 +218,11 @@ TEST_F(Layers, EditOfTheArmLeavesTheTrunkWhereItWas) {
   }
 }
 
-TEST_F(Layers, ArmThatIsLockedTooMuchIsToldAsOutOfReach) {
+// What layers cannot do with such an arm, the whole body does: how far it reaches is one answer.
+TEST_F(Layers, ArmThatIsLockedStaysAsItIs) {
   ASSERT_THAT(reach({"--goal", kGoal}).exit_code, delivered());
   const ProgramRun run = edit("out", {"--set", "right_arm.right_shoulder.locked=true"});
-  EXPECT_EQ(run.exit_code, 3) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("out of reach: the closest motion ends "));
+  EXPECT_THAT(run.exit_code, delivered()) << run.err;
   const StoredRun stored(work_, "out/edit-1");
   for (const char* dof : {"right_shoulder.flexion", "right_shoulder.abduction"}) {
     const auto angles = csv_column(stored.get("candidate-1.csv"), std::string(dof) + " [rad]");
@@ -246,8 +249,9 @@ TEST_F(Layers, EditOfAnEditGoesOnFromThere) {
 
 TEST_F(Layers, LocksThatKeepTheHandFromItsGoalAreToldAsOutOfReach) {
   ASSERT_THAT(reach({"--goal", kLow}).exit_code, delivered());
-  const ProgramRun run = edit("out", {"--set", "right_ankle.locked=true", "--set",
-                                      "right_hip.locked=true", "--set", "legs.contraction=0"});
+  const ProgramRun run =
+      edit("out", {"--set", "right_ankle.locked=true", "--set", "right_hip.locked=true", "--set",
+                   "right_arm.right_shoulder.locked=true"});
   EXPECT_EQ(run.exit_code, 3) << run.err;
   EXPECT_THAT(run.err, HasSubstr("out of reach: the closest motion ends "));
   const StoredRun stored(work_, "out/edit-1");

@@ -202,23 +202,6 @@ TEST(MeshCharacter, ResultsKeepSolesAndParts) {
   }
 }
 
-TEST(MeshCharacter, AMirrorImageTwiceIsThePerson) {
-  TaskFile file;
-  file.character = loaded(odd_file([](json&) {}));
-  file.goals = {{"right_hand", {-0.2, 0.8, 0.4}}};
-  Landmarks& person = *file.character.landmarks;
-  person.parts[BodyPart::left_thigh] = {{0.01, 0, 0.02}, {0.01, -0.4, 0.02}, 0.08};
-  const TaskFile image = mirrored(file).value();
-  const Landmarks& other = *image.character.landmarks;
-  ASSERT_TRUE(other.parts[BodyPart::right_thigh]);
-  EXPECT_EQ(other.parts[BodyPart::right_thigh]->from, (Vec3d{-0.01, 0, 0.02}));
-  EXPECT_FALSE(other.parts[BodyPart::left_thigh]);
-  // seen from above the corners still go round counter-clockwise, or reading them would fail
-  EXPECT_TRUE(parse_task(format_task(image), "task.json"));
-  const TaskFile back = mirrored(image).value();
-  EXPECT_EQ(landmarks_to_json(*back.character.landmarks), landmarks_to_json(person));
-}
-
 std::string refused(const std::function<void(json&)>& make) {
   TaskFile file;
   file.character = loaded(odd_file([](json&) {}));

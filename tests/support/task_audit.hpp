@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <shigusa/core/random.hpp>
+#include <shigusa/project/character_description.hpp>
 #include <shigusa/project/export.hpp>
 #include <shigusa/project/task_file.hpp>
 #include <string>
@@ -20,8 +21,8 @@ namespace shigusa::testing_support {
 
 // What random tasks ask for.
 enum class TaskKind { place, both_hands, rotation, axis, load, obstacle, foot };
-inline constexpr std::array kTaskKinds{TaskKind::place,    TaskKind::both_hands, TaskKind::rotation,
-                                       TaskKind::axis,     TaskKind::load,       TaskKind::obstacle,
+inline constexpr std::array kTaskKinds{TaskKind::place, TaskKind::both_hands, TaskKind::rotation,
+                                       TaskKind::axis,  TaskKind::load,       TaskKind::obstacle,
                                        TaskKind::foot};
 inline const char* task_kind_name(TaskKind kind) {
   switch (kind) {
@@ -208,7 +209,8 @@ class Auditor {
       for (int d = 0; d < clip.dofs; ++d) {
         const double angle = clip.frame(f)[static_cast<std::size_t>(d)];
         const auto [lower, upper] = widest_limits(body, d);
-        most(std::fmax(lower - angle, angle - upper), 2e-3, audit_.limit, "a limit is passed (rad)");
+        most(std::fmax(lower - angle, angle - upper), 2e-3, audit_.limit,
+             "a limit is passed (rad)");
       }
     }
   }
@@ -229,8 +231,8 @@ class Auditor {
     for (std::size_t k = 0; k < motion.torques.size(); ++k) {
       const Dof& dof = body.dofs()[k % body.dofs().size()];
       const double torque = motion.torques[k];
-      share = std::fmax(share, torque > 0.0 ? torque / dof.torque_positive
-                                            : -torque / dof.torque_negative);
+      share = std::fmax(
+          share, torque > 0.0 ? torque / dof.torque_positive : -torque / dof.torque_negative);
     }
     const bool impossible = judgement.verdict == Verdict::impossible;
     require(share <= 1.5 || impossible, "1.5 times a joint's strength is not told as impossible");
@@ -239,7 +241,8 @@ class Auditor {
     require(judgement.reasons.empty() == (judgement.verdict == Verdict::possible),
             "a verdict without a reason, or a reason without a verdict");
     for (const Reason& reason : judgement.reasons) {
-      require(reason.verdict >= judgement.reasons.back().verdict, "reasons are not the worst first");
+      require(reason.verdict >= judgement.reasons.back().verdict,
+              "reasons are not the worst first");
       require(!reason_words(reason).empty(), "a reason without words");
     }
   }
