@@ -102,7 +102,7 @@ Result<void> check_source(const CharacterSpec& spec) {
   const std::vector<std::string> names(kBuiltIn.begin(), kBuiltIn.end());
   return fail(ErrorCode::invalid_argument,
               unknown_name("character", spec.source, names) +
-                  ", or a file that ends in .bvh, .glb, .gltf, .vrm, .urdf or .xml",
+                  ", or a file that ends in .bvh, .glb, .gltf, .vrm, .fbx, .urdf or .xml",
               "character");
 }
 

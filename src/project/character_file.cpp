@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <shigusa/io/fbx.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_skin.hpp>
@@ -98,6 +99,7 @@ tl::unexpected<Error> holds_one_motion(const std::string& name) {
 FileKind file_kind(const std::string& name) {
   const std::string ending = file_ending(name);
   if (ending == ".bvh") return FileKind::bvh;
+  if (ending == ".fbx") return FileKind::fbx;
   if (ending == ".urdf") return FileKind::urdf;
   if (ending == ".xml" || ending == ".mjcf") return FileKind::mjcf;
   for (const char* each : {".glb", ".gltf", ".vrm"}) {
@@ -109,6 +111,7 @@ FileKind file_kind(const std::string& name) {
 Result<std::string> read_character_bytes(const std::filesystem::path& path) {
   const FileKind kind = file_kind(path.string());
   return read_text_file(path, kind == FileKind::bvh    ? kBvhMaxBytes
+                              : kind == FileKind::fbx  ? kFbxMaxBytes
                               : kind == FileKind::urdf ? kUrdfMaxBytes
                               : kind == FileKind::mjcf ? kMjcfMaxBytes
                                                        : kGltfMaxBytes);
@@ -118,7 +121,13 @@ Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& sp
   const std::string& name = spec.source;
   CharacterFile character;
   character.rig.file = name;
-  if (file_kind(name) == FileKind::gltf) {
+  const FileKind kind = file_kind(name);
+  if (kind == FileKind::fbx) {
+    Result<std::string> glb = glb_of_fbx(bytes, name);
+    if (!glb) return tl::unexpected(glb.error());
+    bytes = std::move(*glb);
+  }
+  if (kind == FileKind::gltf || kind == FileKind::fbx) {
     const auto parsed = parse_gltf_character(bytes, spec, character);
     if (!parsed) return tl::unexpected(parsed.error());
     character.rig.bytes = std::make_shared<const std::string>(std::move(bytes));

@@ -12,7 +12,7 @@ namespace shigusa {
 // The error of an animation that is asked for in a BVH file.
 [[nodiscard]] tl::unexpected<Error> holds_one_motion(const std::string& name);
 
-enum class FileKind { none, bvh, gltf, urdf, mjcf };
+enum class FileKind { none, bvh, gltf, fbx, urdf, mjcf };
 
 // By the name's ending, in any case.
 [[nodiscard]] FileKind file_kind(const std::string& name);
@@ -28,7 +28,7 @@ struct FilePose {
   [[nodiscard]] SkeletonClip clip() const { return {0.0, 1, local}; }
 };
 
-// A person's BVH or glTF file.
+// A person's BVH, glTF or FBX file.
 struct CharacterFile {
   Skeleton skeleton;
   FilePose rest;                       // of BVH that of the OFFSETs
@@ -43,8 +43,9 @@ struct CharacterFile {
   std::vector<SkinVertex> posed_skin;  // and in the frame asked for
 };
 
-// Parses the bytes of such a file. Of glTF with the animation that the spec asks for, by its name,
-// its index or as the first for a frame alone.
+// Parses the bytes of such a file; an FBX file is taken as the glTF file of its skeleton. Of glTF
+// with the animation that the spec asks for, by its name, its index or as the first for a frame
+// alone.
 [[nodiscard]] Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec);
 
 }  // namespace shigusa

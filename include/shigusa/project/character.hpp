@@ -50,8 +50,8 @@ inline constexpr int kRestPose = -1;
 
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
-  // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, URDF or MJCF file; for
-  // a person or a robot read before (landmarks, urdf below), only a name
+  // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, FBX, URDF or MJCF file;
+  // for a person or a robot read before (landmarks, urdf below), only a name
   std::string source = "full_body";
   std::optional<double> stature{};  // m, 0.5..2.5
   std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
