@@ -99,7 +99,8 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
   c->add_option(
       "--character", o.character,
-      "half_body, full_body, human, a person's BVH, GLB, glTF or VRM file, or a robot's URDF");
+      "half_body, full_body, human, a person's BVH, GLB, glTF, VRM or FBX file, or a robot's URDF "
+      "or MJCF (.xml)");
   add_character_options(*c, o.person);
   add_goal_options(*c, o.goals);
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
@@ -226,7 +227,7 @@ void add_studio(CLI::App& app, StudioOptions& o, int& exit_code) {
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
   c->add_option("source", o.source,
-                "half_body, full_body, human, or a BVH, GLB, glTF, VRM or URDF file")
+                "half_body, full_body, human, or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF file")
       ->required();
   add_character_options(*c, o.person);
   c->add_flag("--json", o.json, "Print JSON");

@@ -104,6 +104,20 @@ constexpr Word kWords[] = {
     {"手首", BonePart::hand},
     {"首", BonePart::neck},
     {"頭", BonePart::head},
+    {"大腿", BonePart::upper_leg},
+    {"小腿", BonePart::lower_leg},
+    {"脚", BonePart::foot},
+    {"脚踝", BonePart::foot},
+    {"脚趾", BonePart::toes},
+    {"锁骨", BonePart::collar},
+    {"肩膀", BonePart::shoulder},
+    {"上臂", BonePart::upper_arm},
+    {"前臂", BonePart::lower_arm},
+    {"手", BonePart::hand},
+    {"手腕", BonePart::hand},
+    {"颈", BonePart::neck},
+    {"脖子", BonePart::neck},
+    {"头", BonePart::head},
 };
 
 // Words of joints that belong to a bone, or control it, but are not it.

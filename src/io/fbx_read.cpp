@@ -263,6 +263,10 @@ class FbxReader {
 
   bool write_node(std::size_t i, Json& nodes) {
     const Model& model = models_[i];
+    for (const char* turns : {"Lcl Rotation", "PreRotation", "PostRotation"}) {
+      if (is_tame(model.properties.vector(turns))) continue;
+      return wrong("{} is turned by more than {:g} degrees", described(i), kFbxMaxValue);
+    }
     Place place = place_of(model.properties);
     if (!is_tame(place.at) || !is_tame(place.scale)) {
       return wrong("{} stands or is scaled beyond {:g}", described(i), kFbxMaxValue);

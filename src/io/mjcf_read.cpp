@@ -43,6 +43,7 @@ class ModelReader {
     if (!root_) return no_body();
     follow_equalities();
     scale_masses();
+    if (const auto done = check_numbers(); !done) return tl::unexpected(done.error());
     tell();
     return std::move(robot_);
   }
@@ -70,6 +71,7 @@ class ModelReader {
   void add_masses(const std::vector<Inside>& content, const Vec3d& shift, Robot::Link& link);
   void follow_equalities();
   void scale_masses();
+  [[nodiscard]] Result<void> check_numbers() const;
   [[nodiscard]] tl::unexpected<Error> no_body() const;
   void tell();
 
@@ -312,8 +314,11 @@ void ModelReader::read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball
   if (!joint.slides) *ends = {values_.angle((*ends)[0]), values_.angle((*ends)[1])};
   // the range of a ball is how far it turns, about any axis
   if (ball) (*ends)[0] = -(*ends)[1];
+  constexpr double kFarthest = 1000.0;  // rad, m
+  const bool endless = !is_finite((*ends)[1] - (*ends)[0]);
+  for (double& end : *ends) end = clamp(end, -kFarthest, kFarthest);
   const double length = (*ends)[1] - (*ends)[0];
-  joint.limited = joint.slides ? is_finite(length) : length < 2.0 * kPi;
+  joint.limited = !endless && (joint.slides || length < 2.0 * kPi);
   if (joint.limited) {
     joint.lower = (*ends)[0];
     joint.upper = (*ends)[1];
@@ -385,6 +390,31 @@ void ModelReader::scale_masses() {
     link.mass *= scale;
     link.inertia = {link.inertia.cx * scale, link.inertia.cy * scale, link.inertia.cz * scale};
   }
+}
+
+// Numbers that the file's own came to.
+Result<void> ModelReader::check_numbers() const {
+  const auto tame = [](const Vec3d& v) {
+    const double most = max(abs(v.x), max(abs(v.y), abs(v.z)));
+    return most <= kMjcfMaxValue && is_finite(v.x + v.y + v.z);
+  };
+  std::vector<bool> good;
+  for (const Robot::Link& link : robot_.links) {
+    const Mat3d& i = link.inertia;
+    good.push_back(abs(link.mass) <= kMjcfMaxValue && tame(link.com) && tame(i.cx) && tame(i.cy) &&
+                   tame(i.cz) && std::all_of(link.corners.begin(), link.corners.end(), tame));
+  }
+  for (const Robot::Joint& joint : robot_.joints) {
+    const auto child = static_cast<std::size_t>(joint.child);
+    good[child] = good[child] && tame(joint.origin.translation);
+  }
+  const auto bad = std::find(good.begin(), good.end(), false);
+  if (bad == good.end()) return {};
+  const auto link = static_cast<std::size_t>(bad - good.begin());
+  return fail(ErrorCode::parse,
+              fmt::format("body {} has a place, a size, a mass or an inertia beyond {:g}",
+                          shown(robot_.links[link].name), kMjcfMaxValue),
+              name_);
 }
 
 tl::unexpected<Error> ModelReader::no_body() const {

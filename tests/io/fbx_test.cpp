@@ -145,6 +145,9 @@ TEST(Fbx, FaultsAreToldWithTheirPlace) {
   FbxFile far(standing_figure());
   far.unit = 1e-12;
   EXPECT_THAT(error_of(far.text()), HasSubstr("beyond 1e+09"));
+  FbxFile spinning(standing_figure());
+  spinning.rotation = {0, 1e12, 0};
+  EXPECT_EQ(error_of(spinning.text()), "f.fbx: model 'Hips' is turned by more than 1e+09 degrees");
   FbxFile axes(standing_figure());
   axes.axes = {1, 1, 1, 1, 0, 1};
   EXPECT_THAT(error_of(axes.text()), HasSubstr("are not 0, 1 and 2 in some order"));

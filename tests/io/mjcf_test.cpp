@@ -232,6 +232,13 @@ TEST(Mjcf, WhatIsWrongIsToldWithItsLine) {
        "<compiler eulerseq=\"xyw\"/>");
 }
 
+TEST(Mjcf, WhatNumbersComeToIsBounded) {
+  EXPECT_EQ(error_of(two_bodies("<geom type=\"box\" size=\"900 900 900\"/>")),
+            "r.xml: body 'b' has a place, a size, a mass or an inertia beyond 1e+06");
+  const Robot far = read(two_bodies("<joint type=\"slide\" range=\"5000 9000\"/>"));
+  EXPECT_EQ(far.joints[0].lower, 1000.0);
+}
+
 TEST(Mjcf, WhatIsNoModelIsRefused) {
   EXPECT_EQ(error_of("<robot name=\"r\"/>"),
             "line 1 of r.xml: <robot> in place of <mujoco>: this is no MJCF file");

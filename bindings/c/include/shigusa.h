@@ -68,8 +68,9 @@ typedef struct shigusa_character shigusa_character;
 
 /* `spec`: the `character` of a task file, such as {"source": "human", "stature_m": 1.6} or
  * {"source": "hero.vrm", "map": {"right_hand": "Bone_17"}}. For a file `source` is its name, whose
- * ending tells the format (bvh, gltf, glb, vrm, urdf), and `file` its bytes; for a built-in body
- * (half_body, full_body, human) `file` is null and `file_size` 0. No file is ever opened. */
+ * ending tells the format (bvh, gltf, glb, vrm, fbx, urdf, xml), and `file` its bytes; for a
+ * built-in body (half_body, full_body, human) `file` is null and `file_size` 0. No file is ever
+ * opened. */
 SHIGUSA_API shigusa_status shigusa_character_create(const char* spec, const void* file,
                                                     size_t file_size,
                                                     shigusa_character** character);
