@@ -18,6 +18,7 @@ MjcfInclude included_from(std::filesystem::path) { return {}; }
 #include <algorithm>
 #include <set>
 
+#include "body/humanoid_names.hpp"
 #include "mjcf_actuators.hpp"
 #include "mjcf_geom.hpp"
 
@@ -69,6 +70,7 @@ class ModelReader {
   std::vector<Robot::Joint> read_joint(const Inside& inside, const std::string& body);
   void read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball);
   void add_masses(const std::vector<Inside>& content, const Vec3d& shift, Robot::Link& link);
+  void add_hand(const std::vector<Inside>& content, const Vec3d& shift, int forearm);
   void follow_equalities();
   void scale_masses();
   [[nodiscard]] Result<void> check_numbers() const;
@@ -182,6 +184,7 @@ void ModelReader::take_body(const Hung& body) {
   if (files_.error()) return;
   const int link = static_cast<int>(robot_.links.size()) - 1;
   add_masses(content, shift, robot_.links[static_cast<std::size_t>(link)]);
+  add_hand(content, shift, link);
   for (const Inside& child : content) {
     if (!is(child.part.element, "body") || files_.error()) continue;
     const char* named = child.part.element.Attribute("childclass");
@@ -364,6 +367,28 @@ void ModelReader::add_masses(const std::vector<Inside>& content, const Vec3d& sh
   link.mass = own.mass;
   link.com = own.com - shift;
   link.inertia = own.inertia;
+}
+
+// A forearm that no body follows has its hand as a shape, called so, in many a model.
+void ModelReader::add_hand(const std::vector<Inside>& content, const Vec3d& shift, int forearm) {
+  const auto is_body = [](const Inside& each) { return is(each.part.element, "body"); };
+  const std::string& name = robot_.links[static_cast<std::size_t>(forearm)].name;
+  if (read_bone_name(name).part != BonePart::lower_arm) return;
+  if (std::any_of(content.begin(), content.end(), is_body)) return;
+  for (const Inside& each : content) {
+    const std::string shape = name_of(each.part.element, "");
+    const bool hand = is(each.part.element, "geom") &&
+                      read_bone_name(shape).part == BonePart::hand &&
+                      read_bone_name(shape).side == read_bone_name(name).side;
+    if (!hand) continue;
+    Robot::Joint fixed;
+    fixed.name = free_name(joints_taken_, shape + "_fixed");
+    fixed.parent = forearm;
+    fixed.child = add_link(shape, each.part.element);
+    fixed.origin.translation = each.frame * values_.place(each.part).translation - shift;
+    robot_.joints.push_back(fixed);
+    return;
+  }
 }
 
 void ModelReader::follow_equalities() {

@@ -56,6 +56,13 @@ TEST_F(MjcfCharacter, AxesOfOneJointNeedNoMass) {
               Each(Not(HasSubstr("weighs nothing"))));
 }
 
+TEST_F(MjcfCharacter, HandThatIsAShapeOfItsForearmIsTheHand) {
+  const Task task = task_of(research_mjcf(false));
+  EXPECT_EQ(task.body.effectors()[0].node, "right_hand");
+  EXPECT_THAT(std::vector(task.body.doubts().begin(), task.body.doubts().end()),
+              Each(Not(HasSubstr("ends its arm"))));
+}
+
 TEST_F(MjcfCharacter, WithoutAnklesGetsThemWithADoubt) {
   const Task task = task_of(research_mjcf(true, false));
   EXPECT_TRUE(task.body.find_dof("left_ankle.flexion"));

@@ -35,6 +35,7 @@ using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 // - Each hinge is a joint. Of several hinges of one body all but the last get a link of their own,
 //   without mass, called as the hinge; a ball is three hinges, NAME_x, NAME_y and NAME_z. A link's
 //   frame has the body's axes and stands where its last hinge is, else where the body is.
+// - A shape that is called a hand, of a forearm that no body follows, is a link.
 // - Efforts are what actuators and actuatorfrcrange allow; a joint that no actuator drives, or one
 //   without a limit, has none.
 // - Masses are the file's or by the density of its shapes, and what collides is boxed in. Meshes,
