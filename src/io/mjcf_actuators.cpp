@@ -10,8 +10,7 @@ double farther(const std::array<double, 2>& ends) { return max(abs(ends[0]), abs
 
 }  // namespace
 
-MjcfActuators::MjcfActuators(MjcfFiles& files, MjcfValues& values)
-    : files_(files), values_(values) {
+MjcfActuators::MjcfActuators(MjcfFiles& files, MjcfValues& values) : values_(values) {
   if (files.root() == nullptr) return;
   files.each(*files.root(), [&](const XmlElement& section) {
     if (std::string_view(section.Name()) != "actuator") return;

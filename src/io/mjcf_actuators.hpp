@@ -21,7 +21,6 @@ class MjcfActuators {
  private:
   void read(const MjcfPart& part);
 
-  MjcfFiles& files_;
   MjcfValues& values_;
   std::map<std::string, std::array<double, 3>> sums_;  // by joint; infinite: no limit
 };
