@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cstring>
 #include <optional>
@@ -116,9 +115,9 @@ class BinaryReader : public Reader {
     }
     at_ += sizeof(T);
     if constexpr (sizeof(T) == 8) {
-      value = std::bit_cast<T>(bits);
+      value = __builtin_bit_cast(T, bits);
     } else if constexpr (sizeof(T) == 4) {
-      value = std::bit_cast<T>(static_cast<std::uint32_t>(bits));
+      value = __builtin_bit_cast(T, static_cast<std::uint32_t>(bits));
     } else {
       value = static_cast<T>(bits);
     }
