@@ -217,8 +217,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{
             "Unknown", {"body", "half_bodi"}, {"'half_bodi'", "did you mean 'half_body'?", ".bvh"}},
         Case{"OtherFormat",
-             {"body", "hero.fbx"},
-             {"'hero.fbx'", ".bvh, .glb, .gltf, .vrm, .urdf or .xml"}},
+             {"body", "hero.obj"},
+             {"'hero.obj'", ".bvh, .glb, .gltf, .vrm, .fbx, .urdf or .xml"}},
         Case{"MissingVrm", {"body", "hero.vrm"}, {"hero.vrm", "No such file"}},
         Case{"EmptyGlb", {"body", "empty.glb"}, {"empty.glb", "empty"}},
         Case{"BinaryGlb", {"body", "binary.glb"}, {"binary.glb", "not glTF"}},
