@@ -11,8 +11,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShortest = 1e-9;  // of a direction or a quaternion
 // Each attribute is looked up in all classes around an element.
-constexpr int kMaxClassDepth = 16;
-constexpr std::size_t kMaxClassElements = 32;
+constexpr int kMaxClassDepth = 10;
+constexpr std::size_t kMaxClassElements = 24;
 
 // All actuators share their classes' words.
 bool is_actuator(std::string_view tag) {

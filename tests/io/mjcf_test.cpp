@@ -265,7 +265,7 @@ TEST(Mjcf, LimitsOfTheFileAreHeld) {
   EXPECT_THAT(error_of(deeper), HasSubstr("nested deeper than 100"));
   std::string classes = "<default>";
   for (int i = 0; i < 40; ++i) classes += "<geom/>";
-  EXPECT_THAT(error_of(two_bodies("", classes + "</default>")), HasSubstr("more than 32 elements"));
+  EXPECT_THAT(error_of(two_bodies("", classes + "</default>")), HasSubstr("more than 24 elements"));
 }
 
 class MjcfIncludes : public testing::Test {
