@@ -256,6 +256,16 @@ TEST_P(MalformedGltf, IsRefusedWithItsPlace) {
   }
 }
 
+// No parameter of the tests above: each test's process makes all of those, and this one is of 40
+// MB.
+TEST(Gltf, JsonLargerThanItMayBeIsRefused) {
+  const auto file = parse_gltf(
+      file_of(R"({"name": ")" + std::string(kGltfMaxJsonBytes, 'a') + "\"}"), "hero.vrm");
+  ASSERT_FALSE(file);
+  EXPECT_THAT(file.error().to_string(), HasSubstr("JSON part has 41943"));
+  EXPECT_THAT(file.error().to_string(), HasSubstr("41943040"));
+}
+
 const std::string kGlb = glb(file_of("{}"));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -274,9 +284,6 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"TooManyValues",
                   file_of(R"({"children": [)" + many(600'000, "0") + "]}"),
                   {"more than 500000 values"}},
-        Malformed{"LargeJson",
-                  file_of(R"({"name": ")" + std::string(kGltfMaxJsonBytes, 'a') + "\"}"),
-                  {"JSON part has 41943", "41943040"}},
         Malformed{"LongName",
                   file_of(R"({"name": ")" + std::string(300, 'a') + "\"}"),
                   {"node 0", "300 bytes", "256"}},
