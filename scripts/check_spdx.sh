@@ -8,19 +8,18 @@ cd "${1:-$(dirname "$0")/..}"
 # every file of ours in which a comment can stand, not what builds leave among them; scripts are known
 # by their first two characters
 find . \( -name .git -o -path ./build -o -path ./out -o -name node_modules -o -path './*/dist' \
-  -o -name shigusa.mjs \) -prune -o -type f -print |
-  LC_ALL=C sort | {
-    bad=0
-    while IFS= read -r file; do
-      line=1
-      case $file in
-        *.hpp | *.h | *.cpp | *.cmake | *.cmake.in | */CMakeLists.txt | *.ts | *.mts | *.js | *.mjs) ;;
-        *) if [ "$(head -c 2 "$file" | tr -d '\0')" = '#!' ]; then line=2; else continue; fi ;;
-      esac
-      sed -n "${line}p" "$file" | grep -qE '^(//|#) SPDX-License-Identifier: MIT$' || {
-        echo "$file:$line: no SPDX-License-Identifier: MIT"
-        bad=1
+  -o -name shigusa.mjs \) -prune -o -type f -size +0 -print0 | LC_ALL=C sort -z |
+  LC_ALL=C xargs -0 awk '
+    FNR == 1 {
+      script = FILENAME !~ /(\.(hpp|h|cpp|cmake|cmake\.in|ts|mts|js|mjs)|\/CMakeLists\.txt)$/
+      if (script && /^#!/) next
+      if (script) nextfile
+    }
+    {
+      if (!/^(\/\/|#) SPDX-License-Identifier: MIT$/) {
+        print FILENAME ":" FNR ": no SPDX-License-Identifier: MIT"
+        bad = 1
       }
-    done
-    exit "$bad"
-  }
+      nextfile
+    }
+    END { exit bad }'
