@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A thousand random goals per body, inside and outside its reach, judged by the exported BVH's own
-// forward kinematics.
+// A thousand random goals per body at night, inside and outside its reach, judged by the exported
+// BVH's own forward kinematics.
 #include <gtest/gtest.h>
 
 #include <shigusa/motion/minimum_jerk.hpp>
 #include <shigusa/project/export.hpp>
 
 #include "support/exported.hpp"
+#include "support/night.hpp"
 #include "support/reach_bounds.hpp"
 
 namespace shigusa {
@@ -19,9 +20,9 @@ constexpr double kTenthOfADegree = radians(0.1);
 // Goals of each of four parts, which machines with several cores run at once. Builds that check
 // every step, debug and sanitizers, take fifteen times as long for a goal.
 #ifdef NDEBUG
-constexpr int kGoals = 250;
+const int kGoals = cases(250, 50);
 #else
-constexpr int kGoals = 40;
+const int kGoals = cases(40, 20);
 #endif
 
 // (m) about half of them within a body's reach
