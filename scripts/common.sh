@@ -66,3 +66,23 @@ npm_packages() {
   quietly npm ci --prefix "$1" --no-audit --no-fund --ignore-scripts
   touch "$1/node_modules/.lock-$lock"
 }
+
+# in_parallel FUNCTION ARGUMENT…: the function once for each argument, as many at once as there are
+# cores; fails when one fails, after all are done
+in_parallel() {
+  local function=$1 argument running=0 failed=0
+  shift
+  for argument in "$@"; do
+    if [ "$running" -ge "$jobs" ]; then
+      wait -n || failed=1
+      running=$((running - 1))
+    fi
+    "$function" "$argument" &
+    running=$((running + 1))
+  done
+  while [ "$running" -gt 0 ]; do
+    wait -n || failed=1
+    running=$((running - 1))
+  done
+  return "$failed"
+}

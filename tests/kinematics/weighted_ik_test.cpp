@@ -64,6 +64,19 @@ TEST(WeightedIk, LargerWeightMovesJointLess) {
   EXPECT_LT(std::fabs(heavy[0]), std::fabs(light[0]));
 }
 
+// Weights tell how joints share a way, whatever their unit is: times a power of two not even a
+// rounding differs.
+TEST(WeightedIk, AllWeightsTimesAPowerOfTwoMoveJointsAlike) {
+  const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}});
+  const Targets targets = tip_moves_by(body, {0, 0.5}, {0, 0.05, 0.1});
+  const Vector step = ik_step(body, {0, 0.5}, targets, {0.5, 2.0}, {}, IkSettings{});
+  ASSERT_NE(step[0], 0.0);
+  for (const int power : {-60, -20, 20, 60}) {
+    const Vector weights{std::ldexp(0.5, power), std::ldexp(2.0, power)};
+    EXPECT_EQ(ik_step(body, {0, 0.5}, targets, weights, {}, IkSettings{}), step) << power;
+  }
+}
+
 TEST(WeightedIk, GoalNoJointLeadsToStandsStill) {
   // straight up, no hinge lengthens the rod
   const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}});
