@@ -6,6 +6,7 @@
 #include <set>
 #include <shigusa/criteria/criteria.hpp>
 
+#include "criteria/replay.hpp"
 #include "support/motions.hpp"
 
 namespace shigusa {
@@ -205,6 +206,48 @@ TEST(Score, FrameByFrameIsTheSameAsOfTheWholeMotion) {
                   motion.centre_of_mass[k]});
   }
   EXPECT_EQ(built_in.score(), score_motion(body, motion, settings).total);
+}
+
+// The search shows a scorer one motion after the other.
+TEST(Score, AScorerForgetsTheMotionBefore) {
+  const BodyModel body = human_body();
+  const Motion before = wild_motion(body);
+  Motion motion = wild_motion(body);
+  for (double& tau : motion.torques) tau *= 0.1;
+  BuiltInCriteria<double> used(body, every_criterion());
+  show_motion(body, before, true, used);
+  used.reset();
+  show_motion(body, motion, true, used);
+  BuiltInCriteria<double> fresh(body, every_criterion());
+  show_motion(body, motion, true, fresh);
+  EXPECT_EQ(used.score(), fresh.score());
+  EXPECT_LT(fresh.score(), score_motion(body, before, every_criterion()).total);
+}
+
+// Penalties are made of means and maxima over the frames, which of equal frames are the frame's
+// own.
+TEST(Score, AStillMotionIsTheSameOfOneFrameAndOfMany) {
+  const BodyModel body = full_body();
+  // leaning far, an arm in the trunk and beyond its limits
+  std::vector<double> posture(body.start().begin(), body.start().end());
+  posture[static_cast<std::size_t>(body.find_dof("right_elbow.flexion").value())] += 2.6;
+  posture[static_cast<std::size_t>(body.find_dof("right_shoulder.abduction").value())] -= 1.2;
+  posture[static_cast<std::size_t>(body.find_dof("right_hip.flexion").value())] += 1.5;
+  posture[static_cast<std::size_t>(body.find_dof("right_ankle.flexion").value())] += 0.5;
+  const auto score = [&](std::size_t frames) {
+    Motion motion = motion_through(body, std::vector<std::vector<double>>(frames, posture));
+    for (double& tau : motion.torques) tau = 40.0;
+    return score_motion(body, motion, every_criterion());
+  };
+  const Score one = score(1);
+  const Score many = score(5);
+  for (std::size_t i = 0; i < one.terms.size(); ++i) {
+    const std::string& name = one.terms[i].name;
+    EXPECT_NEAR(one.terms[i].penalty, many.terms[i].penalty, 1e-12) << name;
+    // what does not move neither speeds up nor works
+    const bool still = name == "joint_acceleration" || name == "work";
+    EXPECT_EQ(one.terms[i].penalty == 0.0, still) << name;
+  }
 }
 
 TEST(WorstScore, IsReachedByNoMotion) {

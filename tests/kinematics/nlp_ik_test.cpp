@@ -141,6 +141,22 @@ TEST(NlpIk, AnUpperLimitGrowsWithItsDriver) {
   }
 }
 
+TEST(NlpIk, ADriverThatTurnsMakesRoomInTheSameStep) {
+  BodyDefinition definition = chain_definition({{Axis::x, 1.0}, {Axis::x, 1.0}});
+  definition.dofs[0].upper = 0.5;
+  definition.couplings.push_back({.dof = 0, .driver = 1, .gain = 0.4, .driver_full = 1.0});
+  const BodyModel body(definition);
+  const NlpIkSettings settings{.damping = 1e-9, .limit_approach = 1.0, .max_change = 2.0};
+  // down and forwards, to where both turn
+  const Vector from{0.45, 0.1};
+  const Solved found =
+      solve(body, from, {moves_by(body, from, {0, -0.45, 0.5})}, {1.0, 1.0}, settings);
+  const auto limit = [](double driver) { return 0.5 + 0.4 * driver; };
+  ASSERT_LT(found.q[1], 1.0);
+  EXPECT_GT(found.q[0], limit(from[1]) + 0.05);
+  EXPECT_LE(found.q[0], limit(found.q[1]));
+}
+
 TEST(NlpIk, AStartPostureOutsideItsLimitsMayStay) {
   BodyDefinition definition = chain_definition({{Axis::x, 1.0}, {Axis::x, 1.0}});
   definition.start = {2.3, 0.0};
