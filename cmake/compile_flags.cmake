@@ -27,13 +27,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-fno-tree-slp-vectorize)
 endif()
 
-set(shigusa_sanitizers ${SHIGUSA_SANITIZE})
-if(SHIGUSA_FUZZ)
-  # the fuzzer sees which branches of the library an input takes; main() comes with each target
-  string(JOIN "," shigusa_sanitizers ${shigusa_sanitizers} fuzzer-no-link)
-endif()
-if(shigusa_sanitizers)
-  set(shigusa_sanitizer_flags -fsanitize=${shigusa_sanitizers} -fno-sanitize-recover=all
+if(SHIGUSA_SANITIZE)
+  set(shigusa_sanitizer_flags -fsanitize=${SHIGUSA_SANITIZE} -fno-sanitize-recover=all
                               -fno-omit-frame-pointer)
   add_compile_options(${shigusa_sanitizer_flags})
   add_link_options(${shigusa_sanitizer_flags})
