@@ -3,6 +3,7 @@
 // would be without them. Read back by the files' own forward kinematics.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <functional>
 #include <project/character_export.hpp>
 #include <shigusa/io/gltf_animation.hpp>
@@ -160,6 +161,29 @@ void expect_limbs_kept(const Played& played) {
           << bone << ' ' << f;
     }
   }
+}
+
+// Who reads the file takes the rest for what has no channel.
+TEST(RigMotion, OnlyNodesThatLeaveTheirRestTurn) {
+  const Figure figure;
+  const Played played = play(
+      figure, 2, [](int frame, const auto& angle) { angle("right_elbow.flexion") += 0.3 * frame; });
+  const Rig& rig = played.spec.rig->rig;
+  const RigMotion motion = rig_motion(played.body, played.clip, rig);
+  int turning = 0;
+  for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
+    double largest = 0.0;
+    for (std::size_t f = 0; f < 2; ++f) {
+      const Quatd& q = motion.local[f * rig.nodes.size() + i].rotation;
+      const Quatd& rest = rig.nodes[i].rotation;
+      const double w = q.x * rest.x + q.y * rest.y + q.z * rest.z + q.w * rest.w;
+      largest = std::fmax(largest, acos(min(abs(w), 1.0)));
+    }
+    // acos keeps half of a number's digits beside 1
+    EXPECT_EQ(motion.turns[i], largest > 1e-7) << i;
+    turning += motion.turns[i] ? 1 : 0;
+  }
+  EXPECT_EQ(turning, 3);  // both upper arms, let down from the T, and the forearm
 }
 
 TEST(TwistExport, ALeafOfTheForearmTakesItsShareAndTheElbowNone) {
