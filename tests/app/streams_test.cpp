@@ -133,7 +133,7 @@ std::vector<std::string> printing_calls() {
        {"body half_body", "body human --json", "--help", "reach --help", "--version",
         "reach --goal right_hand=-0.2,1.1,0.4 --out one", "edit result", "edit result --json",
         "mirror result", "render clip.bvh", "score clip.bvh", "score clip.bvh --json"}) {
-    calls.push_back(std::string("'") + SHIGUSA_BINARY + "' " + arguments);
+    calls.push_back("'" + shigusa_program() + "' " + arguments);
   }
   return calls;
 }
@@ -176,7 +176,7 @@ TEST_F(Outputs, ClosedStreamsLeaveExitCodesAndFilesAsTheyAre) {
   const auto with_streams = bytes("one");
   EXPECT_EQ(shell(reach + " <&- >&- 2>&-"), 2);
   EXPECT_EQ(bytes("one"), with_streams);
-  EXPECT_EQ(shell(std::string("'") + SHIGUSA_BINARY + "' body nobody.bvh <&- >&- 2>&-"), 2);
+  EXPECT_EQ(shell("'" + shigusa_program() + "' body nobody.bvh <&- >&- 2>&-"), 2);
 }
 
 }  // namespace

@@ -34,6 +34,13 @@ struct ProgramRun {
   std::string err;
 };
 
+// The program's path: this build's, or where SHIGUSA_PROGRAM says so another one's, as
+// scripts/check has the one with sanitizers tested by tests without.
+inline std::string shigusa_program() {
+  const char* other = getenv("SHIGUSA_PROGRAM");
+  return other != nullptr ? other : SHIGUSA_BINARY;
+}
+
 // False in a bare root folder, where no pseudo-terminals are mounted.
 inline bool has_terminals() {
   const int end = posix_openpt(O_RDWR | O_NOCTTY);
@@ -73,7 +80,7 @@ struct Channel {
 // Starts the program with its output and messages going to the channels.
 inline pid_t start_shigusa(const std::vector<std::string>& arguments, const RunSettings& settings,
                            const Channel& out, const Channel& err) {
-  const std::string program = SHIGUSA_BINARY;
+  const std::string program = shigusa_program();
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
