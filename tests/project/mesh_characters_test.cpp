@@ -10,7 +10,6 @@
 #include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/project/character_description.hpp>
 #include <shigusa/project/export.hpp>
-#include <shigusa/project/mirror.hpp>
 
 #include "support/mesh_file.hpp"
 
