@@ -116,6 +116,10 @@ struct Audit {
   std::vector<std::string> failures;    // what was promised and not kept, with the task
 };
 
+// rad: of goals' turns, with what a file's digits leave open
+inline constexpr double kTurned = kTurnTolerance + 1e-4;
+// rad: of feet and limits
+inline constexpr double kTilted = 2e-3;
 // m: capsules give way by kCollisionDepth, and their shape is not the flesh's
 inline constexpr double kThroughFlesh = 0.010;
 
@@ -176,7 +180,7 @@ class Auditor {
     require(exported.finite(), "numbers are not finite");
     for (const ContactResult& foot : candidate.contacts) {
       most(exported.slide(foot.node), 1e-3, audit_.slide, "a foot slides (m)");
-      if (!foot.heel) most(exported.tilt(foot.node), 2e-3, audit_.tilt, "a foot tilts (rad)");
+      if (!foot.heel) most(exported.tilt(foot.node), kTilted, audit_.tilt, "a foot tilts (rad)");
     }
     if (generation.meets_goals()) judge_goals(task, candidate, exported);
     judge_limits(task.body, candidate.motion.clip);
@@ -192,13 +196,13 @@ class Auditor {
       const Mat3d& turned = exported.rotation_at_end(node);
       if (task.goals[g].rotation) {
         const Mat3d asked = to_matrix(*task.goals[g].rotation);
-        most(norm(rotation_vector(turned * transpose(asked))), 2e-3, audit_.turn,
+        most(norm(rotation_vector(turned * transpose(asked))), kTurned, audit_.turn,
              "a rotation is missed (rad)");
       }
       if (task.goals[g].axis) {
         const Vec3d axis = turned * normalized(task.goals[g].axis->axis);
         const Vec3d way = normalized(task.goals[g].axis->direction);
-        most(std::atan2(norm(cross(axis, way)), dot(axis, way)), 2e-3, audit_.turn,
+        most(std::atan2(norm(cross(axis, way)), dot(axis, way)), kTurned, audit_.turn,
              "an axis is missed (rad)");
       }
     }
@@ -209,7 +213,7 @@ class Auditor {
       for (int d = 0; d < clip.dofs; ++d) {
         const double angle = clip.frame(f)[static_cast<std::size_t>(d)];
         const auto [lower, upper] = widest_limits(body, d);
-        most(std::fmax(lower - angle, angle - upper), 2e-3, audit_.limit,
+        most(std::fmax(lower - angle, angle - upper), kTilted, audit_.limit,
              "a limit is passed (rad)");
       }
     }
