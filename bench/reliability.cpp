@@ -31,6 +31,7 @@ void add(const Audit& part, Audit& all) {
   all.tasks += part.tasks;
   all.candidates += part.candidates;
   all.through += part.through;
+  all.over_limit += part.over_limit;
   add(part.statuses, all.statuses);
   add(part.verdicts, all.verdicts);
   add(part.best, all.best);
@@ -96,16 +97,18 @@ std::string page(const std::vector<Audit>& kinds) {
       "| its rotation | {:.4f}° | {:.3f}° |\n"
       "| planted foot slides | {:.4f} mm | 1 mm |\n"
       "| planted foot tilts | {:.4f}° | {:.3f}° |\n"
-      "| joint beyond its limit | {:.4f}° | {:.3f}° |\n"
+      "| joint beyond its limit, not told | {:.4f}° | {:.3f}° |\n"
       "| forearm in the head, told as free | {:.1f} mm | |\n"
       "| forearm in a shank, told as free | {:.1f} mm | |\n"
-      "| … by more than {:.0f} mm | {} of {} | |\n\n"
+      "| … by more than {:.0f} mm | {} of {} | |\n"
+      "| candidates that tell of a limit that they pass | {} | |\n\n"
       "Before heads and shanks had capsules, forearms passed through the middle of them in 104 of "
       "7,432 motions\n"
       "that were told as free.\n\n",
       1e3 * all.goal, degrees(all.turn), degrees(kTurned), 1e3 * all.slide, degrees(all.tilt),
       degrees(kTilted), degrees(all.limit), degrees(kTilted), 1e3 * std::fmax(all.head, 0.0),
-      1e3 * std::fmax(all.shank, 0.0), 1e3 * kThroughFlesh, all.through, all.candidates);
+      1e3 * std::fmax(all.shank, 0.0), 1e3 * kThroughFlesh, all.through, all.candidates,
+      all.over_limit);
   text +=
       "## Status and verdicts\n\n"
       "| asked for | tasks | reached | unsteady | unreachable | candidates | possible | strains | "

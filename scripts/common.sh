@@ -94,9 +94,9 @@ run_rooms() {
   shift
   export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
   export TSAN_OPTIONS=suppressions=$PWD/tests/tsan.supp UBSAN_OPTIONS=print_stacktrace=1
-  export RC_PARAMS="seed=42 max_success=30" GTEST_TOTAL_SHARDS=$jobs
   run_part() {
-    GTEST_SHARD_INDEX=${1#* } quietly timeout 1200 "build/$preset/tests/test_${1% *}" --gtest_brief=1
+    RC_PARAMS="seed=42 max_success=30" GTEST_TOTAL_SHARDS=$jobs GTEST_SHARD_INDEX=${1#* } \
+      quietly timeout 1200 "build/$preset/tests/test_${1% *}" --gtest_brief=1
   }
   for room in "$@"; do
     for ((part = 0; part < jobs; ++part)); do parts+=("$room $part"); done

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/hierarchy/clip_dynamics.hpp>
 #include <shigusa/hierarchy/verdict.hpp>
-#include <shigusa/rollout/retimed.hpp>
 #include <utility>
 
 namespace shigusa {
@@ -44,9 +44,10 @@ std::string when(const Reason& reason) {
 }
 
 // The verdict on a motion in another duration: limits and collisions are what they were.
-Verdict verdict_in(double duration, const BodyModel& body, const Motion& motion,
-                   MotionMeasures measures) {
-  const Motion slower = retimed(body, motion, duration);
+Verdict verdict_in(double duration, const BodyModel& body, Clip clip, MotionMeasures measures,
+                   ClipDynamics& dynamics) {
+  clip.frame_time = duration / (clip.frames - 1);
+  const Motion slower = dynamics.completed(std::move(clip));
   measures.loads = joint_loads(body, slower);
   measures.support = support_margins(body, slower);
   return judge(body, measures).verdict;
@@ -135,11 +136,15 @@ Judgement judge(const BodyModel& body, const Motion& motion, const MotionMeasure
   if (judgement.verdict != Verdict::impossible) return judgement;
   double fast = motion.clip.duration();
   double slow = kSlowest * fast;
-  const Verdict best = verdict_in(slow, body, motion, measures);
+  ClipDynamics dynamics(body);
+  const auto in = [&](double duration) {
+    return verdict_in(duration, body, motion.clip, measures, dynamics);
+  };
+  const Verdict best = in(slow);
   if (best == Verdict::impossible) return judgement;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (fast + slow);
-    (verdict_in(middle, body, motion, measures) <= best ? slow : fast) = middle;
+    (in(middle) <= best ? slow : fast) = middle;
   }
   judgement.possible_in = slow;
   return judgement;

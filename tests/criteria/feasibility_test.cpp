@@ -91,16 +91,5 @@ TEST(Feasibility, ForgetsWhatItSaw) {
   EXPECT_EQ(feasibility.penalty(), 0.0);
 }
 
-TEST(JointLoads, TellTheWorstMomentOfEachJoint) {
-  const BodyModel body = on_a_foot();
-  Motion motion = standing(body, {0.2 * kStrength, -0.4 * kStrength, 0.7 * kStrength, 0.0});
-  const std::vector<JointLoad> loads = joint_loads(body, motion);
-  ASSERT_EQ(loads.size(), 1u);
-  EXPECT_EQ(loads[0].dof, 0);
-  EXPECT_DOUBLE_EQ(loads[0].torque, -0.4 * kStrength);
-  EXPECT_DOUBLE_EQ(loads[0].share, 0.8);
-  EXPECT_DOUBLE_EQ(loads[0].time, motion.clip.frame_time);
-}
-
 }  // namespace
 }  // namespace shigusa

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <shigusa/hierarchy/clip_dynamics.hpp>
 #include <shigusa/hierarchy/verdict.hpp>
 #include <shigusa/motion/minimum_jerk.hpp>
-#include <shigusa/rollout/retimed.hpp>
 
 #include "support/motions.hpp"
 
@@ -132,7 +132,9 @@ struct Swing {
     for (int f = 0; f <= kSteps; ++f) {
       frames.push_back({1.0 - minimum_jerk(static_cast<double>(f) / kSteps)});
     }
-    return retimed(body, motion_through(body, frames), duration);
+    Clip clip = motion_through(body, frames).clip;
+    clip.frame_time = duration / kSteps;
+    return ClipDynamics(body).completed(clip);
   }
 };
 

@@ -72,14 +72,4 @@ class Feasibility {
 [[nodiscard]] double feasibility_penalty(const BodyModel& body, const Motion& motion,
                                          const FeasibilitySettings& settings = {});
 
-// What share of its strength a joint needs at most, and when.
-struct JointLoad {
-  int dof = 0;
-  double torque = 0.0;  // N·m, then
-  double share = 0.0;   // of the strength in its direction
-  double time = 0.0;    // s
-};
-// (dofs) of a whole motion.
-[[nodiscard]] std::vector<JointLoad> joint_loads(const BodyModel& body, const Motion& motion);
-
 }  // namespace shigusa

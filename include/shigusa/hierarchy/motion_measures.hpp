@@ -4,12 +4,22 @@
 #include <optional>
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/criteria/collision.hpp>
-#include <shigusa/criteria/feasibility.hpp>
 #include <shigusa/criteria/support_margin.hpp>
+#include <shigusa/motion/motion.hpp>
 #include <string>
 #include <vector>
 
 namespace shigusa {
+
+// What share of its strength a joint needs at most, and when.
+struct JointLoad {
+  int dof = 0;
+  double torque = 0.0;  // N·m, then
+  double share = 0.0;   // of the strength in its direction
+  double time = 0.0;    // s
+};
+// (dofs) of a whole motion.
+[[nodiscard]] std::vector<JointLoad> joint_loads(const BodyModel& body, const Motion& motion);
 
 // A joint that passes its limit during a motion.
 struct LimitExcess {
