@@ -83,6 +83,7 @@ TEST_P(FreeMotions, PassThroughNeitherHeadNorShank) {
 
 // The other geometry sees what the capsules are for.
 TEST_P(FreeMotions, WouldWithoutTheirCapsules) {
+  if (kGoals < 30) GTEST_SKIP() << kGoals << " goals are too few to meet one that leads through";
   BodyDefinition bare = body().definition();
   std::erase_if(bare.capsules, [](const Capsule& capsule) {
     return capsule.name == "head" || capsule.name == "jaw" || capsule.name.ends_with("shank");
