@@ -37,8 +37,9 @@ Clip clip_of(const BodyModel& body, const std::vector<std::vector<double>>& fram
 TEST(Collision, AStandingPersonTouchesNothing) {
   for (const BodyModel& body :
        {half_body(), full_body(), human_body(), human_body({.heels = true})}) {
-    EXPECT_EQ(deepest_collision(body, clip_of(body, {posture(body, {})})).depth, 0.0)
-        << body.name();
+    const CollisionFound found = deepest_collision(body, clip_of(body, {posture(body, {})}));
+    EXPECT_EQ(found.depth, 0.0) << body.name();
+    EXPECT_EQ(found.time, 0.0) << body.name();
   }
 }
 

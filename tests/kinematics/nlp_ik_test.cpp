@@ -167,6 +167,23 @@ TEST(NlpIk, AStartPostureOutsideItsLimitsMayStay) {
   EXPECT_GT(found.q[0], 2.2);
 }
 
+// With the driver a little overstretched at the start, the line that couples both is still above
+// the start posture, and holds; further overstretched it is not, and bending makes no room.
+TEST(NlpIk, ACouplingHoldsUnlessTheStartPostureIsBeyondIt) {
+  for (const double driver : {-0.1, -0.5}) {
+    BodyDefinition definition = chain_definition({{Axis::x, 1.0}, {Axis::x, 1.0}});
+    definition.dofs[0].upper = 0.5;
+    definition.couplings.push_back({.dof = 0, .driver = 1, .gain = 0.4, .driver_full = 1.0});
+    definition.start = {0.45, driver};
+    const BodyModel body(definition);
+    const NlpIkSettings settings{.damping = 1e-9, .limit_approach = 1.0, .max_change = 2.0};
+    const Vector from{0.4, 0.5};
+    const Solved found =
+        solve(body, from, {moves_by(body, from, {0, -3, 1})}, {1.0, 0.0}, settings);
+    EXPECT_NEAR(found.q[0], driver == -0.1 ? 0.7 : 0.5, 1e-9) << driver;
+  }
+}
+
 // A posture of the full body, ways for both hands, and weights.
 struct RandomTask {
   BodyModel body = full_body();
