@@ -53,7 +53,7 @@ int main() {
   for (const shigusa::SearchMethod method : shigusa::kSearchMethods) {
     task.search = method;
     const auto found = shigusa::generate(task);
-    std::printf("%-10s best score %.4f\n", std::string(shigusa::search_name(method)).c_str(),
+    std::printf("%-10s best score %.4f\n", std::string(shigusa::word_of(method)).c_str(),
                 found ? found->best_seen_score : 1.0);
   }
   task.own_search = one_plus_lambda;

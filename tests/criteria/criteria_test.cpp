@@ -8,6 +8,7 @@
 
 #include "criteria/replay.hpp"
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -80,9 +81,9 @@ TEST(Score, TermsAreThePenaltiesOfTheCriteria) {
   const BodyModel body = full_body();
   const Motion motion = wild_motion(body);
   const Score score = score_motion(body, motion, {});
-  EXPECT_EQ(score.terms[0].penalty, joint_range_penalty(body, motion));
-  EXPECT_EQ(score.terms[1].penalty, balance_penalty(body, motion));
-  EXPECT_EQ(score.terms[2].penalty, torque_penalty(body, motion));
+  EXPECT_EQ(score.terms[0].penalty, penalty_by<JointRange>(body, motion));
+  EXPECT_EQ(score.terms[1].penalty, penalty_by<Balance>(body, motion));
+  EXPECT_EQ(score.terms[2].penalty, penalty_by<Torque>(body, motion));
   for (const ScoreTerm& term : score.terms) EXPECT_GT(term.penalty, 0.0) << term.name;
 }
 
@@ -167,15 +168,15 @@ TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
   const Motion motion = wild_motion(body);
   const Score score = score_motion(body, motion, every_criterion());
   ASSERT_EQ(score.terms.size(), 12u);
-  EXPECT_EQ(score.terms[3].penalty, balance_zone_penalty(body, motion));
-  EXPECT_EQ(score.terms[4].penalty, discomfort_penalty(body, motion));
-  EXPECT_EQ(score.terms[5].penalty, joint_acceleration_penalty(body, motion));
-  EXPECT_EQ(score.terms[6].penalty, work_penalty(body, motion));
-  EXPECT_EQ(score.terms[7].penalty, low_back_penalty(body, motion));
-  EXPECT_EQ(score.terms[8].penalty, head_penalty(body, motion, {.gaze_target = kGoal}));
-  EXPECT_EQ(score.terms[9].penalty, collision_penalty(body, motion));
-  EXPECT_EQ(score.terms[10].penalty, pressure_penalty(body, motion));
-  EXPECT_EQ(score.terms[11].penalty, feasibility_penalty(body, motion));
+  EXPECT_EQ(score.terms[3].penalty, penalty_by<BalanceZone>(body, motion));
+  EXPECT_EQ(score.terms[4].penalty, penalty_by<Discomfort>(body, motion));
+  EXPECT_EQ(score.terms[5].penalty, penalty_by<JointAcceleration>(body, motion));
+  EXPECT_EQ(score.terms[6].penalty, penalty_by<Work>(body, motion));
+  EXPECT_EQ(score.terms[7].penalty, penalty_by<LowBack>(body, motion));
+  EXPECT_EQ(score.terms[8].penalty, penalty_by<Head>(body, motion, {.gaze_target = kGoal}));
+  EXPECT_EQ(score.terms[9].penalty, penalty_by<Collision>(body, motion));
+  EXPECT_EQ(score.terms[10].penalty, penalty_by<PressureZone>(body, motion));
+  EXPECT_EQ(score.terms[11].penalty, penalty_by<Feasibility>(body, motion));
 }
 
 TEST(Score, PenaltiesStayWithinZeroAndOneForAnyMotion) {

@@ -28,7 +28,7 @@ constexpr Vec3d kLow{-0.1, 0.5, 0.5};
 
 std::vector<double> angles_of(NlpRollout& rollout, const MotionInput<double>& input) {
   std::vector<double> angles;
-  rollout.run(input, [&](const MotionFrame<double>& frame, const Kinematics<double>&) {
+  rollout.run(input, [&](const PlacedFrame<double>& frame) {
     angles.insert(angles.end(), frame.angles.begin(), frame.angles.end());
   });
   return angles;
@@ -41,7 +41,7 @@ double limit_excess(const BodyModel& body, const Clip& clip) {
     for (int d = 0; d < body.dof_count(); ++d) {
       const double angle = clip.frame(f)[static_cast<std::size_t>(d)];
       excess = std::fmax(excess, body.dof(d).lower - angle);
-      excess = std::fmax(excess, angle - upper_limit<double>(body, d, clip.frame(f)));
+      excess = std::fmax(excess, angle - upper_limit(body, d, clip.frame(f)));
     }
   }
   return excess;
@@ -102,7 +102,7 @@ RC_GTEST_PROP(NlpRolloutProperty, DrawnToAPostureTheHandIsStillOnItsPath,
   for (std::size_t m = 0; m < posture_modes(reach.body).size(); ++m) {
     posture.modes.push_back(random.uniform(-0.5, 0.5));
   }
-  posture.delay = random.uniform(0.0, kDelayMax);
+  posture.timing.delay = random.uniform(0.0, kDelayMax);
   const Clip clip = roll_out_nlp(reach.problem, reach.parameters).motion.clip;
   const MeasuredMotion measured(reach.problem, clip);
   RC_ASSERT(measured.path_error <= kReachTolerance);

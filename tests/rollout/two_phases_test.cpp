@@ -207,7 +207,8 @@ TEST(TwoPhases, LanesScoreAsDoubleDoes) {
     const MotionInput<double> input = held.input();
     add(weights, input.inverse_weights);
     add(changes, input.posture);
-    add(timing, std::vector<double>{input.delay, input.bow, input.skew, input.sway});
+    add(timing, std::vector<double>{input.timing.delay, input.timing.bow, input.timing.skew,
+                                    input.timing.sway});
     add(later_weights, input.later.inverse_weights);
     add(later_changes, input.later.posture);
     switches.push_back(static_cast<float>(input.later.switch_at));
