@@ -64,9 +64,10 @@ TEST(CentreOfPressure, DoesNotMatterToABodyWithoutFeet) {
 }
 
 TEST(CentreOfPressure, ForgetsWhatItSaw) {
-  MotionFrame<double> frame;
-  frame.pressure = {0, kGravity, 0.2 * kGravity};
-  PressureZone<double> zone(on_a_foot());
+  const BodyModel body = on_a_foot();
+  const Kinematics<double> kinematics = start_kinematics(body);
+  const PlacedFrame<double> frame{{}, kinematics, {0, kGravity, 0.2 * kGravity}};
+  PressureZone<double> zone(body);
   zone.add(frame);
   EXPECT_GT(zone.penalty(), 0.0);
   zone.reset();

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <shigusa/criteria/criteria.hpp>
 
@@ -131,13 +132,32 @@ TEST(CriteriaPresets, OfThePaperAreItsThree) {
 }
 
 TEST(CriteriaPresets, DefaultIsTheMixtureOfTheDocs) {
+  const std::map<std::string_view, double> weights{
+      {"joint_range", 0.25},        {"balance_zone", 0.20}, {"discomfort", 0.27},
+      {"joint_acceleration", 0.22}, {"low_back", 0.20},     {"collision", 0.5},
+      {"centre_of_pressure", 0.35}, {"feasibility", 1.0}};
   const CriteriaSettings settings = default_criteria();
-  EXPECT_EQ(settings.joint_range_weight, 0.25);
-  EXPECT_EQ(settings.balance_zone_weight, 0.20);
-  EXPECT_EQ(settings.discomfort_weight, 0.27);
-  EXPECT_EQ(settings.joint_acceleration_weight, 0.22);
-  EXPECT_EQ(settings.low_back_weight, 0.20);
-  EXPECT_EQ(settings.feasibility_weight, 1.0);
+  for_each_criterion([&](const auto& entry) {
+    const auto told = weights.find(entry.name);
+    EXPECT_EQ(entry.weight(settings), told == weights.end() ? 0.0 : told->second) << entry.name;
+  });
+}
+
+// A criterion says by its type that it looks at the body's placement: it cannot be shown a frame
+// without one.
+static_assert(looks_at_placement<Head<double>, double>);
+static_assert(looks_at_placement<Collision<double>, double>);
+static_assert(looks_at_placement<PressureZone<double>, double>);
+static_assert(looks_at_placement<Feasibility<double>, double>);
+static_assert(!looks_at_placement<JointRange<double>, double>);
+
+TEST(Score, FramesWithoutPlacementAreRefusedWhereACriterionLooksAtIt) {
+  const BodyModel body = full_body();
+  BuiltInCriteria<double> paper(body, paper_criteria());
+  EXPECT_FALSE(paper.needs_placement());
+  BuiltInCriteria<double> usual(body, default_criteria());
+  EXPECT_TRUE(usual.needs_placement());
+  EXPECT_THROW(usual.add(MotionFrame<double>{}), PreconditionError);
 }
 
 TEST(CriteriaPresets, HaveNames) {
@@ -203,8 +223,9 @@ TEST(Score, FrameByFrameIsTheSameAsOfTheWholeMotion) {
   const std::size_t n = body.dofs().size();
   for (int f = 0; f < motion.clip.frames; ++f) {
     const auto k = static_cast<std::size_t>(f);
-    built_in.add({motion.clip.frame(f), std::span(motion.torques).subspan(k * n, n),
-                  motion.centre_of_mass[k]});
+    built_in.add(MotionFrame<double>{motion.clip.frame(f),
+                                     std::span(motion.torques).subspan(k * n, n),
+                                     motion.centre_of_mass[k]});
   }
   EXPECT_EQ(built_in.score(), score_motion(body, motion, settings).total);
 }
@@ -216,11 +237,11 @@ TEST(Score, AScorerForgetsTheMotionBefore) {
   Motion motion = wild_motion(body);
   for (double& tau : motion.torques) tau *= 0.1;
   BuiltInCriteria<double> used(body, every_criterion());
-  show_motion(body, before, true, used);
+  show_motion(body, before, used);
   used.reset();
-  show_motion(body, motion, true, used);
+  show_motion(body, motion, used);
   BuiltInCriteria<double> fresh(body, every_criterion());
-  show_motion(body, motion, true, fresh);
+  show_motion(body, motion, fresh);
   EXPECT_EQ(used.score(), fresh.score());
   EXPECT_LT(fresh.score(), score_motion(body, before, every_criterion()).total);
 }

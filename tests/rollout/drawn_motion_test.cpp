@@ -136,9 +136,8 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
     for (const double c : posture_change(body, parameters.posture)) {
       changes.push_back(static_cast<float>(c));
     }
-    const PostureParameters& p = parameters.posture;
-    for (const double t : {p.delay, p.bow, p.skew, p.sway}) {
-      timing.push_back(static_cast<float>(t));
+    for (const auto member : kTimingMembers<double>) {
+      timing.push_back(static_cast<float>(parameters.posture.timing.*member));
     }
     played.add(problem, parameters, criteria);
   }

@@ -96,7 +96,7 @@ TEST(PhaseBlend, DrawsHalfOfEachPostureAboutTheMiddle) {
   const std::vector<double> lock{1.0, 1.0, 0.0};
   const std::vector<double> first{0.8, 0.2, 0.4};
   const std::vector<double> later{0.0, 0.6, 0.9};
-  MotionInput<double> input(weights, first, 0.0, 0.0, 0.0, 0.0);
+  MotionInput<double> input(weights, first, {});
   input.later = {lock, later, 0.5};
   PhaseBlend<double> blend(3);
   blend.begin(input);
