@@ -38,8 +38,8 @@ std::vector<Counted> count_motions(const Measured& measured, const CriteriaSetti
       inverse[d] = Counted(measured.inverse_weights[motion * dofs + d]);
     }
     built_in.reset();
-    const auto outcome = rollout.run(inverse, [&](const MotionFrame<Counted>& f,
-                                                  const Kinematics<Counted>&) { built_in.add(f); });
+    const auto outcome =
+        rollout.run(inverse, [&](const PlacedFrame<Counted>& f) { built_in.add(f); });
     const Counted score = built_in.score();
     scores.push_back(
         outcome.met(measured.problem.tolerance).value ? score : Counted(worst_score(criteria)));

@@ -123,8 +123,7 @@ class PackStages final : public Stages {
     }
     criteria_.reset();
     const auto outcome =
-        rollout_.run(motion_weights_,
-                     [this](const MotionFrame<S>& f, const Kinematics<S>&) { criteria_.add(f); });
+        rollout_.run(motion_weights_, [this](const PlacedFrame<S>& f) { criteria_.add(f); });
     scores_ = select(outcome.met(problem_.tolerance), criteria_.score(), S(1));
   }
 

@@ -35,7 +35,7 @@ constexpr std::uint64_t kShownSeed = 1;
 Task make(const BodyModel& body, const Vec3d& goal, std::uint64_t seed) {
   Task task = with_preset({.body = body}, Preset::paper);
   task.goals = {{"right_hand", goal}};
-  task.genetic.seed = seed;
+  task.seed = seed;
   task.batch.threads = 1;
   return task;
 }

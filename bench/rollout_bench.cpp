@@ -28,9 +28,8 @@ void rollout_double(benchmark::State& state, const char* character) {
   for (auto _ : state) {
     for (const std::vector<double>& inverse : weights) {
       built_in.reset();
-      benchmark::DoNotOptimize(rollout.run(
-          inverse,
-          [&](const MotionFrame<double>& f, const Kinematics<double>&) { built_in.add(f); }));
+      benchmark::DoNotOptimize(
+          rollout.run(inverse, [&](const PlacedFrame<double>& f) { built_in.add(f); }));
       benchmark::DoNotOptimize(built_in.score());
     }
   }

@@ -35,60 +35,52 @@ Result<BatchSettings> batch_settings(const ReachOptions& options) {
   return batch;
 }
 
-Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
-  std::vector<std::string> mixtures;
-  for (const CriteriaPreset& preset : criteria_presets()) mixtures.emplace_back(preset.name);
-  std::vector<std::string> preset_names;
-  for (const Preset preset : presets()) preset_names.emplace_back(preset_name(preset));
-  std::vector<std::string> readings;
-  for (const LayerReading reading : layer_readings()) {
-    readings.emplace_back(layer_reading_name(reading));
-  }
-  std::vector<std::string> searches;
-  for (const SearchMethod method : kSearchMethods) searches.emplace_back(search_name(method));
-  const struct {
-    const char* what;
-    const std::optional<std::string>& given;
-    std::vector<std::string> allowed;
-  } words[] = {{"preset", options.preset, preset_names},
-               {"layer reading", options.layer_reading, readings},
-               {"criteria", options.criteria, mixtures},
-               {"search", options.search, searches},
-               {"generator", options.generator, {"weighted_ik", "nlp_ik"}}};
-  for (const auto& word : words) {
-    if (!word.given) continue;
-    if (const auto known = pick(word.what, *word.given, word.allowed); !known) {
-      return tl::unexpected(known.error());
-    }
-  }
-  for (const Preset preset : presets()) {
-    if (options.preset != preset_name(preset) || preset == file.preset) continue;
-    // with its own criteria and number of candidates
-    file.preset = preset;
-    file.criteria = preset_criteria(preset);
-    if (!options.candidates) file.candidates = preset_candidates(preset);
-  }
-  if (options.layer_reading && !preset_layers(file.preset)) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("is of the presets layers and human, and the preset is {}",
-                            preset_name(file.preset)),
-                "--layer-reading");
-  }
-  for (const LayerReading reading : layer_readings()) {
-    if (options.layer_reading == layer_reading_name(reading)) file.layer_reading = reading;
-  }
-  if (options.search) file.search = search_method(*options.search);
-  if (options.pareto) {
-    file.pareto = true;
-    file.criteria = pareto_criteria();
-  }
-  for (const MotionGenerator generator : {MotionGenerator::weighted_ik, MotionGenerator::nlp_ik}) {
-    if (options.generator == generator_name(generator)) file.generator = generator;
-  }
-  for (const CriteriaPreset& preset : criteria_presets()) {
-    if (options.criteria == preset.name) file.criteria = preset.settings();
-  }
+// Puts what an option's word means in its place, if the option is given.
+template <class Enum>
+Result<void> apply_word(const char* kind, const std::optional<std::string>& word, Enum& into) {
+  if (!word) return {};
+  const Result<Enum> value = value_of<Enum>(*word, kind);
+  if (!value) return tl::unexpected(value.error());
+  into = *value;
   return {};
+}
+
+Result<void> apply_preset(const ReachOptions& options, TaskFile& file) {
+  Preset preset = file.preset;
+  const auto applied = apply_word("preset", options.preset, preset);
+  if (!applied || preset == file.preset) return applied;
+  // with its own criteria and number of candidates
+  file.preset = preset;
+  file.criteria = traits_of(preset).criteria();
+  if (!options.candidates) file.candidates = traits_of(preset).candidates;
+  return {};
+}
+
+Result<void> apply_criteria(const ReachOptions& options, TaskFile& file) {
+  if (options.pareto) file.criteria = pareto_criteria();
+  file.pareto = file.pareto || options.pareto;
+  if (!options.criteria) return {};
+  std::vector<std::string> mixtures;
+  for (const CriteriaPreset& known : criteria_presets()) mixtures.emplace_back(known.name);
+  const Result<std::size_t> mixture = pick("criteria", *options.criteria, mixtures);
+  if (!mixture) return tl::unexpected(mixture.error());
+  file.criteria = criteria_presets()[*mixture].settings();
+  return {};
+}
+
+Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
+  if (const auto applied = apply_preset(options, file); !applied) return applied;
+  auto applied = apply_word("layer reading", options.layer_reading, file.layer_reading);
+  if (applied) applied = apply_criteria(options, file);
+  if (applied && options.search) {
+    applied = apply_word("search", options.search, file.search.emplace());
+  }
+  if (applied) applied = apply_word("generator", options.generator, file.generator);
+  if (!applied || !options.layer_reading || traits_of(file.preset).layers) return applied;
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("is of the presets layers and human, and the preset is {}", word_of(file.preset)),
+      "--layer-reading");
 }
 
 Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
@@ -166,7 +158,7 @@ int reach(const ReachOptions& options) {
   end_progress_line();
   if (!generation) return report(generation.error());
   RunInfo info;
-  info.search = search_name(task->search.value_or(preset_search(task->preset)));
+  info.search = word_of(search_of(*task));
   info.threads = thread_count(batch->threads);
   info.simd = simd_name(batch->simd);
   info.elapsed_ms =

@@ -83,7 +83,7 @@ std::string candidate_table(const BodyModel& body, const Generation& generation)
   text += measures_head() + "\n";
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     const Candidate& candidate = generation.candidates[i];
-    text += fmt::format("{:>4}  {:<10}  {:>7.4f}", i + 1, verdict_name(candidate.judgement.verdict),
+    text += fmt::format("{:>4}  {:<10}  {:>7.4f}", i + 1, word_of(candidate.judgement.verdict),
                         candidate.score.total);
     for (const ScoreTerm& term : candidate.score.terms) {
       text += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
@@ -108,8 +108,7 @@ std::string candidate_table(const BodyModel& body, const Generation& generation)
 }
 
 std::string headline(const Task& task, const Generation& generation, const RunInfo& info) {
-  std::string text =
-      fmt::format("{}: {}", status_name(generation.status), printable(task.body.name()));
+  std::string text = fmt::format("{}: {}", word_of(generation.status), printable(task.body.name()));
   for (const Goal& goal : task.goals) {
     text += fmt::format(", {} at ({:g}, {:g}, {:g}) m", goal.effector, goal.position.x,
                         goal.position.y, goal.position.z);

@@ -117,7 +117,7 @@ Compared compare(const Plan& plan, const Subject& subject, const Place& place,
   for (int seed = 1; seed <= seeds_of(plan, evaluations); ++seed) {
     Task layered = pairing_task(subject, place, pairing, pairing.layered);
     Task flat = pairing_task(subject, place, pairing, pairing.flat);
-    layered.genetic.seed = flat.genetic.seed = static_cast<std::uint64_t>(seed);
+    layered.seed = flat.seed = static_cast<std::uint64_t>(seed);
     MemoryStore memory;
     int cells = 0;
     const Run cold = run_layers(layered, evaluations, memory.store(), &cells);

@@ -33,7 +33,7 @@ struct Found {
 Found find(const Subject& subject, const Place& place, Preset preset,
            const CriteriaSettings& criteria, int evaluations, std::uint64_t seed) {
   Task task = goal_task(subject.body, place.position, preset, criteria);
-  task.genetic.seed = seed;
+  task.seed = seed;
   task.evaluations = evaluations;
   const Stopwatch watch;
   const Generation generation = generate(task).value();

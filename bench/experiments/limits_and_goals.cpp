@@ -52,7 +52,7 @@ double slide_of(const BodyModel& body, const Clip& clip) {
 Judged judge(const BodyModel& body, const Vec3d& goal, std::uint64_t number) {
   Task task = goal_task(body, goal, Preset::flat, default_criteria());
   task.evaluations = kEvaluations;
-  task.genetic.seed = number;
+  task.seed = number;
   const Generation generation = generate(task).value();
   Judged judged{.goal = goal};
   judged.met = judged.said = generation.meets_goals();

@@ -93,7 +93,7 @@ std::string one_query(const Plan& plan, const std::string& program) {
              "{} in a process "
              "of its own; the peak memory is that of a process that does one (all that it has "
              "resident at once).\n\n",
-             kFlatEvaluations, preset_candidates(Preset::flat), rounds) +
+             kFlatEvaluations, traits_of(Preset::flat).candidates, rounds) +
          table.text() +
          fmt::format(
              "\nThe whole limb library of an arm takes {:.1f} s to search on one core and {:.2f} "

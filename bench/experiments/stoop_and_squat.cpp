@@ -28,7 +28,7 @@ struct Delivered {
 Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettings& criteria,
                   std::uint64_t seed) {
   Task task = goal_task(body, goal, Preset::flat, criteria);
-  task.genetic.seed = seed;
+  task.seed = seed;
   const Generation generation = generate(task).value();
   Delivered delivered;
   delivered.reached = generation.meets_goals();

@@ -47,7 +47,7 @@ FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluat
   const auto play = [&](std::span<const double> point) {
     clip.angles.clear();
     const HeldInput held(task.body, space.decode(point));
-    return rollout.run(held.input(), [&](const MotionFrame<double>& frame, const auto&) {
+    return rollout.run(held.input(), [&](const PlacedFrame<double>& frame) {
       clip.angles.insert(clip.angles.end(), frame.angles.begin(), frame.angles.end());
     });
   };

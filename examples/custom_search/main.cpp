@@ -50,10 +50,10 @@ int main() {
   shigusa::Task task{.body = shigusa::full_body()};
   task.goals = {{"right_hand", {-0.20, 0.60, 0.55}}};
   task.evaluations = 1000;
-  for (const shigusa::SearchMethod method : shigusa::kSearchMethods) {
-    task.search = method;
+  for (const shigusa::SearchInfo& known : shigusa::kSearches) {
+    task.search = known.method;
     const auto found = shigusa::generate(task);
-    std::printf("%-10s best score %.4f\n", std::string(shigusa::search_name(method)).c_str(),
+    std::printf("%-10s best score %.4f\n", std::string(known.word).c_str(),
                 found ? found->best_seen_score : 1.0);
   }
   task.own_search = one_plus_lambda;

@@ -2,8 +2,6 @@
 #include <shigusa/criteria/balance.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 
-#include "replay.hpp"
-
 namespace shigusa {
 
 Vec3d support_centre(const BodyModel& body) {
@@ -12,11 +10,6 @@ Vec3d support_centre(const BodyModel& body) {
   for (const Foot& foot : body.feet()) sum += kinematics.point(foot.link, foot.centre);
   return body.feet().empty() ? body.base().translation
                              : sum * (1.0 / static_cast<double>(body.feet().size()));
-}
-
-double balance_penalty(const BodyModel& body, const Motion& motion,
-                       const BalanceSettings& settings) {
-  return replayed(body, motion, Balance<double>(body, settings));
 }
 
 }  // namespace shigusa

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/criteria/collision.hpp>
 
-#include "replay.hpp"
-
 namespace shigusa {
 
 namespace {
@@ -49,11 +47,6 @@ CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& s
                              pair.allowed = max(depth, 0.0);
                            });
   return pairs;
-}
-
-double collision_penalty(const BodyModel& body, const Motion& motion,
-                         const CollisionSettings& settings) {
-  return replayed(body, motion, Collision<double>(body, settings));
 }
 
 CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,

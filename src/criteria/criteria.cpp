@@ -45,9 +45,7 @@ double worst_score(const CriteriaSettings& settings) {
 Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings) {
   Score score;
   BuiltInCriteria<double> built_in(body, settings);
-  const bool placed = settings.head_weight > 0.0 || settings.collision_weight > 0.0 ||
-                      settings.pressure_weight > 0.0 || settings.feasibility_weight > 0.0;
-  show_motion(body, motion, placed, built_in);
+  show_motion(body, motion, built_in);
   built_in.visit_penalties([&score](const char* name, double weight, double penalty) {
     score.terms.push_back({name, weight, penalty});
   });

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/criteria/head.hpp>
 
-#include "replay.hpp"
-
 namespace shigusa {
 
 HeadPoints head_points(const BodyModel& body) {
@@ -22,10 +20,6 @@ HeadPoints head_points(const BodyModel& body) {
           .pelvis = hips->point,
           .distance = distance,
           .neck = body.find_dof("neck.flexion").has_value()};
-}
-
-double head_penalty(const BodyModel& body, const Motion& motion, const HeadSettings& settings) {
-  return replayed(body, motion, Head<double>(body, settings));
 }
 
 }  // namespace shigusa

@@ -2,8 +2,6 @@
 #include <shigusa/body/anthropometry.hpp>
 #include <shigusa/criteria/low_back.hpp>
 
-#include "replay.hpp"
-
 namespace shigusa {
 
 BackConstants back_constants(const BodyModel& body) {
@@ -25,11 +23,6 @@ BackConstants back_constants(const BodyModel& body) {
   back.per_extension = kBackShareOfHips / (kBackExtension * strength);
   back.per_flexion = kBackShareOfHips / (kBackFlexion * strength);
   return back;
-}
-
-double low_back_penalty(const BodyModel& body, const Motion& motion,
-                        const LowBackSettings& settings) {
-  return replayed(body, motion, LowBack<double>(body, settings));
 }
 
 }  // namespace shigusa

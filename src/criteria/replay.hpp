@@ -7,14 +7,24 @@
 
 namespace shigusa {
 
-// Shows a stored motion to criteria as a rollout shows it while it makes it: frame by frame, with
-// speeds and accelerations by the same central differences. `placed`: with the body's placement and
-// the floor's pressure, for criteria that look at these.
+// Whether a criterion, or several together, must be shown placed frames.
 template <class Criteria>
-void show_motion(const BodyModel& body, const Motion& motion, bool placed, Criteria& criteria) {
+[[nodiscard]] bool needs_placement(const Criteria& criteria) {
+  if constexpr (requires { criteria.needs_placement(); }) {
+    return criteria.needs_placement();
+  } else {
+    return looks_at_placement<Criteria, double>;
+  }
+}
+
+// Shows a stored motion to criteria as a rollout shows it while it makes it: frame by frame, with
+// speeds and accelerations by the same central differences.
+template <class Criteria>
+void show_motion(const BodyModel& body, const Motion& motion, Criteria& criteria) {
   const Clip& clip = motion.clip;
   const auto dofs = static_cast<std::size_t>(clip.dofs);
   const double rate = 1.0 / clip.frame_time;
+  const bool placed = needs_placement(criteria);
   Kinematics<double> kinematics(body);
   DynamicsWorkspace<double> dynamics(body);
   std::vector<double> torques(dofs);
@@ -30,25 +40,21 @@ void show_motion(const BodyModel& body, const Motion& motion, bool placed, Crite
       speeds[d] = (after[d] - before[d]) * (0.5 * rate);
       accelerations[d] = ((after[d] - now[d]) - (now[d] - before[d])) * (rate * rate);
     }
-    Vec3d pressed{};
+    const MotionFrame<double> frame{now,
+                                    std::span<const double>(motion.torques).subspan(k * dofs, dofs),
+                                    motion.centre_of_mass[k],
+                                    speeds,
+                                    accelerations,
+                                    clip.frame_time};
     if (placed) {
       forward_kinematics<double>(body, now, kinematics);
       const Wrench<double> ground =
           inverse_dynamics<double>(body, kinematics, speeds, accelerations, dynamics, torques);
-      pressed = pressure(ground, floor_height(body));
+      criteria.add(PlacedFrame<double>{frame, kinematics, pressure(ground, floor_height(body))});
+    } else if constexpr (!looks_at_placement<Criteria, double>) {
+      criteria.add(frame);
     }
-    criteria.add(
-        MotionFrame<double>{now, std::span<const double>(motion.torques).subspan(k * dofs, dofs),
-                            motion.centre_of_mass[k], speeds, accelerations,
-                            placed ? &kinematics : nullptr, clip.frame_time, pressed});
   }
-}
-
-// The penalty of a stored motion.
-template <class Criterion>
-[[nodiscard]] double replayed(const BodyModel& body, const Motion& motion, Criterion criterion) {
-  show_motion(body, motion, true, criterion);
-  return criterion.penalty();
 }
 
 }  // namespace shigusa

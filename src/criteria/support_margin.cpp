@@ -10,7 +10,7 @@ SupportMeter::SupportMeter(const BodyModel& body)
       per_weight_(1.0 / (body.mass() * kGravity)),
       zone_(body) {}
 
-void SupportMeter::add(const MotionFrame<double>& frame) {
+void SupportMeter::add(const PlacedFrame<double>& frame) {
   if (!stands_) return;
   const Vec3d& c = frame.centre_of_mass;
   frames_.push_back({zone_.inside({c.x, 1.0, c.z}, frame.angles),
@@ -34,7 +34,7 @@ std::optional<SupportMargins> SupportMeter::margins() const {
 
 SupportMeter measure_support(const BodyModel& body, const Motion& motion) {
   SupportMeter meter(body);
-  show_motion(body, motion, true, meter);
+  show_motion(body, motion, meter);
   return meter;
 }
 

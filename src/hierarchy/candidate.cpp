@@ -15,8 +15,8 @@ PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
                    const Parameters& parameters) {
   if (!problem.follow_path) return PathKind::free;
   if (path.detour != Vec3d{}) return PathKind::detour;
-  return parameters.posture.bow == 0.0 && parameters.posture.sway == 0.0 ? PathKind::straight
-                                                                         : PathKind::bowed;
+  const Timing<double>& timing = parameters.posture.timing;
+  return timing.bow == 0.0 && timing.sway == 0.0 ? PathKind::straight : PathKind::bowed;
 }
 
 // What the motion ends with of what the task asks for, whatever way it took.

@@ -63,7 +63,7 @@ int count_similar(const Choice& choice, std::span<const Candidate> candidates, i
 
 std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {
   if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
-  const bool by_end = preset_tells_ends(task.preset);
+  const bool by_end = traits_of(task.preset).natural;
   std::vector<std::string> reasons;
   const auto add = [&](int count, std::string_view what) {
     if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/hierarchy/layered_problem.hpp>
 #include <utility>
 
 #include "candidate.hpp"
@@ -119,10 +120,10 @@ Result<void> check_parameters(const BodyModel& body, const Parameters& parameter
 Result<void> check_choices(const Task& task) {
   const auto wrong = [&](const char* what) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("the preset {} {}", preset_name(task.preset), what));
+                fmt::format("the preset {} {}", word_of(task.preset), what));
   };
   if (task.pareto && task.preset != Preset::flat) return wrong("knows no Pareto front; flat does");
-  if (!preset_layers(task.preset)) return {};
+  if (!traits_of(task.preset).layers) return {};
   if (task.generator != MotionGenerator::weighted_ik) return wrong("knows weighted IK only");
   if (task.own_search) return wrong("takes no search of one's own");
   for (const Goal& goal : task.goals) {
@@ -171,18 +172,6 @@ bool goes_on(const ClosestReach& reach, const Generation& generation) {
 
 }  // namespace
 
-std::string_view status_name(ReachStatus status) {
-  switch (status) {
-    case ReachStatus::reached:
-      return "reached";
-    case ReachStatus::unsteady:
-      return "unsteady";
-    case ReachStatus::unreachable:
-      return "unreachable";
-  }
-  return "";
-}
-
 Task played_task(Task task, const Generation& generation) {
   if (generation.slowed) task.duration = generation.duration;
   return task;
@@ -192,7 +181,7 @@ namespace {
 
 // One search, of a task that is prepared.
 Result<Generation> search_task(const Task& task, const Progress& progress) {
-  if (preset_layers(task.preset)) return generate_layered(task, progress);
+  if (traits_of(task.preset).layers) return generate_layered(task, progress);
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
   if (const auto checked = check_fixed(task, *problem); !checked) {
@@ -292,6 +281,19 @@ void try_longer(const Task& task, JointProgress& progress, Generation& found) {
 
 }  // namespace
 
+Result<void> check_task(const Task& task) {
+  if (const auto checked = check_choices(task); !checked) return checked;
+  if (needs_preparing(task)) {
+    const Result<Task> ready = prepared(task);
+    return ready ? check_task(*ready) : tl::unexpected(ready.error());
+  }
+  const Result<ReachProblem> problem = make_problem(task);
+  if (!problem) return tl::unexpected(problem.error());
+  if (!traits_of(task.preset).layers) return check_fixed(task, *problem);
+  const Result<std::vector<Layer>> layers = layers_of(task);
+  return layers ? Result<void>{} : tl::unexpected(layers.error());
+}
+
 Result<Generation> generate(const Task& task, const Progress& progress) {
   if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
   if (needs_preparing(task)) {
@@ -300,7 +302,7 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   }
   JointProgress joint(progress);
   Result<Generation> found = search_task(task, joint.part(1.0));
-  if (found && preset_tells_ends(task.preset)) {
+  if (found && traits_of(task.preset).natural) {
     try_slower(task, joint, *found);
     try_longer(task, joint, *found);
   }
@@ -312,11 +314,11 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
     const Result<Task> ready = prepared(task);
     return ready ? regenerate(*ready, parameters) : tl::unexpected(ready.error());
   }
-  if (preset_layers(task.preset)) {
+  if (traits_of(task.preset).layers) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("the preset {} goes by layered parameters, not by weights of the whole "
                             "body",
-                            preset_name(task.preset)));
+                            word_of(task.preset)));
   }
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());

@@ -86,22 +86,6 @@ Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
 
 }  // namespace
 
-std::string_view layer_reading_name(LayerReading reading) {
-  switch (reading) {
-    case LayerReading::shared_contractions:
-      return "shared_contractions";
-    case LayerReading::contraction_a_limb:
-      return "contraction_a_limb";
-  }
-  return "";
-}
-
-std::span<const LayerReading> layer_readings() {
-  static constexpr std::array kReadings{LayerReading::shared_contractions,
-                                        LayerReading::contraction_a_limb};
-  return kReadings;
-}
-
 Result<std::vector<Layer>> paper_layers(const BodyModel& body, const CriteriaSettings& criteria,
                                         LayerReading reading) {
   const Result<BodyLimbs> limbs = find_limbs(body);

@@ -12,31 +12,14 @@
 #include "choice.hpp"
 #include "layered_search.hpp"
 #include "layered_ways.hpp"
+#include "task_search.hpp"
 
 namespace shigusa {
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-SearchMethod search_of(const Task& task) {
-  return task.search.value_or(preset_search(task.preset));
-}
-
-bool searches_paper_code(const Task& task) {
-  const SearchMethod method = search_of(task);
-  return method == SearchMethod::paper_ga || method == SearchMethod::annealing ||
-         method == SearchMethod::random;
-}
-
-SearchResult run_search(const Task& task, const SearchProblem& problem, const Progress& progress) {
-  const SearchMethod method = search_of(task);
-  const int evaluations = task.evaluations.value_or(usual_evaluations(task));
-  if (method == SearchMethod::paper_ga || method == SearchMethod::log_ga) {
-    if (!task.evaluations) return genetic_search(problem, task.genetic, progress);
-    return restarted_genetic_search(problem, task.genetic, evaluations, progress);
-  }
-  return search(method, problem, evaluations, task.genetic.seed, progress);
-}
+bool searches_paper_code(const Task& task) { return info_of(search_of(task)).paper_code; }
 
 Candidate make_layered(const Task& task, const LayeredParameters& parameters,
                        LayeredArrival arrival) {
@@ -89,7 +72,8 @@ class UpperSearch {
       if (!keeps_ends()) return;
       archive_.add(points, scores, postures_, worst_score(problem_.layers[0].criteria));
     };
-    return run_search(task_, searched, progress);
+    const int evaluations = task_.evaluations.value_or(usual_evaluations(task_));
+    return run_search(task_, searched, evaluations, !task_.evaluations, progress);
   }
 
   // What is worth expanding of all that was found, best first.
@@ -104,7 +88,7 @@ class UpperSearch {
     if (!layers_) return {whole(decoded(point)), 0};
     return scorer_.play(decoded(point), {.rounds = task_.layers.feedback_rounds,
                                          .search = task_.layers.limb_search,
-                                         .seed = task_.genetic.seed});
+                                         .seed = task_.seed});
   }
   LayeredParameters as_searched(std::span<const double> point) {
     if (!layers_) return whole(decoded(point));
@@ -112,7 +96,7 @@ class UpperSearch {
   }
 
  private:
-  [[nodiscard]] bool keeps_ends() const { return preset_tells_ends(task_.preset); }
+  [[nodiscard]] bool keeps_ends() const { return traits_of(task_.preset).natural; }
   [[nodiscard]] LayerParameters decoded(std::span<const double> point) const {
     return decode_searched(problem_, genes_, point, searches_paper_code(task_));
   }
@@ -187,7 +171,7 @@ class LayeredDelivery {
 
  private:
   [[nodiscard]] std::vector<Candidate>& all() { return generation_.candidates; }
-  [[nodiscard]] bool tells_ends() const { return preset_tells_ends(task_.preset); }
+  [[nodiscard]] bool tells_ends() const { return traits_of(task_.preset).natural; }
   [[nodiscard]] bool is_enough() const {
     return static_cast<int>(generation_.candidates.size()) >= task_.candidates;
   }

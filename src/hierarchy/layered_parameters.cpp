@@ -182,7 +182,7 @@ Result<std::vector<Layer>> layers_to_goals(const BodyModel& body, std::span<cons
 }
 
 Result<std::vector<Layer>> layers_to_goals(const Task& task) {
-  const LayerChoice choice{preset_layers(task.preset).value_or(LayerStack::paper),
+  const LayerChoice choice{traits_of(task.preset).layers.value_or(LayerStack::paper),
                            task.layers.reading};
   return layers_to_goals(task.body, task.goals, choice, task_criteria(task));
 }

@@ -10,17 +10,18 @@
 
 namespace shigusa {
 
+Result<std::vector<Layer>> layers_of(const Task& task) {
+  if (!task.fixed) return layers_to_goals(task);
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("parameters can be fixed with the other presets; edit a result of the preset {}",
+                  word_of(task.preset)));
+}
+
 Result<LayeredProblem> make_layered_problem(const Task& task) {
-  if (task.fixed) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format(
-            "parameters can be fixed with the other presets; edit a result of the preset {}",
-            preset_name(task.preset)));
-  }
   Result<ReachProblem> reach = make_problem(task);
   if (!reach) return tl::unexpected(reach.error());
-  Result<std::vector<Layer>> layers = layers_to_goals(task);
+  Result<std::vector<Layer>> layers = layers_of(task);
   if (!layers) return tl::unexpected(layers.error());
   LayeredProblem problem{.reach = std::move(*reach),
                          .in_reach = true,

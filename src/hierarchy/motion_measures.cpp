@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/criteria/joint_range.hpp>
+#include <shigusa/body/coupled_limits.hpp>
 #include <shigusa/hierarchy/motion_measures.hpp>
 
 namespace shigusa {
@@ -23,21 +23,22 @@ std::vector<JointLoad> joint_loads(const BodyModel& body, const Motion& motion) 
 }
 
 std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
-  std::vector<LimitExcess> result;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    const auto k = static_cast<std::size_t>(d);
-    double excess = 0.0;
-    for (int f = 0; f < clip.frames; ++f) {
-      const std::span<const double> angles = clip.frame(f);
-      excess = max(excess, angles[k] - upper_limit(body, d, angles));
-      excess = max(excess, body.dof(d).lower - angles[k]);
+  std::vector<LimitExcess> all;
+  for (const Dof& dof : body.dofs()) all.push_back({dof.name, 0.0});
+  CoupledLimits<double> coupled(body);
+  for (int f = 0; f < clip.frames; ++f) {
+    const std::span<const double> angles = clip.frame(f);
+    coupled.update(angles);
+    for (std::size_t d = 0; d < all.size(); ++d) {
+      const double upper = body.dofs()[d].upper + coupled.added()[d];
+      all[d].excess = max(all[d].excess, max(angles[d] - upper, body.dofs()[d].lower - angles[d]));
     }
-    // less than a tenth of a degree is nothing that anyone sees
-    if (excess > radians(0.1)) result.push_back({body.dof(d).name, excess});
   }
-  std::stable_sort(result.begin(), result.end(),
+  // less than a tenth of a degree is nothing that anyone sees
+  std::erase_if(all, [](const LimitExcess& one) { return one.excess <= radians(0.1); });
+  std::stable_sort(all.begin(), all.end(),
                    [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
-  return result;
+  return all;
 }
 
 MotionMeasures measure_motion(const BodyModel& body, const Motion& motion,

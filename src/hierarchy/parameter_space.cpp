@@ -37,11 +37,6 @@ std::string shared_name(const std::string& name) {
   return name;
 }
 
-// in the order of MotionInputs::timing
-std::array<double*, kTimings> timings(PostureParameters& posture) {
-  return {&posture.delay, &posture.bow, &posture.skew, &posture.sway};
-}
-
 // What is fixed for the motion is fixed in both of its phases, but for what the later one has of
 // its own.
 FixedParameters in_both_phases(const BodyModel& body, FixedParameters fixed) {
@@ -138,18 +133,15 @@ void ParameterSpace::add_posture(const ReachProblem& problem) {
                       .lower = modes_[m].lower,
                       .upper = modes_[m].upper});
   }
-  constexpr double most = kBowSearched;
-  // in the order of MotionInputs::timing and of the posture's members
-  const Gene timings[kTimings] = {{.name = "delay", .upper = kDelayMax},
-                                  {.name = "bow", .lower = -most / 2.0, .upper = most},
-                                  {.name = "skew", .lower = -1.0, .upper = 1.0},
-                                  {.name = "sway", .lower = -most, .upper = most}};
   for (std::size_t k = 0; k < kTimings; ++k) {
-    const bool searched = k % 2 == 1 || code_ == GeneCode::every;
+    const TimingNumber& number = kTimingNumbers[k];
+    const bool searched = number.searched || code_ == GeneCode::every;
     if (!searched || fixed_.posture[modes_.size() + k]) continue;
-    genes_.push_back(timings[k]);
-    genes_.back().kind = Kind::timing;
-    genes_.back().index = k;
+    genes_.push_back({.kind = Kind::timing,
+                      .name = std::string(number.name),
+                      .index = k,
+                      .lower = number.searched_low,
+                      .upper = number.searched_high});
   }
 }
 
@@ -233,7 +225,7 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
         (gene.later ? parameters.later->modes : parameters.posture.modes)[gene.index] = value;
         break;
       case Kind::timing:
-        *timings(parameters.posture)[gene.index] = value;
+        parameters.posture.timing.*kTimingMembers<double>[gene.index] = value;
         break;
       case Kind::switch_at:
         parameters.later->switch_at = value;
@@ -273,9 +265,8 @@ MotionInputs ParameterSpace::rows(std::span<const double> points) {
 void ParameterSpace::start_rows(const Parameters& base, std::size_t motions) {
   if (!posed_) return;
   repeat(posture_change(*body_, base.posture), motions, postures_);
-  PostureParameters posture = base.posture;
   std::vector<double> timing;
-  for (const double* value : timings(posture)) timing.push_back(*value);
+  for (const auto member : kTimingMembers<double>) timing.push_back(base.posture.timing.*member);
   repeat(timing, motions, timing_);
   if (!base.later) return;
   repeat(inverse_weights({.joints = base.later->joints}), motions, later_weights_);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "joint_progress.hpp"
+#include "task_search.hpp"
 
 namespace shigusa {
 namespace {
@@ -48,22 +49,11 @@ void check_point(const Individual& found, int genes) {
 
 }  // namespace
 
-SearchMethod search_of(const Task& task) {
-  return task.search.value_or(preset_search(task.preset));
-}
-
 // The paper's own searches go over its codes; the others over a wider range.
 GeneCode gene_code(const Task& task) {
   if (task.preset != Preset::paper) return GeneCode::natural;
   if (task.own_search) return GeneCode::logarithmic;
-  switch (search_of(task)) {
-    case SearchMethod::paper_ga:
-    case SearchMethod::annealing:
-    case SearchMethod::random:
-      return GeneCode::paper;
-    default:
-      return GeneCode::logarithmic;
-  }
+  return info_of(search_of(task)).paper_code ? GeneCode::paper : GeneCode::logarithmic;
 }
 
 Searched::Searched(const ReachProblem& problem, const Task& task)
@@ -211,24 +201,19 @@ SearchResult Searched::begin_bent(SearchProblem& searched, int budget) const {
 SearchResult Searched::search_with(const SearchProblem& searched, int budget,
                                    const Progress& progress) const {
   if (task_.own_search) {
-    SearchResult found = task_.own_search(searched, budget, task_.genetic.seed, progress);
+    SearchResult found = task_.own_search(searched, budget, task_.seed, progress);
     check_point(found.best_seen, searched.genes);
     for (const Individual& individual : found.final_population) {
       check_point(individual, searched.genes);
     }
     return found;
   }
-  const SearchMethod method = search_of(task_);
-  if (method == SearchMethod::cma_es && task_.preset != Preset::paper) {
-    return cma_es_search(
-        searched, {.evaluations = budget, .step = kStep, .seed = task_.genetic.seed}, progress);
-  }
-  if (method != SearchMethod::paper_ga && method != SearchMethod::log_ga) {
-    return search(method, searched, budget, task_.genetic.seed, progress);
+  if (search_of(task_) == SearchMethod::cma_es && task_.preset != Preset::paper) {
+    return cma_es_search(searched, {.evaluations = budget, .step = kStep, .seed = task_.seed},
+                         progress);
   }
   const bool once = !task_.evaluations && task_.preset == Preset::paper;
-  return once ? genetic_search(searched, task_.genetic, progress)
-              : restarted_genetic_search(searched, task_.genetic, budget, progress);
+  return run_search(task_, searched, budget, once, progress);
 }
 
 }  // namespace shigusa

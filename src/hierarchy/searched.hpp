@@ -12,8 +12,7 @@
 
 namespace shigusa {
 
-// The search that a task asks for, and what its points mean.
-[[nodiscard]] SearchMethod search_of(const Task& task);
+// What the points of a task's search mean.
 [[nodiscard]] GeneCode gene_code(const Task& task);
 
 // What is searched on one way to the goal, and what the search came upon. Problem and task outlive

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <shigusa/hierarchy/task.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <utility>
@@ -49,7 +48,7 @@ Result<void> check_heels(const Task& task) {
   if (!lift || task.preset == Preset::flat) return {};
   return fail(
       ErrorCode::invalid_argument,
-      fmt::format("the preset {} knows no heels that lift; flat does", preset_name(task.preset)));
+      fmt::format("the preset {} knows no heels that lift; flat does", word_of(task.preset)));
 }
 
 Result<void> check_phases(const Task& task) {
@@ -58,9 +57,8 @@ Result<void> check_phases(const Task& task) {
                 fmt::format("phases is {}; allowed are 1 and {}", task.phases, kPhasesMax));
   }
   if (task.phases > 1 && task.preset != Preset::flat) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("the preset {} has one phase; flat knows two", preset_name(task.preset)));
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("the preset {} has one phase; flat knows two", word_of(task.preset)));
   }
   if (task.phases == 1 && task.fixed && task.fixed->values.later) {
     return fail(ErrorCode::invalid_argument,
@@ -121,58 +119,19 @@ constexpr double kPathSlack = 3e-4;  // m
 
 }  // namespace
 
-std::string_view preset_name(Preset preset) {
-  switch (preset) {
-    case Preset::paper:
-      return "paper";
-    case Preset::flat:
-      return "flat";
-    case Preset::layers:
-      return "layers";
-    case Preset::human:
-      return "human";
-  }
-  return "";
-}
-
-std::span<const Preset> presets() {
-  static constexpr std::array kPresets{Preset::paper, Preset::flat, Preset::layers, Preset::human};
-  return kPresets;
-}
-
-SearchMethod preset_search(Preset preset) {
-  return preset_tells_ends(preset) ? SearchMethod::cma_es : SearchMethod::paper_ga;
-}
-
-CriteriaSettings preset_criteria(Preset preset) {
-  return preset_tells_ends(preset) ? default_criteria() : paper_criteria();
-}
-
-int preset_candidates(Preset preset) {
-  return preset_tells_ends(preset) ? kFlatCandidates : kPaperPopulation;
-}
-
-std::optional<LayerStack> preset_layers(Preset preset) {
-  if (preset == Preset::layers) return LayerStack::paper;
-  if (preset == Preset::human) return LayerStack::human;
-  return std::nullopt;
-}
-
-bool preset_tells_ends(Preset preset) { return preset == Preset::flat || preset == Preset::human; }
-
 int usual_evaluations(const Task& task) {
   if (task.generator == MotionGenerator::nlp_ik) return kNlpEvaluations;
-  return task.preset == Preset::human ? kHumanEvaluations : kFlatEvaluations;
+  return traits_of(task.preset).evaluations;
 }
 
-std::string_view generator_name(MotionGenerator generator) {
-  return generator == MotionGenerator::nlp_ik ? "nlp_ik" : "weighted_ik";
+SearchMethod search_of(const Task& task) {
+  return task.search.value_or(traits_of(task.preset).search);
 }
 
 Task with_preset(Task task, Preset preset) {
   task.preset = preset;
-  task.criteria = preset_criteria(preset);
-  task.candidates = preset_candidates(preset);
+  task.criteria = traits_of(preset).criteria();
+  task.candidates = traits_of(preset).candidates;
   return task;
 }
 
@@ -209,7 +168,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   if (const auto checked = check_rows(problem); !checked) return tl::unexpected(checked.error());
   problem.duration *= load_factor(body.load());
   if (task.duration) problem.duration = *task.duration;
-  problem.hold_limits = problem.posture_law = preset_tells_ends(task.preset);
+  problem.hold_limits = problem.posture_law = traits_of(task.preset).natural;
   problem.gaze = task_criteria(task).head.gaze_target;
   if (task.preset == Preset::flat) {
     problem.corrections = kLimitCorrections;

@@ -296,14 +296,4 @@ Result<Task> prepared(const Task& task) {
   return ready;
 }
 
-Result<void> check_task(const Task& task) {
-  if (needs_preparing(task)) {
-    const Result<Task> ready = prepared(task);
-    if (!ready) return tl::unexpected(ready.error());
-    return check_task(*ready);
-  }
-  if (const auto problem = make_problem(task); !problem) return tl::unexpected(problem.error());
-  return {};
-}
-
 }  // namespace shigusa

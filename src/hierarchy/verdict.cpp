@@ -55,32 +55,6 @@ Verdict verdict_in(double duration, const BodyModel& body, Clip clip, MotionMeas
 
 }  // namespace
 
-std::string_view verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::possible:
-      return "possible";
-    case Verdict::strains:
-      return "strains";
-    case Verdict::impossible:
-      return "impossible";
-  }
-  return "";
-}
-
-std::string_view reason_name(ReasonKind kind) {
-  switch (kind) {
-    case ReasonKind::strength:
-      return "strength";
-    case ReasonKind::pressure:
-      return "pressure";
-    case ReasonKind::collision:
-      return "collision";
-    case ReasonKind::limit:
-      return "limit";
-  }
-  return "";
-}
-
 std::string reason_words(const Reason& reason) {
   switch (reason.kind) {
     case ReasonKind::strength:

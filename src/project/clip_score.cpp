@@ -108,13 +108,8 @@ class ClipPlayer {
           inverse_dynamics<double>(body_, placed_, speeds, accelerations, work_, torques);
       bear_on_feet<double>(body_, placed_, now, ground, torques);
       const Vec3d com = centre_of_mass(body_, work_);
-      const MotionFrame<double> frame{now,
-                                      torques,
-                                      com,
-                                      speeds,
-                                      accelerations,
-                                      &placed_,
-                                      clip.frame_time,
+      const PlacedFrame<double> frame{{now, torques, com, speeds, accelerations, clip.frame_time},
+                                      placed_,
                                       pressure(ground, floor_height(body_))};
       criteria_.add(frame);
       support_.add(frame);

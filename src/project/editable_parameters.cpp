@@ -24,8 +24,8 @@ std::string limb_group(std::string_view name) {
 std::string posture_group(std::string_view name) {
   const std::string_view mode = name_within_phase(name);
   if (mode.starts_with("right_") || mode.starts_with("left_")) return limb_group(mode);
-  for (const char* path : {"delay", "bow", "skew", "sway"}) {
-    if (mode == path) return "path";
+  for (const TimingNumber& number : kTimingNumbers) {
+    if (mode == number.name) return "path";
   }
   return "posture";
 }

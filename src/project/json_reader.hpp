@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/math/quat.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <shigusa/math/vec3.hpp>
@@ -75,6 +75,16 @@ class JsonReader {
     const Json& member = value(key);
     if (!member.is_string()) return wrong(key, "is " + shown(member) + "; must be a text");
     into = member.get<std::string>();
+  }
+
+  // a word of an enum
+  template <class Enum>
+  void word(const char* key, Enum& into) {
+    std::vector<std::pair<std::string, Enum>> choices;
+    for (const EnumWord<Enum>& known : kEnumWords<Enum>) {
+      choices.emplace_back(known.word, known.value);
+    }
+    choice(key, into, choices);
   }
 
   // one of several words

@@ -19,7 +19,7 @@ Json margin_to_json(const SupportMargin& margin) {
 }
 
 Json reason_to_json(const Reason& reason) {
-  Json json{{"kind", reason_name(reason.kind)}, {"verdict", verdict_name(reason.verdict)}};
+  Json json{{"kind", word_of(reason.kind)}, {"verdict", word_of(reason.verdict)}};
   switch (reason.kind) {
     case ReasonKind::strength:
       json["joint"] = reason.subject;

@@ -48,7 +48,7 @@ Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
                             candidate, count_of(stored)));
   }
   const auto index = static_cast<std::size_t>(candidate - 1);
-  if (!preset_layers(task.preset)) {
+  if (!traits_of(task.preset).layers) {
     Parameters& parameters = stored.candidates[index];
     const auto ok = assign_all(assignments, task.body, parameters);
     return ok ? regenerate(task, parameters) : tl::unexpected(ok.error());

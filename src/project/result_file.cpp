@@ -63,20 +63,6 @@ Json any_parameters_to_json(const Task& task, const Parameters& parameters,
   return layered_to_json(layers_to_goals(task).value(), *layered);
 }
 
-const char* path_name(PathKind path) {
-  switch (path) {
-    case PathKind::straight:
-      return "straight";
-    case PathKind::bowed:
-      return "bowed";
-    case PathKind::detour:
-      return "detour";
-    case PathKind::free:
-      return "free";
-  }
-  return "";
-}
-
 // The node of the exported file that a node of the body is: the character's own, if it has one.
 Json joint_of(const CharacterSpec& character, const std::string& body_node) {
   const int node = rig_node(character, body_node);
@@ -111,7 +97,7 @@ Json goals_to_json(const CharacterSpec& character, const Candidate& candidate) {
 Json paths_to_json(const Candidate& candidate) {
   Json list = Json::array();
   for (const GoalResult& goal : candidate.goals) {
-    list.push_back({{"effector", goal.effector}, {"kind", path_name(goal.path)}});
+    list.push_back({{"effector", goal.effector}, {"kind", word_of(goal.path)}});
   }
   return list;
 }
@@ -151,7 +137,7 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   const Candidate& candidate = generation.candidates[index];
   Json json;
   json["rank"] = index + 1;
-  json["verdict"] = verdict_name(candidate.judgement.verdict);
+  json["verdict"] = word_of(candidate.judgement.verdict);
   json["reasons"] = reasons_to_json(candidate.judgement);
   if (candidate.judgement.possible_in) json["possible_in_s"] = *candidate.judgement.possible_in;
   json["score"] = candidate.score.total;
@@ -328,20 +314,20 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
                           const RunInfo& info, const ResultFiles& files) {
   Json json;
   json["version"] = kResultVersion;
-  json["status"] = status_name(generation.status);
+  json["status"] = word_of(generation.status);
   json["remaining_mm"] = generation.remaining_distance * kMillimetres;
   if (generation.remaining_turn > 0.0) json["remaining_deg"] = degrees(generation.remaining_turn);
   json["seed"] = file.seed;
   json["evaluations"] = generation.evaluations;
   json["runs"] = generation.runs;
   json["elapsed_ms"] = info.elapsed_ms;
-  if (preset_layers(task.preset) == LayerStack::paper)
+  if (traits_of(task.preset).layers == LayerStack::paper)
     json["cells_searched"] = generation.cells_searched;
   json["threads"] = info.threads;
   json["simd"] = info.simd;
   json["character"] = file.character.source;
   if (!files.character.empty()) json["character_file"] = files.character;
-  json["preset"] = preset_name(task.preset);
+  json["preset"] = word_of(task.preset);
   json["search"] = info.search;
   json["goals"] = Json::array();
   for (const Goal& goal : task.goals) {
@@ -393,7 +379,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   const Result<BodyModel> body = build_body(result.task);
   if (!body) return tl::unexpected(body.error());
   std::vector<Layer> layers;
-  if (const std::optional<LayerStack> stack = preset_layers(result.task.preset)) {
+  if (const std::optional<LayerStack> stack = traits_of(result.task.preset).layers) {
     Result<std::vector<Layer>> known =
         layers_to_goals(*body, result.task.goals, {*stack, result.task.layer_reading});
     if (!known) return fail(ErrorCode::parse, known.error().to_string(), place + ": task");

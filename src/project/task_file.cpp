@@ -78,8 +78,7 @@ void read_frame(JsonReader& reader, std::optional<int>& frame) {
 // The freedoms of a person from a file where nothing is said: all, but the published method and its
 // layers are of bodies like the paper's.
 BodyExtent usual_extent(Preset preset) {
-  const bool whole = preset == Preset::flat || preset == Preset::human;
-  return whole ? BodyExtent::human : BodyExtent::full;
+  return traits_of(preset).natural ? BodyExtent::human : BodyExtent::full;
 }
 
 void check_character(JsonReader& reader, const CharacterSpec& c) {
@@ -204,18 +203,18 @@ Json task_to_json(const TaskFile& task) {
     json["obstacles"].push_back(obstacle_to_json(obstacle));
   }
   if (task.duration) json["duration_s"] = *task.duration;
-  json["preset"] = preset_name(task.preset);
-  if (preset_layers(task.preset) || task.layer_reading != LayerReading{}) {
-    json["layer_reading"] = layer_reading_name(task.layer_reading);
+  json["preset"] = word_of(task.preset);
+  if (traits_of(task.preset).layers || task.layer_reading != LayerReading{}) {
+    json["layer_reading"] = word_of(task.layer_reading);
   }
-  if (task.search) json["search"] = search_name(*task.search);
+  if (task.search) json["search"] = word_of(*task.search);
   for_each_criterion([&](const auto& criterion) {
     json["criteria"][criterion.name] = {{"weight", criterion.weight(task.criteria)},
                                         {criterion.scale_name, criterion.scale(task.criteria)}};
   });
   if (!task.fixed.empty()) json["fixed"] = task.fixed;
   if (task.pareto) json["pareto"] = true;
-  if (task.generator != MotionGenerator{}) json["generator"] = generator_name(task.generator);
+  if (task.generator != MotionGenerator{}) json["generator"] = word_of(task.generator);
   if (task.phases != 1) json["phases"] = task.phases;
   json["seed"] = task.seed;
   json["candidates"] = task.candidates;
@@ -234,32 +233,15 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   if (reader.has("look_at_m")) reader.vector("look_at_m", task.look_at.emplace(), kGoalRange);
   if (reader.has("contacts")) read_texts(reader, "contacts", task.contacts.emplace());
   reader.number("duration_s", task.duration, kTaskDurationMin, kTaskDurationMax);
-  std::vector<std::pair<std::string, Preset>> known_presets;
-  for (const Preset preset : presets()) known_presets.emplace_back(preset_name(preset), preset);
-  reader.choice<Preset>("preset", task.preset, known_presets);
-  std::vector<std::pair<std::string, LayerReading>> readings;
-  for (const LayerReading reading : layer_readings()) {
-    readings.emplace_back(layer_reading_name(reading), reading);
-  }
-  reader.choice<LayerReading>("layer_reading", task.layer_reading, readings);
-  task.criteria = preset_criteria(task.preset);
-  task.candidates = preset_candidates(task.preset);
-  if (reader.has("search")) {
-    std::vector<std::pair<std::string, SearchMethod>> methods;
-    for (const SearchMethod method : kSearchMethods) {
-      methods.emplace_back(search_name(method), method);
-    }
-    task.search = preset_search(task.preset);
-    reader.choice<SearchMethod>("search", *task.search, methods);
-  }
+  reader.word("preset", task.preset);
+  reader.word("layer_reading", task.layer_reading);
+  task.criteria = traits_of(task.preset).criteria();
+  task.candidates = traits_of(task.preset).candidates;
+  if (reader.has("search")) reader.word("search", task.search.emplace());
   read_truth(reader, "pareto", task.pareto);
   if (task.pareto) task.criteria = pareto_criteria();
   read_criteria(reader, task.criteria);
-  std::vector<std::pair<std::string, MotionGenerator>> generators;
-  for (const MotionGenerator generator : {MotionGenerator::weighted_ik, MotionGenerator::nlp_ik}) {
-    generators.emplace_back(generator_name(generator), generator);
-  }
-  reader.choice<MotionGenerator>("generator", task.generator, generators);
+  reader.word("generator", task.generator);
   reader.integer("phases", task.phases, 1, kPhasesMax);
   read_texts(reader, "fixed", task.fixed);
   reader.integer("seed", task.seed, 0, UINT64_MAX);
@@ -329,7 +311,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
             .preset = file.preset,
             .criteria = file.criteria,
             .search = file.search,
-            .genetic = {},
+            .seed = file.seed,
             .candidates = file.candidates,
             .evaluations = file.evaluations};
   task.obstacles = file.obstacles;
@@ -338,7 +320,6 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
   task.pareto = file.pareto;
   task.generator = file.generator;
   task.phases = file.phases;
-  task.genetic.seed = file.seed;
   for (const std::string& assignment : file.fixed) {
     if (!task.fixed) task.fixed = no_fixed_parameters(task.body);
     if (const auto done = fix_parameter(task.body, assignment, *task.fixed); !done) {

@@ -18,16 +18,16 @@ DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
   const Effector& effector = problem.body->effector(problem.goals[goal].effector);
   const std::vector<double> uniform = inverse_weights(uniform_parameters(*problem.body));
   DeepestMoment moment;
-  int frame = 0;
+  int step = 0;
   Rollout<double> rollout(problem);
-  const auto look = [&](const MotionFrame<double>&, const Kinematics<double>& kinematics) {
-    const Penetration now = limb_penetration(*problem.body, kinematics, effector);
-    if (frame == 0) moment.start_depth = now.depth;
-    if (frame == 0 || now.depth > moment.deepest.depth) {
+  const auto look = [&](const PlacedFrame<double>& frame) {
+    const Penetration now = limb_penetration(*problem.body, frame.kinematics, effector);
+    if (step == 0) moment.start_depth = now.depth;
+    if (step == 0 || now.depth > moment.deepest.depth) {
       moment.deepest = now;
-      moment.frame = frame;
+      moment.frame = step;
     }
-    ++frame;
+    ++step;
   };
   moment.arrives = rollout.run(uniform, look).met();
   return moment;

@@ -73,8 +73,8 @@ void NlpRollout::advance() {
 // where the effectors are to be in this frame
 void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   const double tau = static_cast<double>(frame) / problem_->steps;
-  const double off = path_bow(minimum_jerk(tau), input.skew) * input.bow;
-  const double aside = path_bow(minimum_jerk(tau), 0.0) * input.sway;
+  const double off = path_bow(minimum_jerk(tau), input.timing.skew) * input.timing.bow;
+  const double aside = path_bow(minimum_jerk(tau), 0.0) * input.timing.sway;
   for (std::size_t g = 0; g < contacts_from_; ++g) {
     const ReachGoal& goal = problem_->goals[g];
     targets_[g].position = goal.path.at(tau);
@@ -100,7 +100,7 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   const auto share = [&](int f) {
     const double tau = static_cast<double>(f) / problem_->steps;
     if (!problem_->guide.empty()) return minimum_jerk(tau);
-    return minimum_jerk((tau - input.delay) / (1.0 - input.delay));
+    return minimum_jerk((tau - input.timing.delay) / (1.0 - input.timing.delay));
   };
   const double before = share(frame - 1);
   const double now = share(frame);
@@ -108,7 +108,7 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   for (std::size_t d = 0; d < reference_.size(); ++d) {
     reference_[d] = problem_->guide.empty()
                         ? posture[d] * (now - before)
-                        : (problem_->guide[d] - angles_[1][d]) * ((now - before) / (1.0 - before));
+                        : (problem_->guide[d] - angles_[1][d]) * share_of_rest(before, now);
   }
 }
 
@@ -135,7 +135,7 @@ void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOu
 }
 
 // this frame, with speeds by central differences to its neighbours
-MotionFrame<double> NlpRollout::moving_frame() {
+PlacedFrame<double> NlpRollout::moving_frame() {
   const BodyModel& body = *problem_->body;
   const double rate = problem_->steps / problem_->duration;
   for (std::size_t d = 0; d < speeds_.size(); ++d) {
@@ -147,8 +147,10 @@ MotionFrame<double> NlpRollout::moving_frame() {
   const Wrench<double> ground =
       inverse_dynamics<double>(body, now_, speeds_, accelerations_, dynamics_, torques_);
   bear_on_feet<double>(body, now_, angles_[1], ground, torques_);
-  return {angles_[1], torques_,   shigusa::centre_of_mass(body, dynamics_), speeds_, accelerations_,
-          &now_,      1.0 / rate, pressure(ground, floor_height(body))};
+  const Vec3d centre = shigusa::centre_of_mass(body, dynamics_);
+  return {{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
+          now_,
+          pressure(ground, floor_height(body))};
 }
 
 RolledOut roll_out_nlp(const ReachProblem& problem, const Parameters& parameters) {

@@ -36,12 +36,14 @@ class PackScorer final : public LaneScorer {
     if (!inputs.posture.empty()) {
       spread(inputs.posture, motions, posture_);
       spread(inputs.timing, motions, timing_);
-      input = {inverse_weights_, posture_, timing_[0], timing_[1], timing_[2], timing_[3]};
+      Timing<S> timing;
+      for (std::size_t k = 0; k < kTimings; ++k) timing.*kTimingMembers<S>[k] = timing_[k];
+      input = {inverse_weights_, posture_, timing};
     }
     if (!inputs.later.inverse_weights.empty()) input.later = spread_later(inputs.later, motions);
     criteria_.reset();
-    const auto outcome = rollout_.run(
-        input, [this](const MotionFrame<S>& frame, const Kinematics<S>&) { criteria_.add(frame); });
+    const auto outcome =
+        rollout_.run(input, [this](const PlacedFrame<S>& frame) { criteria_.add(frame); });
     for (std::size_t k = 0; k < final_angles.size(); ++k) {
       final_angles[k] = rollout_.final_angles()[k % dofs][static_cast<int>(k / dofs)];
     }
@@ -80,7 +82,7 @@ class PackScorer final : public LaneScorer {
   BuiltInCriteria<S> criteria_;
   std::vector<S> inverse_weights_;  // (dofs)
   std::vector<S> posture_;          // (dofs)
-  S timing_[kTimings];              // delay, bow, skew, sway
+  S timing_[kTimings];              // in the order of kTimingNumbers
   std::vector<S> later_weights_;    // (dofs) of the later phase
   std::vector<S> later_posture_;    // (dofs)
   ReachTolerance tolerance_;

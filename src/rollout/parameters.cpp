@@ -56,10 +56,11 @@ std::vector<PostureMember> mode_members(const BodyModel& body, std::vector<doubl
 
 std::vector<PostureMember> posture_members(const BodyModel& body, PostureParameters& posture) {
   std::vector<PostureMember> members = mode_members(body, posture.modes);
-  members.push_back({"delay", &posture.delay, 0.0, kDelayMax});
-  members.push_back({"bow", &posture.bow, -kBowMax, kBowMax});
-  members.push_back({"skew", &posture.skew, -1.0, 1.0});
-  members.push_back({"sway", &posture.sway, -kBowMax, kBowMax});
+  for (std::size_t k = 0; k < kTimings; ++k) {
+    const TimingNumber& number = kTimingNumbers[k];
+    double* value = &(posture.timing.*kTimingMembers<double>[k]);
+    members.push_back({std::string(number.name), value, number.low, number.high});
+  }
   return members;
 }
 
@@ -109,7 +110,7 @@ HeldInput::HeldInput(const BodyModel& body, const Parameters& parameters)
 MotionInput<double> HeldInput::input() const {
   MotionInput<double> input(weights_);
   if (!change_.empty()) {
-    input = {weights_, change_, posture_.delay, posture_.bow, posture_.skew, posture_.sway};
+    input = {weights_, change_, posture_.timing};
   }
   input.later = {later_weights_, later_change_, switch_at_};
   return input;

@@ -17,14 +17,13 @@ template <class Player>
   motion.clip.frame_time = problem.duration / problem.steps;
   motion.effectors.resize(problem.goals.size());
   const HeldInput held(body, parameters);
-  result.outcome = player.run(held.input(), [&](const MotionFrame<double>& frame,
-                                                const Kinematics<double>& kinematics) {
+  result.outcome = player.run(held.input(), [&](const PlacedFrame<double>& frame) {
     motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(), frame.angles.end());
     motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
     motion.centre_of_mass.push_back(frame.centre_of_mass);
     for (std::size_t g = 0; g < problem.goals.size(); ++g) {
       const Effector& effector = body.effector(problem.goals[g].effector);
-      motion.effectors[g].push_back(kinematics.point(effector.link, effector.point));
+      motion.effectors[g].push_back(frame.kinematics.point(effector.link, effector.point));
     }
   });
   return result;

@@ -147,4 +147,14 @@ if sh "$scripts/check_spdx.sh" "$tree" >/dev/null 2>&1; then
   report "check_spdx.sh accepts a script without a licence"
 fi
 
+# the paper's map
+fresh
+write tests/core/good_test.cpp 'f'
+write docs/paper_map.md '| 3 | a thing | `f` in `core/good.hpp`; `inline` | `core/good_test.cpp` |'
+accepts check_paper_map.sh
+refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `g` in `core/good.hpp` | |' 'no g in core/good.hpp'
+refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `gone` | |' 'no gone in the sources'
+refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `f` in `core/gone.hpp` | |' 'no file core/gone.hpp'
+refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `f` | `core/gone_test.cpp` |' 'no file core/gone_test.cpp'
+
 [ "$failures" = 0 ]

@@ -5,6 +5,7 @@
 #include <shigusa/criteria/balance.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -21,7 +22,7 @@ const BodyModel& rod() {
 double penalty_of(const std::vector<double>& leans, const BalanceSettings& settings = {}) {
   std::vector<std::vector<double>> frames;
   for (const double lean : leans) frames.push_back({lean});
-  return balance_penalty(rod(), motion_through(rod(), frames), settings);
+  return penalty_by<Balance>(rod(), motion_through(rod(), frames), settings);
 }
 
 TEST(Balance, HasRuleR8bNumbers) { EXPECT_EQ(kBalanceLean, 0.20); }
@@ -36,7 +37,7 @@ TEST(Balance, IsTheLeanAsAShare) {
 TEST(Balance, CountsAllDirectionsAlike) {
   EXPECT_NEAR(penalty_of({-0.1}), penalty_of({0.1}), 1e-15);
   const BodyModel sideways = chain({{Axis::z, 1.0, 1.0}});
-  EXPECT_NEAR(balance_penalty(sideways, motion_through(sideways, {{0.1}})), penalty_of({0.1}),
+  EXPECT_NEAR(penalty_by<Balance>(sideways, motion_through(sideways, {{0.1}})), penalty_of({0.1}),
               1e-15);
 }
 

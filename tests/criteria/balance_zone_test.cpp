@@ -5,6 +5,7 @@
 #include <shigusa/criteria/balance_zone.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -26,7 +27,7 @@ double penalty_at(const std::vector<double>& ahead, const BalanceZoneSettings& s
   const BodyModel body = on_a_foot(kSole);
   std::vector<std::vector<double>> frames;
   for (const double z : ahead) frames.push_back({std::asin(z)});
-  return balance_zone_penalty(body, motion_through(body, frames), settings);
+  return penalty_by<BalanceZone>(body, motion_through(body, frames), settings);
 }
 
 // How far inside the polygon a point is.
@@ -57,7 +58,7 @@ TEST(BalanceZone, CountsTheSides) {
   // about z a positive angle leans to the right, to smaller x
   const BodyModel body = on_a_foot(kSole, Axis::z);
   const auto at = [&](double x) {
-    return balance_zone_penalty(body, motion_through(body, {{std::asin(-x)}}));
+    return penalty_by<BalanceZone>(body, motion_through(body, {{std::asin(-x)}}));
   };
   EXPECT_EQ(at(0.02), 0.0);
   EXPECT_NEAR(at(0.06), 0.5, 1e-12);
@@ -75,13 +76,13 @@ TEST(BalanceZone, MarginIsASetting) {
 TEST(BalanceZone, OfUprightStandingIsZero) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const std::vector<double> start(body.start().begin(), body.start().end());
-    EXPECT_EQ(balance_zone_penalty(body, motion_through(body, {start})), 0.0) << body.name();
+    EXPECT_EQ(penalty_by<BalanceZone>(body, motion_through(body, {start})), 0.0) << body.name();
   }
 }
 
 TEST(BalanceZone, OfABodyWithoutFeetIsZero) {
   const BodyModel body = chain({{}});
-  EXPECT_EQ(balance_zone_penalty(body, motion_through(body, {{1.5}})), 0.0);
+  EXPECT_EQ(penalty_by<BalanceZone>(body, motion_through(body, {{1.5}})), 0.0);
 }
 
 TEST(BalanceZone, OfNoFramesIsZero) { EXPECT_EQ(penalty_at({}), 0.0); }

@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <shigusa/criteria/criteria.hpp>
 
 #include "criteria/replay.hpp"
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -80,9 +82,9 @@ TEST(Score, TermsAreThePenaltiesOfTheCriteria) {
   const BodyModel body = full_body();
   const Motion motion = wild_motion(body);
   const Score score = score_motion(body, motion, {});
-  EXPECT_EQ(score.terms[0].penalty, joint_range_penalty(body, motion));
-  EXPECT_EQ(score.terms[1].penalty, balance_penalty(body, motion));
-  EXPECT_EQ(score.terms[2].penalty, torque_penalty(body, motion));
+  EXPECT_EQ(score.terms[0].penalty, penalty_by<JointRange>(body, motion));
+  EXPECT_EQ(score.terms[1].penalty, penalty_by<Balance>(body, motion));
+  EXPECT_EQ(score.terms[2].penalty, penalty_by<Torque>(body, motion));
   for (const ScoreTerm& term : score.terms) EXPECT_GT(term.penalty, 0.0) << term.name;
 }
 
@@ -130,13 +132,32 @@ TEST(CriteriaPresets, OfThePaperAreItsThree) {
 }
 
 TEST(CriteriaPresets, DefaultIsTheMixtureOfTheDocs) {
+  const std::map<std::string_view, double> weights{
+      {"joint_range", 0.25},        {"balance_zone", 0.20}, {"discomfort", 0.27},
+      {"joint_acceleration", 0.22}, {"low_back", 0.20},     {"collision", 0.5},
+      {"centre_of_pressure", 0.35}, {"feasibility", 1.0}};
   const CriteriaSettings settings = default_criteria();
-  EXPECT_EQ(settings.joint_range_weight, 0.25);
-  EXPECT_EQ(settings.balance_zone_weight, 0.20);
-  EXPECT_EQ(settings.discomfort_weight, 0.27);
-  EXPECT_EQ(settings.joint_acceleration_weight, 0.22);
-  EXPECT_EQ(settings.low_back_weight, 0.20);
-  EXPECT_EQ(settings.feasibility_weight, 1.0);
+  for_each_criterion([&](const auto& entry) {
+    const auto told = weights.find(entry.name);
+    EXPECT_EQ(entry.weight(settings), told == weights.end() ? 0.0 : told->second) << entry.name;
+  });
+}
+
+// A criterion says by its type that it looks at the body's placement: it cannot be shown a frame
+// without one.
+static_assert(looks_at_placement<Head<double>, double>);
+static_assert(looks_at_placement<Collision<double>, double>);
+static_assert(looks_at_placement<PressureZone<double>, double>);
+static_assert(looks_at_placement<Feasibility<double>, double>);
+static_assert(!looks_at_placement<JointRange<double>, double>);
+
+TEST(Score, FramesWithoutPlacementAreRefusedWhereACriterionLooksAtIt) {
+  const BodyModel body = full_body();
+  BuiltInCriteria<double> paper(body, paper_criteria());
+  EXPECT_FALSE(paper.needs_placement());
+  BuiltInCriteria<double> usual(body, default_criteria());
+  EXPECT_TRUE(usual.needs_placement());
+  EXPECT_THROW(usual.add(MotionFrame<double>{}), PreconditionError);
 }
 
 TEST(CriteriaPresets, HaveNames) {
@@ -167,15 +188,15 @@ TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
   const Motion motion = wild_motion(body);
   const Score score = score_motion(body, motion, every_criterion());
   ASSERT_EQ(score.terms.size(), 12u);
-  EXPECT_EQ(score.terms[3].penalty, balance_zone_penalty(body, motion));
-  EXPECT_EQ(score.terms[4].penalty, discomfort_penalty(body, motion));
-  EXPECT_EQ(score.terms[5].penalty, joint_acceleration_penalty(body, motion));
-  EXPECT_EQ(score.terms[6].penalty, work_penalty(body, motion));
-  EXPECT_EQ(score.terms[7].penalty, low_back_penalty(body, motion));
-  EXPECT_EQ(score.terms[8].penalty, head_penalty(body, motion, {.gaze_target = kGoal}));
-  EXPECT_EQ(score.terms[9].penalty, collision_penalty(body, motion));
-  EXPECT_EQ(score.terms[10].penalty, pressure_penalty(body, motion));
-  EXPECT_EQ(score.terms[11].penalty, feasibility_penalty(body, motion));
+  EXPECT_EQ(score.terms[3].penalty, penalty_by<BalanceZone>(body, motion));
+  EXPECT_EQ(score.terms[4].penalty, penalty_by<Discomfort>(body, motion));
+  EXPECT_EQ(score.terms[5].penalty, penalty_by<JointAcceleration>(body, motion));
+  EXPECT_EQ(score.terms[6].penalty, penalty_by<Work>(body, motion));
+  EXPECT_EQ(score.terms[7].penalty, penalty_by<LowBack>(body, motion));
+  EXPECT_EQ(score.terms[8].penalty, penalty_by<Head>(body, motion, {.gaze_target = kGoal}));
+  EXPECT_EQ(score.terms[9].penalty, penalty_by<Collision>(body, motion));
+  EXPECT_EQ(score.terms[10].penalty, penalty_by<PressureZone>(body, motion));
+  EXPECT_EQ(score.terms[11].penalty, penalty_by<Feasibility>(body, motion));
 }
 
 TEST(Score, PenaltiesStayWithinZeroAndOneForAnyMotion) {
@@ -202,8 +223,9 @@ TEST(Score, FrameByFrameIsTheSameAsOfTheWholeMotion) {
   const std::size_t n = body.dofs().size();
   for (int f = 0; f < motion.clip.frames; ++f) {
     const auto k = static_cast<std::size_t>(f);
-    built_in.add({motion.clip.frame(f), std::span(motion.torques).subspan(k * n, n),
-                  motion.centre_of_mass[k]});
+    built_in.add(MotionFrame<double>{motion.clip.frame(f),
+                                     std::span(motion.torques).subspan(k * n, n),
+                                     motion.centre_of_mass[k]});
   }
   EXPECT_EQ(built_in.score(), score_motion(body, motion, settings).total);
 }
@@ -215,11 +237,11 @@ TEST(Score, AScorerForgetsTheMotionBefore) {
   Motion motion = wild_motion(body);
   for (double& tau : motion.torques) tau *= 0.1;
   BuiltInCriteria<double> used(body, every_criterion());
-  show_motion(body, before, true, used);
+  show_motion(body, before, used);
   used.reset();
-  show_motion(body, motion, true, used);
+  show_motion(body, motion, used);
   BuiltInCriteria<double> fresh(body, every_criterion());
-  show_motion(body, motion, true, fresh);
+  show_motion(body, motion, fresh);
   EXPECT_EQ(used.score(), fresh.score());
   EXPECT_LT(fresh.score(), score_motion(body, before, every_criterion()).total);
 }

@@ -5,6 +5,7 @@
 #include <shigusa/criteria/discomfort.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -25,7 +26,7 @@ BodyDefinition hinges() {
 
 double penalty_at(const BodyModel& body, const std::vector<std::vector<double>>& frames,
                   const DiscomfortSettings& settings = {}) {
-  return discomfort_penalty(body, motion_through(body, frames), settings);
+  return penalty_by<Discomfort>(body, motion_through(body, frames), settings);
 }
 
 std::vector<double> first_at(double angle) {

@@ -5,6 +5,7 @@
 #include <shigusa/criteria/feasibility.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -35,7 +36,7 @@ Motion standing(const BodyModel& body, const std::vector<double>& torques) {
 
 double penalty_of(const std::vector<double>& torques) {
   const BodyModel body = on_a_foot();
-  return feasibility_penalty(body, standing(body, torques));
+  return penalty_by<Feasibility>(body, standing(body, torques));
 }
 
 // e / (1 + e) of an excess e
@@ -59,7 +60,7 @@ TEST(Feasibility, StrengthIsThatOfTheTorquesDirection) {
 TEST(Feasibility, PressureOutsideTheFeetCounts) {
   const BodyModel body = on_a_foot();
   const auto leaning = [&](double ahead) {
-    return feasibility_penalty(body, motion_through(body, {{std::asin(ahead)}}));
+    return penalty_by<Feasibility>(body, motion_through(body, {{std::asin(ahead)}}));
   };
   EXPECT_EQ(leaning(0.14), 0.0);
   EXPECT_NEAR(leaning(0.15 + kFeasibilityOutside), 0.5, 1e-9);
@@ -80,10 +81,9 @@ TEST(Feasibility, ForgetsWhatItSaw) {
   const BodyModel body = on_a_foot();
   const std::vector<double> angles{0.0};
   const std::vector<double> torques{3.0 * kStrength};
-  MotionFrame<double> frame;
-  frame.angles = angles;
-  frame.torques = torques;
-  frame.pressure = {0.0, kGravity, 0.0};
+  const Kinematics<double> kinematics = start_kinematics(body);
+  const PlacedFrame<double> frame{
+      {.angles = angles, .torques = torques}, kinematics, {0.0, kGravity, 0.0}};
   Feasibility<double> feasibility(body);
   feasibility.add(frame);
   EXPECT_GT(feasibility.penalty(), 0.0);

@@ -5,6 +5,7 @@
 #include <shigusa/criteria/head.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -26,7 +27,7 @@ std::vector<double> leaning(double lean) {
 double penalty_of(const std::vector<double>& leans, const HeadSettings& settings = {}) {
   std::vector<std::vector<double>> frames;
   for (const double lean : leans) frames.push_back(leaning(lean));
-  return head_penalty(body(), motion_through(body(), frames), settings);
+  return penalty_by<Head>(body(), motion_through(body(), frames), settings);
 }
 
 Vec3d node_at(const char* name, double lean) {
@@ -110,10 +111,10 @@ TEST(Head, TurnsWithTheTrunk) {
   std::vector<double> turned(body().start().begin(), body().start().end());
   turned[static_cast<std::size_t>(*body().find_dof("right_hip.rotation"))] += radians(30);
   const double turned_away =
-      head_penalty(body(), motion_through(body(), {turned}), {.gaze_target = aside});
+      penalty_by<Head>(body(), motion_through(body(), {turned}), {.gaze_target = aside});
   turned[static_cast<std::size_t>(*body().find_dof("right_hip.rotation"))] -= radians(60);
   const double turned_to =
-      head_penalty(body(), motion_through(body(), {turned}), {.gaze_target = aside});
+      penalty_by<Head>(body(), motion_through(body(), {turned}), {.gaze_target = aside});
   EXPECT_EQ(max(turned_away, turned_to), 1.0);
   EXPECT_EQ(min(turned_away, turned_to), 0.0);
 }
@@ -126,7 +127,8 @@ TEST(Head, HeightIsASetting) { EXPECT_GT(penalty_of({radians(50)}, {.height = 0.
 
 TEST(Head, OfABodyWithoutOneIsZero) {
   const BodyModel rod = chain({{}});
-  EXPECT_EQ(head_penalty(rod, motion_through(rod, {{1.8}}), {.gaze_target = Vec3d{0, 0, -5}}), 0.0);
+  EXPECT_EQ(penalty_by<Head>(rod, motion_through(rod, {{1.8}}), {.gaze_target = Vec3d{0, 0, -5}}),
+            0.0);
 }
 
 TEST(Head, OfNoFramesIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }

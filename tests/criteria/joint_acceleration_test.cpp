@@ -6,6 +6,7 @@
 #include <shigusa/motion/minimum_jerk.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -23,7 +24,7 @@ double penalty_of(const std::vector<double>& angles,
                   const JointAccelerationSettings& settings = {}) {
   std::vector<std::vector<double>> frames;
   for (const double angle : angles) frames.push_back({angle});
-  return joint_acceleration_penalty(hinges(1), motion_through(hinges(1), frames), settings);
+  return penalty_by<JointAcceleration>(hinges(1), motion_through(hinges(1), frames), settings);
 }
 
 TEST(JointAcceleration, OfRestIsZero) { EXPECT_EQ(penalty_of({0.3, 0.3, 0.3}), 0.0); }
@@ -57,15 +58,15 @@ TEST(JointAcceleration, IsFullForATurnBy90DegreesInOneSecond) {
 TEST(JointAcceleration, IsTheRootMeanSquareOverJoints) {
   const Motion one = motion_through(hinges(1), {{0.0}, {1e-4}, {0.0}});
   const Motion of_four = motion_through(hinges(4), {{0, 0, 0, 0}, {0, 1e-4, 0, 0}, {0, 0, 0, 0}});
-  EXPECT_NEAR(joint_acceleration_penalty(hinges(4), of_four),
-              0.5 * joint_acceleration_penalty(hinges(1), one), 1e-12);
+  EXPECT_NEAR(penalty_by<JointAcceleration>(hinges(4), of_four),
+              0.5 * penalty_by<JointAcceleration>(hinges(1), one), 1e-12);
 }
 
 TEST(JointAcceleration, FallsWithTheSquareOfTheTimeTaken) {
   Motion motion = motion_through(hinges(1), {{0.0}, {1e-4}, {0.0}});
-  const double before = joint_acceleration_penalty(hinges(1), motion);
+  const double before = penalty_by<JointAcceleration>(hinges(1), motion);
   motion.clip.frame_time *= 2.0;
-  EXPECT_NEAR(joint_acceleration_penalty(hinges(1), motion), before / 4.0, 1e-12);
+  EXPECT_NEAR(penalty_by<JointAcceleration>(hinges(1), motion), before / 4.0, 1e-12);
 }
 
 TEST(JointAcceleration, IsFullBeyondItsScale) { EXPECT_EQ(penalty_of({0.0, 1.0, -1.0}), 1.0); }

@@ -5,6 +5,7 @@
 #include <shigusa/criteria/joint_range.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -20,7 +21,7 @@ BodyDefinition one_hinge() {
 }
 
 double penalty_at(const BodyModel& body, std::vector<std::vector<double>> frames) {
-  return joint_range_penalty(body, motion_through(body, frames));
+  return penalty_by<JointRange>(body, motion_through(body, frames));
 }
 
 TEST(JointRange, HasRuleR8aNumbers) { EXPECT_EQ(kRangeMargin, 0.2); }
@@ -69,7 +70,7 @@ TEST(JointRange, OneJointCountsAsAtMostFull) {
 TEST(JointRange, MarginIsASetting) {
   const BodyModel body(one_hinge());
   const Motion motion = motion_through(body, {{1.6}});
-  EXPECT_NEAR(joint_range_penalty(body, motion, {.margin = 0.1}), 0.5, 1e-15);
+  EXPECT_NEAR(penalty_by<JointRange>(body, motion, {.margin = 0.1}), 0.5, 1e-15);
 }
 
 TEST(JointRange, BentKneeLetsTheHipFlexFurther) {
@@ -80,7 +81,7 @@ TEST(JointRange, BentKneeLetsTheHipFlexFurther) {
   const BodyModel body(definition);
   const auto upper = [&](double driver) {
     const std::vector<double> q{0.0, driver};
-    return upper_limit<double>(body, 0, q);
+    return upper_limit(body, 0, q);
   };
   EXPECT_EQ(upper(-0.3), 1.0);
   EXPECT_EQ(upper(0.0), 1.0);
@@ -97,11 +98,11 @@ TEST(JointRange, HumanHipFlexesTo165DegreesOverABentKnee) {
     std::vector<double> q(body.dofs().size(), 0.0);
     const auto knee = static_cast<std::size_t>(*body.find_dof("right_knee.flexion"));
     const int hip = *body.find_dof("right_hip.flexion");
-    EXPECT_NEAR(degrees(upper_limit<double>(body, hip, q)), 115.0, 1e-12);
+    EXPECT_NEAR(degrees(upper_limit(body, hip, q)), 115.0, 1e-12);
     q[knee] = radians(30);
-    EXPECT_NEAR(degrees(upper_limit<double>(body, hip, q)), 140.0, 1e-12);
+    EXPECT_NEAR(degrees(upper_limit(body, hip, q)), 140.0, 1e-12);
     q[knee] = radians(60);
-    EXPECT_NEAR(degrees(upper_limit<double>(body, hip, q)), 165.0, 1e-12);
+    EXPECT_NEAR(degrees(upper_limit(body, hip, q)), 165.0, 1e-12);
   }
 }
 
@@ -154,7 +155,7 @@ TEST(JointRange, ALiftedArmTurnsOutFurther) {
     std::vector<double> angles(body.dofs().size());
     const auto upper = [&](double degrees_aside) {
       angles[abduction] = radians(degrees_aside);
-      return degrees(upper_limit<double>(body, rotation, angles));
+      return degrees(upper_limit(body, rotation, angles));
     };
     EXPECT_NEAR(upper(0.0), 60.0, 1e-9) << side;
     EXPECT_NEAR(upper(-20.0), 60.0, 1e-9) << side;

@@ -6,6 +6,7 @@
 #include <shigusa/dynamics/contact_forces.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -25,7 +26,7 @@ double penalty_of(const BodyModel& body, const std::vector<double>& together,
           together[f] / static_cast<double>(hips.size());
     }
   }
-  return low_back_penalty(body, motion, settings);
+  return penalty_by<LowBack>(body, motion, settings);
 }
 
 // Moment (N·m) that the hips must give against gravity, from the inverse dynamics.
@@ -149,7 +150,7 @@ TEST(LowBack, OfABodyWithoutHipsIsZero) {
   const BodyModel body = chain({{}});
   Motion motion = motion_through(body, {{0.5}});
   motion.torques = {100.0};
-  EXPECT_EQ(low_back_penalty(body, motion), 0.0);
+  EXPECT_EQ(penalty_by<LowBack>(body, motion), 0.0);
 }
 
 TEST(LowBack, OfNoFramesIsZero) { EXPECT_EQ(penalty_of(full_body(), {}), 0.0); }

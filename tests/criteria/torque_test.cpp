@@ -5,6 +5,7 @@
 #include <shigusa/criteria/torque.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -26,7 +27,7 @@ double penalty_of(const BodyModel& body, const std::vector<double>& torques,
   Motion motion = motion_through(
       body, std::vector<std::vector<double>>(torques.size() / upright.size(), upright));
   motion.torques = torques;
-  return torque_penalty(body, motion, settings);
+  return penalty_by<Torque>(body, motion, settings);
 }
 
 TEST(Torque, HasRuleR8cNumbers) { EXPECT_EQ(kTorqueShare, 0.6); }

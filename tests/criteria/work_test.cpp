@@ -6,6 +6,7 @@
 #include <shigusa/dynamics/inverse_dynamics.hpp>
 
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -39,7 +40,9 @@ std::vector<double> from_to(double from, double to, int steps) {
 }
 
 // What the criterion says, in joules.
-double work_of(const Motion& motion) { return work_penalty(rod(), motion) * full_work(rod(), {}); }
+double work_of(const Motion& motion) {
+  return penalty_by<Work>(rod(), motion) * full_work(rod(), {});
+}
 
 TEST(Work, HasItsScaleFromTheBody) {
   EXPECT_NEAR(full_work(rod(), {}), 0.4 * 2.0 * kGravity * 0.5, 1e-12);
@@ -75,13 +78,13 @@ TEST(Work, DoesNotDependOnTheTimeTaken) {
 TEST(Work, IsFullAtItsShareAndBeyond) {
   Motion motion = led_through(from_to(0.0, 0.4, 20));
   for (double& tau : motion.torques) tau *= 1e3;
-  EXPECT_EQ(work_penalty(rod(), motion), 1.0);
+  EXPECT_EQ(penalty_by<Work>(rod(), motion), 1.0);
 }
 
 TEST(Work, ShareIsASetting) {
   const Motion motion = led_through(from_to(0.0, 0.4, 20));
-  EXPECT_NEAR(work_penalty(rod(), motion, {.share = 0.8}), 0.5 * work_penalty(rod(), motion),
-              1e-12);
+  EXPECT_NEAR(penalty_by<Work>(rod(), motion, {.share = 0.8}),
+              0.5 * penalty_by<Work>(rod(), motion), 1e-12);
 }
 
 TEST(Work, OfNoFramesIsZero) { EXPECT_EQ(work_of(led_through({})), 0.0); }

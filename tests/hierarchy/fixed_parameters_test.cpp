@@ -65,7 +65,7 @@ TEST_P(Fixed, MotionsAreThoseThatTheParametersGive) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Preset, Fixed, testing::Values(Preset::paper, Preset::flat),
-                         [](const auto& of) { return std::string(preset_name(of.param)); });
+                         [](const auto& of) { return std::string(word_of(of.param)); });
 
 TEST(SquatDial, IsTheKneesFlexionAtTheEnd) {
   for (const double dial : {10.0, 60.0, 100.0}) {

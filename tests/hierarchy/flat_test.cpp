@@ -34,8 +34,8 @@ TEST(ParameterSpace, StartsAtThePlainMotion) {
     EXPECT_FALSE(joint.locked);
   }
   for (const double value : start.posture.modes) EXPECT_NEAR(value, 0.0, 1e-12);
-  EXPECT_EQ(start.posture.delay, 0.0);
-  EXPECT_NEAR(start.posture.bow, 0.0, 1e-12);
+  EXPECT_EQ(start.posture.timing.delay, 0.0);
+  EXPECT_NEAR(start.posture.timing.bow, 0.0, 1e-12);
 }
 
 TEST(ParameterSpace, SearchesOnlyWhatMovesAGoalOrAFoot) {
@@ -97,10 +97,10 @@ TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
                   1e-6);
       EXPECT_NEAR(static_cast<double>(rows.posture[i * dofs + d]), change[d], 1e-6);
     }
-    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i]), p.posture.delay, 1e-7);
-    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 1]), p.posture.bow, 1e-7);
-    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 2]), p.posture.skew, 1e-7);
-    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 3]), p.posture.sway, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i]), p.posture.timing.delay, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 1]), p.posture.timing.bow, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 2]), p.posture.timing.skew, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 3]), p.posture.timing.sway, 1e-7);
   }
 }
 
@@ -224,14 +224,14 @@ TEST(FlatSearch, NeverScoresMoreThanItsBudget) {
 }
 
 TEST(FlatSearch, EverySearchFindsCandidates) {
-  for (const SearchMethod method : kSearchMethods) {
+  for (const auto& [method, word] : kEnumWords<SearchMethod>) {
     Task task = flat_task(half_body(), {-0.2, 0.6, 0.5});
     task.search = method;
     task.evaluations = 300;
     const Generation generation = generate(task).value();
-    EXPECT_TRUE(generation.meets_goals()) << search_name(method);
-    EXPECT_LE(generation.evaluations, 300) << search_name(method);
-    EXPECT_GE(generation.evaluations, 290) << search_name(method);
+    EXPECT_TRUE(generation.meets_goals()) << word;
+    EXPECT_LE(generation.evaluations, 300) << word;
+    EXPECT_GE(generation.evaluations, 290) << word;
   }
 }
 
@@ -240,9 +240,9 @@ TEST(FlatSearch, EditedPostureIsCheckedAndPlayed) {
   Parameters parameters = uniform_parameters(task.body);
   parameters.posture.modes.assign(posture_modes(task.body).size(), 0.0);
   EXPECT_TRUE(regenerate(task, parameters).has_value());
-  parameters.posture.bow = 1.0;
+  parameters.posture.timing.bow = 1.0;
   EXPECT_FALSE(regenerate(task, parameters).has_value());
-  parameters.posture.bow = 0.0;
+  parameters.posture.timing.bow = 0.0;
   parameters.posture.modes.pop_back();
   EXPECT_FALSE(regenerate(task, parameters).has_value());
 }

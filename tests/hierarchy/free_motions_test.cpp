@@ -55,7 +55,7 @@ Found free_motions(const BodyModel& body) {
   for (int k = 0; k < kGoals; ++k) {
     Task task{.body = body};
     task.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}};
-    task.genetic.seed = random.next();
+    task.seed = random.next();
     task.evaluations = 400;
     const Generation generation = generate(task).value();
     for (const Candidate& candidate : generation.candidates) {

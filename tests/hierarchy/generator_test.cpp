@@ -20,7 +20,7 @@ constexpr Vec3d kOutOfReach{-1.5, 1.5, 1.2};
 
 Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) {
   Task task = with_preset({.body = body, .goals = {{"right_hand", goal}}}, Preset::paper);
-  task.genetic.seed = seed;
+  task.seed = seed;
   return task;
 }
 

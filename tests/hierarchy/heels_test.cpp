@@ -24,7 +24,7 @@ constexpr Vec3d kAbove{-0.25, 0.0, 0.15};
 Task task_for(const Vec3d& goal, bool heels = true) {
   Task task{.body = human_body({.heels = heels})};
   task.goals = {{"right_hand", goal}};
-  task.genetic.seed = 1;
+  task.seed = 1;
   task.evaluations = 1500;
   return task;
 }

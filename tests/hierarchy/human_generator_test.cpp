@@ -18,7 +18,7 @@ constexpr Vec3d kHigh{-0.45, 1.75, 0.35};
 
 Task task_for(const BodyModel& body, const Vec3d& goal, const char* hand = "right_hand") {
   Task task = with_preset({.body = body, .goals = {{hand, goal}}}, Preset::human);
-  task.genetic.seed = 1;
+  task.seed = 1;
   task.evaluations = 160;
   return task;
 }

@@ -24,7 +24,7 @@ constexpr Vec3d kOutOfReach{-1.5, 1.5, 1.2};
 
 Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) {
   Task task = with_preset({.body = body, .goals = {{"right_hand", goal}}}, Preset::layers);
-  task.genetic.seed = seed;
+  task.seed = seed;
   return task;
 }
 
@@ -112,7 +112,7 @@ TEST(GenerateLayers, SameSeedGivesTheSameNumbersOnAnyMachine) {
   const auto one = numbers(generated(task));
   task.batch = {widest_simd_set(), 3};
   EXPECT_EQ(numbers(generated(task)), one);
-  task.genetic.seed = 6;
+  task.seed = 6;
   EXPECT_NE(numbers(generated(task)), one);
 }
 
@@ -131,12 +131,12 @@ TEST(GenerateLayers, MoreEvaluationsFindNoWorse) {
 TEST(GenerateLayers, EverySearchReaches) {
   Task task = task_for(half_body(), kFront);
   task.evaluations = 150;
-  for (const SearchMethod method : kSearchMethods) {
+  for (const auto& [method, word] : kEnumWords<SearchMethod>) {
     task.search = method;
     const Generation generation = generated(task);
     expect_layers_kept(task, generation);
-    EXPECT_EQ(generation.evaluations, 150) << search_name(method);
-    EXPECT_LT(generation.best_seen_score, worst_score(task.criteria)) << search_name(method);
+    EXPECT_EQ(generation.evaluations, 150) << word;
+    EXPECT_LT(generation.best_seen_score, worst_score(task.criteria)) << word;
   }
 }
 

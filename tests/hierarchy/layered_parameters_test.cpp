@@ -30,10 +30,10 @@ TEST(LayersToGoals, AreTheUpperOneAndEachGoalsArm) {
 
 // The paper's count: 14 parameters of the upper layer, and four for each arm.
 TEST(LayeredMembers, HaveEachANameOfTheirOwn) {
-  for (const LayerReading reading : layer_readings()) {
+  for (const auto& [reading, word] : kEnumWords<LayerReading>) {
     LayeredParameters parameters;
     const auto members = layered_members(layers_of(reading), parameters);
-    EXPECT_EQ(members.size(), 14u + 8u) << layer_reading_name(reading);
+    EXPECT_EQ(members.size(), 14u + 8u) << word;
     std::set<std::string> names;
     std::set<const void*> places;
     for (const LayeredMember& member : members) {

@@ -3,6 +3,7 @@
 
 #include <shigusa/hierarchy/layered_problem.hpp>
 
+#include "support/penalty_by.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -49,7 +50,7 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
       EXPECT_LT(played.outcome.path_error, kReachTolerance);
       if (check.excess < radians(2.0)) continue;
       ++outside;
-      EXPECT_GT(joint_range_penalty(body, played.motion), 0.01);
+      EXPECT_GT(penalty_by<JointRange>(body, played.motion), 0.01);
     }
     EXPECT_GE(outside, 10) << body.name();
   }

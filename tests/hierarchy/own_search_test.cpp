@@ -53,7 +53,7 @@ TEST_P(OwnSearch, PointsOutsideOfTheProblemAreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Preset, OwnSearch, testing::Values(Preset::flat, Preset::paper),
-                         [](const auto& of) { return std::string(preset_name(of.param)); });
+                         [](const auto& of) { return std::string(word_of(of.param)); });
 
 TEST(OwnSearch, LayersTakeNone) {
   Task task = asked(Preset::layers);

@@ -175,7 +175,12 @@ TEST(MakeProblem, RefusesToDeliverOrEvaluateNothing) {
   EXPECT_EQ(refusal(task), "");
 }
 
-TEST(Preset, HasAName) { EXPECT_EQ(preset_name(Preset::paper), "paper"); }
+TEST(Preset, HasItsOwnTraits) {
+  for (const auto& [preset, word] : kEnumWords<Preset>) {
+    EXPECT_EQ(traits_of(preset).preset, preset) << word;
+    EXPECT_EQ(value_of<Preset>(word, "preset"), preset) << word;
+  }
+}
 
 TEST(MakeProblem, PathsSwayOutwardsSquareToWayAndBow) {
   Task task = with_preset({.body = full_body()}, Preset::flat);

@@ -302,7 +302,7 @@ RC_GTEST_PROP(NlpIkProperty, NoPostureNearbyThatKeepsTheLimitsIsBetter, (std::ui
     bool inside = true;
     for (int d = 0; d < body.dof_count(); ++d) {
       const double angle = other[static_cast<std::size_t>(d)];
-      inside = inside && angle >= body.dof(d).lower && angle <= upper_limit<double>(body, d, other);
+      inside = inside && angle >= body.dof(d).lower && angle <= upper_limit(body, d, other);
     }
     // 1e-9 rad off the minimum, at slopes of less than 1 m²/rad
     if (inside) RC_ASSERT(ik.objective(targets, from, {}, other, gradient) >= least - 1e-10);

@@ -104,7 +104,7 @@ class ManyGoals {
       const Vec3d goal{random.uniform(-1.3, 1.3), random.uniform(0.0, 2.3),
                        random.uniform(-1.3, 1.3)};
       task_.goals = {{task_.body.effectors()[random.below(hands)].name, goal}};
-      task_.genetic.seed = static_cast<std::uint64_t>(trial);
+      task_.seed = static_cast<std::uint64_t>(trial);
       const Result<Generation> generation = generate(task_);
       ASSERT_TRUE(generation);
       check_candidates(*generation);

@@ -109,7 +109,7 @@ TEST(Tracking, NineMotionsOfTenDoNotFall) {
   for (std::uint64_t seed = 1; played < kGoals; ++seed) {
     Task task{.body = body};
     task.goals = {{"right_hand", any_goal(random)}};
-    task.genetic.seed = seed;
+    task.seed = seed;
     const Generation generation = generate(task).value();
     if (!generation.meets_goals()) continue;
     ++played;

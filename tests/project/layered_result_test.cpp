@@ -47,7 +47,7 @@ std::string message(const Json& json) {
 }
 
 TEST(LayeredResult, ParametersAreReadBackBitForBit) {
-  for (const LayerReading reading : layer_readings()) {
+  for (const auto& [reading, word] : kEnumWords<LayerReading>) {
     // in the paper's code, and in one of any numbers
     for (const SearchMethod method : {SearchMethod::paper_ga, SearchMethod::cma_es}) {
       TaskFile file = layers_task();
@@ -112,7 +112,7 @@ TEST(LayeredResult, WrongParametersAreNamedByTheirPlace) {
 TaskFile human_task() {
   TaskFile file = layers_task();
   file.preset = Preset::human;
-  file.criteria = preset_criteria(file.preset);
+  file.criteria = traits_of(file.preset).criteria();
   file.goals = {{"right_hand", {-0.05, 0.1, 0.3}}};
   return file;
 }

@@ -17,7 +17,7 @@ using namespace testing_support;
 Task task_for(const Vec3d& goal, const LimbStore& store) {
   Task task = with_preset({.body = half_body(), .goals = {{"right_hand", goal}}}, Preset::layers);
   task.layers.store = store;
-  task.genetic.seed = 3;
+  task.seed = 3;
   return task;
 }
 

@@ -17,7 +17,7 @@ namespace {
 TaskFile asked(Preset preset) {
   TaskFile file;
   file.preset = preset;
-  file.criteria = preset_criteria(preset);
+  file.criteria = traits_of(preset).criteria();
   file.goals = {{"right_hand", {-0.25, 0.5, 0.45}}};
   file.evaluations = 200;
   return file;
@@ -45,10 +45,10 @@ TEST(Mirror, NamesChangeSides) {
   EXPECT_EQ(mirrored_name(""), "");
 }
 
-class MirroredMotion : public testing::TestWithParam<Preset> {};
+class MirroredMotion : public testing::TestWithParam<PresetTraits> {};
 
 TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
-  TaskFile file = asked(GetParam());
+  TaskFile file = asked(GetParam().preset);
   const Task task = make_task(file, {}).value();
   const Generation generation = generate(task).value();
   TaskFile other = mirrored(file).value();
@@ -65,9 +65,8 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
   EXPECT_NEAR(again.candidates[0].final_posture.trunk_turn, -best.final_posture.trunk_turn, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion,
-                         testing::ValuesIn(presets().begin(), presets().end()),
-                         [](const auto& of) { return std::string(preset_name(of.param)); });
+INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion, testing::ValuesIn(kPresets),
+                         [](const auto& of) { return std::string(of.param.word); });
 
 TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {
   TaskFile file = asked(Preset::flat);

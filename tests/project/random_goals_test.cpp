@@ -104,7 +104,7 @@ TEST_P(RandomGoals, AreMetOrMissedAsTheStatusTells) {
   for (int k = 0; k < kGoals; ++k) {
     TaskFile file;
     file.preset = GetParam().heels ? Preset::flat : Preset::paper;
-    file.criteria = preset_criteria(file.preset);
+    file.criteria = traits_of(file.preset).criteria();
     file.character.source = GetParam().body;
     file.character.heels = GetParam().heels;
     if (GetParam().heels) file.evaluations = 100;

@@ -60,7 +60,7 @@ TEST(TaskFile, CriteriaThatAFileDoesNotNameAreThePresets) {
   TaskFile expected;
   expected.preset = Preset::paper;
   expected.criteria = paper_criteria();
-  expected.candidates = preset_candidates(Preset::paper);
+  expected.candidates = traits_of(Preset::paper).candidates;
   expected.criteria.joint_range_weight = 0.4;
   expected.criteria.joint_range.margin = 0.1;
   expected.criteria.balance.lean = 0.3;
@@ -93,7 +93,7 @@ TEST(MakeTask, TakesSeedAndBudgetOver) {
   file.evaluations = 80;
   file.candidates = 3;
   const Task task = make_task(file, {}).value();
-  EXPECT_EQ(task.genetic.seed, 9u);
+  EXPECT_EQ(task.seed, 9u);
   EXPECT_EQ(task.evaluations, 80);
   EXPECT_EQ(task.candidates, 3);
   EXPECT_EQ(task.body.name(), "full_body");

@@ -57,8 +57,7 @@ inline CharacterSpec any_character() {
 
 inline TaskFile any_task() {
   TaskFile task;
-  const std::span<const Preset> known = presets();
-  task.preset = known[*rc::gen::inRange<std::size_t>(0, known.size())];
+  task.preset = kPresets[*rc::gen::inRange<std::size_t>(0, kPresets.size())].preset;
   task.layer_reading =
       *rc::gen::element(LayerReading::shared_contractions, LayerReading::contraction_a_limb);
   task.character = any_character();
@@ -142,8 +141,8 @@ inline std::vector<std::uint64_t> bits(const TaskFile& task) {
 
 // All words of a task.
 inline std::vector<std::string> words(const TaskFile& task) {
-  std::vector<std::string> all{task.character.source, std::string(preset_name(task.preset)),
-                               std::string(layer_reading_name(task.layer_reading))};
+  std::vector<std::string> all{task.character.source, std::string(word_of(task.preset)),
+                               std::string(word_of(task.layer_reading))};
   all.insert(all.end(), task.character.doubts.begin(), task.character.doubts.end());
   all.push_back(task.character.animation.value_or("none"));
   for (const auto& [bone, node] : task.character.map) all.insert(all.end(), {bone, node});

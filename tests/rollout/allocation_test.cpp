@@ -73,8 +73,8 @@ TEST(Allocations, ARolloutMakesNone) {
     Rollout<double> rollout(problem);
     BuiltInCriteria<double> criteria(body, every_criterion());
     EXPECT_EQ(allocations_of([&] {
-                rollout.run(inverse, [&](const MotionFrame<double>& frame,
-                                         const Kinematics<double>&) { criteria.add(frame); });
+                rollout.run(inverse,
+                            [&](const PlacedFrame<double>& frame) { criteria.add(frame); });
                 (void)criteria.score();
               }),
               0);
@@ -88,10 +88,7 @@ TEST(Allocations, ARolloutOfTwoPhasesMakesNone) {
   add_later_phase(parameters);
   const HeldInput held(body, parameters);
   Rollout<double> rollout(problem);
-  EXPECT_EQ(allocations_of([&] {
-              rollout.run(held.input(),
-                          [](const MotionFrame<double>&, const Kinematics<double>&) {});
-            }),
+  EXPECT_EQ(allocations_of([&] { rollout.run(held.input(), [](const PlacedFrame<double>&) {}); }),
             0);
 }
 
@@ -102,10 +99,7 @@ TEST(Allocations, AGuidedRolloutBeyondReachMakesNone) {
   problem.corrections = 3;
   const std::vector<double> inverse = inverse_weights(uniform_parameters(body));
   Rollout<double> rollout(problem);
-  EXPECT_EQ(allocations_of([&] {
-              rollout.run(inverse, [](const MotionFrame<double>&, const Kinematics<double>&) {});
-            }),
-            0);
+  EXPECT_EQ(allocations_of([&] { rollout.run(inverse, [](const PlacedFrame<double>&) {}); }), 0);
 }
 
 TEST(Allocations, ScoringMoreMotionsTakesNoMore) {

@@ -27,8 +27,8 @@ double deepest(const ReachProblem& problem) {
   const std::vector<double> uniform = inverse_weights(uniform_parameters(body));
   double depth = -1e9;
   Rollout<double> rollout(problem);
-  rollout.run(uniform, [&](const MotionFrame<double>&, const Kinematics<double>& kinematics) {
-    depth = std::max(depth, limb_penetration(body, kinematics, body.effectors()[0]).depth);
+  rollout.run(uniform, [&](const PlacedFrame<double>& frame) {
+    depth = std::max(depth, limb_penetration(body, frame.kinematics, body.effectors()[0]).depth);
   });
   return depth;
 }

@@ -58,7 +58,7 @@ TEST(DrawnMotion, DelayKeepsThePostureBackAtFirst) {
   ReachProblem problem =
       reach_with(body, "left_hand", effector_position(body, body.start(), "left_hand"));
   Parameters parameters = drawn(body, "squat", radians(60.0));
-  parameters.posture.delay = 0.5;
+  parameters.posture.timing.delay = 0.5;
   const Clip late = roll_out(problem, parameters).motion.clip;
   const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
   EXPECT_NEAR(late.frame(30)[knee], late.frame(0)[knee], 1e-9);
@@ -71,7 +71,7 @@ TEST(DrawnMotion, BowTakesTheHandOffItsLineByThatMuch) {
   const EffectorPath& path = problem.goals[0].path;
   problem.goals[0].bow = {0.0, 0.0, norm(path.goal - path.start)};
   Parameters parameters = drawn(body, "", 0.0);
-  parameters.posture.bow = 0.1;
+  parameters.posture.timing.bow = 0.1;
   const RolledOut rolled = roll_out(problem, parameters);
   ASSERT_TRUE(rolled.outcome.met());
   double farthest = 0.0;
@@ -90,7 +90,7 @@ TEST(DrawnMotion, SwayTakesTheHandAsideByThatMuch) {
   ReachProblem problem = reach_with(body, "right_hand", {-0.25, 1.3, 0.3});
   problem.goals[0].sway = {-0.5, 0.0, 0.0};
   Parameters parameters = drawn(body, "", 0.0);
-  parameters.posture.sway = 0.1;
+  parameters.posture.timing.sway = 0.1;
   const RolledOut rolled = roll_out(problem, parameters);
   ASSERT_TRUE(rolled.outcome.met());
   const EffectorPath& path = problem.goals[0].path;
@@ -128,17 +128,16 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
     for (const PostureMode& mode : posture_modes(body)) {
       parameters.posture.modes.push_back(0.5 * random.uniform(mode.lower, mode.upper));
     }
-    parameters.posture.delay = random.uniform(0.0, 0.4);
-    parameters.posture.bow = random.uniform(-0.1, 0.2);
-    parameters.posture.skew = random.uniform(-1.0, 1.0);
-    parameters.posture.sway = random.uniform(-0.2, 0.2);
+    parameters.posture.timing.delay = random.uniform(0.0, 0.4);
+    parameters.posture.timing.bow = random.uniform(-0.1, 0.2);
+    parameters.posture.timing.skew = random.uniform(-1.0, 1.0);
+    parameters.posture.timing.sway = random.uniform(-0.2, 0.2);
     for (const double w : inverse_weights(parameters)) weights.push_back(static_cast<float>(w));
     for (const double c : posture_change(body, parameters.posture)) {
       changes.push_back(static_cast<float>(c));
     }
-    const PostureParameters& p = parameters.posture;
-    for (const double t : {p.delay, p.bow, p.skew, p.sway}) {
-      timing.push_back(static_cast<float>(t));
+    for (const auto member : kTimingMembers<double>) {
+      timing.push_back(static_cast<float>(parameters.posture.timing.*member));
     }
     played.add(problem, parameters, criteria);
   }

@@ -71,10 +71,10 @@ class Player {
     each_.reset();
     paper_.reset();
     Played<S> played;
-    const auto visit = [&](const MotionFrame<S>& frame, const Kinematics<S>& kinematics) {
+    const auto visit = [&](const PlacedFrame<S>& frame) {
       each_.add(frame);
       paper_.add(frame);
-      played.hand.push_back(kinematics.point(effector.link, effector.point));
+      played.hand.push_back(frame.kinematics.point(effector.link, effector.point));
       played.last_angles.assign(frame.angles.begin(), frame.angles.end());
     };
     played.outcome = rollout_.run(inverse_weights, visit);

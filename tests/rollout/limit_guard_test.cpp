@@ -38,7 +38,7 @@ Parameters random_posture(const BodyModel& body, Random& random) {
   for (const PostureMode& mode : posture_modes(body)) {
     parameters.posture.modes.push_back(random.uniform(mode.lower, mode.upper));
   }
-  parameters.posture.delay = random.uniform(0.0, kDelayMax);
+  parameters.posture.timing.delay = random.uniform(0.0, kDelayMax);
   return parameters;
 }
 

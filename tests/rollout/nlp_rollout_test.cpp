@@ -28,7 +28,7 @@ constexpr Vec3d kLow{-0.1, 0.5, 0.5};
 
 std::vector<double> angles_of(NlpRollout& rollout, const MotionInput<double>& input) {
   std::vector<double> angles;
-  rollout.run(input, [&](const MotionFrame<double>& frame, const Kinematics<double>&) {
+  rollout.run(input, [&](const PlacedFrame<double>& frame) {
     angles.insert(angles.end(), frame.angles.begin(), frame.angles.end());
   });
   return angles;
@@ -41,7 +41,7 @@ double limit_excess(const BodyModel& body, const Clip& clip) {
     for (int d = 0; d < body.dof_count(); ++d) {
       const double angle = clip.frame(f)[static_cast<std::size_t>(d)];
       excess = std::fmax(excess, body.dof(d).lower - angle);
-      excess = std::fmax(excess, angle - upper_limit<double>(body, d, clip.frame(f)));
+      excess = std::fmax(excess, angle - upper_limit(body, d, clip.frame(f)));
     }
   }
   return excess;
@@ -102,7 +102,7 @@ RC_GTEST_PROP(NlpRolloutProperty, DrawnToAPostureTheHandIsStillOnItsPath,
   for (std::size_t m = 0; m < posture_modes(reach.body).size(); ++m) {
     posture.modes.push_back(random.uniform(-0.5, 0.5));
   }
-  posture.delay = random.uniform(0.0, kDelayMax);
+  posture.timing.delay = random.uniform(0.0, kDelayMax);
   const Clip clip = roll_out_nlp(reach.problem, reach.parameters).motion.clip;
   const MeasuredMotion measured(reach.problem, clip);
   RC_ASSERT(measured.path_error <= kReachTolerance);
@@ -271,7 +271,8 @@ TEST(NlpRollout, APostureChangesAfterItsDelayAndThePathBows) {
   change[knee] = 0.5;
   NlpRollout rollout(problem);
   const std::vector<double> plain = angles_of(rollout, weights);
-  const MotionInput<double> input(weights, change, 0.4, 1.0, 0.3, 0.5);
+  const MotionInput<double> input(weights, change,
+                                  {.delay = 0.4, .bow = 1.0, .skew = 0.3, .sway = 0.5});
   const std::vector<double> drawn = angles_of(rollout, input);
   EXPECT_GT(drawn[60 * 9 + knee], plain[60 * 9 + knee] + 0.1);
   const EffectorPath& path = problem.goals[0].path;
@@ -284,7 +285,7 @@ TEST(NlpRollout, APostureChangesAfterItsDelayAndThePathBows) {
   }
   // before the delay is over the posture is not drawn: as with no change at all
   const std::vector<double> no_change(9, 0.0);
-  const MotionInput<double> calm(weights, no_change, 0.4, 1.0, 0.3, 0.5);
+  const MotionInput<double> calm(weights, no_change, input.timing);
   const std::vector<double> undrawn = angles_of(rollout, calm);
   for (std::size_t i = 0; i < 24 * 9; ++i) EXPECT_EQ(drawn[i], undrawn[i]);
 }
@@ -325,7 +326,7 @@ TEST(NlpRollout, RefusesBrokenProblemsAndInputs) {
   const std::vector<double> weights(9, 1.0);
   const std::vector<double> short_change(3, 0.0);
   EXPECT_THROW(angles_of(rollout, std::vector<double>(8, 1.0)), PreconditionError);
-  EXPECT_THROW(angles_of(rollout, {weights, short_change, 0.0, 0.0, 0.0, 0.0}), PreconditionError);
+  EXPECT_THROW(angles_of(rollout, {weights, short_change, {}}), PreconditionError);
 }
 
 }  // namespace

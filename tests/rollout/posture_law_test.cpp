@@ -107,7 +107,7 @@ TEST(PostureLaw, IsTheSameInLanes) {
   for (const double weight : weights) in_lanes.emplace_back(static_cast<float>(weight));
   Rollout<double> alone(problem);
   Rollout<Lanes> together(problem);
-  const auto ignore = [](const auto&, const auto&) {};
+  const auto ignore = [](const auto&) {};
   alone.run(MotionInput<double>(weights), ignore);
   together.run(MotionInput<Lanes>(in_lanes), ignore);
   for (std::size_t d = 0; d < weights.size(); ++d) {

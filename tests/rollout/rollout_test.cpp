@@ -150,10 +150,9 @@ TEST(Rollout, UsedAgainGivesTheSameMotion) {
   Rollout<double> rollout(problem);
   const auto angles_of = [&](const Parameters& parameters) {
     std::vector<double> angles;
-    rollout.run(inverse_weights(parameters),
-                [&](const MotionFrame<double>& frame, const Kinematics<double>&) {
-                  angles.insert(angles.end(), frame.angles.begin(), frame.angles.end());
-                });
+    rollout.run(inverse_weights(parameters), [&](const PlacedFrame<double>& frame) {
+      angles.insert(angles.end(), frame.angles.begin(), frame.angles.end());
+    });
     return angles;
   };
   const std::vector<double> before = angles_of(first);

@@ -31,9 +31,7 @@ TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
         const Parameters parameters = random_parameters(body, random);
         criteria.reset();
         rollout.run(inverse_weights(parameters),
-                    [&](const MotionFrame<double>& frame, const Kinematics<double>&) {
-                      criteria.add(frame);
-                    });
+                    [&](const PlacedFrame<double>& frame) { criteria.add(frame); });
         const Score stored = score_motion(body, roll_out(problem, parameters).motion, settings);
         std::size_t term = 0;
         criteria.visit_penalties([&](const char* name, double weight, double penalty) {
@@ -55,11 +53,10 @@ TEST(ScoredFrames, HaveThePlacementOfTheirAngles) {
   const ReachProblem problem = reach_with(body, "right_hand", {0.25, 0.55, 0.5});
   const std::vector<double> inverse = inverse_weights(uniform_parameters(body));
   Rollout<double> rollout(problem);
-  rollout.run(inverse, [&](const MotionFrame<double>& frame, const Kinematics<double>& kinematics) {
-    ASSERT_EQ(frame.kinematics, &kinematics);
+  rollout.run(inverse, [&](const PlacedFrame<double>& frame) {
     const Kinematics<double> again = placed(body, frame.angles);
     for (std::size_t d = 0; d < again.origin.size(); ++d) {
-      EXPECT_EQ(again.origin[d], frame.kinematics->origin[d]);
+      EXPECT_EQ(again.origin[d], frame.kinematics.origin[d]);
     }
     EXPECT_DOUBLE_EQ(frame.frame_time, problem.duration / problem.steps);
   });
@@ -72,8 +69,7 @@ TEST(ScoredFrames, HaveTheSpeedsOfTheirAngles) {
   const Clip clip = roll_out(problem, uniform_parameters(body)).motion.clip;
   Rollout<double> rollout(problem);
   int f = 0;
-  rollout.run(inverse_weights(uniform_parameters(body)), [&](const MotionFrame<double>& frame,
-                                                             const Kinematics<double>&) {
+  rollout.run(inverse_weights(uniform_parameters(body)), [&](const PlacedFrame<double>& frame) {
     const int last = clip.frames - 1;
     for (std::size_t d = 0; d < frame.angles.size(); ++d) {
       const double before = clip.frame(f > 0 ? f - 1 : 0)[d];

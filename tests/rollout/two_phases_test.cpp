@@ -96,7 +96,7 @@ TEST(PhaseBlend, DrawsHalfOfEachPostureAboutTheMiddle) {
   const std::vector<double> lock{1.0, 1.0, 0.0};
   const std::vector<double> first{0.8, 0.2, 0.4};
   const std::vector<double> later{0.0, 0.6, 0.9};
-  MotionInput<double> input(weights, first, 0.0, 0.0, 0.0, 0.0);
+  MotionInput<double> input(weights, first, {});
   input.later = {lock, later, 0.5};
   PhaseBlend<double> blend(3);
   blend.begin(input);
@@ -207,7 +207,8 @@ TEST(TwoPhases, LanesScoreAsDoubleDoes) {
     const MotionInput<double> input = held.input();
     add(weights, input.inverse_weights);
     add(changes, input.posture);
-    add(timing, std::vector<double>{input.delay, input.bow, input.skew, input.sway});
+    add(timing, std::vector<double>{input.timing.delay, input.timing.bow, input.timing.skew,
+                                    input.timing.sway});
     add(later_weights, input.later.inverse_weights);
     add(later_changes, input.later.posture);
     switches.push_back(static_cast<float>(input.later.switch_at));

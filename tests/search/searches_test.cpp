@@ -23,20 +23,18 @@ using ::testing::HasSubstr;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-class AllSearches : public ::testing::TestWithParam<SearchMethod> {
+class AllSearches : public ::testing::TestWithParam<SearchInfo> {
  protected:
   [[nodiscard]] static SearchResult run(const SearchProblem& problem, int evaluations,
                                         std::uint64_t seed = 1, const Progress& progress = {}) {
-    return search(GetParam(), problem, evaluations, seed, progress);
+    return search(GetParam().method, problem, evaluations, seed, progress);
   }
 
-  [[nodiscard]] static bool genetic() {
-    return GetParam() == SearchMethod::paper_ga || GetParam() == SearchMethod::log_ga;
-  }
+  [[nodiscard]] static bool genetic() { return GetParam().genetic; }
 };
 
-INSTANTIATE_TEST_SUITE_P(Each, AllSearches, ::testing::ValuesIn(kSearchMethods),
-                         [](const auto& each) { return std::string(search_name(each.param)); });
+INSTANTIATE_TEST_SUITE_P(Each, AllSearches, ::testing::ValuesIn(kSearches),
+                         [](const auto& each) { return std::string(each.param.word); });
 
 TEST_P(AllSearches, ScoreTheSamePointsFirstWhateverTheBudget) {
   Record longest;
@@ -88,7 +86,7 @@ TEST_P(AllSearches, ResultOfASeedIsTheSameEverywhere) {
       {SearchMethod::cma_es, 0x1.9d03614348695p-36},
       {SearchMethod::differential_evolution, 0x1.70ffa247267eap-22},
       {SearchMethod::random, 0x1.468f61ebddc0bp-3}};
-  EXPECT_EQ(run(problem_of(8, quartic), 2000, 42).best_seen.score, expected.at(GetParam()));
+  EXPECT_EQ(run(problem_of(8, quartic), 2000, 42).best_seen.score, expected.at(GetParam().method));
 }
 
 TEST_P(AllSearches, OtherSeedsGiveOtherResults) {
@@ -270,32 +268,34 @@ std::string refusal(SearchMethod method, const SearchProblem& problem, int evalu
 
 TEST_P(AllSearches, RefuseProblemsOutOfRangeAndNameWhy) {
   for (const int genes : {-1, 0, kMaxGenes + 1}) {
-    EXPECT_THAT(refusal(GetParam(), problem_of(genes, sphere), 100), HasSubstr("genes is"));
+    EXPECT_THAT(refusal(GetParam().method, problem_of(genes, sphere), 100), HasSubstr("genes is"));
   }
-  EXPECT_THAT(refusal(GetParam(), {.genes = 3}, 100), HasSubstr("no evaluate function"));
+  EXPECT_THAT(refusal(GetParam().method, {.genes = 3}, 100), HasSubstr("no evaluate function"));
   SearchProblem problem = problem_of(2, sphere);
   problem.start = {0.5};
-  EXPECT_THAT(refusal(GetParam(), problem, 100), HasSubstr("start has 1 coordinates"));
+  EXPECT_THAT(refusal(GetParam().method, problem, 100), HasSubstr("start has 1 coordinates"));
   for (const double x : {-0.01, 1.01, kNaN}) {
     problem.start = {0.5, x};
-    EXPECT_THAT(refusal(GetParam(), problem, 100), HasSubstr("start has a coordinate of"));
+    EXPECT_THAT(refusal(GetParam().method, problem, 100), HasSubstr("start has a coordinate of"));
   }
   for (const int budget : {0, -5}) {
-    EXPECT_THAT(refusal(GetParam(), problem_of(2, sphere), budget), HasSubstr("evaluations is"));
+    EXPECT_THAT(refusal(GetParam().method, problem_of(2, sphere), budget),
+                HasSubstr("evaluations is"));
   }
 }
 
-TEST_P(AllSearches, AreFoundByTheirNames) {
-  EXPECT_EQ(search_method(search_name(GetParam())), GetParam());
+TEST_P(AllSearches, AreFoundByTheirWords) {
+  const SearchMethod method = GetParam().method;
+  EXPECT_EQ(value_of<SearchMethod>(word_of(method), "search"), method);
+  EXPECT_EQ(info_of(method).method, method);
 }
 
-TEST(SearchMethod, NamesAreTheOnesOfTheCommandLine) {
-  std::vector<std::string_view> names;
-  for (const SearchMethod method : kSearchMethods) names.push_back(search_name(method));
-  EXPECT_THAT(names,
+TEST(SearchMethod, WordsAreTheOnesOfTheCommandLine) {
+  EXPECT_THAT(all_words<SearchMethod>(),
               ::testing::ElementsAre("paper_ga", "log_ga", "annealing", "cma_es", "de", "random"));
-  EXPECT_FALSE(search_method("cma"));
-  EXPECT_FALSE(search_method(""));
+  EXPECT_THAT(value_of<SearchMethod>("cma", "search").error().message,
+              HasSubstr("unknown search 'cma'; did you mean 'cma_es'?"));
+  EXPECT_FALSE(value_of<SearchMethod>("", "search"));
 }
 
 TEST(SearchMethod, TheTwoGeneticOnesAreOneAlgorithm) {

@@ -102,8 +102,8 @@ inline TaskFile random_task(std::uint64_t index) {
 struct Audit {
   int tasks = 0;
   int candidates = 0;
-  std::map<std::string, int> statuses;  // by status_name
-  std::map<std::string, int> verdicts;  // by verdict_name, of candidates
+  std::map<std::string, int> statuses;  // by word
+  std::map<std::string, int> verdicts;  // by word, of candidates
   std::map<std::string, int> best;      // … of the first candidates that meet their goals
   double goal = 0.0;                    // m, the worst miss of a goal that is told as met
   double turn = 0.0;                    // rad, the same of rotations
@@ -135,7 +135,7 @@ class Auditor {
     if (!task) return fail(task.error().to_string());
     const Result<Generation> generation = generate(*task);
     if (!generation) return fail(generation.error().to_string());
-    ++audit_.statuses[std::string(status_name(generation->status))];
+    ++audit_.statuses[std::string(word_of(generation->status))];
     judge_ranks(*generation);
     for (const Candidate& candidate : generation->candidates) {
       judge_candidate(*task, *generation, candidate);
@@ -163,7 +163,7 @@ class Auditor {
     const bool none = std::all_of(all.begin(), all.end(), is_impossible);
     if (generation.meets_goals()) {
       require((generation.status == ReachStatus::unsteady) == none, "the status is not unsteady");
-      ++audit_.best[std::string(verdict_name(all.front().judgement.verdict))];
+      ++audit_.best[std::string(word_of(all.front().judgement.verdict))];
     }
     for (std::size_t i = 1; i < all.size(); ++i) {
       require(!is_impossible(all[i - 1]) || is_impossible(all[i]), "an impossible one ranks above");
@@ -174,7 +174,7 @@ class Auditor {
 
   void judge_candidate(const Task& task, const Generation& generation, const Candidate& candidate) {
     ++audit_.candidates;
-    ++audit_.verdicts[std::string(verdict_name(candidate.judgement.verdict))];
+    ++audit_.verdicts[std::string(word_of(candidate.judgement.verdict))];
     const auto bvh = export_candidate(task, candidate, ExportFormat::bvh);
     if (!bvh) return fail(bvh.error().to_string());
     const ExportedMotion exported(*bvh, BvhFormat{}.unit);

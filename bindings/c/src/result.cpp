@@ -103,7 +103,7 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
     Result<Generation> generation = generate(*asked, watched_by(watch, stop));
     if (!generation) return refuse(generation.error());
     RunInfo info;
-    info.search = search_name(asked->search.value_or(preset_search(asked->preset)));
+    info.search = word_of(search_of(*asked));
     info.threads = thread_count(threads);
     info.simd = simd_name(asked->batch.simd);
     info.elapsed_ms = milliseconds_since(begin);

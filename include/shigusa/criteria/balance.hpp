@@ -2,8 +2,8 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/motion/motion.hpp>
 
 namespace shigusa {
 
@@ -24,40 +24,27 @@ struct BalanceSettings {
 template <class S>
 class Balance {
  public:
+  using Settings = BalanceSettings;
+
   explicit Balance(const BodyModel& body, const BalanceSettings& settings = {})
       : support_(to_scalar<S>(support_centre(body))), lean_(settings.lean) {}
 
   // Forgets the frames seen.
-  void reset() {
-    sum_ = largest_ = S(0);
-    frames_ = 0;
-  }
+  void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {
     const Vec3<S> d = frame.centre_of_mass - support_;
     // a centre of mass at the floor or below it leans without bound
     const S ratio = sqrt(d.x * d.x + d.z * d.z) / max(d.y, S(1e-3));
-    sum_ = sum_ + ratio;
-    largest_ = max(largest_, ratio);
-    frames_ += 1;
+    seen_.add(ratio);
   }
 
-  [[nodiscard]] S penalty() const {
-    if (frames_ == 0) return S(0);
-    const S mean = sum_ * S(1.0 / frames_);
-    return min(S(1), (mean + largest_) * S(0.5 / lean_));
-  }
+  [[nodiscard]] S penalty() const { return seen_.penalty(1.0 / lean_); }
 
  private:
   Vec3<S> support_;
   double lean_;
-  S sum_{};
-  S largest_{};
-  int frames_ = 0;
+  MeanAndWorst<S> seen_;
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double balance_penalty(const BodyModel& body, const Motion& motion,
-                                     const BalanceSettings& settings = {});
 
 }  // namespace shigusa

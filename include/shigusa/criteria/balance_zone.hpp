@@ -2,9 +2,9 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/criteria/support_zone.hpp>
-#include <shigusa/motion/motion.hpp>
 
 namespace shigusa {
 
@@ -26,16 +26,15 @@ struct BalanceZoneSettings {
 template <class S>
 class BalanceZone {
  public:
+  using Settings = BalanceZoneSettings;
+
   explicit BalanceZone(const BodyModel& body, const BalanceZoneSettings& settings = {})
       : zone_(body),
         margin_(static_cast<T>(settings.margin)),
         per_width_(static_cast<T>(0.5 / settings.margin)) {}
 
   // Forgets the frames seen.
-  void reset() {
-    sum_ = largest_ = S(0);
-    frames_ = 0;
-  }
+  void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {
     const Vec3<S>& c = frame.centre_of_mass;
@@ -43,15 +42,10 @@ class BalanceZone {
     // how far outside the margin, of the edge that it is nearest to
     const S outside = max(S(0), S(margin_) - inside);
     const S share = min(outside * S(per_width_), S(1));
-    sum_ = sum_ + share;
-    largest_ = max(largest_, share);
-    frames_ += 1;
+    seen_.add(share);
   }
 
-  [[nodiscard]] S penalty() const {
-    if (frames_ == 0) return S(0);
-    return min(S(1), sum_ * S(0.5 / frames_) + largest_ * S(0.5));
-  }
+  [[nodiscard]] S penalty() const { return seen_.penalty(); }
 
  private:
   using T = Element<S>;
@@ -59,13 +53,7 @@ class BalanceZone {
   SupportZone<S> zone_;
   T margin_;
   T per_width_;
-  S sum_{};
-  S largest_{};
-  int frames_ = 0;
+  MeanAndWorst<S> seen_;
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double balance_zone_penalty(const BodyModel& body, const Motion& motion,
-                                          const BalanceZoneSettings& settings = {});
 
 }  // namespace shigusa

@@ -4,7 +4,6 @@
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/dynamics/inverse_dynamics.hpp>
-#include <shigusa/motion/motion.hpp>
 
 namespace shigusa {
 
@@ -27,6 +26,8 @@ struct PressureSettings {
 template <class S>
 class PressureZone {
  public:
+  using Settings = PressureSettings;
+
   explicit PressureZone(const BodyModel& body, const PressureSettings& settings = {})
       : zone_(body),
         per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {}
@@ -37,7 +38,7 @@ class PressureZone {
     frames_ = 0;
   }
 
-  void add(const MotionFrame<S>& frame) {
+  void add(const PlacedFrame<S>& frame) {
     const S tips = max(S(0), -zone_.inside(frame.pressure, frame.angles));  // N·m
     const S share = min(tips * S(per_outside_), S(1));
     squares_ = squares_ + share * share;
@@ -56,9 +57,5 @@ class PressureZone {
   S squares_{};
   int frames_ = 0;
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double pressure_penalty(const BodyModel& body, const Motion& motion,
-                                      const PressureSettings& settings = {});
 
 }  // namespace shigusa

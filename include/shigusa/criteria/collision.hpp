@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/core/check.hpp>
+#include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/kinematics/penetration.hpp>
 #include <shigusa/motion/motion.hpp>
@@ -82,6 +83,8 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obsta
 template <class S>
 class Collision {
  public:
+  using Settings = CollisionSettings;
+
   explicit Collision(const BodyModel& body, const CollisionSettings& settings = {})
       : body_(&body),
         pairs_(collision_pairs(body, settings)),
@@ -90,24 +93,14 @@ class Collision {
         placed_(body.capsules().size()) {}
 
   // Forgets the frames seen.
-  void reset() {
-    sum_ = largest_ = S(0);
-    frames_ = 0;
+  void reset() { seen_.reset(); }
+
+  void add(const PlacedFrame<S>& frame) {
+    const S share = clamp(deepest(frame.kinematics) * S(per_full_), S(0), S(1));
+    seen_.add(share);
   }
 
-  // The frame must have its placement.
-  void add(const MotionFrame<S>& frame) {
-    SHG_ASSERT(frame.kinematics != nullptr);
-    frames_ += 1;
-    const S share = clamp(deepest(*frame.kinematics) * S(per_full_), S(0), S(1));
-    sum_ = sum_ + share;
-    largest_ = max(largest_, share);
-  }
-
-  [[nodiscard]] S penalty() const {
-    if (frames_ == 0) return S(0);
-    return min(S(1), sum_ * S(0.5 / frames_) + largest_ * S(0.5));
-  }
+  [[nodiscard]] S penalty() const { return seen_.penalty(); }
 
  private:
   [[nodiscard]] S deepest(const Kinematics<S>& kinematics) {
@@ -124,14 +117,8 @@ class Collision {
   std::vector<Obstacle> obstacles_;
   double per_full_;
   std::vector<PlacedCapsule<S>> placed_;
-  S sum_{};
-  S largest_{};
-  int frames_ = 0;
+  MeanAndWorst<S> seen_;
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double collision_penalty(const BodyModel& body, const Motion& motion,
-                                       const CollisionSettings& settings = {});
 
 // Where a motion collides most.
 struct CollisionFound {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <shigusa/core/check.hpp>
 #include <shigusa/criteria/criteria_settings.hpp>
 #include <string>
 #include <utility>
@@ -42,8 +43,27 @@ class BuiltInCriteria {
     for_each_part([](auto& part) { part.criterion->reset(); }, parts_);
   }
 
-  void add(const MotionFrame<S>& frame) {
+  void add(const PlacedFrame<S>& frame) {
     for_each_part([&frame](auto& part) { part.criterion->add(frame); }, parts_);
+  }
+  // Where nothing needs placement.
+  void add(const MotionFrame<S>& frame) {
+    SHG_CHECK(!needs_placement(), "a criterion looks at the body's placement");
+    const auto show = [&frame](auto& criterion) {
+      if constexpr (!looks_at_placement<std::remove_reference_t<decltype(criterion)>, S>)
+        criterion.add(frame);
+    };
+    for_each_part([&show](auto& part) { show(*part.criterion); }, parts_);
+  }
+
+  // Whether one of them looks at the body's placement.
+  [[nodiscard]] bool needs_placement() const {
+    bool needs = false;
+    const auto ask = [&needs]<class Criterion>(const Criterion&) {
+      needs = needs || looks_at_placement<Criterion, S>;
+    };
+    for_each_part([&ask](const auto& part) { ask(*part.criterion); }, parts_);
+    return needs;
   }
 
   // Σ weight · penalty.

@@ -67,10 +67,11 @@ struct CriteriaSettings {
 };
 
 // One built-in criterion: its class, its name, and where its weight and its reference scale are.
-template <template <class> class CriterionOf, class Settings>
+template <template <class> class CriterionOf>
 struct CriterionEntry {
   template <class S>
   using Criterion = CriterionOf<S>;
+  using Settings = typename CriterionOf<double>::Settings;
 
   const char* name;  // in scores and in files
   double CriteriaSettings::*weight_member;
@@ -96,41 +97,36 @@ struct CriterionEntry {
 // All built-in criteria, in the order of a score's terms. Whatever reads, writes, checks or sums
 // them goes by this table.
 inline constexpr std::tuple kCriteria{
-    CriterionEntry<JointRange, JointRangeSettings>{
-        "joint_range", &CriteriaSettings::joint_range_weight, &CriteriaSettings::joint_range,
-        "margin", &JointRangeSettings::margin},
-    CriterionEntry<Balance, BalanceSettings>{"balance", &CriteriaSettings::balance_weight,
-                                             &CriteriaSettings::balance, "lean",
-                                             &BalanceSettings::lean},
-    CriterionEntry<Torque, TorqueSettings>{"torque", &CriteriaSettings::torque_weight,
-                                           &CriteriaSettings::torque, "share",
-                                           &TorqueSettings::share},
-    CriterionEntry<BalanceZone, BalanceZoneSettings>{
-        "balance_zone", &CriteriaSettings::balance_zone_weight, &CriteriaSettings::balance_zone,
-        "margin_m", &BalanceZoneSettings::margin},
-    CriterionEntry<Discomfort, DiscomfortSettings>{
-        "discomfort", &CriteriaSettings::discomfort_weight, &CriteriaSettings::discomfort, "share",
-        &DiscomfortSettings::share},
-    CriterionEntry<JointAcceleration, JointAccelerationSettings>{
-        "joint_acceleration", &CriteriaSettings::joint_acceleration_weight,
-        &CriteriaSettings::joint_acceleration, "acceleration_rad_s2",
-        &JointAccelerationSettings::acceleration},
-    CriterionEntry<Work, WorkSettings>{"work", &CriteriaSettings::work_weight,
-                                       &CriteriaSettings::work, "share", &WorkSettings::share},
-    CriterionEntry<LowBack, LowBackSettings>{"low_back", &CriteriaSettings::low_back_weight,
-                                             &CriteriaSettings::low_back, "share",
-                                             &LowBackSettings::share},
-    CriterionEntry<Head, HeadSettings>{"head", &CriteriaSettings::head_weight,
-                                       &CriteriaSettings::head, "height", &HeadSettings::height},
-    CriterionEntry<Collision, CollisionSettings>{"collision", &CriteriaSettings::collision_weight,
-                                                 &CriteriaSettings::collision, "depth_m",
-                                                 &CollisionSettings::full},
-    CriterionEntry<PressureZone, PressureSettings>{
-        "centre_of_pressure", &CriteriaSettings::pressure_weight, &CriteriaSettings::pressure,
-        "outside_m", &PressureSettings::outside},
-    CriterionEntry<Feasibility, FeasibilitySettings>{
-        "feasibility", &CriteriaSettings::feasibility_weight, &CriteriaSettings::feasibility,
-        "outside_m", &FeasibilitySettings::outside},
+    CriterionEntry<JointRange>{"joint_range", &CriteriaSettings::joint_range_weight,
+                               &CriteriaSettings::joint_range, "margin",
+                               &JointRangeSettings::margin},
+    CriterionEntry<Balance>{"balance", &CriteriaSettings::balance_weight,
+                            &CriteriaSettings::balance, "lean", &BalanceSettings::lean},
+    CriterionEntry<Torque>{"torque", &CriteriaSettings::torque_weight, &CriteriaSettings::torque,
+                           "share", &TorqueSettings::share},
+    CriterionEntry<BalanceZone>{"balance_zone", &CriteriaSettings::balance_zone_weight,
+                                &CriteriaSettings::balance_zone, "margin_m",
+                                &BalanceZoneSettings::margin},
+    CriterionEntry<Discomfort>{"discomfort", &CriteriaSettings::discomfort_weight,
+                               &CriteriaSettings::discomfort, "share", &DiscomfortSettings::share},
+    CriterionEntry<JointAcceleration>{"joint_acceleration",
+                                      &CriteriaSettings::joint_acceleration_weight,
+                                      &CriteriaSettings::joint_acceleration, "acceleration_rad_s2",
+                                      &JointAccelerationSettings::acceleration},
+    CriterionEntry<Work>{"work", &CriteriaSettings::work_weight, &CriteriaSettings::work, "share",
+                         &WorkSettings::share},
+    CriterionEntry<LowBack>{"low_back", &CriteriaSettings::low_back_weight,
+                            &CriteriaSettings::low_back, "share", &LowBackSettings::share},
+    CriterionEntry<Head>{"head", &CriteriaSettings::head_weight, &CriteriaSettings::head, "height",
+                         &HeadSettings::height},
+    CriterionEntry<Collision>{"collision", &CriteriaSettings::collision_weight,
+                              &CriteriaSettings::collision, "depth_m", &CollisionSettings::full},
+    CriterionEntry<PressureZone>{"centre_of_pressure", &CriteriaSettings::pressure_weight,
+                                 &CriteriaSettings::pressure, "outside_m",
+                                 &PressureSettings::outside},
+    CriterionEntry<Feasibility>{"feasibility", &CriteriaSettings::feasibility_weight,
+                                &CriteriaSettings::feasibility, "outside_m",
+                                &FeasibilitySettings::outside},
 };
 
 // Calls visit(entry) for each built-in criterion in the table's order.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/body_model.hpp>
+#include <shigusa/body/coupled_limits.hpp>
+#include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/motion/motion.hpp>
 #include <vector>
 
 namespace shigusa {
@@ -34,8 +34,10 @@ struct DiscomfortSettings {
 template <class S>
 class Discomfort {
  public:
+  using Settings = DiscomfortSettings;
+
   explicit Discomfort(const BodyModel& body, const DiscomfortSettings& settings = {})
-      : per_share_(1.0 / settings.share), widened_(body.dofs().size()) {
+      : per_share_(1.0 / settings.share), coupled_(body) {
     for (const Dof& dof : body.dofs()) {
       const double neutral = clamp_to(0.0, dof.lower, dof.upper);
       const double resting = kRestingShare * (dof.upper - dof.lower);
@@ -45,45 +47,29 @@ class Discomfort {
                        static_cast<T>(up > resting ? 1.0 / up : 0.0),
                        static_cast<T>(down > resting ? 1.0 / down : 0.0), false});
     }
-    for (const LimitCoupling& c : body.couplings()) {
-      couplings_.push_back({static_cast<std::size_t>(c.dof), static_cast<std::size_t>(c.driver),
-                            static_cast<T>(c.gain), static_cast<T>(1.0 / c.driver_full)});
-      Way& way = ways_[couplings_.back().dof];
-      way.coupled = way.per_up > T(0);
-    }
+    for (const std::size_t d : coupled_.coupled()) ways_[d].coupled = ways_[d].per_up > T(0);
   }
 
   // Forgets the frames seen.
-  void reset() {
-    sum_ = largest_ = S(0);
-    frames_ = 0;
-  }
+  void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {
-    for (const Coupling& c : couplings_) widened_[c.dof] = S(0);
-    for (const Coupling& c : couplings_) {
-      const S share = clamp(frame.angles[c.driver] * S(c.per_driver), S(0), S(1));
-      widened_[c.dof] = widened_[c.dof] + share * S(c.gain);
-    }
+    coupled_.update(frame.angles);
     S discomfort(0);
     for (std::size_t k = 0; k < ways_.size(); ++k) {
       const Way& way = ways_[k];
-      const S per_up = way.coupled ? S(1) / (S(way.up) + widened_[k]) : S(way.per_up);
+      const S per_up = way.coupled ? S(1) / (S(way.up) + coupled_.added()[k]) : S(way.per_up);
       const S from_neutral = frame.angles[k] - S(way.neutral);
       const S u = clamp(max(from_neutral * per_up, -from_neutral * S(way.per_down)), S(0), S(1));
       const S end = max(u - S(1.0 - kDiscomfortEnd), S(0)) * S(1.0 / kDiscomfortEnd);
       discomfort = discomfort + (u * u + end * end);
     }
-    sum_ = sum_ + discomfort;
-    largest_ = max(largest_, discomfort);
-    frames_ += 1;
+    seen_.add(discomfort);
   }
 
   [[nodiscard]] S penalty() const {
-    if (frames_ == 0) return S(0);
-    // both halves, of the terms and of mean and largest
-    const double per = 0.25 * per_share_ / static_cast<double>(ways_.size());
-    return min(S(1), (sum_ * S(1.0 / frames_) + largest_) * S(per));
+    // half of each of the two terms
+    return seen_.penalty(0.5 * per_share_ / static_cast<double>(ways_.size()));
   }
 
  private:
@@ -95,27 +81,14 @@ class Discomfort {
     T per_down;  // 1/rad
     bool coupled;
   };
-  struct Coupling {
-    std::size_t dof;
-    std::size_t driver;
-    T gain;
-    T per_driver;
-  };
   static double clamp_to(double x, double low, double high) {
     return x < low ? low : x > high ? high : x;
   }
 
   double per_share_;
   std::vector<Way> ways_;  // (dofs)
-  std::vector<Coupling> couplings_;
-  std::vector<S> widened_;  // (dofs) rad, what the couplings add now
-  S sum_{};
-  S largest_{};
-  int frames_ = 0;
+  CoupledLimits<S> coupled_;
+  MeanAndWorst<S> seen_;
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double discomfort_penalty(const BodyModel& body, const Motion& motion,
-                                        const DiscomfortSettings& settings = {});
 
 }  // namespace shigusa

@@ -5,7 +5,6 @@
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/dynamics/inverse_dynamics.hpp>
-#include <shigusa/motion/motion.hpp>
 #include <vector>
 
 namespace shigusa {
@@ -28,6 +27,8 @@ struct FeasibilitySettings {
 template <class S>
 class Feasibility {
  public:
+  using Settings = FeasibilitySettings;
+
   explicit Feasibility(const BodyModel& body, const FeasibilitySettings& settings = {})
       : zone_(body),
         per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {
@@ -40,8 +41,7 @@ class Feasibility {
   // Forgets the frames seen.
   void reset() { worst_ = S(0); }
 
-  // The frame must have the floor's pressure.
-  void add(const MotionFrame<S>& frame) {
+  void add(const PlacedFrame<S>& frame) {
     S most(0);
     for (std::size_t k = 0; k < strengths_.size(); ++k) {
       const S tau = frame.torques[k];
@@ -67,9 +67,5 @@ class Feasibility {
   T per_outside_;
   S worst_{};
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double feasibility_penalty(const BodyModel& body, const Motion& motion,
-                                         const FeasibilitySettings& settings = {});
 
 }  // namespace shigusa

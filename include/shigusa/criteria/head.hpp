@@ -4,8 +4,8 @@
 #include <optional>
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/core/check.hpp>
+#include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/motion/motion.hpp>
 
 namespace shigusa {
 
@@ -55,6 +55,8 @@ struct HeadPoints {
 template <class S>
 class Head {
  public:
+  using Settings = HeadSettings;
+
   explicit Head(const BodyModel& body, const HeadSettings& settings = {})
       : points_(head_points(body)),
         per_height_(points_.distance > 0.0 ? 1.0 / (settings.height * points_.distance) : 0.0),
@@ -64,30 +66,20 @@ class Head {
         per_cosine_(1.0 / (free_ - (points_.neck ? kCosEyesLimit : kCosLimit))) {}
 
   // Forgets the frames seen.
-  void reset() {
-    sum_ = largest_ = S(0);
-    frames_ = 0;
-  }
+  void reset() { seen_.reset(); }
 
-  // The frame must have its placement.
-  void add(const MotionFrame<S>& frame) {
-    frames_ += 1;
+  void add(const PlacedFrame<S>& frame) {
     if (!(points_.distance > 0.0)) return;
-    SHG_ASSERT(frame.kinematics != nullptr);
-    const Kinematics<S>& placed = *frame.kinematics;
+    const Kinematics<S>& placed = frame.kinematics;
     const Vec3<S> head = placed.point(points_.head_link, points_.head);
     const Vec3<S> pelvis = placed.point(points_.pelvis_link, points_.pelvis);
     S share = S(1) - (head.y - pelvis.y) * S(per_height_);
     if (looks_) share = max(share, away(placed, head));
     share = clamp(share, S(0), S(1));
-    sum_ = sum_ + share;
-    largest_ = max(largest_, share);
+    seen_.add(share);
   }
 
-  [[nodiscard]] S penalty() const {
-    if (frames_ == 0) return S(0);
-    return min(S(1), sum_ * S(0.5 / frames_) + largest_ * S(0.5));
-  }
+  [[nodiscard]] S penalty() const { return seen_.penalty(); }
 
  private:
   // cosines of kGazeFree, kGazeLimit, kEyesFree and kEyesLimit
@@ -110,13 +102,7 @@ class Head {
   Vec3<S> target_;  // m, world
   double free_;     // cosine
   double per_cosine_;
-  S sum_{};
-  S largest_{};
-  int frames_ = 0;
+  MeanAndWorst<S> seen_;
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double head_penalty(const BodyModel& body, const Motion& motion,
-                                  const HeadSettings& settings = {});
 
 }  // namespace shigusa

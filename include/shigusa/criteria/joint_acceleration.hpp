@@ -3,7 +3,6 @@
 
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/motion/motion.hpp>
 
 namespace shigusa {
 
@@ -23,6 +22,8 @@ struct JointAccelerationSettings {
 template <class S>
 class JointAcceleration {
  public:
+  using Settings = JointAccelerationSettings;
+
   explicit JointAcceleration(const BodyModel&, const JointAccelerationSettings& settings = {})
       : per_acceleration_(1.0 / settings.acceleration) {}
 
@@ -51,9 +52,5 @@ class JointAcceleration {
   S sum_{};
   double count_ = 0.0;  // of accelerations seen
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double joint_acceleration_penalty(const BodyModel& body, const Motion& motion,
-                                                const JointAccelerationSettings& settings = {});
 
 }  // namespace shigusa

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/body_model.hpp>
+#include <shigusa/body/coupled_limits.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/motion/motion.hpp>
 #include <vector>
 
 namespace shigusa {
@@ -15,36 +14,22 @@ struct JointRangeSettings {
   double margin = kRangeMargin;  // share of the range, > 0
 };
 
-// The upper limit (rad) of a dof at the given angles (dofs), with what the body's couplings add.
-template <class S>
-[[nodiscard]] S upper_limit(const BodyModel& body, int dof, std::span<const S> angles) {
-  S upper(body.dof(dof).upper);
-  for (const LimitCoupling& c : body.couplings()) {
-    if (c.dof != dof) continue;
-    const S driver = angles[static_cast<std::size_t>(c.driver)] * S(1.0 / c.driver_full);
-    upper = upper + S(c.gain) * clamp(driver, S(0), S(1));
-  }
-  return upper;
-}
-
 // How far joints pass their limits, during the motion or at its end, in [0, 1] (paper, section
 // 3.3; rule R8a):
 //   v_i = min(1, max_t excess_i(t) / (margin · (q_i⁺ - q_i⁻))),   P = ½ max_i v_i + ½ mean_i v_i.
 template <class S>
 class JointRange {
  public:
-  explicit JointRange(const BodyModel& body, const JointRangeSettings& settings = {}) {
+  using Settings = JointRangeSettings;
+
+  explicit JointRange(const BodyModel& body, const JointRangeSettings& settings = {})
+      : coupled_(body) {
     for (const Dof& dof : body.dofs()) {
       limits_.push_back({static_cast<T>(dof.lower), static_cast<T>(dof.upper),
                          static_cast<T>(1.0 / (settings.margin * (dof.upper - dof.lower)))});
     }
-    for (const LimitCoupling& c : body.couplings()) {
-      couplings_.push_back({static_cast<std::size_t>(c.dof), static_cast<std::size_t>(c.driver),
-                            static_cast<T>(c.gain), static_cast<T>(1.0 / c.driver_full)});
-    }
     lowest_.resize(limits_.size());
     highest_.resize(limits_.size());
-    widened_.resize(limits_.size());
     reset();
   }
 
@@ -57,15 +42,11 @@ class JointRange {
   }
 
   void add(const MotionFrame<S>& frame) {
+    coupled_.update(frame.angles);
     // angles as their upper limits see them: less by what the couplings add to the limit
-    for (const Coupling& c : couplings_) widened_[c.dof] = S(0);
-    for (const Coupling& c : couplings_) {
-      const S share = clamp(frame.angles[c.driver] * S(c.per_driver), S(0), S(1));
-      widened_[c.dof] = widened_[c.dof] + share * S(c.gain);
-    }
     for (std::size_t k = 0; k < limits_.size(); ++k) {
       lowest_[k] = min(lowest_[k], frame.angles[k]);
-      highest_[k] = max(highest_[k], frame.angles[k] - widened_[k]);
+      highest_[k] = max(highest_[k], frame.angles[k] - coupled_.added()[k]);
     }
   }
 
@@ -89,22 +70,11 @@ class JointRange {
     T upper;
     T per_margin;
   };
-  struct Coupling {
-    std::size_t dof;
-    std::size_t driver;
-    T gain;
-    T per_driver;
-  };
 
   std::vector<Limit> limits_;
-  std::vector<Coupling> couplings_;
+  CoupledLimits<S> coupled_;
   std::vector<S> lowest_;   // (dofs) rad, so far
   std::vector<S> highest_;  // (dofs) rad, so far, less what the couplings added
-  std::vector<S> widened_;  // (dofs) rad, what the couplings add now
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double joint_range_penalty(const BodyModel& body, const Motion& motion,
-                                         const JointRangeSettings& settings = {});
 
 }  // namespace shigusa

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/motion/motion.hpp>
 #include <vector>
 
 namespace shigusa {
@@ -46,40 +46,28 @@ struct BackConstants {
 template <class S>
 class LowBack {
  public:
+  using Settings = LowBackSettings;
+
   explicit LowBack(const BodyModel& body, const LowBackSettings& settings = {})
       : back_(back_constants(body)), per_square_(1.0 / (settings.share * settings.share)) {}
 
   // Forgets the frames seen.
-  void reset() {
-    sum_ = largest_ = S(0);
-    frames_ = 0;
-  }
+  void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {
     S torque(0);
     for (const int d : back_.dofs) torque = torque + frame.torques[static_cast<std::size_t>(d)];
     const S load = torque * select(torque > S(0), S(back_.per_flexion), S(back_.per_extension));
     const S square = load * load;
-    sum_ = sum_ + square;
-    largest_ = max(largest_, square);
-    frames_ += 1;
+    seen_.add(square);
   }
 
-  [[nodiscard]] S penalty() const {
-    if (frames_ == 0) return S(0);
-    return min(S(1), (sum_ * S(1.0 / frames_) + largest_) * S(0.5 * per_square_));
-  }
+  [[nodiscard]] S penalty() const { return seen_.penalty(per_square_); }
 
  private:
   BackConstants back_;
   double per_square_;
-  S sum_{};
-  S largest_{};
-  int frames_ = 0;
+  MeanAndWorst<S> seen_;
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double low_back_penalty(const BodyModel& body, const Motion& motion,
-                                      const LowBackSettings& settings = {});
 
 }  // namespace shigusa

@@ -38,7 +38,7 @@ class SupportMeter {
  public:
   explicit SupportMeter(const BodyModel& body);
 
-  void add(const MotionFrame<double>& frame);
+  void add(const PlacedFrame<double>& frame);
 
   // (frames), or none of a body without feet, or with feet of no size.
   [[nodiscard]] const std::vector<SupportFrame>& frames() const { return frames_; }

@@ -3,7 +3,6 @@
 
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/motion/motion.hpp>
 #include <vector>
 
 namespace shigusa {
@@ -22,6 +21,8 @@ struct TorqueSettings {
 template <class S>
 class Torque {
  public:
+  using Settings = TorqueSettings;
+
   explicit Torque(const BodyModel& body, const TorqueSettings& settings = {})
       : per_share_(static_cast<T>(1.0 / settings.share)) {
     for (const Dof& dof : body.dofs()) {
@@ -66,9 +67,5 @@ class Torque {
   S sum_{};
   int frames_ = 0;
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double torque_penalty(const BodyModel& body, const Motion& motion,
-                                    const TorqueSettings& settings = {});
 
 }  // namespace shigusa

@@ -3,7 +3,6 @@
 
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/motion/motion.hpp>
 
 namespace shigusa {
 
@@ -25,6 +24,8 @@ struct WorkSettings {
 template <class S>
 class Work {
  public:
+  using Settings = WorkSettings;
+
   explicit Work(const BodyModel& body, const WorkSettings& settings = {})
       : per_full_(1.0 / full_work(body, settings)) {}
 
@@ -45,9 +46,5 @@ class Work {
   double per_full_;  // 1/J
   S work_{};         // J
 };
-
-// The penalty of a whole motion.
-[[nodiscard]] double work_penalty(const BodyModel& body, const Motion& motion,
-                                  const WorkSettings& settings = {});
 
 }  // namespace shigusa

@@ -19,6 +19,12 @@ enum class ReachStatus {
   unsteady,     // so they do, and every one of them is impossible: see Judgement
   unreachable,  // the body cannot; candidates end at the closest point
 };
+template <>
+inline constexpr std::array kEnumWords<ReachStatus>{
+    EnumWord{ReachStatus::reached, "reached"},
+    EnumWord{ReachStatus::unsteady, "unsteady"},
+    EnumWord{ReachStatus::unreachable, "unreachable"},
+};
 
 // How an effector goes to its goal.
 enum class PathKind {
@@ -26,6 +32,13 @@ enum class PathKind {
   bowed,     // beside that line, by bow and sway among the parameters
   detour,    // by way of a via point around the body
   free,      // as the posture takes it: no path leads there with these parameters
+};
+template <>
+inline constexpr std::array kEnumWords<PathKind>{
+    EnumWord{PathKind::straight, "straight"},
+    EnumWord{PathKind::bowed, "bowed"},
+    EnumWord{PathKind::detour, "detour"},
+    EnumWord{PathKind::free, "free"},
 };
 
 // How a goal's effector is turned.
@@ -110,8 +123,6 @@ struct Generation {
   // Whether the candidates end at their goals.
   [[nodiscard]] bool meets_goals() const { return status != ReachStatus::unreachable; }
 };
-// "reached", "unsteady", "unreachable".
-[[nodiscard]] std::string_view status_name(ReachStatus status);
 
 // The task that plays a search's motions again: with the duration that it came to.
 [[nodiscard]] Task played_task(Task task, const Generation& generation);
@@ -137,6 +148,9 @@ inline constexpr double kStyleSpread = 0.3;
 inline constexpr double kReplayTolerance = 5e-3;
 // How near (m) a candidate must come to the closest point where the goal is out of reach.
 inline constexpr double kEdgeTolerance = 5e-3;
+
+// Fails as generate would, at once.
+[[nodiscard]] Result<void> check_task(const Task& task);
 
 // Finds natural motions for a task: the distinct genomes that the search ends with, ranked
 // (paper, sections 3.2 and 4). Fails on a task that is wrong (see make_problem); an unreachable

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/hierarchy/body_limbs.hpp>
 #include <span>
@@ -117,9 +118,11 @@ enum class LayerReading {
   contraction_a_limb,   // hips do not rotate: 5 weights a half, and 4 contractions
 };
 
-// "shared_contractions", "contraction_a_limb".
-[[nodiscard]] std::string_view layer_reading_name(LayerReading reading);
-[[nodiscard]] std::span<const LayerReading> layer_readings();
+template <>
+inline constexpr std::array kEnumWords<LayerReading>{
+    EnumWord{LayerReading::shared_contractions, "shared_contractions"},
+    EnumWord{LayerReading::contraction_a_limb, "contraction_a_limb"},
+};
 
 // The paper's two layers for a body: first the trunk with arms and legs of variable length, scored
 // by `criteria` when its limbs have been expanded; then one layer for each arm, scored by joint

@@ -6,8 +6,12 @@
 
 namespace shigusa {
 
-// The problem that a task poses to layers; points into the task. Fails where make_problem does, and
-// on a body that is not a person's (find_limbs).
+// The layers that a task goes by; fails on fixed parameters, which they do not know, and as
+// layers_to_goals does.
+[[nodiscard]] Result<std::vector<Layer>> layers_of(const Task& task);
+
+// The problem that a task poses to layers; points into the task. Fails where make_problem
+// and layers_of do.
 [[nodiscard]] Result<LayeredProblem> make_layered_problem(const Task& task);
 
 }  // namespace shigusa

@@ -22,7 +22,6 @@ enum class GeneCode {
 // Weights of the logarithmic codes are e^-5.5 .. e^5.5: a range of 15 is too narrow to reach
 // natural postures, and wider ones add nothing.
 inline constexpr double kLogWeightRange = 5.5;
-inline constexpr double kBowSearched = 0.2;
 
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/core/result.hpp>
 #include <shigusa/criteria/criteria.hpp>
 #include <shigusa/hierarchy/layered_settings.hpp>
@@ -15,32 +16,6 @@
 
 namespace shigusa {
 
-// How the parameters are searched and what they are.
-enum class Preset {
-  paper,   // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
-  flat,    // all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
-  layers,  // the paper's hierarchy: first trunk and limb lengths, then arms from a limb library
-  human,   // three layers: trunk and limb lengths, the swivel of arms, then what no goal moves
-};
-
-// "paper", "flat", "layers", "human".
-[[nodiscard]] std::string_view preset_name(Preset preset);
-[[nodiscard]] std::span<const Preset> presets();
-
-// What a preset searches with, by which criteria and how long, where a task says nothing else.
-[[nodiscard]] SearchMethod preset_search(Preset preset);
-[[nodiscard]] CriteriaSettings preset_criteria(Preset preset);
-
-// The layers that a preset goes by; nothing where it has none.
-[[nodiscard]] std::optional<LayerStack> preset_layers(Preset preset);
-
-// Whether a preset tells candidates apart by how they end, as people do, and not by the whole
-// motion, as the paper does.
-[[nodiscard]] bool preset_tells_ends(Preset preset);
-
-// How many candidates a preset delivers at most.
-[[nodiscard]] int preset_candidates(Preset preset);
-
 // Motions that the preset flat scores where a task says nothing else.
 inline constexpr int kFlatEvaluations = 1800;
 // The same of the preset human, whose upper motions are played in double one by one, each with a
@@ -49,6 +24,60 @@ inline constexpr int kHumanEvaluations = 600;
 // The same of the preset flat by NLP-IK, which takes some ten times as long for one and knows no
 // lanes.
 inline constexpr int kNlpEvaluations = 300;
+
+// Candidates of the preset flat: what a person can look over.
+inline constexpr int kFlatCandidates = 5;
+
+// How the parameters are searched and what they are.
+enum class Preset {
+  paper,   // the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
+  flat,    // all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
+  layers,  // the paper's hierarchy: first trunk and limb lengths, then arms from a limb library
+  human,   // three layers: trunk and limb lengths, the swivel of arms, then what no goal moves
+};
+
+// What a preset is, and has where a task says nothing else. All that depends on presets goes by
+// kPresets.
+struct PresetTraits {
+  Preset preset;
+  std::string_view word;
+  SearchMethod search;
+  CriteriaSettings (*criteria)();
+  int candidates;                    // delivered at most
+  int evaluations;                   // scored by searches that do not converge by themselves
+  std::optional<LayerStack> layers;  // that it goes by
+  // As people do: joints keep to their limits, eyes and free limbs go by PostureLaw, and candidates
+  // differ by how they end. The paper knows none of these, and tells whole motions apart.
+  bool natural;
+};
+inline constexpr std::array kPresets{
+    PresetTraits{Preset::paper,
+                 "paper",
+                 SearchMethod::paper_ga,
+                 paper_criteria,
+                 kPaperPopulation,
+                 kFlatEvaluations,
+                 {},
+                 false},
+    PresetTraits{Preset::flat,
+                 "flat",
+                 SearchMethod::cma_es,
+                 default_criteria,
+                 kFlatCandidates,
+                 kFlatEvaluations,
+                 {},
+                 true},
+    PresetTraits{Preset::layers, "layers", SearchMethod::paper_ga, paper_criteria, kPaperPopulation,
+                 kFlatEvaluations, LayerStack::paper, false},
+    PresetTraits{Preset::human, "human", SearchMethod::cma_es, default_criteria, kFlatCandidates,
+                 kHumanEvaluations, LayerStack::human, true},
+};
+template <>
+inline constexpr auto kEnumWords<Preset> = words_of_table(kPresets, &PresetTraits::preset);
+
+[[nodiscard]] constexpr const PresetTraits& traits_of(Preset preset) {
+  return kPresets[static_cast<std::size_t>(preset)];
+}
 
 // An axis of an effector and where it is to point. The effector's frame is the world's where the
 // body stands with every angle at 0, facing +Z, arms hanging with the thumbs ahead: of a hand
@@ -82,9 +111,6 @@ inline constexpr std::size_t kObstaclesMax = 64;
 inline constexpr double kTaskDurationMin = 0.05;  // s
 inline constexpr double kTaskDurationMax = 60.0;  // s
 
-// Candidates of the preset flat: what a person can look over.
-inline constexpr int kFlatCandidates = 5;
-
 inline constexpr int kPhasesMax = 2;  // weights and posture change once at most
 
 // What generates a motion from parameters.
@@ -93,8 +119,11 @@ enum class MotionGenerator {
   nlp_ik,       // constrained minimisation in each frame (Zhao and Badler), always within limits
 };
 
-// "weighted_ik", "nlp_ik".
-[[nodiscard]] std::string_view generator_name(MotionGenerator generator);
+template <>
+inline constexpr std::array kEnumWords<MotionGenerator>{
+    EnumWord{MotionGenerator::weighted_ik, "weighted_ik"},
+    EnumWord{MotionGenerator::nlp_ik, "nlp_ik"},
+};
 
 // What is asked for. Another preset's criteria and number of candidates come by with_preset.
 struct Task {
@@ -106,7 +135,8 @@ struct Task {
   CriteriaSettings criteria = default_criteria();
   std::optional<SearchMethod> search{};  // the preset's own when not given
   SearchFunction own_search{};           // in the place of all these, when given; not of layers
-  GeneticSettings genetic{};             // of the searches paper_ga and log_ga; the seed of all
+  std::uint64_t seed = 0;
+  GeneticSettings genetic{};  // of the searches paper_ga and log_ga, which take the task's seed
   // What the search leaves as it is; nothing when not given.
   std::optional<FixedParameters> fixed{};
   int candidates = kFlatCandidates;  // at most so many are delivered, ≥ 1
@@ -132,6 +162,9 @@ struct Task {
 // Motions that are scored for a task that does not say how many, but for the paper's search.
 [[nodiscard]] int usual_evaluations(const Task& task);
 
+// What searches for a task: the method that it names, or its preset's.
+[[nodiscard]] SearchMethod search_of(const Task& task);
+
 // The task by a preset, with its criteria and number of candidates.
 [[nodiscard]] Task with_preset(Task task, Preset preset);
 
@@ -144,9 +177,6 @@ struct Task {
 [[nodiscard]] Result<Task> prepared(const Task& task);
 // Whether that is another task.
 [[nodiscard]] bool needs_preparing(const Task& task);
-
-// Fails as prepared and make_problem do.
-[[nodiscard]] Result<void> check_task(const Task& task);
 
 // The problem that a task poses to the search: paths from the start posture to the goals, and the
 // time for them. Fails with a message that names the goal and what is allowed: unknown effector

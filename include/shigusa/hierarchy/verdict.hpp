@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/hierarchy/motion_measures.hpp>
 #include <string>
 #include <string_view>
@@ -15,8 +16,12 @@ enum class Verdict {
   strains,     // some people of its stature, mass and sex could
   impossible,  // nobody could
 };
-// "possible", "strains", "impossible".
-[[nodiscard]] std::string_view verdict_name(Verdict verdict);
+template <>
+inline constexpr std::array kEnumWords<Verdict>{
+    EnumWord{Verdict::possible, "possible"},
+    EnumWord{Verdict::strains, "strains"},
+    EnumWord{Verdict::impossible, "impossible"},
+};
 
 // What makes a motion hard, or impossible.
 enum class ReasonKind {
@@ -25,8 +30,13 @@ enum class ReasonKind {
   collision,  // a part is in another one, an obstacle or the floor
   limit,      // a joint is beyond its range
 };
-// "strength", "pressure", "collision", "limit".
-[[nodiscard]] std::string_view reason_name(ReasonKind kind);
+template <>
+inline constexpr std::array kEnumWords<ReasonKind>{
+    EnumWord{ReasonKind::strength, "strength"},
+    EnumWord{ReasonKind::pressure, "pressure"},
+    EnumWord{ReasonKind::collision, "collision"},
+    EnumWord{ReasonKind::limit, "limit"},
+};
 
 struct Reason {
   ReasonKind kind = ReasonKind::strength;

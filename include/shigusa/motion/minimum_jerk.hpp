@@ -7,9 +7,16 @@ namespace shigusa {
 
 // The minimum-jerk profile s(τ) = 10τ³ - 15τ⁴ + 6τ⁵ for τ in [0, 1] (clamped): from 0 to 1 at rest
 // at both ends. Source: T. Flash and N. Hogan, J. Neuroscience 5 (1985) 1688-1703.
-[[nodiscard]] constexpr double minimum_jerk(double tau) {
-  const double t = tau < 0.0 ? 0.0 : tau > 1.0 ? 1.0 : tau;
-  return t * t * t * (10.0 - t * (15.0 - 6.0 * t));
+template <class S>
+[[nodiscard]] S minimum_jerk(const S& tau) {
+  const S t = clamp(tau, S(0), S(1));
+  return t * t * t * (S(10) - t * (S(15) - S(6) * t));
+}
+
+// Of what was left of a change before a step, the share that the step makes: `before` and `now` are
+// what is made of the whole change.
+[[nodiscard]] constexpr double share_of_rest(double before, double now) {
+  return before < 1.0 ? (now - before) / (1.0 - before) : 1.0;
 }
 
 // The minimum-jerk detour: 1 at τ = peak, at rest at 0 for τ = 0 and 1 (clamped). Added to a

@@ -26,13 +26,13 @@ struct TaskFile {
   LayerReading layer_reading = LayerReading::shared_contractions;  // of layered presets
   std::optional<SearchMethod> search;  // the preset's own when not given
   // the built-in ones: functions do not go into files
-  CriteriaSettings criteria = preset_criteria(Preset::flat);
+  CriteriaSettings criteria = traits_of(Preset::flat).criteria();
   std::vector<std::string> fixed;  // parameters that are not searched, as assignments
   bool pareto = false;             // see Task
   MotionGenerator generator = MotionGenerator::weighted_ik;
   int phases = 1;  // 1..kPhasesMax
   std::uint64_t seed = 0;
-  int candidates = preset_candidates(Preset::flat);  // 1..1000
+  int candidates = traits_of(Preset::flat).candidates;  // 1..1000
   std::optional<int> evaluations;  // motions the search may score, 8..1e9; see Task
   std::optional<Vec3d> look_at{};  // m, world; see Task
   std::optional<std::vector<std::string>> contacts{};  // see Task

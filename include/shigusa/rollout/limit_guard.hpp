@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/body_model.hpp>
+#include <shigusa/body/coupled_limits.hpp>
 #include <span>
 #include <vector>
 
@@ -26,7 +26,11 @@ template <class S>
 class LimitGuard {
  public:
   explicit LimitGuard(const BodyModel& body)
-      : wanted_(body.dofs().size()), share_(wanted_), softened_(wanted_), allowed_(wanted_) {
+      : coupled_(body),
+        wanted_(body.dofs().size()),
+        share_(wanted_),
+        softened_(wanted_),
+        allowed_(wanted_) {
     for (std::size_t d = 0; d < wanted_.size(); ++d) {
       const Dof& dof = body.dofs()[d];
       // a start posture outside its range may stay where it is
@@ -39,12 +43,8 @@ class LimitGuard {
       heels_.push_back({static_cast<std::size_t>(foot.heel->toes),
                         static_cast<std::size_t>(foot.heel->ankle), S(0)});
     }
-    for (const LimitCoupling& c : body.couplings()) {
-      couplings_.push_back({static_cast<std::size_t>(c.dof), static_cast<std::size_t>(c.driver),
-                            static_cast<T>(c.gain), static_cast<T>(1.0 / c.driver_full)});
-    }
-    for (const Coupling& c : couplings_) limits_[c.dof].coupled = true;
-    upper_.resize(limits_.size());
+    for (const Limit& limit : limits_) upper_.push_back(S(limit.upper));
+    for (const std::size_t d : coupled_.coupled()) limits_[d].coupled = true;
   }
 
   // Before a motion's first step.
@@ -112,8 +112,8 @@ class LimitGuard {
       }
     }
     find_upper(angles);
-    for (const Coupling& c : couplings_) {
-      angles[c.dof] = clamp(angles[c.dof], S(limits_[c.dof].lower), upper_[c.dof]);
+    for (const std::size_t d : coupled_.coupled()) {
+      angles[d] = clamp(angles[d], S(limits_[d].lower), upper_[d]);
     }
   }
 
@@ -124,13 +124,6 @@ class LimitGuard {
     T upper;
     bool coupled = false;  // upper grows with another angle
   };
-  struct Coupling {
-    std::size_t dof;
-    std::size_t driver;
-    T gain;
-    T per_driver;
-  };
-
   struct Stiff {
     std::size_t dof;
     T give;
@@ -147,15 +140,14 @@ class LimitGuard {
   }
 
   void find_upper(std::span<const S> angles) {
-    for (std::size_t d = 0; d < limits_.size(); ++d) upper_[d] = S(limits_[d].upper);
-    for (const Coupling& c : couplings_) {
-      const S share = clamp(angles[c.driver] * S(c.per_driver), S(0), S(1));
-      upper_[c.dof] = upper_[c.dof] + share * S(c.gain);
+    coupled_.update(angles);
+    for (const std::size_t d : coupled_.coupled()) {
+      upper_[d] = S(limits_[d].upper) + coupled_.added()[d];
     }
   }
 
   std::vector<Limit> limits_;
-  std::vector<Coupling> couplings_;
+  CoupledLimits<S> coupled_;
   std::vector<Stiff> stiff_;
   std::vector<HeldHeel> heels_;
   std::vector<S> upper_;     // (dofs) rad, with what the couplings add now

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/math/scalar.hpp>
+#include <shigusa/rollout/timing.hpp>
 #include <span>
 #include <vector>
 
@@ -23,29 +24,17 @@ struct MotionInput {
   // (dofs, rad) by how much the null space is drawn away from the start posture until the end, or
   // empty
   std::span<const S> posture{};
-  S delay{};  // share of the duration after which the posture begins to change, 0..kDelayMax
-  S bow{};    // of the effectors' paths, see ReachGoal::bow
-  S skew{};   // of the bow towards the start (> 0) or the end, see path_bow
-  S sway{};   // of the paths sideways, see ReachGoal::sway
+  Timing<S> timing{};
   LaterInput<S> later{};
 
   // weights alone
   MotionInput(std::span<const S> weights) : inverse_weights(weights) {}     // NOLINT
   MotionInput(const std::vector<S>& weights) : inverse_weights(weights) {}  // NOLINT
-  MotionInput(std::span<const S> weights, std::span<const S> change, const S& begin,
-              const S& path_bow, const S& path_skew, const S& path_sway)
-      : inverse_weights(weights),
-        posture(change),
-        delay(begin),
-        bow(path_bow),
-        skew(path_skew),
-        sway(path_sway) {}
+  MotionInput(std::span<const S> weights, std::span<const S> change, const Timing<S>& when)
+      : inverse_weights(weights), posture(change), timing(when) {}
 
   [[nodiscard]] bool has_later() const { return !later.inverse_weights.empty(); }
 };
-
-inline constexpr double kDelayMax = 0.5;    // share of the duration
-inline constexpr std::size_t kTimings = 4;  // numbers of a motion's timing
 
 // Later phases of many motions: of all, or of none.
 struct LaterInputs {
@@ -58,7 +47,7 @@ struct LaterInputs {
 struct MotionInputs {
   std::span<const float> inverse_weights;  // (motions × dofs)
   std::span<const float> posture{};        // (motions × dofs) or empty
-  // (motions × kTimings): delay, bow, skew, sway; empty as posture is
+  // (motions × kTimings), in the order of kTimingNumbers; empty as posture is
   std::span<const float> timing{};
   LaterInputs later{};
 

@@ -26,20 +26,19 @@ class NlpRollout {
   // The problem and its body outlive this.
   explicit NlpRollout(const ReachProblem& problem, const NlpIkSettings& settings = {});
 
-  // visit(const MotionFrame<double>&, const Kinematics<double>&) is called for the frames 0..steps
-  // in order.
+  // visit(const PlacedFrame<double>&) is called for the frames 0..steps in order.
   template <class Visitor>
   ReachOutcome run(const MotionInput<double>& input, Visitor&& visit) {
     ReachOutcome outcome;
     begin(input);
     for (int frame = 1; frame <= problem_->steps; ++frame) {
       follow(frame, input, outcome);
-      visit(moving_frame(), std::as_const(now_));
+      visit(moving_frame());
       advance();
     }
     // the motion ends at rest
     angles_[2] = angles_[1];
-    visit(moving_frame(), std::as_const(now_));
+    visit(moving_frame());
     return outcome;
   }
 
@@ -54,7 +53,7 @@ class NlpRollout {
   void begin(const MotionInput<double>& input);
   void follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome);
   void advance();
-  MotionFrame<double> moving_frame();
+  PlacedFrame<double> moving_frame();
   void place_goals(int frame, const MotionInput<double>& input);
   void change_phase(int frame, const MotionInput<double>& input);
   void draw_null_space(int frame, const MotionInput<double>& input);

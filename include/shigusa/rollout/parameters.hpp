@@ -16,9 +16,6 @@ namespace shigusa {
 // relative, would blunt the goals.
 inline constexpr double kWeightMin = 1e-3;
 inline constexpr double kWeightMax = 1e3;
-// Of the way's length, what a path may leave its line by: by its bow forwards or (< 0) backwards,
-// by its sway outwards or inwards. People's reaches leave it by a tenth to a fifth.
-inline constexpr double kBowMax = 0.3;
 inline constexpr double kPostureMax = 3.2;  // rad, of a posture mode's value
 // Share of the duration about which a motion's second phase may begin.
 inline constexpr double kSwitchMin = 0.2;
@@ -35,10 +32,7 @@ struct JointWeight {
 // Where a motion is drawn to in what its goals leave free, and how it gets there.
 struct PostureParameters {
   std::vector<double> modes;  // (posture_modes of the body) rad, -kPostureMax..kPostureMax
-  double delay = 0.0;         // share of the duration before the posture changes, 0..kDelayMax
-  double bow = 0.0;           // share of the way's length, -kBowMax..kBowMax
-  double skew = 0.0;          // of the bow, -1 (late) .. 1 (early)
-  double sway = 0.0;          // share of the way's length, outwards, -kBowMax..kBowMax
+  Timing<double> timing{};    // within kTimingNumbers
 
   friend bool operator==(const PostureParameters&, const PostureParameters&) = default;
 };

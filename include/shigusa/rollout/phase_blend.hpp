@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/math/scalar.hpp>
+#include <shigusa/motion/minimum_jerk.hpp>
 #include <shigusa/rollout/motion_input.hpp>
 #include <span>
 #include <vector>
@@ -49,9 +50,8 @@ class PhaseBlend {
 
   // For a step in whose middle the share `tau` of the duration is over. Returns b.
   S step(const MotionInput<S>& input, double tau) {
-    const S t =
-        clamp((S(tau) - input.later.switch_at) * S(1.0 / kSwitchWindow) + S(0.5), S(0), S(1));
-    const S share = t * t * t * (S(10) - t * (S(15) - S(6) * t));
+    const S share =
+        minimum_jerk((S(tau) - input.later.switch_at) * S(1.0 / kSwitchWindow) + S(0.5));
     for (std::size_t d = 0; d < weights_.size(); ++d) {
       const S root = roots_[d] + (later_roots_[d] - roots_[d]) * share;
       const S square = root * root;

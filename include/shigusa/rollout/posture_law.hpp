@@ -155,8 +155,7 @@ class PostureLaw {
     const auto done = [steps](int f) {
       return minimum_jerk(min(1.0, static_cast<double>(f) / (kGazeArrives * steps)));
     };
-    const double before = done(frame - 1);
-    return S(before < 1.0 ? (done(frame) - before) / (1.0 - before) : 1.0);
+    return S(share_of_rest(done(frame - 1), done(frame)));
   }
 
   // draws a freedom by a share of the way to the angle wanted

@@ -63,7 +63,7 @@ class Rollout {
     }
   }
 
-  // visit(const MotionFrame<S>&, const Kinematics<S>&) is called for the frames 0..steps in order.
+  // visit(const PlacedFrame<S>&) is called for the frames 0..steps in order.
   template <class Visitor>
   BasicReachOutcome<S> run(const MotionInput<S>& input, Visitor&& visit) {
     const BodyModel& body = *problem_->body;
@@ -194,8 +194,8 @@ class Rollout {
   // where the effectors are to be in this frame
   void place_goals(int frame, const MotionInput<S>& input) {
     const double way = minimum_jerk(static_cast<double>(frame) / problem_->steps);
-    const S off = path_bow(S(way), input.skew) * input.bow;
-    const S aside = path_bow(S(way), S(0)) * input.sway;
+    const S off = path_bow(S(way), input.timing.skew) * input.timing.bow;
+    const S aside = path_bow(S(way), S(0)) * input.timing.sway;
     for (std::size_t g = 0; g < contacts_from_; ++g) {
       const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
       targets_[g].position = to_scalar<S>(paths_[k]);
@@ -228,8 +228,7 @@ class Rollout {
   // how much of the change of posture is made by then
   S posture_share(int frame, const MotionInput<S>& input) const {
     const S tau(static_cast<double>(frame) / problem_->steps);
-    const S t = clamp((tau - input.delay) / (S(1) - input.delay), S(0), S(1));
-    return t * t * t * (S(10) - t * (S(15) - S(6) * t));
+    return minimum_jerk((tau - input.timing.delay) / (S(1) - input.timing.delay));
   }
 
   void draw_to_guide(int frame) {
@@ -256,8 +255,7 @@ class Rollout {
       const double tau = static_cast<double>(f) / problem_->steps;
       return minimum_jerk(max(tau - begin, 0.0) / (1.0 - begin));
     };
-    const double before = done(frame - 1);
-    return (done(frame) - before) / (1.0 - before);
+    return share_of_rest(done(frame - 1), done(frame));
   }
 
   // how far the targets are missed now, goals' turns by a share of theirs; `learn`: adds that to
@@ -319,9 +317,10 @@ class Rollout {
     const Wrench<S> ground =
         inverse_dynamics<S>(body, now(), speeds_, accelerations_, dynamics_, torques_);
     bear_on_feet<S>(body, now(), angles_[1], ground, torques_);
-    visit(MotionFrame<S>{angles_[1], torques_, shigusa::centre_of_mass(body, dynamics_), speeds_,
-                         accelerations_, &now(), 1.0 / rate, pressure(ground, S(floor_))},
-          now());
+    const Vec3<S> centre = shigusa::centre_of_mass(body, dynamics_);
+    visit(PlacedFrame<S>{{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
+                         now(),
+                         pressure(ground, S(floor_))});
   }
 
   struct Lead {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <shigusa/core/names.hpp>
+#include <shigusa/core/result.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+// A value of an enum and the word that files, options and messages have for it.
+template <class Enum>
+struct EnumWord {
+  Enum value;
+  std::string_view word;
+};
+
+// The words of an enum, in the order in which messages list them. Each enum with words specialises
+// this beside its declaration; nothing else knows them.
+template <class Enum>
+inline constexpr std::array<EnumWord<Enum>, 0> kEnumWords{};
+
+// The words of a table whose rows have a value and a word: kEnumWords of what has more to tell.
+template <class Row, std::size_t size, class Enum>
+[[nodiscard]] constexpr std::array<EnumWord<Enum>, size> words_of_table(
+    const std::array<Row, size>& table, Enum Row::*value) {
+  std::array<EnumWord<Enum>, size> words{};
+  for (std::size_t i = 0; i < size; ++i) words[i] = {table[i].*value, table[i].word};
+  return words;
+}
+
+// The word for a value; empty where it has none.
+template <class Enum>
+[[nodiscard]] constexpr std::string_view word_of(Enum value) {
+  for (const EnumWord<Enum>& known : kEnumWords<Enum>) {
+    if (known.value == value) return known.word;
+  }
+  return {};
+}
+
+template <class Enum>
+[[nodiscard]] std::vector<std::string> all_words() {
+  std::vector<std::string> words;
+  for (const EnumWord<Enum>& known : kEnumWords<Enum>) words.emplace_back(known.word);
+  return words;
+}
+
+// The value of a word; else ErrorCode::invalid_argument with the nearest word and all that are
+// known: "unknown search 'cma'; did you mean 'cma_es'? Known: …". `kind` is "search".
+template <class Enum>
+[[nodiscard]] Result<Enum> value_of(std::string_view word, std::string_view kind) {
+  for (const EnumWord<Enum>& known : kEnumWords<Enum>) {
+    if (known.word == word) return known.value;
+  }
+  return fail(ErrorCode::invalid_argument, unknown_name(kind, word, all_words<Enum>()));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace shigusa {
+
+// When a motion changes its posture, and by what line its effectors go. S is double, or a pack
+// whose lanes are motions of their own.
+template <class S>
+struct Timing {
+  S delay{};  // share of the duration after which the posture begins to change
+  S bow{};    // share of the path's length, see ReachGoal::bow
+  S skew{};   // of the bow towards the start (> 0) or the end, see path_bow
+  S sway{};   // share of the path's length sideways, see ReachGoal::sway
+
+  friend bool operator==(const Timing&, const Timing&) = default;
+};
+
+// One of these numbers.
+struct TimingNumber {
+  std::string_view name;
+  double low;  // what is allowed
+  double high;
+  double searched_low;  // what searches look through
+  double searched_high;
+  bool searched;  // by the usual searches; the others leave it at 0
+};
+
+inline constexpr double kDelayMax = 0.5;  // share of the duration
+// Of the path's length, what a path may leave its line by: by its bow forwards or (< 0) backwards,
+// by its sway outwards or inwards. People's reaches leave it by a tenth to a fifth …
+inline constexpr double kBowMax = 0.3;
+// … and by how much searches do.
+inline constexpr double kBowSearched = 0.2;
+
+// All of them; whatever reads, writes, searches or shows a timing goes by this table.
+inline constexpr std::array kTimingNumbers{
+    TimingNumber{"delay", 0.0, kDelayMax, 0.0, kDelayMax, false},
+    TimingNumber{"bow", -kBowMax, kBowMax, -kBowSearched / 2.0, kBowSearched, true},
+    TimingNumber{"skew", -1.0, 1.0, -1.0, 1.0, false},
+    TimingNumber{"sway", -kBowMax, kBowMax, -kBowSearched, kBowSearched, true},
+};
+inline constexpr std::size_t kTimings = kTimingNumbers.size();
+// Where they are, in the table's order.
+template <class S>
+inline constexpr std::array<S Timing<S>::*, kTimings> kTimingMembers{
+    &Timing<S>::delay, &Timing<S>::bow, &Timing<S>::skew, &Timing<S>::sway};
+
+}  // namespace shigusa
