@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/body/joint_name.hpp>
 #include <utility>
 
 namespace shigusa {
@@ -22,10 +23,7 @@ constexpr std::array<Words, 6> kLimbWords{{{"upper_arm", "shoulder"},
 
 // "left_", "right_" or nothing
 std::string_view side_of(std::string_view name) {
-  for (const std::string_view side : {"left_", "right_"}) {
-    if (name.substr(0, side.size()) == side) return side;
-  }
-  return {};
+  return name.substr(0, name.size() - without_side(name).size());
 }
 
 bool moves(const BodyDefinition& body, int dof, int link) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <shigusa/body/joint_name.hpp>
 #include <shigusa/hierarchy/layer.hpp>
 #include <utility>
 
@@ -16,7 +17,8 @@ void add_weight(Layer& layer, int dof) {
   const bool shared = std::any_of(dofs.begin(), dofs.end(), [&](const ReducedDof& other) {
     return other.weight_of == dof && without_side(other.name) == without_side(name);
   });
-  layer.genes.push_back({shared ? without_side(name) : name, LayerGeneKind::weight, {dof}});
+  layer.genes.push_back(
+      {std::string(shared ? without_side(name) : name), LayerGeneKind::weight, {dof}});
 }
 
 // a freedom of a clavicle, which goes with its arm and not by a weight

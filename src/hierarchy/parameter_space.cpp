@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <shigusa/body/joint_name.hpp>
 #include <shigusa/core/check.hpp>
 #include <shigusa/hierarchy/parameter_space.hpp>
 #include <shigusa/search/genetic.hpp>
@@ -24,17 +25,11 @@ std::vector<bool> useful_dofs(const ReachProblem& problem) {
 
 // "hip.flexion" of "left_hip.flexion", "spine.flexion" of all of its joints; arms keep their side
 std::string shared_name(const std::string& name) {
-  for (const char* segment : {"upper_chest.", "chest."}) {
-    if (name.starts_with(segment)) return "spine." + name.substr(name.find('.') + 1);
+  const JointName joint = parse_joint_name(name);
+  if (joint.joint == "chest" || joint.joint == "upper_chest") {
+    return "spine." + std::string(joint.freedom);
   }
-  for (const char* side : {"left_", "right_"}) {
-    const std::string prefix = side;
-    if (name.rfind(prefix, 0) != 0) continue;
-    const std::string rest = name.substr(prefix.size());
-    const std::string joint = rest.substr(0, rest.find('.'));
-    if (joint == "hip" || joint == "knee" || joint == "ankle" || joint == "toes") return rest;
-  }
-  return name;
+  return joint.limb() == LimbKind::leg ? std::string(without_side(name)) : name;
 }
 
 // What is fixed for the motion is fixed in both of its phases, but for what the later one has of

@@ -2,6 +2,7 @@
 #include "reducer.hpp"
 
 #include <algorithm>
+#include <shigusa/body/joint_name.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <utility>
 
@@ -220,8 +221,6 @@ class Reducer {
 };
 
 }  // namespace
-
-std::string without_side(const std::string& name) { return name.substr(name.find('_') + 1); }
 
 ReducedBody reduced_body(const BodyModel& body, const BodyLimbs& limbs) {
   return Reducer(body, limbs).reduce();

@@ -10,7 +10,4 @@ namespace shigusa {
 // of variable length for its limbs.
 [[nodiscard]] ReducedBody reduced_body(const BodyModel& body, const BodyLimbs& limbs);
 
-// "hip.flexion" of "left_hip.flexion"
-[[nodiscard]] std::string without_side(const std::string& name);
-
 }  // namespace shigusa

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/body/joint_name.hpp>
 #include <shigusa/body/load.hpp>
 #include <shigusa/body/stance.hpp>
 #include <shigusa/core/names.hpp>
@@ -101,7 +102,7 @@ Vec3d bow_of(const Vec3d& way) {
 // Which way a path over `way` sways, and how far (m): square to way and bow, outwards on the
 // effector's side; a way that leads sideways sways upwards.
 Vec3d sway_of(const Vec3d& way, const Vec3d& bow, const std::string& effector) {
-  const Vec3d out{effector.rfind("left_", 0) == 0 ? 1.0 : -1.0, 0.1, 0.0};
+  const Vec3d out{parse_joint_name(effector).side == Side::left ? 1.0 : -1.0, 0.1, 0.0};
   const Vec3d sway = cross(normalized(way), bow);
   return dot(sway, out) < 0.0 ? -sway : sway;
 }
@@ -123,7 +124,7 @@ bool is_foot(const BodyModel& body, int effector) {
   const std::string& joint = body.dof(e.link).joint;
   if (!root.ends_with("_hip")) return false;
   if (joint.ends_with("_toes")) return true;
-  const std::string side = joint.substr(0, joint.find('_') + 1);
+  const std::string side = joint.substr(0, joint.size() - without_side(joint).size());
   return joint.ends_with("_ankle") && !body.find_dof(side + "toes.flexion");
 }
 
@@ -268,8 +269,7 @@ std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals)
   for (const Goal& goal : goals) {
     const auto index = body.find_effector(goal.effector);
     const bool limb = !index || *index < static_cast<int>(body.effectors().size()) ||
-                      body.effector(*index).name.starts_with("left_") ||
-                      body.effector(*index).name.starts_with("right_");
+                      parse_joint_name(body.effector(*index).name).side;
     if (limb) return goal.position;
   }
   return std::nullopt;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <shigusa/body/joint_name.hpp>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/project/editable_parameters.hpp>
 
@@ -9,21 +10,17 @@ namespace {
 
 // Whose slider it is, by the joint's name: "right_knee.flexion".
 std::string limb_group(std::string_view name) {
-  const bool right = name.starts_with("right_");
-  if (!right && !name.starts_with("left_")) {
-    const auto is_leg = [name](std::string_view joint) { return name.starts_with(joint); };
-    const bool legs = is_leg("hip.") || is_leg("knee.") || is_leg("ankle.") || name == "legs";
-    return legs ? "legs" : name == "arms" ? "arms" : "trunk";
-  }
-  for (const char* joint : {"hip", "knee", "ankle", "toes", "leg", "foot"}) {
-    if (name.find(joint) != name.npos) return right ? "right_leg" : "left_leg";
-  }
-  return right ? "right_arm" : "left_arm";
+  const JointName joint = parse_joint_name(name);
+  const LimbKind limb = joint.limb();
+  if (limb == LimbKind::trunk) return "trunk";
+  if (!joint.side) return limb == LimbKind::leg ? "legs" : "arms";
+  const std::string side = joint.side == Side::left ? "left_" : "right_";
+  return side + (limb == LimbKind::leg ? "leg" : "arm");
 }
 
 std::string posture_group(std::string_view name) {
   const std::string_view mode = name_within_phase(name);
-  if (mode.starts_with("right_") || mode.starts_with("left_")) return limb_group(mode);
+  if (parse_joint_name(mode).side) return limb_group(mode);
   for (const TimingNumber& number : kTimingNumbers) {
     if (mode == number.name) return "path";
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/body/joint_name.hpp>
 #include <shigusa/core/names.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/csv.hpp>
@@ -74,18 +75,11 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
 
 // The limb that a goal moves, by the effector's name; none of the trunk and the head.
 std::optional<Limb> limb_of(std::string_view effector) {
-  const bool left = effector.starts_with("left_");
-  if (!left && !effector.starts_with("right_")) return std::nullopt;
-  const auto has = [effector](std::string_view word) {
-    return effector.find(word) != effector.npos;
-  };
-  for (const char* word : {"foot", "toes", "ankle", "knee", "hip", "leg"}) {
-    if (has(word)) return left ? Limb::left_leg : Limb::right_leg;
-  }
-  for (const char* word : {"hand", "wrist", "elbow", "shoulder", "arm"}) {
-    if (has(word)) return left ? Limb::left_arm : Limb::right_arm;
-  }
-  return std::nullopt;
+  const JointName joint = parse_joint_name(effector);
+  if (!joint.side) return std::nullopt;
+  const bool left = joint.side == Side::left;
+  if (joint.limb() == LimbKind::leg) return left ? Limb::left_leg : Limb::right_leg;
+  return left ? Limb::left_arm : Limb::right_arm;
 }
 
 StripSettings strip_settings(const Task& task) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/body/joint_name.hpp>
 #include <shigusa/project/mirror.hpp>
 #include <utility>
 
@@ -37,17 +38,8 @@ std::vector<JointWeight> mirrored_joints(const BodyModel& from, const BodyModel&
 }  // namespace
 
 std::string mirrored_name(std::string_view name) {
-  if (name.starts_with(kLaterPrefix)) {
-    return std::string(kLaterPrefix) + mirrored_name(name_within_phase(name));
-  }
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSides{
-      {{"left_", "right_"}, {"right_", "left_"}}};
-  for (const auto& [side, other] : kSides) {
-    if (name.substr(0, side.size()) == side) {
-      return std::string(other) + std::string(name.substr(side.size()));
-    }
-  }
-  return std::string(name);
+  const std::string_view within = name_within_phase(name);
+  return std::string(name.substr(0, name.size() - within.size())) + with_other_side(within);
 }
 
 Result<TaskFile> mirrored(TaskFile task) {

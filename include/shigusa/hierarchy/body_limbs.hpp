@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/body/joint_name.hpp>
 #include <shigusa/core/result.hpp>
 #include <shigusa/kinematics/limb.hpp>
 #include <string>
@@ -9,15 +10,13 @@
 
 namespace shigusa {
 
-enum class LimbKind { leg, arm };
-
 // A limb of the body as layers see it: a ball joint at the trunk, a hinge in the middle and, of a
 // leg, an ankle at the foot, which is planted. What an arm has beyond the elbow it holds as it is
 // at the start, but for a goal that turns the hand. Numbers are those of the body's dofs.
 struct BodyLimb {
-  std::string name;  // "right_arm"
-  LimbKind kind = LimbKind::arm;
-  int flexion = 0;  // of shoulder or hip
+  std::string name;               // "right_arm"
+  LimbKind kind = LimbKind::arm;  // or leg
+  int flexion = 0;                // of shoulder or hip
   int abduction = 0;
   int rotation = 0;
   int hinge = 0;       // elbow or knee

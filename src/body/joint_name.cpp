@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <shigusa/body/joint_name.hpp>
+
+namespace shigusa {
+namespace {
+
+constexpr std::string_view kLeft = "left_";
+constexpr std::string_view kRight = "right_";
+
+constexpr std::array<std::string_view, 6> kLegWords{"hip", "knee", "ankle", "toes", "foot", "leg"};
+
+bool has_leg_word(std::string_view joint) {
+  return std::any_of(kLegWords.begin(), kLegWords.end(),
+                     [joint](std::string_view word) { return joint.find(word) != joint.npos; });
+}
+
+// What both legs or arms share has no side: "hip" of a weight, "legs" of a contraction.
+bool is_of_both_legs(std::string_view joint) {
+  return joint == "legs" || std::find(kLegWords.begin(), kLegWords.end(), joint) != kLegWords.end();
+}
+
+}  // namespace
+
+LimbKind JointName::limb() const {
+  if (side) return has_leg_word(joint) ? LimbKind::leg : LimbKind::arm;
+  if (is_of_both_legs(joint)) return LimbKind::leg;
+  return joint == "arms" ? LimbKind::arm : LimbKind::trunk;
+}
+
+std::string_view without_side(std::string_view name) {
+  for (const std::string_view side : {kLeft, kRight}) {
+    if (name.starts_with(side)) return name.substr(side.size());
+  }
+  return name;
+}
+
+JointName parse_joint_name(std::string_view name) {
+  JointName parsed;
+  if (name.starts_with(kLeft)) parsed.side = Side::left;
+  if (name.starts_with(kRight)) parsed.side = Side::right;
+  const std::string_view rest = without_side(name);
+  const std::size_t dot = rest.find('.');
+  parsed.joint = rest.substr(0, dot);
+  if (dot != rest.npos) parsed.freedom = rest.substr(dot + 1);
+  return parsed;
+}
+
+std::string with_other_side(std::string_view name) {
+  const std::string rest(without_side(name));
+  if (name.starts_with(kLeft)) return std::string(kRight) + rest;
+  if (name.starts_with(kRight)) return std::string(kLeft) + rest;
+  return rest;
+}
+
+}  // namespace shigusa
