@@ -17,6 +17,9 @@ struct EnumWord {
   std::string_view word;
 };
 
+template <class Enum>
+EnumWord(Enum, std::string_view) -> EnumWord<Enum>;  // clang 14 deduces no aggregates by itself
+
 // The words of an enum, in the order in which messages list them. Each enum with words specialises
 // this beside its declaration; nothing else knows them.
 template <class Enum>
