@@ -46,8 +46,9 @@ std::vector<double> random_modes(Random& random) {
 
 Parameters random_posed(Random& random) {
   Parameters parameters = random_parameters(full(), random);
-  parameters.posture = {random_modes(random), random.uniform(0.0, 0.4), random.uniform(-0.1, 0.2),
-                        random.uniform(-1.0, 1.0), random.uniform(-0.1, 0.1)};
+  parameters.posture = {random_modes(random),
+                        {random.uniform(0.0, 0.4), random.uniform(-0.1, 0.2),
+                         random.uniform(-1.0, 1.0), random.uniform(-0.1, 0.1)}};
   return parameters;
 }
 
