@@ -21,7 +21,7 @@ template <class Enum>
 EnumWord(Enum, std::string_view) -> EnumWord<Enum>;  // clang 14 deduces no aggregates by itself
 
 // The words of an enum, in the order in which messages list them. Each enum with words specialises
-// this beside its declaration; nothing else knows them.
+// this beside its declaration; the library has them nowhere else.
 template <class Enum>
 inline constexpr std::array<EnumWord<Enum>, 0> kEnumWords{};
 

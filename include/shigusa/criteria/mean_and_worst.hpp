@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/math/scalar.hpp>
+
 namespace shigusa {
 
 // Half the mean and half the largest of a value over a motion's frames: criteria that go by it mind

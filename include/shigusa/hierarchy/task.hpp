@@ -36,8 +36,7 @@ enum class Preset {
   human,   // three layers: trunk and limb lengths, the swivel of arms, then what no goal moves
 };
 
-// What a preset is, and has where a task says nothing else. All that depends on presets goes by
-// kPresets.
+// What a preset is, and has where a task says nothing else.
 struct PresetTraits {
   Preset preset;
   std::string_view word;

@@ -59,8 +59,8 @@ struct VerdictBounds {
   double impossible;
 };
 // Share of a joint's strength. Strengths are those of an average person. A standard deviation of a
-// quarter of the mean is assumed among people of one sex (static strengths of surveys have a fifth
-// to a third), so that one in forty has 1.5 times as much.
+// quarter of the mean is assumed among people of one sex, so that one in forty has 1.5 times as
+// much.
 inline constexpr VerdictBounds kStrengthBounds{1.0, 1.5};
 // A robot's file tells the most that its drives give.
 inline constexpr VerdictBounds kEffortBounds{1.0, 1.0};

@@ -9,6 +9,7 @@
 #include <shigusa/search/differential_evolution.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/random_search.hpp>
+#include <type_traits>
 
 namespace shigusa {
 
@@ -26,7 +27,7 @@ enum class SearchMethod {
 using SearchFunction = std::function<SearchResult(const SearchProblem& problem, int evaluations,
                                                   std::uint64_t seed, const Progress& progress)>;
 
-// What there is to know of a method. All that names searches goes by kSearches.
+// What there is to know of a method.
 struct SearchInfo {
   SearchMethod method;
   std::string_view word;
