@@ -2,7 +2,7 @@
 #include <shigusa/body/load.hpp>
 #include <shigusa/core/check.hpp>
 
-#include "segment_mass.hpp"
+#include "link_mass.hpp"
 
 namespace shigusa {
 

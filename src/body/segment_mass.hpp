@@ -6,30 +6,9 @@
 #include <shigusa/body/body_model.hpp>
 
 #include "human_frames.hpp"
+#include "link_mass.hpp"
 
 namespace shigusa {
-
-// Mass of one or several segments in the start posture, in world coordinates: sums of segments
-// stay exact and are brought into a link's frame at the end.
-struct LinkMass {
-  double mass = 0.0;                                    // kg
-  Vec3d moment{};                                       // kg·m, mass × com
-  Mat3d about_origin{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the world's origin
-
-  // `inertia`: kg·m², about the centre of mass `com` (m)
-  [[nodiscard]] static LinkMass of(double mass, const Vec3d& com, const Mat3d& inertia);
-
-  void add(const LinkMass& other);
-  // a part of it
-  void take_off(const LinkMass& part);
-  // the same mass moved by a translation
-  [[nodiscard]] LinkMass shifted(const Vec3d& by) const;
-  [[nodiscard]] MassProperties in_frame(const Mat3d& frame, const Vec3d& origin) const;
-};
-
-// In the frame that the properties are in.
-[[nodiscard]] LinkMass link_mass(const MassProperties& mass);
-[[nodiscard]] LinkMass point_mass(double mass, const Vec3d& at);
 
 // A leg's own sole, or that of a person of that stature (m).
 [[nodiscard]] SoleOutline sole_outline(const Landmarks::Leg& leg, double stature);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/core/check.hpp>
-#include <shigusa/hierarchy/parameter_space.hpp>
+#include <shigusa/rollout/parameters.hpp>
 #include <shigusa/hierarchy/reduced_motion.hpp>
 
 namespace shigusa {

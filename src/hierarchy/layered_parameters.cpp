@@ -181,12 +181,6 @@ Result<std::vector<Layer>> layers_to_goals(const BodyModel& body, std::span<cons
   return layers;
 }
 
-Result<std::vector<Layer>> layers_to_goals(const Task& task) {
-  const LayerChoice choice{traits_of(task.preset).layers.value_or(LayerStack::paper),
-                           task.layers.reading};
-  return layers_to_goals(task.body, task.goals, choice, task_criteria(task));
-}
-
 std::vector<LayeredMember> layered_members(std::span<const Layer> layers,
                                            LayeredParameters& parameters) {
   bring_to_size(layers, parameters);

@@ -10,6 +10,12 @@
 
 namespace shigusa {
 
+Result<std::vector<Layer>> layers_to_goals(const Task& task) {
+  const LayerChoice choice{traits_of(task.preset).layers.value_or(LayerStack::paper),
+                           task.layers.reading};
+  return layers_to_goals(task.body, task.goals, choice, task_criteria(task));
+}
+
 Result<std::vector<Layer>> layers_of(const Task& task) {
   if (!task.fixed) return layers_to_goals(task);
   return fail(

@@ -4,8 +4,6 @@
 #include <shigusa/criteria/criteria.hpp>
 #include <utility>
 
-#include "candidate.hpp"
-#include "ways.hpp"
 
 namespace shigusa {
 namespace {

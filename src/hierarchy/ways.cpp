@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/motion/jolt.hpp>
 #include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/nlp_rollout.hpp>
 #include <utility>
@@ -15,11 +16,6 @@ namespace {
 // Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn
 // fast and would jolt into the last frame.
 constexpr int kEdgeCorrections = 3;
-
-// At the edge of reach limbs are stretched, and some weights bring them there with a jolt: a change
-// of a joint's step by more than this (rad) from one of kMotionSteps frames to the next. Minimum
-// jerk over a range of 4 rad has a fifth of it.
-constexpr double kJolt = radians(2.0);
 
 // How far (m) a hand at the edge of reach may still come in the last frame.
 constexpr double kRestStep = 1e-3;
@@ -40,17 +36,6 @@ bool arrives(const ReachProblem& way, const RolledOut& rolled) {
 }
 
 }  // namespace
-
-bool jolts(const Clip& clip) {
-  for (int f = 2; f < clip.frames; ++f) {
-    for (int d = 0; d < clip.dofs; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      const double change = clip.frame(f)[k] - 2.0 * clip.frame(f - 1)[k] + clip.frame(f - 2)[k];
-      if (abs(change) > kJolt) return true;
-    }
-  }
-  return false;
-}
 
 std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
   for (std::size_t g = 0; g < problem.goals.size(); ++g) {

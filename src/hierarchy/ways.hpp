@@ -15,9 +15,6 @@ namespace shigusa {
 [[nodiscard]] std::vector<ReachProblem> ways_to_goal(ReachProblem problem,
                                                      const ClosestReach& reach);
 
-// Whether some joint's step changes from one frame to the next by more than a smooth motion's does.
-[[nodiscard]] bool jolts(const Clip& clip);
-
 struct Arrival {
   const ReachProblem* way = nullptr;
   RolledOut rolled;

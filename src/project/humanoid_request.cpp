@@ -7,10 +7,11 @@
 #include <charconv>
 #include <shigusa/core/names.hpp>
 #include <shigusa/io/file.hpp>
-#include <shigusa/project/task_file.hpp>
 
 namespace shigusa {
 namespace {
+
+constexpr std::size_t kMapMaxBytes = std::size_t{1} << 20;
 
 std::vector<std::string> bone_names() {
   std::vector<std::string> names;
@@ -102,7 +103,7 @@ Result<BoneRequest> bone_request(const Json& json) {
 }
 
 Result<BoneRequest> read_bone_request(const std::filesystem::path& path) {
-  const Result<std::string> text = read_text_file(path, kTaskMaxBytes);
+  const Result<std::string> text = read_text_file(path, kMapMaxBytes);
   if (!text) return tl::unexpected(text.error());
   const std::string name = path.filename().string();
   const std::size_t begin = text->find_first_not_of(" \t\r\n");

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/body/landmarks.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <string_view>
 
@@ -201,9 +200,5 @@ struct Stature {
 // and "p95"; nothing for other names. Source: C. Gordon et al., 1988 Anthropometric Survey of U.S.
 // Army Personnel, Natick TR-89/044 (1989), stature.
 [[nodiscard]] std::optional<double> stature_percentile(std::string_view name, Sex sex);
-
-// Landmarks of a person standing upright at ease: knees bent by 5°, elbows by 10°, arms hanging,
-// each foot turned out by `toe_out` (rad).
-[[nodiscard]] Landmarks standing_landmarks(double stature, double toe_out);
 
 }  // namespace shigusa

@@ -136,4 +136,8 @@ inline constexpr double kTallestSkull = 1.5;
                                                     const HumanoidMap& map,
                                                     const MeasureSettings& settings = {});
 
+// Landmarks of a person standing upright at ease: knees bent by 5°, elbows by 10°, arms hanging,
+// each foot turned out by `toe_out` (rad).
+[[nodiscard]] Landmarks standing_landmarks(double stature, double toe_out);
+
 }  // namespace shigusa

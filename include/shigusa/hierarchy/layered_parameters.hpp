@@ -4,7 +4,7 @@
 #include <shigusa/core/result.hpp>
 #include <shigusa/hierarchy/arm_motion.hpp>
 #include <shigusa/hierarchy/reduced_motion.hpp>
-#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/rollout/goal.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,9 +43,6 @@ struct LayeredMember {
                                                          std::span<const Goal> goals,
                                                          const LayerChoice& choice = {},
                                                          const CriteriaSettings& criteria = {});
-// Those of a layered task.
-[[nodiscard]] Result<std::vector<Layer>> layers_to_goals(const Task& task);
-
 // All members in the layers' order; `layers` are those to the goals. Vectors of another size than
 // the layers' are brought to it first: weights of 1, no contraction, freedoms without a gene
 // locked, no swivel, and final angles as at the start. The pointers are into `parameters`.

@@ -6,6 +6,9 @@
 
 namespace shigusa {
 
+// The layers of a layered task: see layers_to_goals of its body.
+[[nodiscard]] Result<std::vector<Layer>> layers_to_goals(const Task& task);
+
 // The layers that a task goes by; fails on fixed parameters, which they do not know, and as
 // layers_to_goals does.
 [[nodiscard]] Result<std::vector<Layer>> layers_of(const Task& task);

@@ -19,10 +19,6 @@ enum class GeneCode {
   every,        // these, and delay and skew, which bring no search anything (docs/experiments.md)
 };
 
-// Weights of the logarithmic codes are e^-5.5 .. e^5.5: a range of 15 is too narrow to reach
-// natural postures, and wider ones add nothing.
-inline constexpr double kLogWeightRange = 5.5;
-
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
 // mode that moves one of these; bow and sway. Of two phases it has the weights and modes of the

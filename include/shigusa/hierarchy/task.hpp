@@ -8,6 +8,7 @@
 #include <shigusa/criteria/criteria.hpp>
 #include <shigusa/hierarchy/layered_settings.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
+#include <shigusa/rollout/goal.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/searches.hpp>
@@ -78,29 +79,6 @@ inline constexpr auto kEnumWords<Preset> = words_of_table(kPresets, &PresetTrait
   return kPresets[static_cast<std::size_t>(preset)];
 }
 
-// An axis of an effector and where it is to point. The effector's frame is the world's where the
-// body stands with every angle at 0, facing +Z, arms hanging with the thumbs ahead: of a hand
-// fingers point to -y, the thumb's side is +z, and the palm faces the body, +x of the right one.
-struct GoalAxis {
-  Vec3d axis{0, 0, 1};       // in the effector's frame; of any length but 0
-  Vec3d direction{0, 1, 0};  // in the world; of any length but 0
-  friend bool operator==(const GoalAxis&, const GoalAxis&) = default;
-};
-
-// The final state of one effector.
-struct Goal {
-  std::string effector = "right_hand";  // see BodyModel::find_effector
-  Vec3d position{};                     // m, shigusa's world
-  double load = 0.0;                    // kg, 0..kLoadMax, held all the way
-  // How it is turned from the world's axes to its frame (see GoalAxis), a unit quaternion to within
-  // kUnitSlack; or one axis, about which it may turn. At most one of both.
-  std::optional<Quatd> rotation{};
-  std::optional<GoalAxis> axis{};
-  Vec3d tolerance{};  // m, ≥ 0: half the sides of the box about `position` where any place will do
-  friend bool operator==(const Goal&, const Goal&) = default;
-};
-inline constexpr double kUnitSlack = 1e-3;     // of a quaternion's squared length
-inline constexpr double kToleranceMax = 10.0;  // m
 // A foot that neither stands nor has a goal lifts by this (m).
 inline constexpr double kFootLift = 0.10;
 

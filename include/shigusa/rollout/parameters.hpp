@@ -16,6 +16,9 @@ namespace shigusa {
 // relative, would blunt the goals.
 inline constexpr double kWeightMin = 1e-3;
 inline constexpr double kWeightMax = 1e3;
+// Weights of the logarithmic codes are e^-5.5 .. e^5.5: a range of 15 is too narrow to reach
+// natural postures, and wider ones add nothing.
+inline constexpr double kLogWeightRange = 5.5;
 inline constexpr double kPostureMax = 3.2;  // rad, of a posture mode's value
 // Share of the duration about which a motion's second phase may begin.
 inline constexpr double kSwitchMin = 0.2;
