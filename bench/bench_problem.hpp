@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/core/random.hpp>
-#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <shigusa/rollout/parameters.hpp>
+#include <shigusa/task/task.hpp>
 #include <span>
 #include <string>
 #include <vector>

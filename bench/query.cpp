@@ -7,8 +7,8 @@
 #include <ctime>
 #include <fstream>
 #include <iostream>
-#include <shigusa/body/human_body.hpp>
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <string>
 #include <vector>
 

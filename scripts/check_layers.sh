@@ -30,28 +30,32 @@ function check_room(target) {
 BEGIN {
   allow("core", "")
   allow("math", "core")
-  allow("simd", "math core")
+  allow("simd", "math")
+  allow("search", "math core")
   allow("body", "math core")
   allow("motion", "body math core")
-  allow("kinematics", "motion body math core")
+  allow("person", "body math core")
+  allow("kinematics", "person motion body math core")
   allow("dynamics", "kinematics motion body math core")
   allow("criteria", "dynamics kinematics motion body math core")
   allow("rollout", "criteria dynamics kinematics motion body math core simd")
-  allow("search", "math core")
-  all = "rollout criteria dynamics kinematics motion body math core simd search"
-  allow("hierarchy", all)
-  allow("io", "motion body math core")
-  allow("project", "hierarchy io " all)
-  # the one header that gathers the others
-  allow("shigusa.hpp", "project hierarchy io " all)
-  all = all " shigusa.hpp"
-  all = "project hierarchy " all
-  allow("shigusa.hpp", all)  # the front door: what a program includes that wants everything
-  allow("apps", "shigusa.hpp io " all)
-  allow("examples", "shigusa.hpp io " all)
-  allow("tests", "shigusa.hpp io " all)
-  allow("bindings", "shigusa.hpp " all)
-  allow("bench", "shigusa.hpp io " all)
+  motions = "rollout criteria dynamics kinematics motion person body math core simd"
+  allow("nlp", motions)
+  allow("layers", "search " motions)
+  allow("task", "layers search " motions)
+  allow("generate", "task layers nlp search " motions)
+  generates = "generate task layers nlp search " motions
+  allow("io", "person motion body math core")
+  allow("figure", "person motion body math core")
+  allow("robot", "io person kinematics motion body math core")
+  allow("character", "robot io " motions)
+  allow("document", "character figure robot io " generates)
+  allow("edit", "document character robot io " generates)
+  all = "edit document character figure robot io " generates
+  allow("shigusa.hpp", all)  # the one header that gathers the others
+  outside = "apps examples tests bindings bench"
+  n = split(outside, list, " ")
+  for (i = 1; i <= n; ++i) allow(list[i], "shigusa.hpp " all)
 }
 
 FNR == 1 {

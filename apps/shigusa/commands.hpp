@@ -7,7 +7,7 @@
 #include <optional>
 #include <shigusa/core/progress.hpp>
 #include <shigusa/core/result.hpp>
-#include <shigusa/project/export.hpp>
+#include <shigusa/document/export.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

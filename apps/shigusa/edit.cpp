@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <shigusa/project/replay.hpp>
+#include <shigusa/edit/replay.hpp>
 #include <utility>
 
 #include "commands.hpp"

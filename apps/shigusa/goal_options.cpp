@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/character/axis_words.hpp>
 #include <shigusa/core/parse_number.hpp>
-#include <shigusa/project/axis_words.hpp>
 #include <utility>
 
 #include "commands.hpp"

@@ -3,8 +3,8 @@
 
 #include <exception>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/hierarchy/task.hpp>
 #include <shigusa/motion/resample.hpp>
+#include <shigusa/task/task.hpp>
 #include <sstream>
 
 #include "commands.hpp"

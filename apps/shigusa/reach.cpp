@@ -4,7 +4,7 @@
 #include <chrono>
 #include <shigusa/core/names.hpp>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/project/limb_cache.hpp>
+#include <shigusa/document/limb_cache.hpp>
 
 #include "commands.hpp"
 #include "table.hpp"

@@ -3,11 +3,11 @@
 
 #include <charconv>
 #include <filesystem>
-#include <shigusa/body/landmarks.hpp>
 #include <shigusa/core/names.hpp>
+#include <shigusa/figure/strip_figure.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
-#include <shigusa/io/strip_figure.hpp>
+#include <shigusa/person/landmarks.hpp>
 
 #include "commands.hpp"
 

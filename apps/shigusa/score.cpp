@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <shigusa/core/names.hpp>
-#include <shigusa/project/clip_score.hpp>
+#include <shigusa/document/clip_score.hpp>
 
 #include "commands.hpp"
 #include "table.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/generate/generator.hpp>
 
 #include "goal_search.hpp"
 #include "report.hpp"

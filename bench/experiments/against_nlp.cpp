@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/rollout/nlp_rollout.hpp>
+#include <shigusa/nlp/nlp_rollout.hpp>
 #include <shigusa/search/cma_es.hpp>
 
 #include "goal_search.hpp"

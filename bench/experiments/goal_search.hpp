@@ -2,9 +2,9 @@
 #pragma once
 
 #include <functional>
-#include <shigusa/hierarchy/parameter_space.hpp>
-#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/generate/parameter_space.hpp>
 #include <shigusa/search/problem.hpp>
+#include <shigusa/task/task.hpp>
 
 namespace shigusa::bench {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <shigusa/core/random.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/math/variable_metric.hpp>
+#include <shigusa/nlp/variable_metric.hpp>
 #include <string_view>
 #include <vector>
 

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "goal_search.hpp"
 #include "independent_reach.hpp"

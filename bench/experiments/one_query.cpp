@@ -3,11 +3,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/core/check.hpp>
-#include <shigusa/hierarchy/generator.hpp>
-#include <shigusa/hierarchy/limb_library.hpp>
-#include <shigusa/project/limb_cache.hpp>
+#include <shigusa/document/limb_cache.hpp>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/layers/limb_library.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "report.hpp"
 #include "sections.hpp"

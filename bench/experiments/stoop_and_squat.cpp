@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/generate/generator.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <shigusa/search/cma_es.hpp>
 

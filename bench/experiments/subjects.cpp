@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "subjects.hpp"
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/core/check.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "independent_reach.hpp"
 

@@ -2,7 +2,7 @@
 #include "fitted.hpp"
 
 #include <shigusa/core/check.hpp>
-#include <shigusa/project/result_file.hpp>
+#include <shigusa/document/result_file.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <shigusa/search/cma_es.hpp>
 

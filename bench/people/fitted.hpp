@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/hierarchy/parameter_space.hpp>
+#include <shigusa/generate/parameter_space.hpp>
 
 #include "record.hpp"
 

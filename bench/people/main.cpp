@@ -6,7 +6,7 @@
 #include <iostream>
 #include <iterator>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/project/clip_score.hpp>
+#include <shigusa/document/clip_score.hpp>
 
 #include "page.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/generate/generator.hpp>
 
 #include "fitted.hpp"
 #include "measures.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/io/strip_figure.hpp>
+#include <shigusa/figure/strip_figure.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
 
 #include "page.hpp"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <shigusa/hierarchy/task.hpp>
+#include <shigusa/character/character.hpp>
 #include <shigusa/kinematics/clip_fit.hpp>
-#include <shigusa/project/character.hpp>
+#include <shigusa/task/task.hpp>
 #include <string>
 #include <vector>
 

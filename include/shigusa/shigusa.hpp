@@ -2,9 +2,9 @@
 #pragma once
 
 // Everything that a program needs to generate motions and to write them to files.
-#include <shigusa/hierarchy/generator.hpp>
-#include <shigusa/project/character.hpp>
-#include <shigusa/project/clip_score.hpp>
-#include <shigusa/project/export.hpp>
-#include <shigusa/project/result_file.hpp>
-#include <shigusa/project/task_file.hpp>
+#include <shigusa/character/character.hpp>
+#include <shigusa/document/clip_score.hpp>
+#include <shigusa/document/export.hpp>
+#include <shigusa/document/result_file.hpp>
+#include <shigusa/document/task_file.hpp>
+#include <shigusa/generate/generator.hpp>

@@ -2,12 +2,12 @@
 #include "link_mass.hpp"
 
 namespace shigusa {
-namespace {
 
-// a bᵀ
 Mat3d outer(const Vec3d& a, const Vec3d& b) { return {a * b.x, a * b.y, a * b.z}; }
 
 Mat3d scaled(const Mat3d& m, double s) { return {m.cx * s, m.cy * s, m.cz * s}; }
+
+namespace {
 
 // Inertia about the origin of a point mass at p: m (|p|² 1 - p pᵀ).
 Mat3d point_inertia(double mass, const Vec3d& p) {

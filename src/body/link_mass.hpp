@@ -5,6 +5,10 @@
 
 namespace shigusa {
 
+// The product a bᵀ.
+[[nodiscard]] Mat3d outer(const Vec3d& a, const Vec3d& b);
+[[nodiscard]] Mat3d scaled(const Mat3d& m, double s);
+
 // Mass of one or several segments in the start posture, in world coordinates: sums of segments
 // stay exact and are brought into a link's frame at the end.
 struct LinkMass {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <shigusa/kinematics/rig.hpp>
 
-#include "body/human_frames.hpp"
+#include "person/human_frames.hpp"
 
 namespace shigusa {
 

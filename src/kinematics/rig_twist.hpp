@@ -5,7 +5,7 @@
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/kinematics/rig.hpp>
 
-#include "body/human_frames.hpp"
+#include "person/human_frames.hpp"
 
 namespace shigusa {
 

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/body/stance.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "support/bodies.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/body/joint_name.hpp>
+#include <shigusa/person/human_body.hpp>
 
 namespace shigusa {
 namespace {

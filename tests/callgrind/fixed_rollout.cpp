@@ -3,8 +3,8 @@
 // BODY is half_body or full_body, HOW is double or a SIMD set.
 #include <cstdio>
 #include <cstdlib>
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/core/random.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <string_view>

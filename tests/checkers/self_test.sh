@@ -51,9 +51,9 @@ refuses() {
 
 # layers
 fresh
-write src/hierarchy/a.cpp '#include <shigusa/search/b.hpp>' '#include "c.hpp"' '#include <fmt/core.h>'
-write src/project/a.cpp '#include <shigusa/io/b.hpp>' '#include "../io/c.hpp"'
-write include/shigusa/shigusa.hpp '#include <shigusa/project/b.hpp>'
+write src/generate/a.cpp '#include <shigusa/search/b.hpp>' '#include "c.hpp"' '#include <fmt/core.h>'
+write src/document/a.cpp '#include <shigusa/io/b.hpp>' '#include "../io/c.hpp"'
+write include/shigusa/shigusa.hpp '#include <shigusa/document/b.hpp>'
 write examples/one/main.cpp '#include <shigusa/shigusa.hpp>' '#include <shigusa/io/b.hpp>' '#include "local.hpp"'
 write tests/search/a_test.cpp '#include <shigusa/body/b.hpp>' '#include "io/internal.hpp"'
 accepts check_layers.sh
@@ -61,11 +61,11 @@ public=include/shigusa
 refuses check_layers.sh $public/math/a.hpp '#include <shigusa/body/b.hpp>' 'math must not include body'
 refuses check_layers.sh $public/search/a.hpp '#include <shigusa/body/b.hpp>' 'search must not include body'
 refuses check_layers.sh src/rollout/a.cpp '# include "shigusa/search/b.hpp"' 'rollout must not include search'
-refuses check_layers.sh src/hierarchy/a.cpp '#include <shigusa/io/b.hpp>' 'hierarchy must not include io'
-refuses check_layers.sh src/io/a.cpp '#include <shigusa/project/b.hpp>' 'io must not include project'
+refuses check_layers.sh src/generate/a.cpp '#include <shigusa/io/b.hpp>' 'generate must not include io'
+refuses check_layers.sh src/io/a.cpp '#include <shigusa/document/b.hpp>' 'io must not include document'
 refuses check_layers.sh src/math/a.cpp '#include "../body/b.hpp"' 'math must not include body'
 refuses check_layers.sh src/math/a.cpp '#include "body/b.hpp"' 'math must not include body'
-refuses check_layers.sh src/project/a.cpp '#include <shigusa/shigusa.hpp>' 'project must not include shigusa.hpp'
+refuses check_layers.sh src/document/a.cpp '#include <shigusa/shigusa.hpp>' 'document must not include shigusa.hpp'
 refuses check_layers.sh $public/core/a.hpp '#include <shigusa/extra/b.hpp>' '"extra" is not a room'
 refuses check_layers.sh $public/extra/a.hpp '#include <string>' '"extra" is not a room'
 refuses check_layers.sh $public/io/a.hpp '#include <nlohmann/json.hpp>' 'a public header must not include'

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/criteria/joint_range.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"

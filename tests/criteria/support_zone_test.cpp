@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/criteria/support_zone.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <shigusa/simd/pack.hpp>
 
 #include "support/bodies.hpp"

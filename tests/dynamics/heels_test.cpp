@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/dynamics/contact_forces.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "support/bodies.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/hierarchy/task.hpp>
 #include <shigusa/rollout/reachability.hpp>
+#include <shigusa/task/task.hpp>
 
 #include "experiments/subjects.hpp"
 #include "support/bodies.hpp"

@@ -9,12 +9,12 @@
 
 #include <chrono>
 #include <set>
-#include <shigusa/project/export.hpp>
+#include <shigusa/document/export.hpp>
 #include <thread>
 
+#include "document/result_folder.hpp"
 #include "faults/system_calls.hpp"
 #include "io/sha256.hpp"
-#include "project/result_folder.hpp"
 #include "support/work_folder.hpp"
 
 namespace shigusa {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/body/landmarks.hpp>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/person/landmarks.hpp>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/body/landmarks.hpp>
 #include <shigusa/io/fbx.hpp>
 #include <shigusa/io/gltf.hpp>
+#include <shigusa/person/landmarks.hpp>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/body/landmarks.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/io/gltf_write.hpp>
+#include <shigusa/person/landmarks.hpp>
 #include <span>
 #include <string_view>
 

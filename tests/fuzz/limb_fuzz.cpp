@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/body/human_body.hpp>
-#include <shigusa/hierarchy/layer.hpp>
-#include <shigusa/hierarchy/limb_library.hpp>
+#include <shigusa/layers/layer.hpp>
+#include <shigusa/layers/limb_library.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

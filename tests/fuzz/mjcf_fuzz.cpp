@@ -4,8 +4,8 @@
 // took the other takes.
 #include <cstddef>
 #include <cstdint>
-#include <shigusa/io/mjcf.hpp>
-#include <shigusa/io/urdf.hpp>
+#include <shigusa/robot/mjcf.hpp>
+#include <shigusa/robot/urdf.hpp>
 #include <string_view>
 
 #include "robot_checks.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/project/result_file.hpp>
+#include <shigusa/document/result_file.hpp>
 #include <string>
 #include <string_view>
 

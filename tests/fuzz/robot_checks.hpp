@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdlib>
-#include <shigusa/body/robot.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/rollout/settled_posture.hpp>
+#include <shigusa/robot/robot.hpp>
+#include <shigusa/robot/settled_posture.hpp>
 #include <string>
 #include <vector>
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <shigusa/document/task_file.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
-#include <shigusa/project/task_file.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <string_view>
 

@@ -3,7 +3,7 @@
 // and every number stays finite.
 #include <cstddef>
 #include <cstdint>
-#include <shigusa/io/urdf.hpp>
+#include <shigusa/robot/urdf.hpp>
 #include <string_view>
 
 #include "robot_checks.hpp"

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/body/landmarks.hpp>
 #include <shigusa/io/gltf.hpp>
+#include <shigusa/person/landmarks.hpp>
 
 #include "support/gltf_file.hpp"
 

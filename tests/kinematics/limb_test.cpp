@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/core/random.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/kinematics/limb.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "support/bodies.hpp"
 

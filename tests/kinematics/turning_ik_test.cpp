@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/human_body.hpp>
-#include <shigusa/kinematics/nlp_ik.hpp>
+#include <shigusa/nlp/nlp_ik.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "support/bodies.hpp"
 

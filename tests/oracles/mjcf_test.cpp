@@ -7,11 +7,11 @@
 #include <memory>
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/random.hpp>
-#include <shigusa/hierarchy/generator.hpp>
-#include <shigusa/io/mjcf.hpp>
+#include <shigusa/document/export.hpp>
+#include <shigusa/document/task_file.hpp>
+#include <shigusa/generate/generator.hpp>
 #include <shigusa/math/quat.hpp>
-#include <shigusa/project/export.hpp>
-#include <shigusa/project/task_file.hpp>
+#include <shigusa/robot/mjcf.hpp>
 
 #include "support/mjcf_file.hpp"
 #include "support/robot_reader.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <shigusa/dynamics/centre_of_mass.hpp>
 #include <shigusa/dynamics/contact_forces.hpp>
-#include <shigusa/io/urdf.hpp>
+#include <shigusa/robot/urdf.hpp>
 
 #include "support/bodies.hpp"
 #include "support/mujoco_body.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/generate/generator.hpp>
 #include <shigusa/rollout/reachability.hpp>
 
 #include "support/independent_reach.hpp"

@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <shigusa/document/export.hpp>
+#include <shigusa/document/task_file.hpp>
 #include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/hierarchy/generator.hpp>
-#include <shigusa/project/export.hpp>
-#include <shigusa/project/task_file.hpp>
+#include <shigusa/generate/generator.hpp>
 
 #include "support/robot_file.hpp"
 #include "support/robot_reader.hpp"

@@ -6,7 +6,7 @@
 
 #include <shigusa/dynamics/centre_of_mass.hpp>
 #include <shigusa/dynamics/contact_forces.hpp>
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/generate/generator.hpp>
 
 #include "support/bodies.hpp"
 #include "support/mujoco_body.hpp"

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/core/random.hpp>
 #include <shigusa/kinematics/penetration.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <vector>

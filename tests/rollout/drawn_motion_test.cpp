@@ -2,8 +2,8 @@
 // Motions that are drawn to a posture, on bowed paths.
 #include <gtest/gtest.h>
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/body/posture_modes.hpp>
+#include <shigusa/person/human_body.hpp>
 
 #include "support/lanes.hpp"
 #include "support/problems.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/criteria/joint_range.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <shigusa/rollout/limit_guard.hpp>
 
 #include "support/problems.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/human_body.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/rollout/reachability.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <shigusa/body/posture_modes.hpp>
-#include <shigusa/rollout/nlp_rollout.hpp>
+#include <shigusa/nlp/nlp_rollout.hpp>
 
 #include "support/lanes.hpp"
 #include "support/problems.hpp"

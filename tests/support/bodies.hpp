@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/core/random.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <string>
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <shigusa/body/humanoid_map.hpp>
+#include <shigusa/person/humanoid_map.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cmath>
-#include <shigusa/hierarchy/generator.hpp>
+#include <shigusa/generate/generator.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
 #include <string>
 #include <vector>

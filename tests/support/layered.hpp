@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/hierarchy/generator.hpp>
-#include <shigusa/hierarchy/layered_problem.hpp>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/generate/layered_problem.hpp>
 
 #include "support/problems.hpp"
 

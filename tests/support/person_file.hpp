@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/human_body.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/person/human_body.hpp>
 #include <string>
 
 namespace shigusa::testing_support {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <shigusa/character/character_description.hpp>
 #include <shigusa/core/random.hpp>
-#include <shigusa/project/character_description.hpp>
-#include <shigusa/project/export.hpp>
-#include <shigusa/project/task_file.hpp>
+#include <shigusa/document/export.hpp>
+#include <shigusa/document/task_file.hpp>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/project/character_description.hpp>
-#include <shigusa/project/clip_score.hpp>
+#include <shigusa/character/character_description.hpp>
+#include <shigusa/document/clip_score.hpp>
 
 #include "door.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/project/clip_score.hpp>
+#include <shigusa/document/clip_score.hpp>
 
 #include "door.hpp"
 

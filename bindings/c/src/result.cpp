@@ -2,8 +2,8 @@
 #include <atomic>
 #include <chrono>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/project/editable_parameters.hpp>
-#include <shigusa/project/replay.hpp>
+#include <shigusa/edit/editable_parameters.hpp>
+#include <shigusa/edit/replay.hpp>
 
 #include "door.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <shigusa/character/node_motion.hpp>
 #include <shigusa/criteria/joint_range.hpp>
 #include <shigusa/criteria/support_margin.hpp>
-#include <shigusa/project/node_motion.hpp>
 
 #include "door.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <shigusa/body/side.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <string_view>
 
@@ -70,6 +71,7 @@ struct StatureFractions {
 // Where the joints of a spine of three stand for its 17: shares of the way from between the hips
 // to C7. L5/S1 is some 0.10 m above the hips of a man of 1.74 m (criteria/low_back.hpp), T12/L1
 // 0.18 m higher, and the third in the middle of the chest.
+inline constexpr std::size_t kSpineJoints = 3;
 inline constexpr std::array<double, kSpineJoints> kSpineShares{0.17, 0.47, 0.72};
 // The joint of neck and skull, as a share of the way from C7 to the vertex.
 inline constexpr double kHeadJointShare = 0.35;

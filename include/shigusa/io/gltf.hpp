@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <shigusa/body/humanoid_map.hpp>
 #include <shigusa/body/skeleton.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/person/humanoid_map.hpp>
 #include <string>
 #include <string_view>
 #include <utility>

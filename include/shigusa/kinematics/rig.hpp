@@ -3,10 +3,10 @@
 
 #include <array>
 #include <shigusa/body/body_model.hpp>
-#include <shigusa/body/landmarks.hpp>
 #include <shigusa/body/skeleton.hpp>
-#include <shigusa/body/twist_bones.hpp>
 #include <shigusa/motion/clip.hpp>
+#include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/twist_bones.hpp>
 #include <vector>
 
 namespace shigusa {

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <shigusa/core/result.hpp>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/io/gltf.hpp>
+#include <shigusa/kinematics/rig.hpp>
+#include <shigusa/person/human_body.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace shigusa {
+
+enum class CharacterFormat { bvh, gltf, vrm };
+
+// A character's own skeleton, for motions to leave on it.
+struct CharacterRig {
+  std::filesystem::path file;                // its name
+  std::shared_ptr<const std::string> bytes;  // of glTF: all of it, for motions to be added to
+  CharacterFormat format = CharacterFormat::bvh;
+  Skeleton skeleton;                  // names; offsets in the file's units
+  Rig rig;                            // its nodes as the file has them in the frame measured
+  std::vector<GltfPlace> places;      // of glTF: (nodes) at rest …
+  std::vector<LocalTransform> posed;  // … and the skeleton in the frame measured, turned from rest
+  BvhChannels channels;               // of BVH
+  Vec3d ahead{0, 0, 1};               // of glTF: the way it faces at rest, its axes
+  std::vector<int> file_node;         // of glTF: (nodes) indices in the file
+  std::vector<std::pair<std::string, int>> vrm_bones;  // of VRM
+  std::vector<std::string> animations;                 // of glTF: names of those that it has
+  std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
+};
+
+// Humanoid bones ("right_hand") and the nodes of a file that they are, as a person tells them: by
+// name, or by "#17" the node of that place in the file.
+using BoneRequest = std::vector<std::pair<std::string, std::string>>;
+
+// Reads such a list from a file: {"right_hand": "Bone_17", …}, or what `shigusa body` printed of a
+// character, as text or as JSON.
+[[nodiscard]] Result<BoneRequest> read_bone_request(const std::filesystem::path& path);
+
+// In a frame's place: the file's rest pose, from which the person stands at ease. Of BVH that of
+// the OFFSETs; of glTF that of the nodes, or where they rest in the middle of a motion that in
+// which the mesh was bound.
+inline constexpr int kRestPose = -1;
+
+// Who moves: a built-in body, or a person measured from a file.
+struct CharacterSpec {
+  // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, FBX, URDF or MJCF file;
+  // for a person or a robot read before (landmarks, urdf below), only a name
+  std::string source = "full_body";
+  std::optional<double> stature{};  // m, 0.5..2.5
+  std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
+  Sex sex = Sex::male;
+  std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
+  // of the file's motion: the start posture, exactly as that frame has it, or kRestPose. Of glTF it
+  // is one of an animation, at 60 frames a second. None: of an animation its first; else of glTF
+  // the rest pose, of BVH frame 0, where that is no T- or A-pose; in these people stand at ease
+  std::optional<int> frame{};
+  std::optional<std::string>
+      animation{};               // of glTF: its name or index; the first for a frame alone
+  std::optional<double> seat{};  // m, 0.1..1.2: height of the seat that the person sits on
+  bool heels = false;            // they may lift; of the body human, standing, of a file with toes
+  BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
+  // the person as measured: with these the file is not needed any more
+  std::optional<Landmarks> landmarks{};
+  // the robot as read (reduced_urdf; of MJCF write_urdf), in landmarks' place
+  std::optional<std::string> urdf{};
+  // of a person: nodes of the file that are not where the body has those of their names, hips and
+  // chest mostly (m, world, in the start posture): goals are for the file's
+  std::vector<std::pair<std::string, Vec3d>> places{};
+  std::vector<std::string> doubts{};  // what was guessed in measuring, or left out of MJCF
+  // what measuring found: humanoid bone and the file's node for it; not kept in files
+  std::vector<std::pair<std::string, std::string>> humanoid{};
+  std::optional<CharacterRig> rig{};  // not kept in files either
+};
+
+// The node of the character's file that a node of the body is ("right_foot", "right_hand_grip"), or
+// -1 where it is none, or the spec has no rig.
+[[nodiscard]] int rig_node(const CharacterSpec& spec, std::string_view body_node);
+
+// True where the file that `source` names, if it does, is not needed: built in, or read before.
+[[nodiscard]] bool is_complete(const CharacterSpec& spec);
+
+// True for a robot, by its file's name or read before.
+[[nodiscard]] bool is_robot(const CharacterSpec& spec);
+
+// True for "half_body", "full_body" and "human", which need no file.
+[[nodiscard]] bool is_built_in(const CharacterSpec& spec);
+
+// Fails where `source` can be no character at all: neither built in, nor a file of one of these
+// kinds by its ending, nor measured before.
+[[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
+
+// Measures the person or robot of a file in memory: the file's name in spec.source tells its kind,
+// and errors name it. Fills stature, landmarks, doubts and rig, of a robot urdf. A rest pose is
+// mostly a T: from that the person stands at_ease. A robot has its own stature and mass. Files that
+// an MJCF file includes are looked for in `folder`, where there is one.
+[[nodiscard]] Result<void> load_character(
+    std::string bytes, CharacterSpec& spec,
+    const std::optional<std::filesystem::path>& folder = std::nullopt);
+
+// The same by the file that `source` names, if it does and has not been measured yet; leaves the
+// file's bare name as the source. A relative path starts at `folder`.
+[[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
+                                             const std::filesystem::path& folder);
+
+// Gives a person who was measured before the rig of the same one, measured with it. Fails where it
+// is another person's: joints that stand elsewhere by more than 1 µm.
+[[nodiscard]] Result<void> attach_rig(CharacterSpec& spec, const CharacterSpec& measured);
+
+// Finds the rig of a person who was measured before in their file. Fails where the file cannot be
+// read or holds another person: joints that stand elsewhere by more than 1 µm.
+[[nodiscard]] Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path);
+
+// Makes the body. The spec must have been measured. Fails on a stature or mass out of range.
+// `base`: the foot that bears the body, of people who stand on both; `on_both`: they do, even where
+// one foot is so high above the other that it would be taken for lifted.
+[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec, Side base = Side::right,
+                                                bool on_both = false);
+
+}  // namespace shigusa

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/document/result_file.hpp>
+#include <string>
+#include <string_view>
+
+namespace shigusa {
+
+// "left_hand" of "right_hand" and the other way round; what has no side is as it was.
+[[nodiscard]] std::string mirrored_name(std::string_view name);
+
+// The task on the other side of the body's middle, x = 0: goals, contacts, obstacles and what is
+// fixed change sides. The person is the same, with their own left and right, and stands at the
+// start as before: of somebody who is alike on both sides, and stands so, the motion is the mirror
+// image; anybody else reaches the mirrored goal from their own posture. Fails on a body of one
+// side.
+[[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
+
+// Parameters of a motion for those of its mirror image: weights change sides, and turns their sign.
+// `from` and `to`: the bodies of both tasks, which may stand on either foot.
+[[nodiscard]] Parameters mirrored(const BodyModel& from, const BodyModel& to,
+                                  const Parameters& parameters);
+// The same of layered presets; `task` is the mirrored one. Fails where its layers cannot be made.
+[[nodiscard]] Result<LayeredParameters> mirrored(const Task& task,
+                                                 const LayeredParameters& parameters);
+
+}  // namespace shigusa

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <shigusa/layers/arm_motion.hpp>
+#include <span>
+
+namespace shigusa {
+
+// The paper's code of an arm: weights 1..15, 0 for locked.
+using ArmGenes = std::array<std::uint8_t, kArmDofs>;
+[[nodiscard]] ArmWeights arm_weights(const ArmGenes& genes);
+
+// How an arm's genome is found among the 65,536 that there are. Two that lock two freedoms or more
+// are left out, as three are needed to place a hand, and so are multiples of another's weights.
+enum class LimbSearch {
+  // The best of the codes kLimbLadder in all combinations, then of all codes next to it, again and
+  // again until none is better: some 600 motions.
+  ladder,
+  // The best of all.
+  enumeration,
+};
+inline constexpr std::array<std::uint8_t, 5> kLimbLadder{0, 1, 3, 7, 15};
+
+// Scores (genomes); lower is better.
+using ArmEvaluation =
+    std::function<void(std::span<const ArmGenes> genomes, std::span<double> scores)>;
+
+struct FoundArm {
+  ArmGenes genes{};
+  double score = 0.0;
+};
+
+// The genome with the lowest score, the first among equals; nothing if no score is below `worst`.
+[[nodiscard]] std::optional<FoundArm> search_arm(LimbSearch search, double worst,
+                                                 const ArmEvaluation& evaluate);
+
+}  // namespace shigusa

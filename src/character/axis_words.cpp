@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <shigusa/character/axis_words.hpp>
+#include <shigusa/core/names.hpp>
+
+namespace shigusa {
+namespace {
+
+const std::array<std::string, 3> kAxes{"palm", "thumb", "fingers"};
+const std::array<std::string, 6> kDirections{"up", "down", "left", "right", "ahead", "back"};
+constexpr std::array<Vec3d, 6> kToward{
+    {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}};
+// Two directions are taken for one where the sine between them is less.
+constexpr double kAlong = 0.05;
+
+// a frame with x along a, y as near to b as that allows
+Mat3d frame_of(const Vec3d& a, const Vec3d& b) {
+  const Vec3d x = normalized(a);
+  const Vec3d z = normalized(cross(x, b));
+  return {x, cross(z, x), z};
+}
+
+}  // namespace
+
+std::span<const std::string> hand_axis_words() { return kAxes; }
+std::span<const std::string> direction_words() { return kDirections; }
+
+Result<Vec3d> hand_axis(std::string_view word, std::string_view effector) {
+  const bool left = effector == "left_hand" || effector == "left_wrist";
+  if (!left && effector != "right_hand" && effector != "right_wrist") {
+    return fail(ErrorCode::invalid_argument,
+                "is of left_hand and right_hand; " + std::string(effector.substr(0, 80)) +
+                    " takes a rotation, or an axis as a vector",
+                std::string(word));
+  }
+  if (word == kAxes[0]) return Vec3d{left ? -1.0 : 1.0, 0, 0};
+  if (word == kAxes[1]) return Vec3d{0, 0, 1};
+  if (word == kAxes[2]) return Vec3d{0, -1, 0};
+  return fail(ErrorCode::invalid_argument, unknown_name("axis", word, kAxes));
+}
+
+Result<Vec3d> direction_named(std::string_view word) {
+  for (std::size_t i = 0; i < kDirections.size(); ++i) {
+    if (kDirections[i] == word) return kToward[i];
+  }
+  return fail(ErrorCode::invalid_argument, unknown_name("direction", word, kDirections));
+}
+
+Result<Quatd> rotation_pointing(const Vec3d& a, const Vec3d& to_a, const Vec3d& b,
+                                const Vec3d& to_b) {
+  if (!(norm(cross(normalized(to_a), normalized(to_b))) > kAlong)) {
+    return fail(ErrorCode::invalid_argument,
+                "two axes of a hand are square to each other and cannot point along one line");
+  }
+  return to_quat(frame_of(to_a, to_b) * transpose(frame_of(a, b)));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <shigusa/character/character.hpp>
+#include <shigusa/core/names.hpp>
+#include <shigusa/person/at_ease.hpp>
+
+#include "character_file.hpp"
+#include "character_heels.hpp"
+#include "character_places.hpp"
+#include "character_robot.hpp"
+#include "character_start.hpp"
+#include "landmarks_json.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr std::array<std::string_view, 3> kBuiltIn{"half_body", "full_body", "human"};
+constexpr double kStatureMin = 0.5;  // m
+constexpr double kStatureMax = 2.5;
+constexpr double kSeatMin = 0.1;  // m
+constexpr double kSeatMax = 1.2;
+constexpr double kMassMin = 2.0;  // kg
+constexpr double kMassMax = 300.0;
+
+Result<void> check_range(const char* what, const std::optional<double>& value, double low,
+                         double high, const char* unit) {
+  if (!value || (*value >= low && *value <= high)) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("{} is {} {}; allowed are {:g} to {:g} {}", what, *value, unit, low, high, unit),
+      "character");
+}
+
+// What ties the file's nodes to the person who was measured from them, and starts from a pose of
+// theirs.
+CharacterRig make_rig(CharacterFile&& file, const PersonStart& found, const Landmarks& start) {
+  CharacterRig result = std::move(file.rig);
+  const MeasuredPerson& person = found.start;
+  result.rig = {{}, found.map, person.grip_nodes, person.placement, person.landmarks, start};
+  result.posed = found.posed.local;
+  result.ahead = found.person.placement.ahead;
+  for (std::size_t i = 0; i < file.skeleton.nodes.size(); ++i) {
+    const int parent = file.skeleton.nodes[i].parent;
+    if (result.format == CharacterFormat::bvh) {
+      const LocalTransform& posed = result.posed[i];
+      result.rig.nodes.push_back({parent, posed.translation, posed.rotation});
+    } else {
+      const GltfPlace& place = found.posed.places[i];
+      result.rig.nodes.push_back({parent, place.translation, place.rotation, place.scale});
+    }
+  }
+  result.skeleton = std::move(file.skeleton);
+  return result;
+}
+
+std::vector<Vec3d> joints_of(const Landmarks& person) {
+  std::vector<Vec3d> joints;
+  for_each_point(person, [&](const Vec3d& p) { joints.push_back(p); });
+  return joints;
+}
+
+// The farthest that a joint of one person stands from the other's (m).
+double apart(const Landmarks& a, const Landmarks& b) {
+  const std::vector<Vec3d> ours = joints_of(a);
+  const std::vector<Vec3d> theirs = joints_of(b);
+  if (ours.size() != theirs.size()) return 1e9;
+  double most = 0.0;
+  for (std::size_t i = 0; i < ours.size(); ++i) most = max(most, norm(ours[i] - theirs[i]));
+  return most;
+}
+
+// What is said of the person, before the file is read.
+Result<void> check_person(const CharacterSpec& spec) {
+  if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
+    return ok;
+  }
+  if (const auto ok = check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"); !ok) return ok;
+  return is_robot(spec) ? check_robot_options(spec) : Result<void>{};
+}
+
+}  // namespace
+
+bool is_complete(const CharacterSpec& spec) {
+  return spec.landmarks || spec.urdf || is_built_in(spec);
+}
+
+bool is_robot(const CharacterSpec& spec) {
+  const FileKind kind = file_kind(spec.source);
+  return spec.urdf || (!spec.landmarks && (kind == FileKind::urdf || kind == FileKind::mjcf));
+}
+
+bool is_built_in(const CharacterSpec& spec) {
+  return std::find(kBuiltIn.begin(), kBuiltIn.end(), spec.source) != kBuiltIn.end();
+}
+
+Result<void> check_source(const CharacterSpec& spec) {
+  const bool file = file_kind(spec.source) != FileKind::none;
+  if (is_complete(spec) || file) return {};
+  const std::vector<std::string> names(kBuiltIn.begin(), kBuiltIn.end());
+  return fail(ErrorCode::invalid_argument,
+              unknown_name("character", spec.source, names) +
+                  ", or a file that ends in .bvh, .glb, .gltf, .vrm, .fbx, .urdf or .xml",
+              "character");
+}
+
+Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path& folder) {
+  if (const auto ok = check_person(spec); !ok) return ok;
+  if (is_complete(spec)) return {};
+  if (const auto ok = check_source(spec); !ok) return ok;
+  const std::filesystem::path path = folder / spec.source;
+  Result<std::string> bytes = read_character_bytes(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  spec.source = path.filename().string();
+  return load_character(std::move(*bytes), spec, path.parent_path());
+}
+
+Result<void> load_character(std::string bytes, CharacterSpec& spec,
+                            const std::optional<std::filesystem::path>& folder) {
+  if (const auto ok = check_person(spec); !ok) return ok;
+  if (const auto ok = check_source(spec); !ok) return ok;
+  if (is_robot(spec)) return load_robot(bytes, spec, folder);
+  Result<CharacterFile> file = parse_character(std::move(bytes), spec);
+  if (!file) return tl::unexpected(file.error());
+  Result<PersonStart> found = find_person(*file, spec);
+  if (!found) return tl::unexpected(found.error());
+  const std::vector<Transformd> world = world_transforms(file->skeleton, found->measured.clip(), 0);
+  tell_bones(
+      found->map, [&](std::size_t node) { return file->skeleton.nodes[node].name; }, spec);
+  MeasuredPerson& start = found->start;
+  if (spec.heels) {
+    const auto ok = find_toes(world, found->map, found->person, spec.source, start);
+    if (!ok) return ok;
+  }
+  spec.stature = found->person.stature;
+  spec.landmarks = found->eased ? at_ease(start.landmarks, *spec.stature) : start.landmarks;
+  if (spec.seat) spec.landmarks = seated(*spec.landmarks, *spec.stature, *spec.seat);
+  spec.doubts = file->doubts;
+  for (const auto* more : {&found->map.doubts, &start.doubts}) {
+    spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
+  }
+  if (start.placement.mirrored()) {
+    spec.doubts.push_back(
+        "files with the character's own skeleton keep the mirrored axes: goals are not where they "
+        "stand in them");
+  }
+  spec.rig = make_rig(std::move(*file), *found, *spec.landmarks);
+  spec.rig->rig.twists = find_twist_bones(spec.rig->skeleton, world, found->map);
+  if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
+  return {};
+}
+
+int rig_node(const CharacterSpec& spec, std::string_view body_node) {
+  if (!spec.rig) return -1;
+  if (body_node == "left_hand_grip") return spec.rig->rig.grips[0];
+  if (body_node == "right_hand_grip") return spec.rig->rig.grips[1];
+  for (int b = 0; b < kHumanoidBoneCount; ++b) {
+    const auto bone = static_cast<HumanoidBone>(b);
+    if (humanoid_bone_name(bone) == body_node) return spec.rig->rig.bones[bone];
+  }
+  return -1;
+}
+
+Result<void> attach_rig(CharacterSpec& spec, const CharacterSpec& measured) {
+  constexpr double kSame = 1e-6;  // m
+  if (!spec.landmarks || !measured.rig || apart(*spec.landmarks, *measured.landmarks) > kSame) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("is not the person of the result, {}, who may have been mirrored or changed "
+                    "since",
+                    spec.source),
+        measured.source);
+  }
+  spec.rig = measured.rig;
+  return {};
+}
+
+Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path) {
+  struct Try {
+    std::optional<double> stature;
+    std::optional<int> frame;
+  };
+  // the stature stands in a result whether it was given or measured
+  std::vector<Try> tries{{std::nullopt, spec.frame}, {spec.stature, spec.frame}};
+  // older results have frame 0 for glTF's rest pose
+  if (spec.frame == 0 && !spec.animation) tries.push_back({std::nullopt, std::nullopt});
+  Result<void> attached;
+  for (const auto& [stature, frame] : tries) {
+    CharacterSpec fresh{.source = path.string(),
+                        .stature = stature,
+                        .frame = frame,
+                        .animation = spec.animation,
+                        .seat = spec.seat,
+                        .heels = spec.heels,
+                        .map = spec.map};
+    attached = measure_character(fresh, {});
+    if (attached) attached = attach_rig(spec, fresh);
+    if (attached) break;
+  }
+  return attached;
+}
+
+Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {
+  if (spec.urdf) return build_robot_character(spec);
+  for (const auto& checked : {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
+                              check_range("mass", spec.mass, kMassMin, kMassMax, "kg"),
+                              check_range("seat", spec.seat, kSeatMin, kSeatMax, "m")}) {
+    if (!checked) return tl::unexpected(checked.error());
+  }
+  const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);
+  const double mass = spec.mass.value_or(default_mass(stature, spec.sex));
+  BodyExtent extent = spec.extent.value_or(BodyExtent::human);
+  if (!spec.landmarks && spec.source != "human") {
+    extent = spec.source == "half_body" ? BodyExtent::half : BodyExtent::full;
+  }
+  if (spec.seat && extent == BodyExtent::half) {
+    return fail(ErrorCode::invalid_argument, "a seat is not for a body of one side", "character");
+  }
+  if (const auto ok = check_heels(spec, extent); !ok) return tl::unexpected(ok.error());
+  const HumanSettings settings{.name = spec.source,
+                               .extent = extent,
+                               .stature = stature,
+                               .mass = mass,
+                               .sex = spec.sex,
+                               .base = base,
+                               .on_both = on_both,
+                               .sits = spec.seat.has_value(),
+                               .heels = spec.heels};
+  if (spec.landmarks) {
+    return placed_body(spec, build_human(*spec.landmarks, settings, spec.doubts));
+  }
+  if (spec.seat) {
+    return build_human(seated(standing_landmarks(stature, kStandingToeOut), stature, *spec.seat),
+                       settings);
+  }
+  const Stature person{stature, mass, spec.sex, base, spec.heels};
+  if (spec.source == "half_body") return half_body(person);
+  return spec.source == "human" ? human_body(person) : full_body(person);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "character_file.hpp"
+
+#include <fmt/format.h>
+
+#include <shigusa/io/fbx.hpp>
+#include <shigusa/io/file.hpp>
+#include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/io/gltf_skin.hpp>
+#include <shigusa/io/gltf_write.hpp>
+#include <shigusa/robot/mjcf.hpp>
+#include <shigusa/robot/urdf.hpp>
+
+namespace shigusa {
+namespace {
+
+void take(GltfCharacter&& file, CharacterFile& character) {
+  character.skeleton = std::move(file.rest.skeleton);
+  character.rest = {std::move(file.rest.clip.local), file.places};
+  character.given = std::move(file.humanoid);
+  character.doubts = std::move(file.doubts);
+  character.rig.places = std::move(file.places);
+  character.rig.format =
+      file.vrm == VrmVersion::none ? CharacterFormat::gltf : CharacterFormat::vrm;
+  character.rig.file_node = std::move(file.file_node);
+  character.rig.vrm_bones = std::move(file.vrm_bones);
+}
+
+// The animation that a spec asks for, "" the first; fails for a frame of a file that has none.
+Result<std::optional<std::string>> animation_of(const CharacterSpec& spec,
+                                                const std::vector<std::string>& animations) {
+  if (!spec.frame) return spec.animation;
+  if (*spec.frame == kRestPose) {
+    if (!spec.animation) return std::optional<std::string>{};
+    return fail(ErrorCode::invalid_argument,
+                "the rest pose is of no animation: leave the frame or the animation out",
+                spec.source);
+  }
+  if (!spec.animation && animations.empty()) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("frame {} does not exist: the file has no animation, only its rest "
+                            "pose; leave the frame out",
+                            *spec.frame),
+                spec.source);
+  }
+  return spec.animation ? spec.animation : std::optional<std::string>("");
+}
+
+Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec& spec,
+                                  CharacterFile& character) {
+  const std::string& name = spec.source;
+  Result<GltfCharacter> file = parse_gltf(bytes, name);
+  if (!file) return tl::unexpected(file.error());
+  Skin rest = read_gltf_skin(bytes, name, *file, file->places);
+  character.skin = std::move(rest.vertices);
+  if (std::optional<GltfPose> bound = gltf_bind_pose(bytes, name, *file)) {
+    character.bound_skin = read_gltf_skin(bytes, name, *file, bound->places).vertices;
+    character.bound = FilePose{std::move(bound->local), std::move(bound->places)};
+  }
+  const auto animations = gltf_animation_names(bytes, name);
+  if (animations) character.rig.animations = *animations;
+  const auto animation = animation_of(spec, character.rig.animations);
+  // of a file whose further chunks are wrong, and that is wanted at rest, check_animations_fit
+  // tells
+  if (!animation) return tl::unexpected(animations ? animation.error() : animations.error());
+  if (*animation) {
+    Result<GltfMotion> moving = parse_gltf_animation(
+        bytes, name, {.animation = **animation, .posed = spec.frame.value_or(0)});
+    if (!moving) return tl::unexpected(moving.error());
+    character.posed_skin = read_gltf_skin(bytes, name, *file, moving->posed).vertices;
+    take(std::move(moving->character), character);
+    character.motion = std::move(moving->motion.clip);
+    character.posed = std::move(moving->posed);
+    character.doubts = std::move(moving->doubts);
+  } else {
+    take(std::move(*file), character);
+  }
+  character.doubts.insert(character.doubts.end(), rest.doubts.begin(), rest.doubts.end());
+  if (const auto fits = check_animations_fit(bytes, name); !fits) {
+    character.rig.not_glb = fits.error().message;
+    character.doubts.push_back("motions cannot leave as GLB: " + character.rig.not_glb);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string file_ending(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return ending;
+}
+
+tl::unexpected<Error> holds_one_motion(const std::string& name) {
+  return fail(ErrorCode::invalid_argument,
+              "holds one motion without a name: leave the animation out", name);
+}
+
+FileKind file_kind(const std::string& name) {
+  const std::string ending = file_ending(name);
+  if (ending == ".bvh") return FileKind::bvh;
+  if (ending == ".fbx") return FileKind::fbx;
+  if (ending == ".urdf") return FileKind::urdf;
+  if (ending == ".xml" || ending == ".mjcf") return FileKind::mjcf;
+  for (const char* each : {".glb", ".gltf", ".vrm"}) {
+    if (ending == each) return FileKind::gltf;
+  }
+  return FileKind::none;
+}
+
+Result<std::string> read_character_bytes(const std::filesystem::path& path) {
+  const FileKind kind = file_kind(path.string());
+  return read_text_file(path, kind == FileKind::bvh    ? kBvhMaxBytes
+                              : kind == FileKind::fbx  ? kFbxMaxBytes
+                              : kind == FileKind::urdf ? kUrdfMaxBytes
+                              : kind == FileKind::mjcf ? kMjcfMaxBytes
+                                                       : kGltfMaxBytes);
+}
+
+Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec) {
+  const std::string& name = spec.source;
+  CharacterFile character;
+  character.rig.file = name;
+  const FileKind kind = file_kind(name);
+  if (kind == FileKind::fbx) {
+    Result<std::string> glb = glb_of_fbx(bytes, name);
+    if (!glb) return tl::unexpected(glb.error());
+    bytes = std::move(*glb);
+  }
+  if (kind == FileKind::gltf || kind == FileKind::fbx) {
+    const auto parsed = parse_gltf_character(bytes, spec, character);
+    if (!parsed) return tl::unexpected(parsed.error());
+    character.rig.bytes = std::make_shared<const std::string>(std::move(bytes));
+    return character;
+  }
+  if (spec.animation) return holds_one_motion(name);
+  Result<BvhFile> file = parse_bvh_file(bytes, name);
+  if (!file) return tl::unexpected(file.error());
+  character.skeleton = std::move(file->motion.skeleton);
+  character.motion = std::move(file->motion.clip);
+  character.rig.channels = std::move(file->channels);
+  for (const SkeletonNode& node : character.skeleton.nodes) {
+    character.rest.local.push_back({node.offset, {}});
+  }
+  return character;
+}
+
+}  // namespace shigusa

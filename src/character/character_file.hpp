@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body/skin.hpp>
+#include <shigusa/character/character.hpp>
+
+namespace shigusa {
+
+// The ending of a file's name in lower case: ".bvh".
+[[nodiscard]] std::string file_ending(const std::string& name);
+
+// The error of an animation that is asked for in a BVH file.
+[[nodiscard]] tl::unexpected<Error> holds_one_motion(const std::string& name);
+
+enum class FileKind { none, bvh, gltf, fbx, urdf, mjcf };
+
+// By the name's ending, in any case.
+[[nodiscard]] FileKind file_kind(const std::string& name);
+
+// The whole of a character's file, of any kind but `none`.
+[[nodiscard]] Result<std::string> read_character_bytes(const std::filesystem::path& path);
+
+// One pose of a file's nodes.
+struct FilePose {
+  std::vector<LocalTransform> local;  // (nodes) turned from the rest pose
+  std::vector<GltfPlace> places;      // (nodes) of glTF
+
+  [[nodiscard]] SkeletonClip clip() const { return {0.0, 1, local}; }
+};
+
+// A person's BVH, glTF or FBX file.
+struct CharacterFile {
+  Skeleton skeleton;
+  FilePose rest;                       // of BVH that of the OFFSETs
+  std::optional<FilePose> bound;       // of glTF: in which the mesh was bound, where it is another
+  SkeletonClip motion;                 // of BVH, or an animation of glTF; no frames: there is none
+  std::vector<GltfPlace> posed;        // (nodes) of glTF, in the motion's frame asked for
+  HumanoidMap given;                   // by the file itself
+  std::vector<std::string> doubts;     // of reading
+  CharacterRig rig;                    // its format, and what that alone has
+  std::vector<SkinVertex> skin;        // of glTF, at rest,
+  std::vector<SkinVertex> bound_skin;  // where it was bound,
+  std::vector<SkinVertex> posed_skin;  // and in the frame asked for
+};
+
+// Parses the bytes of such a file; an FBX file is taken as the glTF file of its skeleton. Of glTF
+// with the animation that the spec asks for, by its name, its index or as the first for a frame
+// alone.
+[[nodiscard]] Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec);
+
+}  // namespace shigusa

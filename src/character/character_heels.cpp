@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "character_heels.hpp"
+
+#include <fmt/format.h>
+
+#include "person/human_frames.hpp"
+
+namespace shigusa {
+namespace {
+
+// A toes' joint is ahead of the ankle by this, and behind the tip (m).
+constexpr double kShortestPart = 0.02;
+
+Landmarks::Leg& leg_of(Landmarks& person, Side side) {
+  return side == Side::left ? person.left_leg : person.right_leg;
+}
+
+}  // namespace
+
+Result<void> check_heels(const CharacterSpec& spec, BodyExtent extent) {
+  const char* wrong = nullptr;
+  if (spec.heels && spec.seat) wrong = "heels are of people who stand, and these sit";
+  if (spec.heels && extent != BodyExtent::human) {
+    wrong = "heels lift of the body human alone: it has all joints of a foot";
+  }
+  if (wrong == nullptr) return {};
+  return fail(ErrorCode::invalid_argument, wrong, "character");
+}
+
+Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& map,
+                       const MeasuredPerson& person, const std::string& file,
+                       MeasuredPerson& start) {
+  const HumanFrames rest_frames = human_frames(person.landmarks);
+  const HumanFrames start_frames = human_frames(start.landmarks);
+  for (const Side side : {Side::left, Side::right}) {
+    const HumanoidBone bone =
+        side == Side::left ? HumanoidBone::left_toes : HumanoidBone::right_toes;
+    if (map[bone] < 0) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("heels lift about the toes, and no node is found to be {}: with "
+                              "--map {}=NODE one is",
+                              humanoid_bone_name(bone), humanoid_bone_name(bone)),
+                  file);
+    }
+    const Vec3d at =
+        person.placement.to_world(world[static_cast<std::size_t>(map[bone])].translation);
+    Landmarks::Leg& leg = leg_of(start.landmarks, side);
+    const Vec3d in_foot =
+        transpose_times(rest_frames.leg(side).foot, at - person.landmarks.leg(side).ankle);
+    leg.toes = leg.ankle + start_frames.leg(side).foot * in_foot;
+    const Vec3d sole = leg.toe - leg.ankle;
+    const Vec3d ahead = normalized(Vec3d{sole.x, 0.0, sole.z}, {0, 0, 1});
+    const double to_joint = dot(*leg.toes - leg.ankle, ahead);
+    if (!(to_joint >= kShortestPart)) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("heels lift about the toes, and {} stands {:.3f} m ahead of its "
+                              "ankle; allowed are {:g} m and more",
+                              humanoid_bone_name(bone), to_joint, kShortestPart),
+                  file);
+    }
+    if (dot(leg.toe - *leg.toes, ahead) >= kShortestPart) continue;
+    leg.toe = *leg.toes + ahead * (to_joint * (1.0 / kToesShare - 1.0));
+    leg.toe.y = min(leg.toes->y, max(sole.y + leg.ankle.y, 0.0));
+    start.doubts.push_back(fmt::format(
+        "nothing follows {}: the toes are taken as of average length", humanoid_bone_name(bone)));
+  }
+  return {};
+}
+
+}  // namespace shigusa

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "character_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/person/at_ease.hpp>
+#include <shigusa/person/likeness.hpp>
+
+#include "humanoid_request.hpp"
+#include "landmarks_json.hpp"
+
+namespace shigusa {
+namespace {
+
+// Moves the person up or down until the lower sole of somebody of that stature is on the floor.
+void stand_on_floor(MeasuredPerson& measured, double stature) {
+  Landmarks& person = measured.landmarks;
+  double floor = 1e9;
+  for (const Side side : {Side::left, Side::right}) {
+    const Landmarks::Leg& leg = person.leg(side);
+    const double by_joints = min(leg.ankle.y - StatureFractions::kAnkleHeight * stature, leg.toe.y);
+    floor = min(floor, leg.sole ? (*leg.sole)[0].y : by_joints);
+  }
+  for_each_point(person, [&](Vec3d& p) { p.y -= floor; });
+  measured.placement.origin += measured.placement.up * (floor / measured.placement.unit);
+}
+
+// The person in a frame of an animation, in the unit and with the stature that the rest pose told:
+// what is measured along the bones of a bent trunk is another one.
+Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonClip& clip, int frame,
+                                     std::span<const SkinVertex> skin, const PersonStart& found) {
+  const MeasuredPerson& rest = found.person;
+  const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
+  const auto measured = [&](double stature) {
+    return measure_person(skeleton, world, found.map, {.stature = stature, .skin = skin});
+  };
+  const Result<MeasuredPerson> bent = measured(rest.stature);
+  if (!bent) return bent;
+  Result<MeasuredPerson> posed =
+      measured(rest.stature * rest.placement.unit / bent->placement.unit);
+  if (!posed) return posed;
+  stand_on_floor(*posed, rest.stature);
+  // limbs are straight at rest, and their mesh as it was made
+  posed->landmarks.parts = rest.landmarks.parts;
+  return posed;
+}
+
+// The frame of the file's motion that a spec asks for.
+Result<int> frame_of(const SkeletonClip& clip, const CharacterSpec& spec) {
+  const int frame = spec.frame.value_or(0);
+  if (frame >= 0 && frame < clip.frames) return frame;
+  const std::string has =
+      clip.frames == 1 ? "only frame 0" : fmt::format("the frames 0 to {}", clip.frames - 1);
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("frame {} does not exist; the file has {}", frame, has), spec.source);
+}
+
+FilePose pose_at(const CharacterFile& file, int frame) {
+  const LocalTransform* local = file.motion.frame(file.skeleton, frame);
+  return {{local, local + file.skeleton.nodes.size()}, file.posed};
+}
+
+// Finds the bones of a file in one pose, whose mesh is `skin`, and measures the person.
+Result<PersonStart> measure_in(const CharacterFile& file, const CharacterSpec& spec,
+                               const FilePose& pose, std::span<const SkinVertex> skin) {
+  const std::vector<Transformd> world = world_transforms(file.skeleton, pose.clip(), 0);
+  std::vector<std::string> nodes;
+  for (const SkeletonNode& node : file.skeleton.nodes) nodes.push_back(node.name);
+  const Result<HumanoidMap> asked =
+      requested_bones(spec.map, nodes, spec.source, file.rig.file_node);
+  if (!asked) return tl::unexpected(asked.error());
+  const Result<HumanoidMap> map = find_humanoid(file.skeleton, world, file.given, *asked, skin);
+  if (!map) return fail(map.error().code, map.error().to_string(), spec.source);
+  const Result<MeasuredPerson> person =
+      measure_person(file.skeleton, world, *map, {.stature = spec.stature, .skin = skin});
+  if (!person) return fail(person.error().code, person.error().to_string(), spec.source);
+  const std::string why = unlike_a_person(person->landmarks);
+  if (spec.map.empty() && !why.empty()) {
+    return fail(ErrorCode::invalid_argument, no_person(why), spec.source);
+  }
+  return PersonStart{*map, pose, *person, pose, *person};
+}
+
+bool rests(const PersonStart& person) {
+  return stands_at_rest(person.person.landmarks, person.person.stature);
+}
+
+// glTF is measured at rest, where no animation hides what its bones are: in the nodes' own pose, or
+// where that is the middle of a motion in the one that the mesh was bound in.
+Result<PersonStart> measure_at_rest(const CharacterFile& file, const CharacterSpec& spec) {
+  Result<PersonStart> person = measure_in(file, spec, file.rest, file.skin);
+  if (!file.bound || (person && rests(*person))) return person;
+  Result<PersonStart> bound = measure_in(file, spec, *file.bound, file.bound_skin);
+  if (!bound || !rests(*bound)) return person;
+  bound->start.doubts.push_back(
+      "the nodes rest in the middle of a motion: the pose in which the mesh was bound is taken in "
+      "that one's place");
+  return bound;
+}
+
+// The first of a file's animations that begins with the person standing, or "".
+std::string standing_animation(const CharacterFile& file, const PersonStart& found) {
+  constexpr std::size_t kTried = 6;
+  constexpr double kSlowly = 1.0;  // Hz: the first frame alone is looked at
+  const std::vector<std::string>& names = file.rig.animations;
+  for (std::size_t i = 0; i < std::min(names.size(), kTried); ++i) {
+    const Result<GltfMotion> moving = parse_gltf_animation(
+        *file.rig.bytes, file.rig.file.string(), {.animation = names[i], .frame_rate = kSlowly});
+    if (!moving) continue;
+    const Result<MeasuredPerson> posed =
+        measure_posed(file.skeleton, moving->motion.clip, 0, {}, found);
+    if (posed && stands_at_rest(posed->landmarks, found.person.stature)) return names[i];
+  }
+  return {};
+}
+
+Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec& spec) {
+  Result<PersonStart> found = measure_at_rest(file, spec);
+  if (!found) return found;
+  found->eased = file.motion.frames == 0;
+  if (found->eased) {
+    if (rests(*found)) return found;
+    const std::string better = standing_animation(file, *found);
+    found->start.doubts.push_back(fmt::format(
+        "the nodes do not rest as who stands does{}",
+        better.empty() ? ""
+                       : fmt::format("; frame 0 of the animation '{}' does: --animation", better)));
+    return found;
+  }
+  const Result<int> frame = frame_of(file.motion, spec);
+  if (!frame) return tl::unexpected(frame.error());
+  Result<MeasuredPerson> posed =
+      measure_posed(file.skeleton, file.motion, *frame, file.posed_skin, *found);
+  if (!posed) return fail(posed.error().code, posed.error().to_string(), spec.source);
+  found->posed = pose_at(file, *frame);
+  found->start = std::move(*posed);
+  return found;
+}
+
+Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& spec) {
+  if (spec.frame == kRestPose) {
+    Result<PersonStart> found = measure_in(file, spec, file.rest, {});
+    if (found) found->eased = true;
+    return found;
+  }
+  const Result<int> frame = frame_of(file.motion, spec);
+  if (!frame) return tl::unexpected(frame.error());
+  Result<PersonStart> found = measure_in(file, spec, pose_at(file, *frame), {});
+  if (!found || spec.frame || !spreads_arms(found->person.landmarks)) return found;
+  found->eased = true;
+  found->start.doubts.push_back(
+      "the file begins with arms spread out: they hang at the start; with --frame 0 they do not");
+  return found;
+}
+
+}  // namespace
+
+Result<PersonStart> find_person(const CharacterFile& file, const CharacterSpec& spec) {
+  return file.rig.format == CharacterFormat::bvh ? find_in_bvh(file, spec)
+                                                 : find_in_gltf(file, spec);
+}
+
+}  // namespace shigusa

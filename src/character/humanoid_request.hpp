@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/character/character.hpp>
+#include <shigusa/person/humanoid_map.hpp>
+
+#include "io/json_text.hpp"
+
+namespace shigusa {
+
+// The nodes that a person says some bones are, by the names of the nodes or by their places in the
+// file ("#17"). Fails on an unknown bone or node with the nearest name, on a bone that is told
+// twice, and on a node for two bones. `file`: where the nodes are, for messages. `indices`: (nodes)
+// their places in the file; empty: as they come.
+[[nodiscard]] Result<HumanoidMap> requested_bones(const BoneRequest& request,
+                                                  const std::vector<std::string>& nodes,
+                                                  const std::string& file,
+                                                  const std::vector<int>& indices = {});
+
+// The refusal of a figure for that reason, see unlike_a_person. What a person says of its bones
+// goes before it.
+[[nodiscard]] std::string no_person(const std::string& why);
+
+// {"right_hand": "Bone_17", …}; fails on anything but an object of texts.
+[[nodiscard]] Result<BoneRequest> bone_request(const Json& json);
+
+}  // namespace shigusa

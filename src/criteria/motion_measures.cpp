@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <shigusa/body/coupled_limits.hpp>
+#include <shigusa/criteria/motion_measures.hpp>
+
+namespace shigusa {
+
+std::vector<JointLoad> joint_loads(const BodyModel& body, const Motion& motion) {
+  std::vector<JointLoad> loads;
+  const Clip& clip = motion.clip;
+  for (int d = 0; d < clip.dofs; ++d) {
+    const Dof& dof = body.dof(d);
+    JointLoad load{.dof = d};
+    for (int f = 0; f < clip.frames; ++f) {
+      const double torque = motion.torques[static_cast<std::size_t>(f * clip.dofs + d)];
+      const double share =
+          torque > 0.0 ? torque / dof.torque_positive : -torque / dof.torque_negative;
+      if (share > load.share) load = {d, torque, share, f * clip.frame_time};
+    }
+    loads.push_back(load);
+  }
+  return loads;
+}
+
+std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
+  std::vector<LimitExcess> all;
+  for (const Dof& dof : body.dofs()) all.push_back({dof.name, 0.0});
+  CoupledLimits<double> coupled(body);
+  for (int f = 0; f < clip.frames; ++f) {
+    const std::span<const double> angles = clip.frame(f);
+    coupled.update(angles);
+    for (std::size_t d = 0; d < all.size(); ++d) {
+      const double upper = body.dofs()[d].upper + coupled.added()[d];
+      all[d].excess = max(all[d].excess, max(angles[d] - upper, body.dofs()[d].lower - angles[d]));
+    }
+  }
+  // less than a tenth of a degree is nothing that anyone sees
+  std::erase_if(all, [](const LimitExcess& one) { return one.excess <= radians(0.1); });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
+  return all;
+}
+
+MotionMeasures measure_motion(const BodyModel& body, const Motion& motion,
+                              const CollisionSettings& collision) {
+  return {joint_loads(body, motion), limit_excess(body, motion.clip), support_margins(body, motion),
+          deepest_collision(body, motion.clip, collision)};
+}
+
+const JointLoad* most_loaded(const MotionMeasures& measures) {
+  const auto less = [](const JointLoad& a, const JointLoad& b) { return a.share < b.share; };
+  const auto most = std::max_element(measures.loads.begin(), measures.loads.end(), less);
+  return most == measures.loads.end() ? nullptr : &*most;
+}
+
+}  // namespace shigusa

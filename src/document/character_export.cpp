@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "character_export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <shigusa/document/export.hpp>
+
+namespace shigusa {
+namespace {
+
+// Bones that a motion of the body may turn, as VRM 1.0 names them; parents before children.
+constexpr std::array<std::string_view, 22> kVrmBones{
+    "hips",          "spine",         "chest",         "upperChest",    "neck",
+    "head",          "leftShoulder",  "leftUpperArm",  "leftLowerArm",  "leftHand",
+    "rightShoulder", "rightUpperArm", "rightLowerArm", "rightHand",     "leftUpperLeg",
+    "leftLowerLeg",  "leftFoot",      "leftToes",      "rightUpperLeg", "rightLowerLeg",
+    "rightFoot",     "rightToes"};
+
+bool same(const Vec3d& a, const Vec3d& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+bool same(const Quatd& a, const Quatd& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
+
+// The motion of nodes that stand at `rest` (nodes) while nothing is played: what moves, and what
+// the rig has elsewhere from its first frame on.
+GltfAnimation animation_of(const Rig& rig, const std::vector<GltfPlace>& rest,
+                           const RigMotion& motion, const std::string& name) {
+  GltfAnimation animation{name, motion.frame_time, motion.frames, {}};
+  const std::size_t nodes = rig.nodes.size();
+  const auto frames = static_cast<std::size_t>(motion.frames);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const RigNode& node = rig.nodes[i];
+    const bool turns = motion.turns[i] || !same(node.rotation, rest[i].rotation);
+    const bool moves = motion.moves[i] || !same(node.translation, rest[i].translation);
+    const bool scaled = !same(node.scale, rest[i].scale);
+    if (!turns && !moves && !scaled) continue;
+    GltfTrack& track = animation.tracks.emplace_back();
+    track.node = static_cast<int>(i);
+    track.rest = rest[i];
+    for (std::size_t f = 0; f < frames; ++f) {
+      const LocalTransform& local = motion.local[f * nodes + i];
+      if (turns) track.rotations.push_back(local.rotation);
+      if (moves) track.translations.push_back(local.translation);
+    }
+    if (scaled) track.scales.assign(frames, node.scale);
+  }
+  return animation;
+}
+
+// The same rig with other nodes, none of them turned at rest.
+Rig unturned(const CharacterRig& character) {
+  Rig result = character.rig;
+  for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+    RigNode& node = result.nodes[i];
+    node = {node.parent, character.posed[i].translation, character.posed[i].rotation};
+  }
+  return result;
+}
+
+// The character's VRM bones as a skeleton of their own, parents first.
+class VrmSkeleton {
+ public:
+  explicit VrmSkeleton(const CharacterRig& character) : character_(character) {
+    rig = character.rig;
+    rig.nodes.clear();
+    const std::vector<Vec3d> at = rest_origins(character.skeleton);
+    const std::vector<Transformd> posed =
+        world_transforms(character.skeleton, {0.0, 1, character.posed}, 0);
+    std::vector<int> ours(character.skeleton.nodes.size(), -1);
+    // by the file's order: bones of a file may hang together otherwise than VRM wants them
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      const std::string_view name = bone_at(static_cast<int>(i));
+      if (name.empty()) continue;
+      int above = character.skeleton.nodes[i].parent;
+      while (above >= 0 && ours[static_cast<std::size_t>(above)] < 0) {
+        above = character.skeleton.nodes[static_cast<std::size_t>(above)].parent;
+      }
+      const int parent = above < 0 ? -1 : ours[static_cast<std::size_t>(above)];
+      // what hangs on no bone but the hips' would be a second root
+      if (parent < 0 && !bones.empty()) continue;
+      ours[i] = static_cast<int>(bones.size());
+      const Vec3d offset = above < 0 ? at[i] : at[i] - at[static_cast<std::size_t>(above)];
+      bones.push_back({std::string(name), parent, facing_ahead(offset)});
+      rest.push_back({bones.back().offset});
+      const Transformd from = above < 0 ? Transformd{} : posed[static_cast<std::size_t>(above)];
+      const Transformd local = inverse(from) * posed[i];
+      rig.nodes.push_back(
+          {parent, facing_ahead(local.translation), facing_ahead(to_quat(local.rotation))});
+    }
+    for (int& node : rig.bones.node) {
+      if (node >= 0) node = ours[static_cast<std::size_t>(node)];
+    }
+    rig.grips = {-1, -1};  // on fingers
+    rig.twists.clear();    // no bones of VRM
+    Placement& p = rig.placement;
+    for (Vec3d* v : {&p.left, &p.up, &p.ahead, &p.origin}) *v = facing_ahead(*v);
+  }
+
+  std::vector<VrmAnimation::Bone> bones;
+  std::vector<GltfPlace> rest;  // (bones)
+  Rig rig;                      // of these bones, as they are posed
+
+ private:
+  [[nodiscard]] std::string_view bone_at(int node) const {
+    for (const auto& [name, at] : character_.vrm_bones) {
+      const auto known = std::find(kVrmBones.begin(), kVrmBones.end(), name);
+      if (at == node && known != kVrmBones.end()) return *known;
+    }
+    return {};
+  }
+
+  // VRM animations face +Z; characters of VRM 0.x face -Z.
+  [[nodiscard]] Vec3d facing_ahead(const Vec3d& v) const {
+    return character_.ahead.z < 0.0 ? Vec3d{-v.x, v.y, -v.z} : v;
+  }
+  [[nodiscard]] Quatd facing_ahead(const Quatd& q) const {
+    return character_.ahead.z < 0.0 ? Quatd{-q.x, q.y, -q.z, q.w} : q;
+  }
+
+  const CharacterRig& character_;
+};
+
+}  // namespace
+
+std::string candidate_animation(const CharacterSpec& character, std::size_t rank) {
+  const std::string plain = fmt::format("shigusa candidate {}", rank);
+  if (!character.rig) return plain;
+  const auto& taken = character.rig->animations;
+  std::string name = plain;
+  for (int k = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++k) {
+    name = fmt::format("{} ({})", plain, k);
+  }
+  return name;
+}
+
+std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) const {
+  const bool own = character_.format == CharacterFormat::bvh;
+  const Rig rig = own ? character_.rig : unturned(character_);
+  const RigMotion moved = rig_motion(body, clip, rig);
+  const double unit = rig.placement.unit;
+  SkeletonMotion motion{character_.skeleton, {moved.frame_time, moved.frames, moved.local}};
+  for (SkeletonNode& node : motion.skeleton.nodes) node.offset = node.offset * unit;
+  for (LocalTransform& local : motion.clip.local) local.translation = local.translation * unit;
+  if (!own) return format_bvh(motion);
+  return format_bvh(motion, {.unit = unit, .channels = character_.channels});
+}
+
+GltfAnimation CharacterExporter::animation(const BodyModel& body, const Clip& clip,
+                                           const std::string& name) const {
+  GltfAnimation animation =
+      animation_of(character_.rig, character_.places, rig_motion(body, clip, character_.rig), name);
+  for (GltfTrack& track : animation.tracks) {
+    track.node = character_.file_node[static_cast<std::size_t>(track.node)];
+  }
+  return animation;
+}
+
+Result<std::string> CharacterExporter::glb(std::span<const GltfAnimation> animations) const {
+  return add_animations(*character_.bytes, character_.file.filename().string(), animations);
+}
+
+Result<std::string> CharacterExporter::vrma(const BodyModel& body, const Clip& clip,
+                                            const std::string& name) const {
+  VrmSkeleton skeleton(character_);
+  const RigMotion motion = rig_motion(body, clip, skeleton.rig);
+  GltfAnimation animation = animation_of(skeleton.rig, skeleton.rest, motion, name);
+  // bones keep their lengths: of VRM's the hips alone move in their parent
+  for (GltfTrack& track : animation.tracks) {
+    if (track.node > 0) track.translations.clear();
+  }
+  std::erase_if(animation.tracks, [](const GltfTrack& track) {
+    return track.rotations.empty() && track.translations.empty();
+  });
+  return format_vrm_animation({std::move(skeleton.bones), std::move(animation)});
+}
+
+double bvh_unit(const CharacterSpec& spec) {
+  const bool own = spec.rig && spec.rig->format == CharacterFormat::bvh;
+  return own ? spec.rig->rig.placement.unit : BvhFormat{}.unit;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/document/clip_score.hpp>
+#include <shigusa/dynamics/contact_forces.hpp>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/motion/low_pass.hpp>
+
+#include "character/character_file.hpp"
+#include "character/character_heels.hpp"
+#include "character/humanoid_request.hpp"
+#include "generate/candidate.hpp"
+
+namespace shigusa {
+namespace {
+
+// What smoothing sees on either side of the frames that are scored (s).
+constexpr double kAround = 0.35;
+
+// A motion file's own.
+struct MotionFile {
+  SkeletonMotion motion;
+  HumanoidMap given;  // by the file itself
+  std::vector<std::string> doubts;
+};
+
+Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
+                                const std::string& animation) {
+  if (file_kind(name) == FileKind::bvh) {
+    if (!animation.empty()) return holds_one_motion(name);
+    Result<SkeletonMotion> motion = parse_bvh(bytes, name);
+    if (!motion) return tl::unexpected(motion.error());
+    return MotionFile{std::move(*motion), {}, {}};
+  }
+  Result<GltfMotion> file = parse_gltf_animation(bytes, name, {.animation = animation});
+  if (!file) return tl::unexpected(file.error());
+  return MotionFile{std::move(file->motion), file->character.humanoid, std::move(file->doubts)};
+}
+
+Result<void> check_clip_name(const std::string& name) {
+  const FileKind kind = file_kind(name);
+  if (kind == FileKind::bvh || kind == FileKind::gltf || file_ending(name) == ".vrma") return {};
+  return fail(ErrorCode::invalid_argument,
+              "is no clip that can be scored; allowed are .bvh, .glb, .gltf, .vrm and .vrma", name);
+}
+
+struct MeasuredFile {
+  HumanoidMap map;
+  MeasuredPerson person;
+};
+
+Result<MeasuredFile> measure(const MotionFile& file, int frame, const BoneRequest& bones,
+                             const MeasureSettings& settings, const std::string& name) {
+  const auto& [skeleton, clip] = file.motion;
+  if (frame < 0 || frame >= clip.frames) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("frame {} does not exist; the file has 0 to {}", frame, clip.frames - 1), name);
+  }
+  const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
+  std::vector<std::string> nodes;
+  for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
+  const Result<HumanoidMap> asked = requested_bones(bones, nodes, name);
+  if (!asked) return tl::unexpected(asked.error());
+  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file.given, *asked);
+  if (!map) return fail(map.error().code, map.error().to_string(), name);
+  Result<MeasuredPerson> person = measure_person(skeleton, world, *map, settings);
+  if (!person) return fail(person.error().code, person.error().to_string(), name);
+  return MeasuredFile{*map, std::move(*person)};
+}
+
+// The landmarks of the body that is no part of the clip, in its start posture.
+Landmarks start_of(const CharacterSpec& character, const BodyModel& body) {
+  if (character.landmarks) return *character.landmarks;
+  return standing_landmarks(body.stature(),
+                            character.source == "half_body" ? 0.0 : kStandingToeOut);
+}
+
+// Goes through the frames first..last of a clip with what comes before and after them, and shows
+// them to the criteria as a rollout shows its own.
+class ClipPlayer {
+ public:
+  ClipPlayer(const BodyModel& body, const CriteriaSettings& criteria)
+      : body_(body), placed_(body), work_(body), criteria_(body, criteria), support_(body) {}
+
+  Motion play(const Clip& clip, int first, int last) {
+    const auto dofs = static_cast<std::size_t>(clip.dofs);
+    Motion motion;
+    motion.clip = {clip.dofs, last - first + 1, clip.frame_time, {}};
+    std::vector<double> speeds(dofs);
+    std::vector<double> accelerations(dofs);
+    std::vector<double> torques(dofs);
+    const double rate = 1.0 / clip.frame_time;
+    for (int f = first; f <= last; ++f) {
+      const std::span<const double> now = clip.frame(f);
+      for (std::size_t d = 0; d < dofs; ++d) {
+        const double gone = f > 0 ? now[d] - clip.frame(f - 1)[d] : 0.0;
+        const double to_come = f + 1 < clip.frames ? clip.frame(f + 1)[d] - now[d] : gone;
+        const double came = f > 0 ? gone : to_come;
+        speeds[d] = (to_come + came) * (0.5 * rate);
+        accelerations[d] = (to_come - came) * (rate * rate);
+      }
+      forward_kinematics<double>(body_, now, placed_);
+      const Wrench<double> ground =
+          inverse_dynamics<double>(body_, placed_, speeds, accelerations, work_, torques);
+      bear_on_feet<double>(body_, placed_, now, ground, torques);
+      const Vec3d com = centre_of_mass(body_, work_);
+      const PlacedFrame<double> frame{{now, torques, com, speeds, accelerations, clip.frame_time},
+                                      placed_,
+                                      pressure(ground, floor_height(body_))};
+      criteria_.add(frame);
+      support_.add(frame);
+      motion.clip.angles.insert(motion.clip.angles.end(), now.begin(), now.end());
+      motion.torques.insert(motion.torques.end(), torques.begin(), torques.end());
+      motion.centre_of_mass.push_back(com);
+    }
+    return motion;
+  }
+
+  [[nodiscard]] const BuiltInCriteria<double>& criteria() const { return criteria_; }
+  [[nodiscard]] const SupportMeter& support() const { return support_; }
+
+ private:
+  const BodyModel& body_;
+  Kinematics<double> placed_;
+  DynamicsWorkspace<double> work_;
+  BuiltInCriteria<double> criteria_;
+  SupportMeter support_;
+};
+
+Score summed(const BuiltInCriteria<double>& criteria, const BodyModel& body, const Motion& motion,
+             const CriteriaSettings& settings) {
+  Score score;
+  criteria.visit_penalties([&score](const char* name, double weight, double penalty) {
+    score.terms.push_back({name, weight, penalty});
+  });
+  for (const UserCriterion& user : settings.user) {
+    score.terms.push_back(
+        {user.name, user.weight, clamp(user.value(body, motion) / user.scale, 0.0, 1.0)});
+  }
+  for (const ScoreTerm& term : score.terms) score.total += term.weight * term.penalty;
+  return score;
+}
+
+void doubt(const ScoreSettings& settings, ClipScore& result) {
+  const ClipFit& fit = result.fit;
+  for (const FootTravel& foot : fit.feet) {
+    if (foot.travel <= kFootSteps) continue;
+    result.doubts.push_back(fmt::format(
+        "the {} moves by {:.1f} cm{}: score the frames in which the feet stand (--frames)",
+        foot.foot, 100.0 * foot.travel,
+        foot.base ? ", and the body stands on it, which cannot follow" : ""));
+  }
+  if (fit.mean_distance > kFollowsBadly) {
+    result.doubts.push_back(
+        fmt::format("the body's joints are {:.1f} cm from the recorded ones on average: another "
+                    "motion is scored",
+                    100.0 * fit.mean_distance));
+  }
+  const Clip& clip = fit.clip;
+  if (settings.cutoff > 0.0 && settings.cutoff * clip.frame_time >= kLowPassShare) {
+    result.doubts.push_back(fmt::format("{:.1f} frames a second are too few to smooth at {:g} Hz",
+                                        1.0 / clip.frame_time, settings.cutoff));
+  }
+}
+
+}  // namespace
+
+Result<RecordedMotion> read_recorded(const std::filesystem::path& path, CharacterSpec character,
+                                     int first, const std::string& animation) {
+  const std::string name = path.filename().string();
+  if (const auto can = check_clip_name(name); !can) return tl::unexpected(can.error());
+  const Result<std::string> bytes = read_character_bytes(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (character.source == path.string()) character.source = name;
+  return parse_recorded(*bytes, name, std::move(character), first, animation);
+}
+
+Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string& name,
+                                      CharacterSpec character, int first,
+                                      const std::string& animation) {
+  if (is_robot(character)) {
+    return fail(ErrorCode::invalid_argument,
+                character.source + " is a robot; recorded motion is scored on people", "character");
+  }
+  if (const auto can = check_clip_name(name); !can) return tl::unexpected(can.error());
+  Result<MotionFile> file = parse_motion(bytes, name, animation);
+  if (!file) return tl::unexpected(file.error());
+  const bool own = character.source == name;
+  if (!own) {
+    if (const auto measured = measure_character(character, {}); !measured) {
+      return tl::unexpected(measured.error());
+    }
+  }
+  std::optional<BodyModel> body;
+  MeasureSettings settings{own ? character.stature : std::nullopt};
+  if (!own) {
+    Result<BodyModel> built = build_character(character);
+    if (!built) return tl::unexpected(built.error());
+    body = std::move(*built);
+    settings.stature = body->stature();
+  }
+  const int frame = own ? character.frame.value_or(first) : first;
+  Result<MeasuredFile> measured =
+      measure(*file, frame, own ? character.map : BoneRequest{}, settings, name);
+  if (!measured) return tl::unexpected(measured.error());
+  if (own && character.heels) {
+    const std::vector<Transformd> world =
+        world_transforms(file->motion.skeleton, file->motion.clip, frame);
+    const MeasuredPerson at_rest = measured->person;
+    const auto toes = find_toes(world, measured->map, at_rest, name, measured->person);
+    if (!toes) return tl::unexpected(toes.error());
+  }
+  const MeasuredPerson& person = measured->person;
+  Rig rig{
+      {}, measured->map, person.grip_nodes, person.placement, person.landmarks, person.landmarks};
+  const Skeleton& skeleton = file->motion.skeleton;
+  rig.twists = find_twist_bones(skeleton, world_transforms(skeleton, file->motion.clip, frame),
+                                measured->map);
+  for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
+    const LocalTransform& local = file->motion.clip.frame(skeleton, frame)[i];
+    rig.nodes.push_back({skeleton.nodes[i].parent, local.translation, local.rotation});
+  }
+  if (own) {
+    character.source = name;
+    character.stature = person.stature;
+    character.landmarks = person.landmarks;
+    character.doubts = std::move(file->doubts);
+    const std::vector<std::string>* found[] = {&measured->map.doubts, &person.doubts};
+    for (const auto* more : found) {
+      character.doubts.insert(character.doubts.end(), more->begin(), more->end());
+    }
+    Result<BodyModel> built = build_character(character);
+    if (!built) return tl::unexpected(built.error());
+    body = std::move(*built);
+  } else {
+    rig.start = start_of(character, *body);
+  }
+  return RecordedMotion{std::move(file->motion), std::move(rig), std::move(*body)};
+}
+
+Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings& settings) {
+  const SkeletonClip& clip = recorded.motion.clip;
+  const int last = settings.last.value_or(clip.frames - 1);
+  if (settings.first < 0 || last < settings.first || last >= clip.frames) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("the frames {} to {} are none; the file has 0 to {}", settings.first,
+                            last, clip.frames - 1),
+                "frames");
+  }
+  if (!(clip.frame_time > 0.0)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("a frame time of {:g} s has no speeds; allowed is more than 0",
+                            clip.frame_time),
+                "clip");
+  }
+  if (!(settings.cutoff >= 0.0) || !is_finite(settings.cutoff)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("is {:g} Hz; allowed is 0, for none, or more", settings.cutoff),
+                "smoothing");
+  }
+  const int around = static_cast<int>(min(kAround / clip.frame_time, 1000.0)) + 1;
+  ClipScore result;
+  result.fit =
+      fit_clip(recorded.body, recorded.rig, recorded.motion, {settings.first, last, around});
+  Clip smooth = result.fit.clip;
+  if (settings.cutoff > 0.0) low_pass(smooth, settings.cutoff);
+  const int first = result.fit.before;
+  ClipPlayer player(recorded.body, settings.criteria);
+  result.motion = player.play(smooth, first, first + last - settings.first);
+  result.score = summed(player.criteria(), recorded.body, result.motion, settings.criteria);
+  result.measures = measure_motion(recorded.body, result.motion, settings.criteria.collision);
+  // which sees the frames around
+  result.measures.support = player.support().margins();
+  PostureMeter meter(recorded.body);
+  result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1), 0);
+  doubt(settings, result);
+  return result;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/document/clip_score.hpp>
+#include <shigusa/document/task_file.hpp>
+#include <utility>
+
+#include "io/json_reader.hpp"
+#include "measures_json.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr double kMillimetres = 1000.0;  // per metre
+constexpr int kFrameMost = 1'000'000'000;
+constexpr double kCutoffMost = 1e6;  // Hz
+
+Json follows_to_json(const ClipFit& fit, int first) {
+  return {{"mean_mm", fit.mean_distance * kMillimetres},
+          {"worst_mm", fit.worst_distance * kMillimetres},
+          {"worst_joint", fit.worst_joint},
+          {"worst_time_s", (fit.worst_frame - first) * fit.clip.frame_time}};
+}
+
+Json feet_to_json(const RecordedMotion& recorded, const ClipFit& fit) {
+  Json list = Json::array();
+  for (const FootTravel& foot : fit.feet) {
+    const auto node = static_cast<std::size_t>(foot.node);
+    list.push_back({{"effector", foot.foot},
+                    {"joint", recorded.motion.skeleton.nodes[node].name},
+                    {"base", foot.base},
+                    {"travel_mm", foot.travel * kMillimetres},
+                    {"turn_deg", degrees(foot.turn)}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view name) {
+  const Result<Json> json = parse_json(text, name);
+  if (!json) return tl::unexpected(json.error());
+  JsonReader reader(*json, std::string(name) + ": ");
+  ClipRequest request;
+  std::vector<std::pair<std::string, const CriteriaPreset*>> known;
+  for (const CriteriaPreset& preset : criteria_presets()) known.emplace_back(preset.name, &preset);
+  const CriteriaPreset* mixture = nullptr;
+  reader.choice<const CriteriaPreset*>("criteria", mixture, known);
+  if (mixture != nullptr) request.settings.criteria = mixture->settings();
+  reader.integer("first", request.settings.first, 0, kFrameMost);
+  if (reader.has("last")) {
+    reader.integer("last", request.settings.last.emplace(), 0, kFrameMost);
+  }
+  reader.number("smoothed_hz", request.settings.cutoff, 0.0, kCutoffMost);
+  reader.text("animation", request.animation);
+  if (reader.has("character")) {
+    auto spec = parse_character_spec(reader.value("character").dump(), name);
+    if (!spec) return tl::unexpected(spec.error());
+    request.character = std::move(*spec);
+  }
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return request;
+}
+
+std::string format_clip_score(const std::string& clip, const RecordedMotion& recorded,
+                              const ScoreSettings& settings, const ClipScore& score) {
+  const Clip& scored = score.motion.clip;
+  Json json{{"version", 1},
+            {"clip", clip},
+            {"character", recorded.body.name()},
+            {"stature_m", recorded.body.stature()},
+            {"mass_kg", recorded.body.mass()},
+            {"frames", {settings.first, settings.first + scored.frames - 1}},
+            {"duration_s", scored.duration()},
+            {"smoothed_hz", settings.cutoff},
+            {"score", score.score.total}};
+  json["criteria"] = Json::object();
+  for (const ScoreTerm& term : score.score.terms) json["criteria"][term.name] = term.penalty;
+  json["follows"] = follows_to_json(score.fit, settings.first);
+  json["feet"] = feet_to_json(recorded, score.fit);
+  add_measures(recorded.body, score.measures, score.final_posture, json);
+  const auto measured = recorded.body.doubts();
+  json["doubts"] = std::vector<std::string>(measured.begin(), measured.end());
+  for (const std::string& doubt : score.doubts) json["doubts"].push_back(doubt);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace shigusa

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "read_back.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/kinematics/skeleton_motion.hpp>
+
+#include "character/character_places.hpp"
+#include "character_export.hpp"
+#include "math/linear_map.hpp"
+
+namespace shigusa {
+namespace {
+
+// Nodes that a motion leaves by less than this have no track of their own (see rig_motion).
+constexpr double kStill = 1e-6;  // m
+
+// Three angles of six decimals of a degree; lengths of 1e-8 m.
+constexpr ReadBackDigits kBvhDigits{3.0 * 0.5e-6 * kPi / 180.0, kStill + 1e-8, 0.0};
+// Floats: of a unit quaternion four numbers are rounded by 2⁻²⁵ each, and turned about is twice
+// that of their square root; lengths are rounded by 2⁻²⁴ of themselves.
+constexpr ReadBackDigits kFloatDigits{4.0 / (1 << 25), kStill, 2.0 / (1 << 24)};
+
+// Whether neither the node nor what it hangs on is scaled differently along its axes, which no
+// rotation tells.
+bool scaled_evenly(const Rig& rig, int node) {
+  for (; node >= 0; node = rig.nodes[static_cast<std::size_t>(node)].parent) {
+    const Vec3d& s = rig.nodes[static_cast<std::size_t>(node)].scale;
+    const double largest = max(abs(s.x), max(abs(s.y), abs(s.z)));
+    const double smallest = min(abs(s.x), min(abs(s.y), abs(s.z)));
+    if (largest - smallest > 1e-6 * largest) return false;
+  }
+  return true;
+}
+
+// Segments that share their twist with other bones do not turn as the body's.
+bool is_twist_segment(std::string_view body_node) {
+  const auto& segments = twist_segments();
+  return std::any_of(segments.begin(), segments.end(), [&](const TwistSegment& segment) {
+    return humanoid_bone_name(segment.bone) == body_node;
+  });
+}
+
+tl::unexpected<Error> unreadable(const char* format, const std::string& why) {
+  return fail(ErrorCode::unsupported,
+              fmt::format("cannot be read back: {}; leave the format out", why),
+              std::string("the format ") + format);
+}
+
+// (nodes of the character) where a VRM animation's bones take them.
+std::vector<Transformd> played(const CharacterRig& rig, const std::vector<int>& bone_of,
+                               const std::vector<Transformd>& bones) {
+  // who plays it turns a character of VRM 0.x round, to face +Z as the animation does
+  const double sign = rig.ahead.z < 0.0 ? -1.0 : 1.0;
+  std::vector<Transformd> places;
+  for (std::size_t i = 0; i < rig.skeleton.nodes.size(); ++i) {
+    const SkeletonNode& node = rig.skeleton.nodes[i];
+    const Vec3d offset{sign * node.offset.x, node.offset.y, sign * node.offset.z};
+    const Transformd above =
+        node.parent < 0 ? Transformd{} : places[static_cast<std::size_t>(node.parent)];
+    Transformd place{above.rotation, above * offset};
+    if (bone_of[i] >= 0) place.rotation = bones[static_cast<std::size_t>(bone_of[i])].rotation;
+    // bones keep their lengths, but for the hips, which are the first
+    if (bone_of[i] == 0) place.translation = bones[0].translation;
+    places.push_back(place);
+  }
+  return places;
+}
+
+}  // namespace
+
+ReadBackCheck::ReadBackCheck(const CharacterSpec& character, const Task& task,
+                             const Candidate& candidate, const Clip& clip)
+    : character_(character), body_(task.body), clip_(clip) {
+  if (character.rig) start_ = start_places(body_, character.rig->rig);
+  for (const GoalResult& goal : candidate.goals) {
+    add_mark(goal.effector, goal.node, false,
+             goal.turn.error.has_value() && !is_twist_segment(goal.node));
+  }
+  for (const ContactResult& contact : candidate.contacts) {
+    add_mark(contact.effector, contact.node, true, true);
+  }
+}
+
+void ReadBackCheck::add_mark(const std::string& name, const std::string& body_node, bool foot,
+                             bool turns) {
+  const auto nodes = body_.nodes();
+  const auto found = std::find_if(nodes.begin(), nodes.end(),
+                                  [&](const BodyNode& node) { return node.name == body_node; });
+  if (found == nodes.end()) return;
+  Mark mark{name, foot, turns, static_cast<int>(found - nodes.begin()), found->link, found->point};
+  if (character_.rig) {
+    mark.node = rig_node(character_, body_node);
+    if (mark.node < 0) return;
+    mark.point = in_link(mark.link, start_[static_cast<std::size_t>(mark.node)]);
+    // a goal is for the effector, whatever the file has there
+    const auto effector = foot ? std::nullopt : body_.find_effector(name);
+    if (effector) mark.point = body_.effector(*effector).point;
+  }
+  marks_.push_back(std::move(mark));
+}
+
+Vec3d ReadBackCheck::in_link(int link, const Vec3d& at_start) const {
+  const Kinematics<double> start = start_kinematics(body_);
+  return transpose_times(start.link_rotation(link), at_start - start.link_origin(link));
+}
+
+Transformd ReadBackCheck::in_world(const Transformd& node, double unit) const {
+  if (!character_.rig || !character_.rig->rig.placement.mirrored()) {
+    return {node.rotation, node.translation * unit};
+  }
+  // a mirrored file keeps its own axes
+  const Placement& file = character_.rig->rig.placement;
+  const Mat3d axes = transpose(Mat3d{file.left, file.up, file.ahead});
+  return {axes * node.rotation * transpose(axes),
+          file.to_world(node.translation * (unit / file.unit))};
+}
+
+ReadBackCheck::FileMotion ReadBackCheck::file_motion(const char* format, const SkeletonClip& clip,
+                                                     const Skeleton& nodes,
+                                                     const ReadBackDigits& digits) {
+  FileMotion motion{.format = format,
+                    .frames = clip.frames,
+                    .frame_time = clip.frame_time,
+                    .parents = {},
+                    .node_of = {},
+                    .digits = digits,
+                    .places = {}};
+  for (const SkeletonNode& node : nodes.nodes) {
+    motion.node_of.push_back(static_cast<int>(motion.node_of.size()));
+    motion.parents.push_back(node.parent);
+  }
+  return motion;
+}
+
+Result<ReadBack> ReadBackCheck::bvh(std::string_view bytes) const {
+  const Result<BvhFile> file = parse_bvh_file(bytes, "bvh");
+  if (!file) return unreadable("bvh", file.error().to_string());
+  const SkeletonMotion& motion = file->motion;
+  const Skeleton own = character_.rig ? character_.rig->skeleton : body_skeleton(body_);
+  const std::vector<int> order = bvh_order(own);
+  if (order.size() != motion.skeleton.nodes.size()) return unreadable("bvh", "it has other nodes");
+  FileMotion back = file_motion("bvh", motion.clip, motion.skeleton, kBvhDigits);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    back.node_of[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  }
+  const double unit = bvh_unit(character_);
+  back.places = [&](int frame) {
+    Places places = world_transforms(motion.skeleton, motion.clip, frame);
+    for (Transformd& node : places) node = in_world(node, unit);
+    return places;
+  };
+  return compare(back, marks_);
+}
+
+Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& animation) const {
+  const Result<GltfMotion> file = parse_gltf_animation(
+      bytes, "glb", {.animation = animation, .frame_rate = 1.0 / clip_.frame_time});
+  if (!file) return unreadable("glb", file.error().to_string());
+  const CharacterRig& rig = *character_.rig;
+  const SkeletonMotion& motion = file->motion;
+  if (file->character.file_node != rig.file_node) return unreadable("glb", "it has other nodes");
+  FileMotion back = file_motion("glb", motion.clip, motion.skeleton, kFloatDigits);
+  back.places = [&](int frame) {
+    Places places = world_transforms(motion.skeleton, motion.clip, frame);
+    for (Transformd& node : places) node = in_world(node, rig.rig.placement.unit);
+    return places;
+  };
+  std::vector<Mark> marks = marks_;
+  for (Mark& mark : marks) mark.turns = mark.turns && scaled_evenly(rig.rig, mark.node);
+  return compare(back, marks);
+}
+
+Result<ReadBack> ReadBackCheck::vrma(std::string_view bytes) const {
+  const Result<GltfMotion> file =
+      parse_gltf_animation(bytes, "vrma", {.frame_rate = 1.0 / clip_.frame_time});
+  if (!file) return unreadable("vrma", file.error().to_string());
+  const CharacterRig& rig = *character_.rig;
+  const SkeletonMotion& motion = file->motion;
+  std::vector<int> bone_of(rig.skeleton.nodes.size(), -1);
+  for (const auto& [name, node] : rig.vrm_bones) {
+    bone_of[static_cast<std::size_t>(node)] = motion.skeleton.find(name);
+  }
+  // what the animation moves is compared: the bone that carries a finger, not the finger
+  std::vector<Mark> marks;
+  for (Mark mark : marks_) {
+    while (mark.node >= 0 && bone_of[static_cast<std::size_t>(mark.node)] < 0) {
+      mark.node = rig.skeleton.nodes[static_cast<std::size_t>(mark.node)].parent;
+    }
+    if (mark.node < 0) continue;
+    mark.point = in_link(mark.link, start_[static_cast<std::size_t>(mark.node)]);
+    marks.push_back(std::move(mark));
+  }
+  FileMotion back = file_motion("vrma", motion.clip, rig.skeleton, kFloatDigits);
+  back.places = [&](int frame) {
+    Places places = played(rig, bone_of, world_transforms(motion.skeleton, motion.clip, frame));
+    for (Transformd& node : places) node = in_world(node, rig.rig.placement.unit);
+    return places;
+  };
+  return compare(back, marks);
+}
+
+Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
+                                        const std::vector<Mark>& marks) const {
+  const double rate = 1.0 / clip_.frame_time;
+  if (file.frames != clip_.frames || abs(file.frame_time * rate - 1.0) > 1e-9) {
+    return unreadable(file.format,
+                      fmt::format("it has {} frames of {:g} s and not {} of {:g} s", file.frames,
+                                  file.frame_time, clip_.frames, clip_.frame_time));
+  }
+  ReadBack back;
+  Kinematics<double> now(body_);
+  const Kinematics<double> start = start_kinematics(body_);
+  Places first;
+  for (int frame = 0; frame < file.frames; ++frame) {
+    const Places places = file.places(frame);
+    if (frame == 0) first = places;
+    forward_kinematics<double>(body_, clip_.frame(frame), now);
+    for (const Mark& mark : marks) {
+      const int node = file.node_of[static_cast<std::size_t>(mark.node)];
+      const auto at = static_cast<std::size_t>(node);
+      const double off = norm(places[at].translation - now.point(mark.link, mark.point));
+      double& most = mark.foot ? back.feet : back.effector;
+      most = max(most, off);
+      const Allowance allowed = allowance(file, places, node);
+      if (off > allowed.length) {
+        return wrong_by(
+            file, mark, frame,
+            fmt::format("{:.4f} mm off the motion; {:.4f} mm", 1e3 * off, 1e3 * allowed.length));
+      }
+      if (!mark.turns) continue;
+      const Mat3d of_file = places[at].rotation * transpose(first[at].rotation);
+      const Mat3d of_body =
+          now.link_rotation(mark.link) * transpose(start.link_rotation(mark.link));
+      const double turned = norm(rotation_vector(of_file * transpose(of_body)));
+      back.turn = max(back.turn, turned);
+      if (turned > allowed.turn) {
+        return wrong_by(file, mark, frame,
+                        fmt::format("turned by {:.5f}° against the motion; {:.5f}°",
+                                    degrees(turned), degrees(allowed.turn)));
+      }
+    }
+  }
+  return back;
+}
+
+ReadBackCheck::Allowance ReadBackCheck::allowance(const FileMotion& file, const Places& places,
+                                                  int node) {
+  Allowance sum;
+  const Vec3d& at = places[static_cast<std::size_t>(node)].translation;
+  for (int j = node; j >= 0; j = file.parents[static_cast<std::size_t>(j)]) {
+    const Vec3d& joint = places[static_cast<std::size_t>(j)].translation;
+    const int parent = file.parents[static_cast<std::size_t>(j)];
+    const Vec3d from = parent < 0 ? Vec3d{} : places[static_cast<std::size_t>(parent)].translation;
+    sum.length += file.digits.turn * norm(at - joint) + file.digits.length +
+                  file.digits.relative * norm(joint - from);
+    sum.turn += file.digits.turn;
+  }
+  // once in each of the two frames that a turn is between
+  constexpr double kSpare = 2.0;
+  return {kSpare * sum.length, 2.0 * kSpare * sum.turn};
+}
+
+tl::unexpected<Error> ReadBackCheck::wrong_by(const FileMotion& file, const Mark& mark, int frame,
+                                              const std::string& how) {
+  return fail(ErrorCode::unsupported,
+              fmt::format("read back, {} is {} are allowed (frame {}): this character cannot leave "
+                          "so; leave the format out",
+                          mark.name, how, frame),
+              std::string("the format ") + file.format);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdlib>
+#include <shigusa/document/export.hpp>
+#include <shigusa/document/result_file.hpp>
+#include <shigusa/generate/layered_problem.hpp>
+
+#include "character_export.hpp"
+#include "measures_json.hpp"
+#include "parameters_json.hpp"
+#include "task_json.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr double kMillimetres = 1000.0;  // per metre
+
+// "squat_rad", "delay"
+std::string key_of(const PostureMember& member) {
+  return member.name + (member.angle ? "_rad" : "");
+}
+
+// Weights and locks of one phase.
+Json joints_to_json(const BodyModel& body, std::span<const JointWeight> joints) {
+  Json json;
+  json["weights"] = Json::object();
+  json["locked"] = Json::array();
+  for (std::size_t d = 0; d < joints.size(); ++d) {
+    json["weights"][body.dofs()[d].name] = joints[d].weight;
+    if (joints[d].locked) json["locked"].push_back(body.dofs()[d].name);
+  }
+  return json;
+}
+
+Json later_to_json(const BodyModel& body, LaterPhase later) {
+  Json json = joints_to_json(body, later.joints);
+  json[std::string(kSwitchName)] = later.switch_at;
+  json["posture"] = Json::object();
+  if (later.modes.empty()) return json;
+  for (const PostureMember& member : mode_members(body, later.modes)) {
+    json["posture"][key_of(member)] = *member.value;
+  }
+  return json;
+}
+
+Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
+  Json json = joints_to_json(body, parameters.joints);
+  json["contractions"] = Json::object();
+  json["posture"] = Json::object();
+  if (!parameters.posture.modes.empty()) {
+    PostureParameters posture = parameters.posture;
+    for (const PostureMember& member : posture_members(body, posture)) {
+      json["posture"][key_of(member)] = *member.value;
+    }
+  }
+  if (parameters.later) json["later"] = later_to_json(body, *parameters.later);
+  return json;
+}
+
+// Of a candidate, or of the best that was seen.
+Json any_parameters_to_json(const Task& task, const Parameters& parameters,
+                            const std::optional<LayeredParameters>& layered) {
+  if (!layered) return parameters_to_json(task.body, parameters);
+  return layered_to_json(layers_to_goals(task).value(), *layered);
+}
+
+// The node of the exported file that a node of the body is: the character's own, if it has one.
+Json joint_of(const CharacterSpec& character, const std::string& body_node) {
+  const int node = rig_node(character, body_node);
+  if (node < 0) return body_node;
+  return character.rig->skeleton.nodes[static_cast<std::size_t>(node)].name;
+}
+
+// Names in glTF may come twice, or be none: indices of the file's nodes do not.
+void add_gltf_node(const CharacterSpec& character, const std::string& body_node, Json& json) {
+  const int node = rig_node(character, body_node);
+  if (node < 0 || character.rig->file_node.empty()) return;
+  json["gltf_node"] = character.rig->file_node[static_cast<std::size_t>(node)];
+}
+
+Json goals_to_json(const CharacterSpec& character, const Candidate& candidate) {
+  Json list = Json::array();
+  for (const GoalResult& goal : candidate.goals) {
+    list.push_back({{"effector", goal.effector},
+                    {"joint", joint_of(character, goal.node)},
+                    {"goal_m", to_json(goal.goal)},
+                    {"reached_m", to_json(goal.reached)},
+                    {"error_mm", goal.error * kMillimetres}});
+    if (goal.tolerance != Vec3d{}) list.back()["tolerance_m"] = to_json(goal.tolerance);
+    list.back()["start_rotation_xyzw"] = to_json(goal.turn.start);
+    list.back()["rotation_xyzw"] = to_json(goal.turn.reached);
+    if (goal.turn.error) list.back()["rotation_error_deg"] = degrees(*goal.turn.error);
+    add_gltf_node(character, goal.node, list.back());
+  }
+  return list;
+}
+
+Json paths_to_json(const Candidate& candidate) {
+  Json list = Json::array();
+  for (const GoalResult& goal : candidate.goals) {
+    list.push_back({{"effector", goal.effector}, {"kind", word_of(goal.path)}});
+  }
+  return list;
+}
+
+Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate) {
+  Json list = Json::array();
+  for (const ContactResult& contact : candidate.contacts) {
+    list.push_back({{"effector", contact.effector},
+                    {"joint", joint_of(character, contact.node)},
+                    {"max_slide_mm", contact.max_slide * kMillimetres}});
+    if (contact.heel) {
+      list.back()["heel_lift_deg"] = degrees(contact.heel->angle);
+      list.back()["heel_lift_mm"] = contact.heel->height * kMillimetres;
+    }
+    add_gltf_node(character, contact.node, list.back());
+  }
+  return list;
+}
+
+// What was written of a candidate. Frames are those of the files that hold the motion of nodes.
+void add_files(const Candidate& candidate, const CandidateFiles& files, double rate, Json& json) {
+  json["files"] = Json::object();
+  for (const auto& [format, file] : files) {
+    json["files"][format] = file.name;
+    if (!file.sha256.empty()) json["sha256"][format] = file.sha256;
+    if (!file.read_back) continue;
+    json["fps"] = rate;
+    json["file_frames"] = frames_at(candidate.motion.clip.duration(), rate);
+    json["read_back"][format] = {{"effector_mm", file.read_back->effector * kMillimetres},
+                                 {"feet_mm", file.read_back->feet * kMillimetres},
+                                 {"turn_deg", degrees(file.read_back->turn)}};
+  }
+}
+
+Json candidate_to_json(const CharacterSpec& character, const Task& task,
+                       const Generation& generation, std::size_t index, const ResultFiles& files) {
+  const Candidate& candidate = generation.candidates[index];
+  Json json;
+  json["rank"] = index + 1;
+  json["verdict"] = word_of(candidate.judgement.verdict);
+  json["reasons"] = reasons_to_json(candidate.judgement);
+  if (candidate.judgement.possible_in) json["possible_in_s"] = *candidate.judgement.possible_in;
+  json["score"] = candidate.score.total;
+  json["criteria"] = Json::object();
+  for (const ScoreTerm& term : candidate.score.terms) json["criteria"][term.name] = term.penalty;
+  json["reached"] = goals_to_json(character, candidate);
+  json["paths"] = paths_to_json(candidate);
+  json["path_error_mm"] = candidate.path_error * kMillimetres;
+  json["contacts"] = contacts_to_json(character, candidate);
+  add_measures(task.body, candidate.measures, candidate.final_posture, json);
+  json["final_posture"]["elbow_swivel_deg"] = degrees(candidate.final_posture.elbow_swivel);
+  json["duration_s"] = generation.duration;
+  json["frames"] = candidate.motion.clip.frames;
+  if (candidate.layered) {
+    json["arm_collision"] = {{"depth_mm", max(candidate.collision, 0.0) * kMillimetres},
+                             {"searches", candidate.feedback_rounds},
+                             {"left", candidate.collision_left}};
+  }
+  json["parameters"] = any_parameters_to_json(task, candidate.parameters, candidate.layered);
+  const bool written = index < files.candidates.size();
+  const CandidateFiles& own = written ? files.candidates[index] : CandidateFiles{};
+  add_files(candidate, own, files.rate, json);
+  if (own.contains("glb")) {
+    json["glb_animation"] = candidate_animation(character, index + 1);
+    json["glb_unit_m"] = character.rig->rig.placement.unit;
+  }
+  json["bvh_unit_m"] = bvh_unit(character);
+  return json;
+}
+
+const char* end_name(SearchEnd end) {
+  switch (end) {
+    case SearchEnd::converged:
+      return "converged";
+    case SearchEnd::budget:
+      return "budget";
+    case SearchEnd::cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
+Json search_to_json(const Task& task, const Generation& generation) {
+  Json json{{"end", end_name(generation.end)},
+            {"generations", generation.generations},
+            {"missed", generation.missed},
+            {"collided", generation.collided},
+            {"near_copies", generation.near_copies},
+            {"rejected_nan", generation.rejected_nan},
+            {"replay_differs", generation.replay_differs},
+            {"replay_difference", generation.replay_difference}};
+  if (generation.best_seen || generation.best_seen_layered) {
+    json["best_seen"] = {
+        {"score", generation.best_seen_score},
+        {"parameters", any_parameters_to_json(task, generation.best_seen.value_or(Parameters{}),
+                                              generation.best_seen_layered)}};
+  }
+  return json;
+}
+
+// An empty object is weights alone; otherwise what is not given is 0. `members` is asked for only
+// then, as it adds values.
+template <class Members>
+void read_posture(JsonReader& parameters, Members&& members) {
+  if (!parameters.has("posture")) return;
+  if (parameters.value("posture").is_object() && parameters.value("posture").empty()) return;
+  JsonReader reader = parameters.object("posture");
+  for (const PostureMember& member : members()) {
+    reader.number(key_of(member).c_str(), *member.value, member.low, member.high);
+  }
+  parameters.absorb(reader.finish());
+}
+
+NamedJoints named_joints(const BodyModel& body, std::vector<JointWeight>& joints) {
+  NamedJoints named;
+  for (std::size_t d = 0; d < joints.size(); ++d) {
+    named.emplace_back(body.dofs()[d].name, &joints[d]);
+  }
+  return named;
+}
+
+void read_later(const BodyModel& body, JsonReader& parameters, std::optional<LaterPhase>& into) {
+  if (!parameters.has("later")) return;
+  JsonReader reader = parameters.object("later");
+  LaterPhase later;
+  const std::string at(kSwitchName);
+  reader.require(at.c_str());
+  reader.number(at.c_str(), later.switch_at, kSwitchMin, kSwitchMax);
+  later.joints = uniform_parameters(body).joints;
+  read_joints(reader, named_joints(body, later.joints));
+  read_posture(reader, [&] { return mode_members(body, later.modes); });
+  parameters.absorb(reader.finish());
+  into = std::move(later);
+}
+
+// The parameters of one stored candidate; every freedom must have its weight.
+Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
+                                   const std::string& place) {
+  const Result<const Json*> object = parameters_of(candidate, place);
+  if (!object) return tl::unexpected(object.error());
+  JsonReader reader(**object, place + ".parameters");
+  Parameters parameters = uniform_parameters(body);
+  read_joints(reader, named_joints(body, parameters.joints));
+  (void)reader.has("contractions");
+  read_posture(reader, [&] { return posture_members(body, parameters.posture); });
+  read_later(body, reader, parameters.later);
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return parameters;
+}
+
+// A name as it stands in the result's folder: no way out of it.
+bool is_plain_name(const std::string& name) {
+  constexpr std::size_t kLongest = 255;
+  return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
+         name.find_first_of(std::string("/\\\0", 3)) == name.npos;
+}
+
+bool is_sha256(const std::string& text) {
+  constexpr std::size_t kDigits = 64;
+  return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == text.npos;
+}
+
+// What stands of a candidate's files. Results of pages and of other languages name none.
+Result<CandidateFiles> read_files(const Json& candidate, const std::string& place) {
+  CandidateFiles files;
+  const auto texts = [&](const char* key, const auto& take) -> std::optional<Error> {
+    if (!candidate.is_object() || !candidate.contains(key)) return std::nullopt;
+    const Json& object = candidate[key];
+    if (!object.is_object()) {
+      return Error{ErrorCode::parse, "must be an object { … }", place + "." + key};
+    }
+    for (const auto& [format, text] : object.items()) {
+      if (text.is_string() && take(format, text.template get<std::string>())) continue;
+      return Error{ErrorCode::parse,
+                   std::string("must be ") + (key == std::string_view("files")
+                                                  ? "the name of a file beside this one"
+                                                  : "64 hexadecimal digits, of a file"),
+                   place + "." + key + "." + format.substr(0, 20)};
+    }
+    return std::nullopt;
+  };
+  auto wrong = texts("files", [&](const std::string& format, const std::string& name) {
+    files[format].name = name;
+    return is_plain_name(name);
+  });
+  if (wrong) return tl::unexpected(*wrong);
+  wrong = texts("sha256", [&](const std::string& format, const std::string& digits) {
+    if (!files.contains(format)) return false;
+    files[format].sha256 = digits;
+    return is_sha256(digits);
+  });
+  if (wrong) return tl::unexpected(*wrong);
+  return files;
+}
+
+Result<void> check_version(const Json& json, const std::string& place) {
+  const auto version = json.find("version");
+  if (version != json.end() && *version == kResultVersion) return {};
+  return fail(ErrorCode::parse,
+              fmt::format("version is {}; allowed is {}",
+                          version == json.end() ? "missing" : version->dump().substr(0, 60),
+                          kResultVersion),
+              place);
+}
+
+}  // namespace
+
+TaskFile played_task(TaskFile file, const Generation& generation) {
+  if (generation.slowed) file.duration = generation.duration;
+  return file;
+}
+
+std::string format_result(const TaskFile& file, const Task& task, const Generation& generation,
+                          const RunInfo& info, const ResultFiles& files) {
+  Json json;
+  json["version"] = kResultVersion;
+  json["status"] = word_of(generation.status);
+  json["remaining_mm"] = generation.remaining_distance * kMillimetres;
+  if (generation.remaining_turn > 0.0) json["remaining_deg"] = degrees(generation.remaining_turn);
+  json["seed"] = file.seed;
+  json["evaluations"] = generation.evaluations;
+  json["runs"] = generation.runs;
+  json["elapsed_ms"] = info.elapsed_ms;
+  if (traits_of(task.preset).layers == LayerStack::paper)
+    json["cells_searched"] = generation.cells_searched;
+  json["threads"] = info.threads;
+  json["simd"] = info.simd;
+  json["character"] = file.character.source;
+  if (!files.character.empty()) json["character_file"] = files.character;
+  json["preset"] = word_of(task.preset);
+  json["search"] = info.search;
+  json["goals"] = Json::array();
+  for (const Goal& goal : task.goals) {
+    json["goals"].push_back({{"effector", goal.effector}, {"position_m", to_json(goal.position)}});
+  }
+  json["candidates"] = Json::array();
+  for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+    json["candidates"].push_back(candidate_to_json(file.character, task, generation, i, files));
+  }
+  if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
+  json["search_detail"] = search_to_json(task, generation);
+  json["doubts"] = std::vector<std::string>(task.body.doubts().begin(), task.body.doubts().end());
+  json["task"] = task_to_json(played_task(file, generation));
+  // names from files may hold anything; what is not UTF-8 is replaced
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<StoredResult> parse_result(std::string_view text, std::string_view name) {
+  const Result<Json> json = parse_json(text, name);
+  if (!json) return tl::unexpected(json.error());
+  const std::string place(name);
+  if (!json->is_object() || !json->contains("task") || !json->contains("candidates") ||
+      !(*json)["candidates"].is_array()) {
+    return fail(ErrorCode::parse, "not a result of shigusa: it has no task and candidates", place);
+  }
+  if (const auto known = check_version(*json, place); !known) return tl::unexpected(known.error());
+  Result<TaskFile> task = task_from_json((*json)["task"], place + ": task");
+  if (!task) return tl::unexpected(task.error());
+  StoredResult result{std::move(*task), {}, {}};
+  if (json->contains("character_file") && (*json)["character_file"].is_string()) {
+    result.character = (*json)["character_file"].get<std::string>();
+  }
+  const CharacterSpec& character = result.task.character;
+  if (!is_complete(character)) {
+    return fail(ErrorCode::parse,
+                is_robot(character)
+                    ? "urdf is missing: a result holds the robot as read"
+                    : "landmarks_m is missing: a result holds the person as measured",
+                place + ": task.character");
+  }
+  const Json& candidates = (*json)["candidates"];
+  if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
+  if (candidates.size() > kResultMaxCandidates) {
+    return fail(
+        ErrorCode::parse,
+        fmt::format("{} candidates; up to {} are allowed", candidates.size(), kResultMaxCandidates),
+        place);
+  }
+  const Result<BodyModel> body = build_body(result.task);
+  if (!body) return tl::unexpected(body.error());
+  std::vector<Layer> layers;
+  if (const std::optional<LayerStack> stack = traits_of(result.task.preset).layers) {
+    Result<std::vector<Layer>> known =
+        layers_to_goals(*body, result.task.goals, {*stack, result.task.layer_reading});
+    if (!known) return fail(ErrorCode::parse, known.error().to_string(), place + ": task");
+    layers = std::move(*known);
+  }
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const std::string at = fmt::format("{}: candidates[{}]", place, i);
+    Result<CandidateFiles> files = read_files(candidates[i], at);
+    if (!files) return tl::unexpected(files.error());
+    result.files.push_back(std::move(*files));
+    if (candidates[i].contains("fps")) {
+      const Json& rate = candidates[i]["fps"];
+      if (!rate.is_number()) return fail(ErrorCode::parse, "must be a number", at + ".fps");
+      if (const auto ok = check_rate(rate.get<double>(), at + ".fps"); !ok) {
+        return tl::unexpected(ok.error());
+      }
+      result.rate = rate.get<double>();
+    }
+    if (layers.empty()) {
+      Result<Parameters> parameters = read_parameters(*body, candidates[i], at);
+      if (!parameters) return tl::unexpected(parameters.error());
+      result.candidates.push_back(std::move(*parameters));
+    } else {
+      Result<LayeredParameters> parameters = read_layered(layers, candidates[i], at);
+      if (!parameters) return tl::unexpected(parameters.error());
+      result.layered.push_back(std::move(*parameters));
+    }
+  }
+  return result;
+}
+
+}  // namespace shigusa

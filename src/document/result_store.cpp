@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Results in folders: what programs with files do, and pages do not.
+#include <fcntl.h>
+
+#include <cerrno>
+#include <shigusa/document/export.hpp>
+#include <shigusa/io/file.hpp>
+
+#include "export_file.hpp"
+#include "result_folder.hpp"
+
+namespace shigusa {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The character's file as it is found from the folder, or nothing where it cannot be told.
+std::string from_folder(const fs::path& character, const fs::path& folder) {
+  if (character.empty()) return {};
+  std::error_code error;
+  const fs::path way = fs::relative(character, folder, error);
+  return error ? std::string() : way.generic_string();
+}
+
+// Adds the files of one format; notes them in `files`.
+Result<void> add_files(ResultFolder& folder, const CharacterSpec& character, const Task& task,
+                       const std::vector<Candidate>& candidates, ExportFormat format,
+                       ResultFiles& files) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto made = make_file(character, task, candidates[i], format,
+                                {files.rate, candidate_animation(character, i + 1)});
+    if (!made) return tl::unexpected(made.error());
+    const std::string name = candidate_file(i + 1, format);
+    Result<std::string> sha256 = folder.add(name, made->bytes);
+    if (!sha256) return tl::unexpected(sha256.error());
+    files.candidates[i][format_name(format)] = {name, std::move(*sha256), made->back};
+  }
+  return {};
+}
+
+Result<void> add_one_glb(ResultFolder& folder, const CharacterSpec& character, const Task& task,
+                         const std::vector<Candidate>& candidates, ResultFiles& files) {
+  const auto made = make_one_glb(character, task, candidates, files.rate);
+  if (!made) return tl::unexpected(made.error());
+  const Result<std::string> sha256 = folder.add(kOneFile, made->bytes);
+  if (!sha256) return tl::unexpected(sha256.error());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    files.candidates[i][format_name(ExportFormat::glb)] = {kOneFile, *sha256, made->back[i]};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> prepare_folder(const fs::path& folder) {
+  if (folder.empty()) {
+    return fail(ErrorCode::invalid_argument, "the folder for the result has an empty name");
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder, error)) {
+    return fail(ErrorCode::io,
+                "cannot make this folder: " + (error ? error.message() : "it is a file"),
+                folder.string());
+  }
+  // it makes a folder within, and removes it
+  return ResultFolder().open(folder);
+}
+
+Result<std::string> write_result(const fs::path& folder, const TaskFile& file, const Task& task,
+                                 const Generation& generation, const RunInfo& info,
+                                 const ExportSettings& settings) {
+  if (const auto can = check_formats(file.character, settings.formats); !can) {
+    return tl::unexpected(can.error());
+  }
+  ResultFolder out;
+  if (const auto opened = out.open(folder); !opened) return tl::unexpected(opened.error());
+  const std::vector<Candidate>& candidates = generation.candidates;
+  ResultFiles files{settings.rate, std::vector<CandidateFiles>(candidates.size()),
+                    from_folder(settings.character, folder)};
+  for (const ExportFormat format : settings.formats) {
+    if (!candidates.empty() && files.candidates[0].contains(format_name(format))) continue;
+    const bool one = settings.one_file && format == ExportFormat::glb;
+    const auto added = one ? add_one_glb(out, file.character, task, candidates, files)
+                           : add_files(out, file.character, task, candidates, format, files);
+    if (!added) return tl::unexpected(added.error());
+  }
+  std::string summary = format_result(file, task, generation, info, files);
+  if (const auto done = out.publish(summary); !done) return tl::unexpected(done.error());
+  return summary;
+}
+
+Result<StoredResult> read_result(const fs::path& path, int candidate) {
+  std::error_code ignored;
+  const bool whole = fs::is_directory(path, ignored);
+  const fs::path above = whole ? path : path.parent_path();
+  const fs::path place = above.empty() ? fs::path(".") : above;
+  const Descriptor folder = open_at(AT_FDCWD, place.c_str(), O_RDONLY | O_DIRECTORY);
+  if (!folder) return refused(path, "open", errno);
+  if (const auto locked = lock_folder(folder, FolderUse::read, place); !locked) {
+    return tl::unexpected(locked.error());
+  }
+  const fs::path summary = whole ? path / kSummaryName : path;
+  const Result<std::string> text = read_text_file(summary, kResultMaxBytes);
+  if (!text) return tl::unexpected(text.error());
+  Result<StoredResult> stored = parse_result(*text, summary.filename().string());
+  const auto index = static_cast<std::size_t>(candidate) - 1;
+  if (!stored || index >= stored->files.size()) return stored;
+  const auto described = check_described(place, folder, stored->files[index]);
+  if (!described) return tl::unexpected(described.error());
+  return stored;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/document/task_file.hpp>
+
+#include "io/json_reader.hpp"
+
+namespace shigusa {
+
+// The task as a JSON object, and back; result files hold it too.
+[[nodiscard]] Json task_to_json(const TaskFile& task);
+[[nodiscard]] Result<TaskFile> task_from_json(const Json& json, const std::string& place);
+
+}  // namespace shigusa

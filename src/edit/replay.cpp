@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/edit/mirror.hpp>
+#include <shigusa/edit/replay.hpp>
+#include <shigusa/generate/layered_problem.hpp>
+#include <utility>
+
+#include "io/json_text.hpp"
+
+namespace shigusa {
+namespace {
+
+int count_of(const StoredResult& stored) {
+  return static_cast<int>(stored.candidates.size() + stored.layered.size());
+}
+
+// `of` is what tells the parameters' names.
+template <class Names, class Edited>
+Result<void> assign_all(std::span<const std::string> assignments, const Names& of,
+                        Edited& parameters) {
+  for (const std::string& assignment : assignments) {
+    if (const auto ok = assign_parameter(of, assignment, parameters); !ok) {
+      return fail(ok.error().code, ok.error().message, assignment);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> parse_assignments(std::string_view text, std::string_view name) {
+  const Result<Json> json = parse_json(text, name);
+  if (!json) return tl::unexpected(json.error());
+  const auto is_text = [](const Json& item) { return item.is_string(); };
+  if (!json->is_array() || !std::all_of(json->begin(), json->end(), is_text)) {
+    return fail(ErrorCode::parse, "must be a list [ … ] of texts such as \"squat_deg=60\"",
+                std::string(name));
+  }
+  return json->get<std::vector<std::string>>();
+}
+
+Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
+                          std::span<const std::string> assignments) {
+  if (candidate < 1 || candidate > count_of(stored)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("candidate {} does not exist; the result has the candidates 1 to {}",
+                            candidate, count_of(stored)));
+  }
+  const auto index = static_cast<std::size_t>(candidate - 1);
+  if (!traits_of(task.preset).layers) {
+    Parameters& parameters = stored.candidates[index];
+    const auto ok = assign_all(assignments, task.body, parameters);
+    return ok ? regenerate(task, parameters) : tl::unexpected(ok.error());
+  }
+  const auto layers = layers_to_goals(task);
+  if (!layers) return tl::unexpected(layers.error());
+  LayeredParameters& parameters = stored.layered[index];
+  const auto ok = assign_all(assignments, *layers, parameters);
+  return ok ? regenerate(task, parameters) : tl::unexpected(ok.error());
+}
+
+Result<Generation> replay_all(const Task& task, StoredResult& stored, const Progress& progress) {
+  Result<Generation> all = replay(task, stored, 1);
+  for (int k = 2; all && k <= count_of(stored); ++k) {
+    if (progress.report) {
+      progress.report({"replay", static_cast<double>(k - 1) / count_of(stored), k - 1,
+                       all->candidates.front().score.total});
+    }
+    if (progress.cancelled()) {
+      return fail(ErrorCode::cancelled,
+                  fmt::format("stopped after {} of {} candidates", k - 1, count_of(stored)));
+    }
+    Result<Generation> next = replay(task, stored, k);
+    if (!next) return next;
+    all->candidates.push_back(std::move(next->candidates.front()));
+    // what one cannot meet all cannot; what one can make is possible
+    const bool meets = all->meets_goals() && next->meets_goals();
+    const ReachStatus either = std::min(all->status, next->status);
+    all->status = meets ? either : ReachStatus::unreachable;
+  }
+  return all;
+}
+
+Result<void> mirror_result(StoredResult& stored) {
+  const Result<BodyModel> body = build_body(stored.task);
+  if (!body) return tl::unexpected(body.error());
+  Result<TaskFile> image = mirrored(stored.task);
+  if (!image) return tl::unexpected(image.error());
+  const Result<Task> task = make_task(*image, {});
+  if (!task) return tl::unexpected(task.error());
+  StoredResult other = stored;
+  other.task = std::move(*image);
+  for (Parameters& parameters : other.candidates) {
+    parameters = mirrored(*body, task->body, parameters);
+  }
+  for (LayeredParameters& parameters : other.layered) {
+    Result<LayeredParameters> changed = mirrored(*task, parameters);
+    if (!changed) return tl::unexpected(changed.error());
+    parameters = std::move(*changed);
+  }
+  stored = std::move(other);
+  return {};
+}
+
+StoredResult stored_result(const TaskFile& file, const Generation& generation) {
+  StoredResult stored{played_task(file, generation), {}, {}};
+  for (const Candidate& candidate : generation.candidates) {
+    if (candidate.layered) {
+      stored.layered.push_back(*candidate.layered);
+    } else {
+      stored.candidates.push_back(candidate.parameters);
+    }
+  }
+  return stored;
+}
+
+}  // namespace shigusa

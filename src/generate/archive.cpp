@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <shigusa/generate/archive.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+bool ends_with(const std::string& name, const char* end) {
+  const std::string tail = end;
+  return name.size() >= tail.size() &&
+         name.compare(name.size() - tail.size(), tail.size(), tail) == 0;
+}
+
+}  // namespace
+
+Style style_of(const std::optional<double>& stoop_squat_index) {
+  if (!stoop_squat_index) return Style::upright;
+  return *stoop_squat_index > kStoopIndex   ? Style::stoop
+         : *stoop_squat_index < kSquatIndex ? Style::squat
+                                            : Style::between;
+}
+
+Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()), meter_(body), angles_(dofs_) {
+  for (std::size_t d = 0; d < dofs_; ++d) {
+    const std::string& name = body.dofs()[d].name;
+    if (name == "right_hip.rotation") descriptors_[0].push_back(d);
+    if (ends_with(name, "shoulder.rotation")) descriptors_[1].push_back(d);
+  }
+}
+
+double Archive::mean_of(std::size_t descriptor, std::span<const float> posture) const {
+  const std::vector<std::size_t>& dofs = descriptors_[descriptor];
+  double sum = 0.0;
+  for (const std::size_t d : dofs) sum += static_cast<double>(posture[d]);
+  return dofs.empty() ? 0.0 : sum / static_cast<double>(dofs.size());
+}
+
+Archive::Cell Archive::cell_of(std::span<const float> posture, std::optional<double> index) const {
+  Cell cell{};
+  // who hardly bends has a cell apart
+  cell[2] = index ? static_cast<int>(clamp(*index / kIndexCell + 100.0, 0.0, 200.0)) : -1;
+  for (std::size_t k = 0; k < descriptors_.size(); ++k) {
+    // far outside anybody's range all is one
+    cell[k] = static_cast<int>(clamp(mean_of(k, posture) / kCell + 100.0, 0.0, 200.0));
+  }
+  return cell;
+}
+
+void Archive::add(std::span<const double> points, std::span<const double> scores,
+                  std::span<const float> postures, double worst) {
+  const std::size_t genes = scores.empty() ? 0 : points.size() / scores.size();
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    if (!(scores[i] < worst)) continue;
+    const std::span<const float> posture = postures.subspan(i * dofs_, dofs_);
+    angles_.assign(posture.begin(), posture.end());
+    const std::optional<double> index = meter_.index(angles_);
+    std::vector<Archived>& cell = cells_[cell_of(posture, index)];
+    if (cell.size() >= kPerCell && !(scores[i] < cell.back().score)) continue;
+    const std::span<const double> point = points.subspan(i * genes, genes);
+    insert({{point.begin(), point.end()},
+            scores[i],
+            {posture.begin(), posture.end()},
+            style_of(index)},
+           cell);
+  }
+}
+
+void Archive::add(const Archive& later) {
+  for (const auto& [cell, kept] : later.cells_) {
+    for (const Archived& archived : kept) insert(archived, cells_[cell]);
+  }
+}
+
+// behind those of the same score
+void Archive::insert(Archived archived, std::vector<Archived>& cell) {
+  const auto after =
+      std::upper_bound(cell.begin(), cell.end(), archived.score,
+                       [](double score, const Archived& kept) { return score < kept.score; });
+  cell.insert(after, std::move(archived));
+  if (cell.size() > kPerCell) cell.pop_back();
+}
+
+std::vector<Archived> Archive::ranked() const {
+  std::vector<Archived> all;
+  for (const auto& [cell, kept] : cells_) all.insert(all.end(), kept.begin(), kept.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Archived& a, const Archived& b) { return a.score < b.score; });
+  return all;
+}
+
+double posture_distance(std::span<const float> a, std::span<const float> b) {
+  double squares = 0.0;
+  for (std::size_t d = 0; d < a.size(); ++d) {
+    const double difference = static_cast<double>(a[d]) - static_cast<double>(b[d]);
+    squares += difference * difference;
+  }
+  return sqrt(squares / static_cast<double>(a.size()));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "candidate.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "task/task_goals.hpp"
+
+namespace shigusa {
+
+namespace {
+
+PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
+                   const Parameters& parameters) {
+  if (!problem.follow_path) return PathKind::free;
+  if (path.detour != Vec3d{}) return PathKind::detour;
+  const Timing<double>& timing = parameters.posture.timing;
+  return timing.bow == 0.0 && timing.sway == 0.0 ? PathKind::straight : PathKind::bowed;
+}
+
+// What the motion ends with of what the task asks for, whatever way it took.
+void add_goal_results(const Task& task, const ReachProblem& problem, const Motion& motion,
+                      Candidate& candidate) {
+  const BodyModel& body = task.body;
+  const Clip& clip = motion.clip;
+  Kinematics<double> start(body);
+  Kinematics<double> end(body);
+  forward_kinematics<double>(body, clip.frame(0), start);
+  forward_kinematics<double>(body, clip.frame(clip.frames - 1), end);
+  for (std::size_t g = 0; g < task.goals.size(); ++g) {
+    const Goal& asked = task.goals[g];
+    const ReachGoal& way = problem.goals[g];
+    const Effector& effector = body.effector(way.effector);
+    const Vec3d reached = motion.effectors[g].back();
+    ReachGoal box;
+    box.path.goal = asked.position;
+    box.tolerance = asked.tolerance;
+    GoalResult& result = candidate.goals.emplace_back();
+    result.effector = asked.effector;
+    result.node = effector.node;
+    result.goal = asked.position;
+    result.tolerance = asked.tolerance;
+    result.reached = reached;
+    result.error = norm(box.nearest(reached) - reached);
+    result.path = path_kind(problem, way.path, candidate.parameters);
+    const EffectorTurn turn = goal_turn(body, asked, way.effector, start);
+    result.turn.start = to_quat(start.link_rotation(effector.link));
+    result.turn.reached = to_quat(end.link_rotation(effector.link));
+    if (turn.kind != Turning::free) {
+      result.turn.error = turn.miss(end.link_rotation(effector.link));
+    }
+  }
+}
+
+double frame_distance(const Clip& a, const Clip& b, int frame) {
+  double squares = 0.0;
+  for (int d = 0; d < a.dofs; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    const double difference = a.frame(frame)[k] - b.frame(frame)[k];
+    squares += difference * difference;
+  }
+  return sqrt(squares / a.dofs);
+}
+
+// a NaN is worse than any score
+double ranking(const Score& score) {
+  return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
+}
+
+HeelLift heel_lift(const Heel& heel, const Clip& clip) {
+  HeelLift lift;
+  for (int f = 0; f < clip.frames; ++f) {
+    const double angle = clip.frame(f)[static_cast<std::size_t>(heel.toes)];
+    const SinCos<double> turn = sin_cos(angle);
+    const double height = heel.back.y * (turn.cos - 1.0) - heel.back.z * turn.sin;
+    lift = {max(lift.angle, angle), max(lift.height, height)};
+  }
+  return lift;
+}
+
+}  // namespace
+
+Candidate make_candidate(const Task& task, const ReachProblem& problem,
+                         const Parameters& parameters, RolledOut rolled) {
+  const BodyModel& body = task.body;
+  Candidate candidate;
+  candidate.parameters = parameters;
+  candidate.score = score_motion(body, rolled.motion, task_criteria(task));
+  add_goal_results(task, problem, rolled.motion, candidate);
+  candidate.path_error = rolled.outcome.path_error;
+  for (const Foot& foot : body.feet()) {
+    // the base cannot move; what another foot does was measured in every frame
+    const double slide = foot.link == kBaseLink ? 0.0 : rolled.outcome.contact_slide;
+    candidate.contacts.push_back({foot.name, foot.node, slide, {}});
+    if (foot.heel) candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip);
+  }
+  candidate.measures = measure_motion(body, rolled.motion, task_criteria(task).collision);
+  candidate.judgement = judge(body, rolled.motion, candidate.measures);
+  const Clip& clip = rolled.motion.clip;
+  candidate.final_posture =
+      PostureMeter(body).measure(clip.frame(clip.frames - 1), problem.goals.front().effector);
+  candidate.motion = std::move(rolled.motion);
+  return candidate;
+}
+
+double miss_of(const Candidate& candidate) {
+  double squares = 0.0;
+  for (const GoalResult& goal : candidate.goals) {
+    squares += goal.error * goal.error;
+    const double turn = kTurnLength * goal.turn.error.value_or(0.0);
+    squares += turn * turn;
+  }
+  return sqrt(squares);
+}
+
+ReachStatus status_of(bool met, std::span<const Candidate> candidates) {
+  if (!met) return ReachStatus::unreachable;
+  const bool none =
+      std::all_of(candidates.begin(), candidates.end(), [](const Candidate& candidate) {
+        return candidate.judgement.verdict == Verdict::impossible;
+      });
+  return none ? ReachStatus::unsteady : ReachStatus::reached;
+}
+
+bool ranks_before(const Candidate& a, const Candidate& b) {
+  const bool a_impossible = a.judgement.verdict == Verdict::impossible;
+  const bool b_impossible = b.judgement.verdict == Verdict::impossible;
+  if (a_impossible != b_impossible) return b_impossible;
+  return ranking(a.score) < ranking(b.score);
+}
+
+double largest_distance(const Clip& a, const Clip& b) {
+  double largest = 0.0;
+  for (int f = 0; f < a.frames; ++f) largest = max(largest, frame_distance(a, b, f));
+  return largest;
+}
+
+double final_distance(const Clip& a, const Clip& b) { return frame_distance(a, b, a.frames - 1); }
+
+}  // namespace shigusa

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/generate/generator.hpp>
+
+namespace shigusa {
+
+// A motion with all that is told of it.
+[[nodiscard]] Candidate make_candidate(const Task& task, const ReachProblem& problem,
+                                       const Parameters& parameters, RolledOut rolled);
+
+// Distance that is left to the goals (m), the root of the summed squares.
+[[nodiscard]] double miss_of(const Candidate& candidate);
+
+// What a search came to, by whether its candidates meet their goals.
+[[nodiscard]] ReachStatus status_of(bool met, std::span<const Candidate> candidates);
+
+// Orders candidates: what is impossible after all that is not, and of each the lowest score first,
+// a NaN last.
+[[nodiscard]] bool ranks_before(const Candidate& a, const Candidate& b);
+
+// Largest root-mean-square difference of two motions' joint angles over their frames (rad).
+[[nodiscard]] double largest_distance(const Clip& a, const Clip& b);
+// The same of the postures they end in.
+[[nodiscard]] double final_distance(const Clip& a, const Clip& b);
+
+}  // namespace shigusa

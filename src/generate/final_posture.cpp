@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/generate/final_posture.hpp>
+
+namespace shigusa {
+namespace {
+
+constexpr double kLeastDrop = 0.1;  // of the stature
+// Where words begin.
+constexpr double kTurned = radians(20.0);
+constexpr double kElbowOut = radians(50.0);
+constexpr double kStraightArm = 0.05;  // of its length: how far a bent elbow leaves the line
+
+constexpr std::array kPlaceNames{"left_upper_leg",  "right_upper_leg", "left_upper_arm",
+                                 "right_upper_arm", "left_lower_arm",  "right_lower_arm",
+                                 "left_hand",       "right_hand"};
+constexpr std::size_t kLeftWrist = 6;
+
+double mean_knee(const BodyModel& body, std::span<const double> angles) {
+  double sum = 0.0;
+  int knees = 0;
+  for (const char* name : {"left_knee.flexion", "right_knee.flexion"}) {
+    if (const std::optional<int> dof = body.find_dof(name)) {
+      sum += angles[static_cast<std::size_t>(*dof)];
+      ++knees;
+    }
+  }
+  return knees == 0 ? 0.0 : sum / knees;
+}
+
+}  // namespace
+
+PostureMeter::PostureMeter(const BodyModel& body) : body_(body), kinematics_(body) {
+  for (const BodyNode& node : body.nodes()) {
+    for (std::size_t p = 0; p < kPlaces; ++p) {
+      if (node.name == kPlaceNames[p]) nodes_[p] = &node;
+    }
+  }
+  forward_kinematics<double>(body_, body_.start(), kinematics_);
+  hip_height_ = between(kLeftHip).y;
+  shoulder_height_ = between(kLeftShoulder).y;
+  heading_ = heading();
+}
+
+Vec3d PostureMeter::at(std::size_t place) const {
+  return known(place) ? kinematics_.point(nodes_[place]->link, nodes_[place]->point) : Vec3d{};
+}
+
+Vec3d PostureMeter::between(std::size_t left) const {
+  const std::size_t right = left + 1;
+  if (known(left) && known(right)) return 0.5 * (at(left) + at(right));
+  return known(left) ? at(left) : at(right);
+}
+
+std::optional<double> PostureMeter::index_now() const {
+  const bool hips = known(kLeftHip) || known(kRightHip);
+  const bool shoulders = known(kLeftShoulder) || known(kRightShoulder);
+  const double down = shoulder_height_ - between(kLeftShoulder).y;
+  if (!hips || !shoulders || !(down >= kLeastDrop * body_.stature())) return std::nullopt;
+  return 100.0 * (1.0 - (hip_height_ - between(kLeftHip).y) / down);
+}
+
+// of the line from the right shoulder to the left, seen from above; 0 faces +Z
+double PostureMeter::heading() const {
+  if (!known(kLeftShoulder) || !known(kRightShoulder)) return 0.0;
+  const Vec3d across = at(kLeftShoulder) - at(kRightShoulder);
+  return atan2(-across.z, across.x);
+}
+
+double PostureMeter::elbow_swivel(int effector) const {
+  const std::string& hand = body_.effector(effector).name;
+  const std::size_t right = hand == "left_hand" ? 0 : 1;
+  if (right == 1 && hand != "right_hand") return 0.0;
+  const std::size_t needed[] = {kLeftShoulder + right, kRightShoulder - right, kLeftElbow + right,
+                                kLeftWrist + right};
+  for (const std::size_t place : needed) {
+    if (!known(place)) return 0.0;
+  }
+  const Vec3d shoulder = at(needed[0]);
+  const Vec3d reach = at(needed[3]) - shoulder;
+  const double length = norm(reach);
+  if (!(length > 0.0)) return 0.0;
+  const Vec3d along = (1.0 / length) * reach;
+  const auto across = [&](const Vec3d& v) { return v - dot(v, along) * along; };
+  const Vec3d bend = across(at(needed[2]) - shoulder);
+  if (norm(bend) < kStraightArm * length) return 0.0;
+  const Vec3d down = across({0.0, -1.0, 0.0});
+  const Vec3d out = across(shoulder - at(needed[1]));
+  if (!(norm(down) > 0.0) || !(norm(out) > 0.0)) return 0.0;
+  return atan2(dot(bend, out) / norm(out), dot(bend, down) / norm(down));
+}
+
+std::optional<double> PostureMeter::index(std::span<const double> angles) {
+  forward_kinematics<double>(body_, angles, kinematics_);
+  return index_now();
+}
+
+FinalPosture PostureMeter::measure(std::span<const double> angles, int effector) {
+  forward_kinematics<double>(body_, angles, kinematics_);
+  FinalPosture posture;
+  posture.knee_flexion = mean_knee(body_, angles);
+  posture.stoop_squat_index = index_now();
+  const double turn = heading() - heading_;
+  posture.trunk_turn = turn > kPi ? turn - 2.0 * kPi : turn < -kPi ? turn + 2.0 * kPi : turn;
+  posture.elbow_swivel = elbow_swivel(effector);
+  return posture;
+}
+
+std::string posture_words(const FinalPosture& posture) {
+  std::string words = "upright";
+  if (const std::optional<double> index = posture.stoop_squat_index) {
+    words = *index < kSquatIndex ? "squat" : *index > kStoopIndex ? "stoop" : "half squat";
+  }
+  if (posture.trunk_turn > kTurned) words += ", turned left";
+  if (posture.trunk_turn < -kTurned) words += ", turned right";
+  if (posture.elbow_swivel > kElbowOut) words += ", elbow out";
+  return words;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "layered_search.hpp"
+
+#include <algorithm>
+#include <shigusa/core/parallel.hpp>
+#include <shigusa/search/genetic.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "candidate.hpp"
+#include "layers/rest_search.hpp"
+
+namespace shigusa {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+bool has_goal(const LayeredProblem& problem, const BodyLimb& arm) {
+  return std::any_of(problem.arms.begin(), problem.arms.end(),
+                     [&](int a) { return problem.limbs.arms[index(a)].effector == arm.effector; });
+}
+
+// Whether a freedom of the upper layer's body moves anything that must be somewhere.
+bool has_use(const LayeredProblem& problem, int dof) {
+  for (const BodyLimb& arm : problem.limbs.arms) {
+    const Dof& flexion = problem.reach.body->dof(arm.flexion);
+    const Dof& abduction = problem.reach.body->dof(arm.abduction);
+    const std::string& name = problem.layers[0].body.dofs[index(dof)].name;
+    if (name == flexion.name || name == abduction.name) return has_goal(problem, arm);
+  }
+  return true;
+}
+
+// What the freedoms that have a final angle cost by the torque that they take, by their layers'
+// criteria: as Torque, of them alone.
+double own_torque(const LayeredProblem& problem, const Motion& motion) {
+  const BodyModel& body = *problem.reach.body;
+  double cost = 0.0;
+  for (const Layer& layer : problem.layers) {
+    double squares = 0.0;
+    int count = 0;
+    for (const LayerGene& gene : layer.genes) {
+      if (gene.kind != LayerGeneKind::final_angle) continue;
+      const int dof = body.find_dof(gene.name).value();
+      for (int f = 0; f < motion.clip.frames; ++f, ++count) {
+        const double tau = motion.torques[index(f * motion.clip.dofs + dof)];
+        const Dof& joint = body.dof(dof);
+        const double load = tau / (tau > 0.0 ? joint.torque_positive : joint.torque_negative);
+        squares += load * load;
+      }
+    }
+    const CriteriaSettings& criteria = layer.criteria;
+    if (count == 0) continue;
+    cost += criteria.torque_weight * min(1.0, sqrt(squares / count) / criteria.torque.share);
+  }
+  return cost;
+}
+
+}  // namespace
+
+std::vector<std::size_t> searched_genes(const LayeredProblem& problem) {
+  const Layer& layer = problem.layers[0];
+  std::vector<std::size_t> searched;
+  for (std::size_t g = 0; g < layer.genes.size(); ++g) {
+    const LayerGene& gene = layer.genes[g];
+    const bool used = std::any_of(gene.applies_to.begin(), gene.applies_to.end(), [&](int to) {
+      if (gene.kind == LayerGeneKind::weight) return has_use(problem, to);
+      const BodyLimb& limb = layer.body.limbs[index(to)].joints;
+      return limb.kind == LimbKind::leg || has_goal(problem, limb);
+    });
+    if (used) searched.push_back(g);
+  }
+  return searched;
+}
+
+LayerParameters decode_searched(const LayeredProblem& problem,
+                                std::span<const std::size_t> searched,
+                                std::span<const double> point, bool paper) {
+  const Layer& layer = problem.layers[0];
+  const auto spread = [&](auto rest, const auto& values) {
+    std::vector<typename std::decay_t<decltype(values)>::value_type> all;
+    for (const LayerGene& gene : layer.genes) all.push_back(rest(gene.kind));
+    for (std::size_t k = 0; k < searched.size(); ++k) all[searched[k]] = values[k];
+    return all;
+  };
+  const auto moves = [](LayerGeneKind kind) { return kind == LayerGeneKind::weight; };
+  if (!paper) {
+    const std::vector<double> values(point.begin(), point.end());
+    // the middle is a weight of 1
+    return decode_layer_point(
+        layer, spread([&](LayerGeneKind kind) { return moves(kind) ? 0.5 : 0.0; }, values));
+  }
+  const Genome genes = genome_of_point(point, kPaperBitsPerGene);
+  return decode_layer_genes(
+      layer,
+      spread([&](LayerGeneKind kind) { return static_cast<std::uint16_t>(moves(kind) ? 1 : 0); },
+             genes));
+}
+
+LayeredScorer::LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria,
+                             int threads, ChooseArms choose)
+    : problem_(&problem),
+      criteria_(&criteria),
+      threads_(threads),
+      choose_(std::move(choose)),
+      workers_(index(thread_count(threads))) {
+  (void)layered_members(problem.layers, start_);
+}
+
+LayeredScorer::Worker& LayeredScorer::worker(int at) {
+  std::unique_ptr<Worker>& own = workers_[index(at)];
+  if (own) return *own;
+  own = std::make_unique<Worker>(Worker{.player = LayeredPlayer(*problem_), .swivels = {}});
+  for (std::size_t g = 0; g < swivel_goals(); ++g) {
+    own->swivels.emplace_back(problem_->arm_bodies[g],
+                              problem_->limbs.arms[index(problem_->arms[g])],
+                              problem_->layers[1 + g]);
+  }
+  return *own;
+}
+
+ArmFeedback LayeredScorer::bare(std::size_t goal, const ReducedClip& clip, HandPath path) const {
+  return {.arm = &problem_->arm_bodies[goal],
+          .path = std::move(path),
+          .turn = hand_turn(*problem_, clip, goal),
+          .duration = problem_->reach.duration,
+          .obstacles = {},
+          .limb = {}};
+}
+
+double LayeredScorer::judged(const RolledOut& played) const {
+  const double worst = worst_score(*criteria_);
+  if (!played.outcome.met(problem_->reach.tolerance)) {
+    return worst + min(played.outcome.path_error, 1.0);
+  }
+  const BodyModel& body = *problem_->reach.body;
+  const double score = score_motion(body, played.motion, *criteria_).total;
+  if (!problem_->reach.hold_limits) return score;
+  double excess = 0.0;
+  for (const LimitExcess& over : limit_excess(body, played.motion.clip)) excess += over.excess;
+  return score + min(kOverLimitCost * excess, kOverLimitMost);
+}
+
+void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span<double> scores,
+                          std::span<float> postures) {
+  const int count = static_cast<int>(scores.size());
+  // first where the layers' trunk goes …
+  std::vector<ReducedClip> clips(scores.size());
+  std::vector<std::vector<HandPath>> paths(scores.size());
+  const double worst = worst_score(*criteria_);
+  const ReachTolerance& tolerance = problem_->reach.tolerance;
+  parallel_for(count, threads_, [&](int i, int thread) {
+    const auto k = index(i);
+    LayeredPlayer& player = worker(thread).player;
+    player.run_upper(parameters[k], clips[k]);
+    const bool kept =
+        clips[k].path_error <= tolerance.path && clips[k].foot_error <= kReachTolerance;
+    const bool leads = kept && player.check_pelvis(clips[k]).in_reach;
+    scores[k] = worst + min(clips[k].path_error + clips[k].foot_error, 1.0);
+    if (leads) paths[k] = player.hand_paths(clips[k]);
+  });
+  // … then what arms it needs, one after the other as a library may have to be built …
+  std::vector<LayeredParameters> below(scores.size(), start_);
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    if (!paths[k].empty() && choose_) below[k].arms = choose_(paths[k]);
+  }
+  // … then the whole body; a user's criteria are called by one thread
+  const int threads = criteria_->user.empty() ? threads_ : 1;
+  parallel_for(count, threads, [&](int i, int thread) {
+    const auto k = index(i);
+    if (paths[k].empty()) return;
+    Worker& own = worker(thread);
+    for (std::size_t g = 0; g < swivel_goals(); ++g) {
+      below[k].swivels[g] = own.swivels[g].glance(bare(g, clips[k], std::move(paths[k][g])));
+    }
+    const RolledOut played = own.player.expand_freeing(clips[k], below[k]);
+    scores[k] = judged(played);
+    if (postures.empty()) return;
+    const Clip& clip = played.motion.clip;
+    const std::span<const double> last = clip.frame(clip.frames - 1);
+    std::transform(last.begin(), last.end(),
+                   postures.begin() + static_cast<std::ptrdiff_t>(k * last.size()),
+                   [](double angle) { return static_cast<float>(angle); });
+  });
+}
+
+LayeredScorer::Played LayeredScorer::play(const LayerParameters& upper, const Feedback& feedback) {
+  LayeredPlayer& player = worker(0).player;
+  ReducedClip clip;
+  player.run_upper(upper, clip);
+  const std::vector<HandPath> paths = player.hand_paths(clip);
+  Played played{.parameters = start_};
+  played.parameters.upper = upper;
+  if (choose_) played.parameters.arms = choose_(paths);
+  for (std::size_t g = 0; g < swivel_goals(); ++g) {
+    played.parameters.swivels[g] = worker(0).swivels[g].glance(bare(g, clip, paths[g]));
+  }
+  if (!player.expand_freeing(clip, played.parameters).outcome.met(problem_->reach.tolerance)) {
+    return played;
+  }
+  retake_weights(clip, feedback, played);
+  if (feedback.glance) return played;
+  refine_swivels(clip, played.parameters);
+  settle_rest(clip, feedback, played.parameters);
+  return played;
+}
+
+void LayeredScorer::retake_weights(const ReducedClip& clip, const Feedback& feedback,
+                                   Played& played) {
+  LayeredPlayer& player = worker(0).player;
+  const std::vector<HandPath> paths = player.hand_paths(clip);
+  const BodyModel& body = *problem_->reach.body;
+  RolledOut motion = player.expand(clip, played.parameters);
+  for (std::size_t g = 0; g < played.parameters.arms.size(); ++g) {
+    const Effector& hand = body.effectors()[index(problem_->reach.goals[g].effector)];
+    double weight = kCollisionWeight;
+    for (int round = 0; round < feedback.rounds; ++round) {
+      if (collision_depth(body, motion.motion.clip, hand) <= kCollisionDepth) break;
+      const ArmFeedback report = arm_feedback(*problem_, g, paths[g], motion.motion.clip);
+      if (unavoidable_depth(report) > kCollisionDepth) break;
+      ++played.feedback_rounds;
+      const std::optional<FoundArm> found = search_free_arm(
+          report, problem_->layers[1 + g].criteria, weight, feedback.search, threads_);
+      if (!found) break;
+      played.parameters.arms[g] = arm_weights(found->genes);
+      motion = player.expand_freeing(clip, played.parameters);
+      weight *= kCollisionGrowth;
+    }
+  }
+}
+
+void LayeredScorer::refine_swivels(const ReducedClip& clip, LayeredParameters& parameters) {
+  Worker& own = worker(0);
+  const std::vector<HandPath> paths = own.player.hand_paths(clip);
+  for (std::size_t g = 0; g < swivel_goals(); ++g) {
+    const RolledOut played = own.player.expand(clip, parameters);
+    parameters.swivels[g] = own.swivels[g].find(
+        arm_feedback(*problem_, g, paths[g], played.motion.clip, hand_turn(*problem_, clip, g)));
+  }
+}
+
+void LayeredScorer::settle_rest(const ReducedClip& clip, const Feedback& feedback,
+                                LayeredParameters& parameters) {
+  const std::size_t angles = parameters.finals.size();
+  const BodyModel& body = *problem_->reach.body;
+  const int threads = criteria_->user.empty() ? threads_ : 1;
+  const RestEvaluation score = [&](std::span<const double> finals, std::span<double> scores) {
+    parallel_for(static_cast<int>(scores.size()), threads, [&](int i, int thread) {
+      LayeredParameters tried = parameters;
+      const auto first = finals.subspan(index(i) * angles, angles);
+      tried.finals.assign(first.begin(), first.end());
+      const RolledOut played = worker(thread).player.expand(clip, tried);
+      double depth = 0.0;
+      for (const BodyLimb& arm : problem_->limbs.arms) {
+        if (has_goal(*problem_, arm)) continue;
+        const Effector& hand = body.effectors()[index(arm.effector)];
+        depth = max(depth, collision_depth(body, played.motion.clip, hand));
+      }
+      scores[index(i)] = judged(played) + own_torque(*problem_, played.motion) +
+                         kSwivelCollisionWeight * clamp(depth / kCollisionFull, 0.0, 1.0);
+    });
+  };
+  search_finals(problem_->layers, feedback.seed, score, parameters.finals);
+}
+
+}  // namespace shigusa

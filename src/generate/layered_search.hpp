@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/layers/arm_feedback.hpp>
+#include <shigusa/layers/layered_player.hpp>
+#include <shigusa/layers/layered_settings.hpp>
+
+#include "layers/swivel_search.hpp"
+
+namespace shigusa {
+
+// The upper layer's genes that have something to act on: an arm without a goal hangs.
+[[nodiscard]] std::vector<std::size_t> searched_genes(const LayeredProblem& problem);
+
+// Parameters of the upper layer from a point of the searched genes' unit cube; the genes that are
+// not searched have a weight of 1 and no contraction. `paper`: in the paper's code of 16 numbers,
+// else decode_layer_point's.
+[[nodiscard]] LayerParameters decode_searched(const LayeredProblem& problem,
+                                              std::span<const std::size_t> searched,
+                                              std::span<const double> point, bool paper);
+
+// What an upper motion whose limbs pass their limits costs, where limits are to be held: so much a
+// radian in all, and no more than the second. One that is within them is better unless it is bad.
+inline constexpr double kOverLimitCost = 2.0;
+inline constexpr double kOverLimitMost = 0.5;
+
+// Scores upper motions with their limbs, many at once.
+class LayeredScorer {
+ public:
+  // Chooses the weights of the arms that go by them for an upper motion: (goals). Arms that go by
+  // their swivel are given the best of a few.
+  using ChooseArms = std::function<std::vector<ArmWeights>(std::span<const HandPath>)>;
+
+  LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria, int threads,
+                ChooseArms choose);
+
+  // scores (parameters): the criteria's; where hand or foot leaves its place, the worst of all and
+  // more, by what is missed. postures: (parameters × dofs) rad, how each motion ends, or empty.
+  void score(std::span<const LayerParameters> parameters, std::span<double> scores,
+             std::span<float> postures = {});
+
+  // One motion in full, with all that the layers below find for it.
+  struct Played {
+    LayeredParameters parameters;
+    int feedback_rounds = 0;
+  };
+  // How much is searched for it. What the upper layer reports to the lower one (rule R11): arms
+  // that pass through the body are searched again for this motion alone, up to `rounds` times each.
+  // The upper motion stays. Arms that go by their swivel are given the best of all, then what no
+  // goal moves its final angles, unless `glance`: then all is as score() has it.
+  struct Feedback {
+    int rounds = kCollisionRounds;
+    LimbSearch search = LimbSearch::ladder;
+    bool glance = false;
+    std::uint64_t seed = 0;  // of the search for final angles
+  };
+  [[nodiscard]] Played play(const LayerParameters& upper, const Feedback& feedback);
+
+ private:
+  // What one thread plays with.
+  struct Worker {
+    LayeredPlayer player;
+    std::vector<SwivelSearch> swivels;  // (goals whose arm goes by its swivel)
+  };
+  Worker& worker(int index);
+  [[nodiscard]] std::size_t swivel_goals() const { return start_.swivels.size(); }
+  // a path of an upper motion as the lower layer is told of it, without obstacles
+  [[nodiscard]] ArmFeedback bare(std::size_t goal, const ReducedClip& clip, HandPath path) const;
+  [[nodiscard]] double judged(const RolledOut& played) const;
+  void retake_weights(const ReducedClip& clip, const Feedback& feedback, Played& played);
+  void refine_swivels(const ReducedClip& clip, LayeredParameters& parameters);
+  void settle_rest(const ReducedClip& clip, const Feedback& feedback,
+                   LayeredParameters& parameters);
+
+  const LayeredProblem* problem_;
+  const CriteriaSettings* criteria_;
+  int threads_;
+  ChooseArms choose_;
+  LayeredParameters start_;                       // of the layers below, before any search
+  std::vector<std::unique_ptr<Worker>> workers_;  // one per thread, made when first needed
+};
+
+}  // namespace shigusa

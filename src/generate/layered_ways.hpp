@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/layers/layered_parameters.hpp>
+#include <shigusa/layers/layered_player.hpp>
+
+namespace shigusa {
+
+// Ways of layers to the goals, in the order in which they are tried.
+enum class LayeredWay {
+  layers,  // trunk and limb lengths first, then the limbs
+  body,  // all joints of the whole body at once, with the layers' weights: what layers cannot reach
+};
+
+struct LayeredArrival {
+  ReachProblem way;
+  RolledOut rolled;
+};
+
+// What leads how far. How far the body reaches is one answer for all presets (closest_reach): where
+// layers do not get there, the whole body goes by the ways that it goes without layers. The problem
+// outlives it.
+class LayeredWays {
+ public:
+  explicit LayeredWays(const LayeredProblem& problem) : problem_(&problem) {}
+
+  // The motion on the first way on which the parameters arrive, as long as that is not after
+  // `last`. The same parameters always give the same motion.
+  [[nodiscard]] std::optional<LayeredArrival> arrival(const LayeredParameters& parameters,
+                                                      LayeredWay last) const;
+  // The same by the whole body alone.
+  [[nodiscard]] std::optional<LayeredArrival> body_arrival(
+      const LayeredParameters& parameters) const;
+  // The same of all ways; where the parameters arrive on none, the nearest motion.
+  [[nodiscard]] LayeredArrival any_arrival(const LayeredParameters& parameters) const;
+
+ private:
+  const LayeredProblem* problem_;
+};
+
+}  // namespace shigusa

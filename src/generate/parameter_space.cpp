@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <shigusa/body/joint_name.hpp>
+#include <shigusa/core/check.hpp>
+#include <shigusa/generate/parameter_space.hpp>
+#include <shigusa/search/genetic.hpp>
+#include <shigusa/search/genetic_operators.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+// Of what gives way last (Dof::give), the logarithm of the least weight that is searched.
+constexpr double kLastLogWeight = -1.0;
+
+// the freedoms that move a target: the others do nothing in weighted IK
+std::vector<bool> useful_dofs(const ReachProblem& problem) {
+  std::vector<bool> useful(problem.body->dofs().size());
+  for (const IkTarget<double>& target : ik_targets(problem)) {
+    for (const int d : problem.body->chain(target.link)) useful[static_cast<std::size_t>(d)] = true;
+  }
+  return useful;
+}
+
+// "hip.flexion" of "left_hip.flexion", "spine.flexion" of all of its joints; arms keep their side
+std::string shared_name(const std::string& name) {
+  const JointName joint = parse_joint_name(name);
+  if (joint.joint == "chest" || joint.joint == "upper_chest") {
+    return "spine." + std::string(joint.freedom);
+  }
+  return joint.limb() == LimbKind::leg ? std::string(without_side(name)) : name;
+}
+
+// What is fixed for the motion is fixed in both of its phases, but for what the later one has of
+// its own.
+FixedParameters in_both_phases(const BodyModel& body, FixedParameters fixed) {
+  const std::size_t modes = posture_modes(body).size();
+  const std::size_t first = posture_members(body, fixed.values.posture).size();
+  add_later_phase(fixed.values);
+  fixed.later_joints.resize(fixed.joints.size());
+  fixed.posture.resize(posture_members(body, fixed.values).size());
+  LaterPhase& later = *fixed.values.later;
+  for (std::size_t d = 0; d < fixed.joints.size(); ++d) {
+    if (!fixed.joints[d] || fixed.later_joints[d]) continue;
+    later.joints[d] = fixed.values.joints[d];
+    fixed.later_joints[d] = true;
+  }
+  for (std::size_t m = 0; m < modes; ++m) {
+    if (fixed.posture[first + m]) continue;
+    later.modes[m] = fixed.values.posture.modes[m];
+    fixed.posture[first + m] = fixed.posture[m];
+  }
+  return fixed;
+}
+
+// those that are set, of all
+void keep_joints(const std::vector<bool>& set, std::span<const JointWeight> from,
+                 std::vector<JointWeight>& joints) {
+  for (std::size_t d = 0; d < set.size(); ++d) {
+    if (set[d]) joints[d] = from[d];
+  }
+}
+
+// as single precision has them, once for each motion
+void repeat(std::span<const double> values, std::size_t motions, std::vector<float>& rows) {
+  rows.clear();
+  for (std::size_t i = 0; i < motions; ++i) {
+    for (const double value : values) rows.push_back(static_cast<float>(value));
+  }
+}
+
+}  // namespace
+
+ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
+                               const std::optional<FixedParameters>& fixed, int phases)
+    : body_(problem.body),
+      code_(code),
+      named_(code == GeneCode::natural || code == GeneCode::every),
+      fixed_(fixed ? *fixed : no_fixed_parameters(*body_)),
+      posed_(named_) {
+  SHG_CHECK(phases == 1 || (phases == 2 && named_), "one phase, or two of the natural code");
+  if (phases == 2) fixed_ = in_both_phases(*body_, std::move(fixed_));
+  for (const bool set : fixed_.posture) posed_ = posed_ || set;
+  add_weights(problem);
+  if (named_) add_posture(problem);
+  if (phases == 2) add_later();
+}
+
+void ParameterSpace::add_weights(const ReachProblem& problem) {
+  const std::vector<bool> useful = useful_dofs(problem);
+  for (std::size_t d = 0; d < body_->dofs().size(); ++d) {
+    const std::string& name = body_->dofs()[d].name;
+    // a genome of the paper's has a gene for each freedom
+    if (fixed_.joints[d] && code_ != GeneCode::paper) continue;
+    if (!named_) {
+      genes_.push_back(
+          {.name = name, .dofs = {d}, .lower = -kLogWeightRange, .upper = kLogWeightRange});
+      continue;
+    }
+    if (!useful[d]) continue;
+    const auto same = [&](const Gene& gene) { return gene.name == shared_name(name); };
+    if (const auto gene = std::find_if(genes_.begin(), genes_.end(), same); gene != genes_.end()) {
+      gene->dofs.push_back(d);
+    } else {
+      // what gives way last is not to be among the first
+      const bool last = body_->dofs()[d].give < 1.0;
+      genes_.push_back({.name = shared_name(name),
+                        .dofs = {d},
+                        .lower = last ? kLastLogWeight : -kLogWeightRange,
+                        .upper = kLogWeightRange});
+    }
+  }
+}
+
+void ParameterSpace::add_posture(const ReachProblem& problem) {
+  const std::vector<bool> useful = useful_dofs(problem);
+  modes_ = posture_modes(*body_);
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    bool moves = false;
+    for (std::size_t d = 0; d < useful.size(); ++d) {
+      moves = moves || (useful[d] && modes_[m].direction[d] != 0.0);
+    }
+    if (!moves || fixed_.posture[m]) continue;
+    genes_.push_back({.kind = Kind::posture,
+                      .name = modes_[m].name,
+                      .index = m,
+                      .lower = modes_[m].lower,
+                      .upper = modes_[m].upper});
+  }
+  for (std::size_t k = 0; k < kTimings; ++k) {
+    const TimingNumber& number = kTimingNumbers[k];
+    const bool searched = number.searched || code_ == GeneCode::every;
+    if (!searched || fixed_.posture[modes_.size() + k]) continue;
+    genes_.push_back({.kind = Kind::timing,
+                      .name = std::string(number.name),
+                      .index = k,
+                      .lower = number.searched_low,
+                      .upper = number.searched_high});
+  }
+}
+
+// the weights and modes once more, where they are free, and when they take over
+void ParameterSpace::add_later() {
+  const std::size_t first = posture_members(*body_, fixed_.values.posture).size();
+  const std::size_t genes = genes_.size();
+  for (std::size_t g = 0; g < genes; ++g) {
+    Gene gene = genes_[g];
+    if (gene.kind != Kind::weight && gene.kind != Kind::posture) continue;
+    std::erase_if(gene.dofs, [this](std::size_t d) { return fixed_.later_joints[d]; });
+    const bool weight = gene.kind == Kind::weight;
+    if (weight ? gene.dofs.empty() : fixed_.posture[first + gene.index]) continue;
+    gene.name.insert(0, kLaterPrefix);
+    gene.later = true;
+    genes_.push_back(std::move(gene));
+  }
+  if (fixed_.posture.back()) return;
+  genes_.push_back({.kind = Kind::switch_at,
+                    .name = std::string(kSwitchName),
+                    .lower = kSwitchMin,
+                    .upper = kSwitchMax,
+                    .later = true,
+                    .start = fixed_.values.later->switch_at});
+}
+
+std::vector<std::string> ParameterSpace::names() const {
+  std::vector<std::string> names;
+  for (const Gene& gene : genes_) names.push_back(gene.name);
+  return names;
+}
+
+std::vector<double> ParameterSpace::start() const {
+  std::vector<double> point;
+  for (const Gene& gene : genes_) point.push_back(gene.of(gene.start));
+  return point;
+}
+
+int ParameterSpace::find(std::string_view name) const {
+  for (std::size_t g = 0; g < genes_.size(); ++g) {
+    if (genes_[g].name == name) return static_cast<int>(g);
+  }
+  return -1;
+}
+
+double ParameterSpace::coordinate(int gene, double value) const {
+  return clamp(genes_[static_cast<std::size_t>(gene)].of(value), 0.0, 1.0);
+}
+
+// what is fixed of the weights; of the posture, what has no gene is as it was
+void ParameterSpace::keep_fixed(Parameters& parameters) const {
+  if (fixed_.values.later) {
+    parameters.later = {.switch_at = fixed_.values.later->switch_at,
+                        .joints = parameters.joints,
+                        .modes = fixed_.values.later->modes};
+    keep_joints(fixed_.later_joints, fixed_.values.later->joints, parameters.later->joints);
+  }
+  keep_joints(fixed_.joints, fixed_.values.joints, parameters.joints);
+  if (posed_) parameters.posture = fixed_.values.posture;
+}
+
+Parameters ParameterSpace::decode(std::span<const double> point) const {
+  if (code_ == GeneCode::paper) {
+    Parameters parameters = decode_paper_genes(genome_of_point(point, kPaperBitsPerGene));
+    keep_fixed(parameters);
+    return parameters;
+  }
+  Parameters parameters = uniform_parameters(*body_);
+  keep_fixed(parameters);
+  for (std::size_t g = 0; g < genes_.size(); ++g) {
+    const Gene& gene = genes_[g];
+    const double value = gene.at(point[g]);
+    switch (gene.kind) {
+      case Kind::weight:
+        for (const std::size_t d : gene.dofs) {
+          (gene.later ? parameters.later->joints : parameters.joints)[d].weight =
+              exponential(value);
+        }
+        break;
+      case Kind::posture:
+        (gene.later ? parameters.later->modes : parameters.posture.modes)[gene.index] = value;
+        break;
+      case Kind::timing:
+        parameters.posture.timing.*kTimingMembers<double>[gene.index] = value;
+        break;
+      case Kind::switch_at:
+        parameters.later->switch_at = value;
+        break;
+    }
+  }
+  return parameters;
+}
+
+MotionInputs ParameterSpace::rows(std::span<const double> points) {
+  const std::size_t motions = points.size() / genes_.size();
+  const std::size_t dofs = body_->dofs().size();
+  Parameters base = uniform_parameters(*body_);
+  keep_fixed(base);
+  const std::vector<double> inverse = inverse_weights(base);
+  weights_.resize(motions * dofs);
+  if (code_ == GeneCode::paper) {
+    weights_ = inverse_weights_of_genes(genome_of_point(points, kPaperBitsPerGene));
+  }
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    const std::size_t d = k % dofs;
+    if (code_ != GeneCode::paper || fixed_.joints[d]) weights_[k] = static_cast<float>(inverse[d]);
+  }
+  start_rows(base, motions);
+  if (code_ != GeneCode::paper) {
+    for (std::size_t i = 0; i < motions; ++i) {
+      fill_row(i, points.subspan(i * genes_.size(), genes_.size()));
+    }
+  }
+  if (!posed_) return weights_;
+  MotionInputs inputs{weights_, postures_, timing_};
+  if (base.later) inputs.later = {later_weights_, later_postures_, switches_};
+  return inputs;
+}
+
+// postures and the later phase, all as the fixed parameters have it
+void ParameterSpace::start_rows(const Parameters& base, std::size_t motions) {
+  if (!posed_) return;
+  repeat(posture_change(*body_, base.posture), motions, postures_);
+  std::vector<double> timing;
+  for (const auto member : kTimingMembers<double>) timing.push_back(base.posture.timing.*member);
+  repeat(timing, motions, timing_);
+  if (!base.later) return;
+  repeat(inverse_weights({.joints = base.later->joints}), motions, later_weights_);
+  repeat(posture_change(*body_, {.modes = base.later->modes}), motions, later_postures_);
+  switches_.assign(motions, static_cast<float>(base.later->switch_at));
+}
+
+void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
+  const std::size_t dofs = body_->dofs().size();
+  for (std::size_t g = 0; g < genes_.size(); ++g) {
+    const Gene& gene = genes_[g];
+    const double value = gene.at(point[g]);
+    if (gene.kind == Kind::weight) {
+      const auto inverse = static_cast<float>(exponential(-value));
+      std::vector<float>& weights = gene.later ? later_weights_ : weights_;
+      for (const std::size_t d : gene.dofs) weights[row * dofs + d] = inverse;
+    } else if (gene.kind == Kind::posture) {
+      const std::vector<double>& direction = modes_[gene.index].direction;
+      std::vector<float>& postures = gene.later ? later_postures_ : postures_;
+      for (std::size_t d = 0; d < dofs; ++d) {
+        postures[row * dofs + d] += static_cast<float>(value * direction[d]);
+      }
+    } else if (gene.kind == Kind::switch_at) {
+      switches_[row] = static_cast<float>(value);
+    } else {
+      timing_[row * kTimings + gene.index] = static_cast<float>(value);
+    }
+  }
+}
+
+}  // namespace shigusa

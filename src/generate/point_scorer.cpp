@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "point_scorer.hpp"
+
+#include <algorithm>
+#include <shigusa/core/parallel.hpp>
+#include <shigusa/generate/final_posture.hpp>
+
+#include "ways.hpp"
+
+namespace shigusa {
+
+bool scores_whole_motions(const Task& task, const CriteriaSettings& criteria) {
+  return !criteria.user.empty() || task.generator != MotionGenerator::weighted_ik;
+}
+
+PointScorer::PointScorer(const ReachProblem& problem, const Task& task,
+                         const CriteriaSettings& criteria, const ParameterSpace& space, int threads)
+    : problem_(problem),
+      task_(task),
+      criteria_(criteria),
+      space_(space),
+      threads_(threads),
+      batch_(problem, criteria, {.simd = task.batch.simd, .threads = threads}),
+      archive_(*problem.body),
+      dial_(SquatDial::of(task)) {}
+
+void PointScorer::score(std::span<const double> points, std::span<double> scores) {
+  const std::size_t dofs = problem_.body->dofs().size();
+  const bool kept = task_.preset != Preset::paper;
+  angles_.resize(kept ? scores.size() * dofs : 0);
+  if (scores_whole_motions(task_, criteria_)) {
+    score_one_by_one(points, scores);
+  } else {
+    batch_.score(space_.rows(points), scores, angles_);
+  }
+  if (!kept) return;
+  kept_scores_.assign(scores.begin(), scores.end());
+  for (std::size_t i = 0; dial_ && i < scores.size(); ++i) {
+    const double off = dial_->off({angles_.data() + i * dofs, dofs});
+    if (off > kDialSlack) kept_scores_[i] = worst_score(criteria_);
+    scores[i] += kDialPull * max(0.0, off - kDialAim);
+  }
+  take_guess(points, kept_scores_);
+  archive_.add(points, kept_scores_, angles_, worst_score(criteria_));
+}
+
+void PointScorer::score_one_by_one(std::span<const double> points, std::span<double> scores) {
+  const auto genes = static_cast<std::size_t>(space_.genes());
+  const std::size_t dofs = problem_.body->dofs().size();
+  const auto score = [&](int index, int) {
+    const auto i = static_cast<std::size_t>(index);
+    const RolledOut rolled =
+        play(problem_, space_.decode(points.subspan(i * genes, genes)), task_.generator);
+    scores[i] = rolled.outcome.met(problem_.tolerance)
+                    ? score_motion(*problem_.body, rolled.motion, criteria_).total
+                    : worst_score(criteria_);
+    if (angles_.empty()) return;
+    const Clip& clip = rolled.motion.clip;
+    std::transform(clip.frame(clip.frames - 1).begin(), clip.frame(clip.frames - 1).end(),
+                   angles_.begin() + static_cast<std::ptrdiff_t>(i * dofs),
+                   [](double angle) { return static_cast<float>(angle); });
+  };
+  // a user's functions are called from one thread only
+  parallel_for(static_cast<int>(scores.size()), criteria_.user.empty() ? threads_ : 1, score);
+}
+
+void PointScorer::take_guess(std::span<const double> points, std::span<const double> scores) {
+  const auto genes = static_cast<std::size_t>(space_.genes());
+  const std::size_t dofs = problem_.body->dofs().size();
+  for (std::size_t i = 0; i < scores.size() && guessed_ < kGuessed; ++i, ++guessed_) {
+    const bool arrives = scores[i] < worst_score(criteria_);
+    if (!arrives || !(guess_.point.empty() || scores[i] < guess_.score)) continue;
+    const auto point = points.subspan(i * genes, genes);
+    guess_.point.assign(point.begin(), point.end());
+    guess_.score = scores[i];
+    const auto posture = std::span(angles_).subspan(i * dofs, dofs);
+    guess_.bends = PostureMeter(*problem_.body)
+                       .index(std::vector<double>(posture.begin(), posture.end()))
+                       .has_value();
+  }
+}
+
+}  // namespace shigusa

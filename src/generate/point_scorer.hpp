@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/generate/archive.hpp>
+#include <shigusa/generate/parameter_space.hpp>
+#include <shigusa/rollout/batch_rollout.hpp>
+#include <shigusa/task/task.hpp>
+#include <span>
+#include <vector>
+
+#include "squat_dial.hpp"
+
+namespace shigusa {
+
+// Scores the points of one part of a search, and keeps what their motions end in. Problem, task and
+// criteria outlive it.
+class PointScorer {
+ public:
+  // The best of the first motions.
+  struct Guess {
+    std::vector<double> point{};  // empty where none arrives
+    double score = 0.0;
+    bool bends = true;  // ends with the shoulders down
+  };
+  static constexpr int kGuessed = 480;  // motions
+
+  // On so many threads (0: one for each core).
+  PointScorer(const ReachProblem& problem, const Task& task, const CriteriaSettings& criteria,
+              const ParameterSpace& space, int threads);
+
+  // points (motions × genes) → scores (motions), lower is better; what a fixed squat asks for is
+  // added to them.
+  void score(std::span<const double> points, std::span<double> scores);
+
+  [[nodiscard]] const Archive& archive() const { return archive_; }
+  [[nodiscard]] const Guess& guess() const { return guess_; }
+
+ private:
+  void score_one_by_one(std::span<const double> points, std::span<double> scores);
+  void take_guess(std::span<const double> points, std::span<const double> scores);
+
+  const ReachProblem& problem_;
+  const Task& task_;
+  const CriteriaSettings& criteria_;
+  ParameterSpace space_;  // has scratch memory of its own
+  int threads_;
+  BatchRollout batch_;
+  Archive archive_;
+  std::optional<SquatDial> dial_;
+  Guess guess_;
+  int guessed_ = 0;                  // motions
+  std::vector<float> angles_;        // (motions × dofs) rad, where they end
+  std::vector<double> kept_scores_;  // (motions), without what is added
+};
+
+// Whether motions are scored one by one: criteria of the user's own want whole motions, and NLP-IK
+// has no lanes.
+[[nodiscard]] bool scores_whole_motions(const Task& task, const CriteriaSettings& criteria);
+
+}  // namespace shigusa

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/task/task.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+// The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
+// leave more or less of it, so the search is told how much. A later phase that is fixed to another
+// squat ends somewhere between them, so that then there is no dial.
+class SquatDial {
+ public:
+  // None where the task fixes no squat.
+  static std::optional<SquatDial> of(const Task& task) {
+    const std::optional<double> squat = fixed_value(task, "squat");
+    if (!squat || fixed_value(task, "later.squat").value_or(*squat) != *squat) return std::nullopt;
+    SquatDial dial;
+    for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
+      const std::optional<int> dof = task.body.find_dof(knee);
+      if (!dof) continue;
+      dial.knees_.push_back(static_cast<std::size_t>(*dof));
+      dial.wanted_ += *squat + task.body.start()[dial.knees_.back()];
+    }
+    if (dial.knees_.empty()) return std::nullopt;
+    return dial;
+  }
+
+  // How far (rad) the mean of the knees' angles is off.
+  [[nodiscard]] double off(std::span<const float> angles) const {
+    double sum = -wanted_;
+    for (const std::size_t knee : knees_) sum += static_cast<double>(angles[knee]);
+    return abs(sum) / static_cast<double>(knees_.size());
+  }
+
+ private:
+  static std::optional<double> fixed_value(const Task& task, std::string_view name) {
+    if (!task.fixed) return std::nullopt;
+    Parameters values = task.fixed->values;
+    const std::vector<PostureMember> members = posture_members(task.body, values);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      if (members[m].name == name && task.fixed->posture[m]) return *members[m].value;
+    }
+    return std::nullopt;
+  }
+
+  std::vector<std::size_t> knees_;
+  double wanted_ = 0.0;  // rad, of all knees together
+};
+
+// How near (rad) the dial's motions come to it, what the search aims at, and what a radian off
+// costs there; no criterion is 1 for more than that.
+inline constexpr double kDialSlack = radians(8.0);
+inline constexpr double kDialAim = radians(4.0);
+inline constexpr double kDialPull = 1.0;
+
+}  // namespace shigusa

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/generate/verdict.hpp>
+#include <shigusa/layers/clip_dynamics.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+// Gathers reasons that are beyond their bounds.
+class Reasons {
+ public:
+  void add(VerdictBounds bounds, Reason reason) {
+    if (!(reason.amount > bounds.strains)) return;
+    const bool impossible = reason.amount > bounds.impossible;
+    reason.verdict = impossible ? Verdict::impossible : Verdict::strains;
+    found_.push_back({reason.amount / bounds.impossible, std::move(reason)});
+  }
+
+  // the worst first: by how many times each is what is impossible
+  Judgement judgement() && {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Found& a, const Found& b) { return a.beyond > b.beyond; });
+    Judgement judgement;
+    for (Found& found : found_) {
+      judgement.verdict = std::max(judgement.verdict, found.reason.verdict);
+      judgement.reasons.push_back(std::move(found.reason));
+    }
+    return judgement;
+  }
+
+ private:
+  struct Found {
+    double beyond;
+    Reason reason;
+  };
+  std::vector<Found> found_;
+};
+
+std::string when(const Reason& reason) {
+  return reason.time ? fmt::format(" at {:.2f} s", *reason.time) : std::string();
+}
+
+// The verdict on a motion in another duration: limits and collisions are what they were.
+Verdict verdict_in(double duration, const BodyModel& body, Clip clip, MotionMeasures measures,
+                   ClipDynamics& dynamics) {
+  clip.frame_time = duration / (clip.frames - 1);
+  const Motion slower = dynamics.completed(std::move(clip));
+  measures.loads = joint_loads(body, slower);
+  measures.support = support_margins(body, slower);
+  return judge(body, measures).verdict;
+}
+
+}  // namespace
+
+std::string reason_words(const Reason& reason) {
+  switch (reason.kind) {
+    case ReasonKind::strength:
+      return fmt::format("{} needs {:.0f} N·m{}, {:.1f} times its strength of {:.0f}",
+                         reason.subject, reason.torque, when(reason), reason.amount,
+                         reason.strength);
+    case ReasonKind::pressure:
+      return fmt::format("the floor would have to press {:.0f} mm outside the feet{}",
+                         1e3 * reason.amount, when(reason));
+    case ReasonKind::collision:
+      return fmt::format("{} is {:.0f} mm in {}{}", reason.subject, 1e3 * reason.amount,
+                         reason.other, when(reason));
+    case ReasonKind::limit:
+      return fmt::format("{} is {:.0f}° beyond its range", reason.subject, degrees(reason.amount));
+  }
+  return "";
+}
+
+Judgement judge(const BodyModel& body, const MotionMeasures& measures) {
+  Reasons reasons;
+  for (const JointLoad& load : measures.loads) {
+    const Dof& dof = body.dof(load.dof);
+    reasons.add(body.robot() ? kEffortBounds : kStrengthBounds,
+                {.kind = ReasonKind::strength,
+                 .amount = load.share,
+                 .subject = dof.name,
+                 .torque = abs(load.torque),
+                 .strength = load.torque > 0.0 ? dof.torque_positive : dof.torque_negative,
+                 .time = load.time});
+  }
+  if (measures.support) {
+    const SupportMargin& pressure = measures.support->pressure;
+    reasons.add(
+        kPressureBounds,
+        {.kind = ReasonKind::pressure, .amount = -pressure.distance, .time = pressure.time});
+  }
+  const CollisionFound& collides = measures.collides;
+  reasons.add(kCollisionBounds, {.kind = ReasonKind::collision,
+                                 .amount = collides.depth,
+                                 .subject = collides.limb,
+                                 .other = collides.other,
+                                 .time = collides.time});
+  for (const LimitExcess& over : measures.over_limit) {
+    reasons.add(kLimitBounds,
+                {.kind = ReasonKind::limit, .amount = over.excess, .subject = over.dof});
+  }
+  return std::move(reasons).judgement();
+}
+
+Judgement judge(const BodyModel& body, const Motion& motion, const MotionMeasures& measures) {
+  constexpr int kHalvings = 6;
+  Judgement judgement = judge(body, measures);
+  if (judgement.verdict != Verdict::impossible) return judgement;
+  double fast = motion.clip.duration();
+  double slow = kSlowest * fast;
+  ClipDynamics dynamics(body);
+  const auto in = [&](double duration) {
+    return verdict_in(duration, body, motion.clip, measures, dynamics);
+  };
+  const Verdict best = in(slow);
+  if (best == Verdict::impossible) return judgement;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (fast + slow);
+    (in(middle) <= best ? slow : fast) = middle;
+  }
+  judgement.possible_in = slow;
+  return judgement;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "ways.hpp"
+
+#include <limits>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/motion/jolt.hpp>
+#include <shigusa/nlp/nlp_rollout.hpp>
+#include <shigusa/rollout/detour.hpp>
+#include <utility>
+
+#include "rollout/tiptoe.hpp"
+
+namespace shigusa {
+namespace {
+
+// Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn
+// fast and would jolt into the last frame.
+constexpr int kEdgeCorrections = 3;
+
+// How far (m) a hand at the edge of reach may still come in the last frame.
+constexpr double kRestStep = 1e-3;
+
+bool ends_at_rest(const Motion& motion) {
+  for (const std::vector<Vec3d>& path : motion.effectors) {
+    if (path.size() > 1 && norm(path.back() - path[path.size() - 2]) > kRestStep) return false;
+  }
+  return true;
+}
+
+// The motion does what its way asks for; beyond reach, without a jolt and at rest at the
+// end.
+bool arrives(const ReachProblem& way, const RolledOut& rolled) {
+  if (!rolled.outcome.met(way.tolerance)) return false;
+  if (way.tolerance.goal <= kReachTolerance) return true;
+  return !jolts(rolled.motion.clip) && ends_at_rest(rolled.motion);
+}
+
+}  // namespace
+
+std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
+  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+    // of a box the way ends where the posture that is known to arrive has the effector
+    ReachGoal& goal = problem.goals[g];
+    if (reach.reached() && goal.tolerance != Vec3d{}) {
+      goal.path.goal = goal.nearest(reach.positions[g], kBoxInset);
+      goal.tolerance = {};
+    }
+  }
+  if (reach.reached()) add_detours(problem);
+  ReachProblem guided = problem;
+  guided.guide = reach.angles;
+  ReachProblem posture = guided;
+  posture.follow_path = false;
+  // weights alone lift heels without a thought of what then bears the body
+  const bool tiptoe = reach.reached() && Tiptoe(*problem.body, reach.angles).lifted();
+  if (tiptoe) return {guided, posture};
+  if (reach.reached()) return {problem, guided, posture};
+  // the edge of reach: the path ends at the closest point, and a hand whose limb is stretched out
+  // lags behind a path that it need not keep
+  guided.tolerance = posture.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
+  guided.corrections = posture.corrections = kEdgeCorrections;
+  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+    guided.goals[g].path.goal = posture.goals[g].path.goal = reach.positions[g];
+    const EffectorTurn turn = problem.goals[g].turn.ending_at(reach.turns[g]);
+    guided.goals[g].turn = posture.goals[g].turn = turn;
+  }
+  return {guided, posture};
+}
+
+RolledOut play(const ReachProblem& problem, const Parameters& parameters,
+               MotionGenerator generator) {
+  return generator == MotionGenerator::nlp_ik ? roll_out_nlp(problem, parameters)
+                                              : roll_out(problem, parameters);
+}
+
+std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
+                                     const Parameters& parameters, MotionGenerator generator) {
+  for (const ReachProblem& way : ways) {
+    RolledOut rolled = play(way, parameters, generator);
+    if (arrives(way, rolled)) return Arrival{&way, std::move(rolled)};
+  }
+  return std::nullopt;
+}
+
+Arrival nearest_arrival(std::span<const ReachProblem> ways, const Parameters& parameters,
+                        MotionGenerator generator) {
+  if (auto arrival = first_arrival(ways, parameters, generator)) return std::move(*arrival);
+  std::optional<Arrival> best;
+  for (const ReachProblem& way : ways) {
+    RolledOut rolled = play(way, parameters, generator);
+    const bool stands = rolled.outcome.stands();
+    const bool best_stands = best && best->rolled.outcome.stands();
+    const bool nearer = best && rolled.outcome.goal_error < best->rolled.outcome.goal_error;
+    if (!best || (stands == best_stands ? nearer : stands)) best = Arrival{&way, std::move(rolled)};
+  }
+  return std::move(*best);
+}
+
+}  // namespace shigusa

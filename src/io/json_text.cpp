@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "json_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "watched_json.hpp"
+
+namespace shigusa {
+namespace {
+
+// Watches a text being parsed and ends it by throwing what is wrong.
+class JsonLimits {
+ public:
+  void see(int depth, Json::parse_event_t event, const Json& parsed) {
+    if (depth > kJsonMaxDepth) {
+      throw fmt::format("nested deeper than {} levels", kJsonMaxDepth);
+    }
+    if (++values_ > kJsonMaxValues) throw fmt::format("more than {} values", kJsonMaxValues);
+    using Event = Json::parse_event_t;
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key) see_key(parsed.get_ref<const std::string&>());
+    // of an event, `depth` counts the objects and lists that are open around it
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Event::array_start || event == Event::object_start) objects_[level + 1] = 0;
+    if (event == Event::object_start && ++objects_[level] > kJsonMaxObjects) {
+      throw fmt::format("more than {} objects in one list", kJsonMaxObjects);
+    }
+  }
+
+ private:
+  void see_key(const std::string& key) {
+    if (!keys_.back().insert(key).second) {
+      throw fmt::format("the key '{}' stands twice in one object", key.substr(0, 80));
+    }
+    if (keys_.back().size() > kJsonMaxMembers) {
+      throw fmt::format("more than {} members in one object", kJsonMaxMembers);
+    }
+  }
+
+  std::size_t values_ = 0;
+  std::vector<std::set<std::string>> keys_;               // of the objects that are open
+  std::array<std::size_t, kJsonMaxDepth + 2> objects_{};  // in what is open at a depth
+};
+
+}  // namespace
+
+Result<Json> parse_json(std::string_view text, std::string_view name) {
+  JsonLimits limits;
+  const auto watch = [&limits](int depth, Json::parse_event_t event, const Json& parsed) {
+    limits.see(depth, event, parsed);
+    return true;
+  };
+  const std::string place(name);
+  if (text.empty()) return fail(ErrorCode::parse, "the file is empty", place);
+  return parse_watched<Json>(text, watch, "JSON", place);
+}
+
+}  // namespace shigusa

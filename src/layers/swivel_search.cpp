@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "swivel_search.hpp"
+
+#include <shigusa/criteria/criteria.hpp>
+#include <shigusa/criteria/motion_measures.hpp>
+#include <shigusa/motion/jolt.hpp>
+#include <utility>
+
+namespace shigusa {
+namespace {
+
+constexpr int kGlancePoints = 6;  // every 30°
+constexpr int kGridPoints = 11;   // every 15°
+constexpr int kGoldenSteps = 6;   // to within a degree
+constexpr double kGolden = 0.6180339887498949;
+
+}  // namespace
+
+SwivelSearch::SwivelSearch(const BodyModel& arm, const BodyLimb& limb, const Layer& layer)
+    : arm_(&arm), layer_(&layer), moved_(arm, limb), dynamics_(arm), placed_(arm) {}
+
+double SwivelSearch::glance(const ArmFeedback& told) {
+  return best_of_grid(told, kGlancePoints).swivel;
+}
+
+double SwivelSearch::find(const ArmFeedback& told) {
+  Best best = best_of_grid(told, kGridPoints);
+  const LayerGene& gene = layer_->genes.front();
+  const double step = (gene.high - gene.low) / (kGridPoints - 1);
+  double low = max(best.swivel - step, gene.low);
+  double high = min(best.swivel + step, gene.high);
+  const auto at = [&](double share) {
+    const double swivel = low + share * (high - low);
+    const double scored = score(told, swivel);
+    if (scored < best.score) best = {swivel, scored};
+    return scored;
+  };
+  double below = at(1.0 - kGolden);
+  double above = at(kGolden);
+  for (int k = 0; k < kGoldenSteps; ++k) {
+    if (below < above) {
+      high = low + kGolden * (high - low);
+      above = std::exchange(below, at(1.0 - kGolden));
+    } else {
+      low = low + (1.0 - kGolden) * (high - low);
+      below = std::exchange(above, at(kGolden));
+    }
+  }
+  return best.swivel;
+}
+
+SwivelSearch::Best SwivelSearch::best_of_grid(const ArmFeedback& told, int points) {
+  const LayerGene& gene = layer_->genes.front();
+  Best best{.swivel = 0.0, .score = score(told, 0.0)};
+  for (int k = 0; k < points; ++k) {
+    const double swivel = min(gene.high, gene.low + (gene.high - gene.low) * k / (points - 1));
+    const double scored = score(told, swivel);
+    if (scored < best.score) best = {swivel, scored};
+  }
+  return best;
+}
+
+double SwivelSearch::score(const ArmFeedback& told, double swivel) {
+  const auto frames = static_cast<int>(told.path.size());
+  Clip clip{.dofs = arm_->dof_count(),
+            .frames = frames,
+            .frame_time = told.duration / (frames - 1),
+            .angles = {}};
+  moved_.run(told.path, swivel, clip.angles, told.turn);
+  double cost = 0.0;
+  for (const LimitExcess& over : limit_excess(*arm_, clip)) cost += kSwivelOver + over.excess;
+  if (jolts(clip)) cost += kSwivelOver;
+  const double depth = depth_along(told, clip, placed_);
+  cost += kSwivelCollisionWeight * clamp(depth / kCollisionFull, 0.0, 1.0);
+  const Motion motion = dynamics_.completed(std::move(clip));
+  return cost + score_motion(*arm_, motion, layer_->criteria).total;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/layers/arm_feedback.hpp>
+#include <shigusa/layers/arm_swivel.hpp>
+#include <shigusa/layers/clip_dynamics.hpp>
+
+namespace shigusa {
+
+// What a swivel costs beside the layer's criteria: one that leaves the joints' limits or jolts is
+// taken only where all do …
+inline constexpr double kSwivelOver = 1.0;
+// … and the body in the arm's way counts by P = min(1, depth / kCollisionFull) times this.
+inline constexpr double kSwivelCollisionWeight = 2.0;
+
+// Chooses the swivel of one arm on a hand's path. Holds its scratch memory: make one per thread.
+// Arm and layer outlive it.
+class SwivelSearch {
+ public:
+  SwivelSearch(const BodyModel& arm, const BodyLimb& limb, const Layer& layer);
+
+  // The best of a few, for the search of the layer above.
+  [[nodiscard]] double glance(const ArmFeedback& told);
+  // The best of a finer grid, then of the golden section about it.
+  [[nodiscard]] double find(const ArmFeedback& told);
+
+ private:
+  struct Best {
+    double swivel = 0.0;  // rad
+    double score = 0.0;
+  };
+  [[nodiscard]] Best best_of_grid(const ArmFeedback& told, int points);
+  [[nodiscard]] double score(const ArmFeedback& told, double swivel);
+
+  const BodyModel* arm_;
+  const Layer* layer_;
+  SwivelArm moved_;
+  ClipDynamics dynamics_;
+  Kinematics<double> placed_;
+};
+
+}  // namespace shigusa

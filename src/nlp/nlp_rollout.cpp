@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <shigusa/nlp/nlp_rollout.hpp>
+
+#include "rollout/record_motion.hpp"
+
+namespace shigusa {
+
+NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& settings)
+    : problem_(&problem),
+      contacts_from_(problem.goals.size()),
+      targets_(ik_targets(problem)),
+      ik_(*problem.body, settings),
+      limits_(*problem.body),
+      dynamics_(*problem.body),
+      now_(*problem.body),
+      next_(*problem.body),
+      angles_(3, std::vector<double>(problem.body->dofs().size())),
+      speeds_(problem.body->dofs().size()),
+      accelerations_(speeds_),
+      torques_(speeds_),
+      reference_(speeds_),
+      blend_(speeds_.size()) {
+  SHG_CHECK(problem.steps >= 1 && problem.duration > 0.0, "steps and duration of a motion");
+  SHG_CHECK(problem.guide.empty() || problem.guide.size() == speeds_.size(),
+            "one angle of the guide per dof");
+}
+
+void NlpRollout::begin(const MotionInput<double>& input) {
+  SHG_CHECK(input.posture.empty() || input.posture.size() == speeds_.size(),
+            "one change of posture per dof");
+  SHG_CHECK(!input.has_later() || (input.later.inverse_weights.size() == speeds_.size() &&
+                                   input.later.posture.size() == input.posture.size()),
+            "one inverse weight and change of posture of the later phase per dof");
+  const std::span<const double> start = problem_->body->start();
+  for (std::vector<double>& angles : angles_) angles.assign(start.begin(), start.end());
+  for (IkTarget<double>& target : targets_) {
+    target.lag = 0.0;
+    target.lead = target.tilt_lead = {};
+  }
+  drawn_ = !problem_->guide.empty() || !input.posture.empty();
+  unconverged_ = evaluations_ = 0;
+  ik_.begin(targets_, input.inverse_weights);
+  later_share_ = 0.0;
+  if (input.has_later()) blend_.begin(input);
+  forward_kinematics<double>(*problem_->body, start, now_);
+}
+
+// moves the angles of the next frame to where the paths are then
+void NlpRollout::follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome) {
+  const bool last = frame == problem_->steps;
+  place_goals(frame, input);
+  change_phase(frame, input);
+  draw_null_space(frame, input);
+  const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
+  const auto targets = std::span<IkTarget<double>>(targets_).subspan(skipped);
+  const std::span<const double> reference =
+      drawn_ ? std::span<const double>(reference_) : std::span<const double>{};
+  const NlpIkOutcome found = ik_.solve(targets, angles_[1], reference, angles_[2]);
+  unconverged_ += found.converged ? 0 : 1;
+  evaluations_ += found.evaluations;
+  // what rounding puts beyond a limit
+  limits_.hold(angles_[2]);
+  forward_kinematics<double>(*problem_->body, angles_[2], next_);
+  measure(targets, last, outcome);
+}
+
+void NlpRollout::advance() {
+  std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
+  std::swap(now_, next_);
+}
+
+// where the effectors are to be in this frame
+void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
+  const double tau = static_cast<double>(frame) / problem_->steps;
+  const double off = path_bow(minimum_jerk(tau), input.timing.skew) * input.timing.bow;
+  const double aside = path_bow(minimum_jerk(tau), 0.0) * input.timing.sway;
+  for (std::size_t g = 0; g < contacts_from_; ++g) {
+    const ReachGoal& goal = problem_->goals[g];
+    targets_[g].position = goal.path.at(tau);
+    if (!input.posture.empty()) targets_[g].position += goal.bow * off + goal.sway * aside;
+    if (!targets_[g].turns()) continue;
+    targets_[g].orientation = goal.turn.at(tau);
+    targets_[g].direction = targets_[g].orientation.cx;
+  }
+}
+
+// the weights of the step to this frame
+void NlpRollout::change_phase(int frame, const MotionInput<double>& input) {
+  if (!input.has_later()) return;
+  const double share = blend_.step(input, (frame - 0.5) / problem_->steps);
+  if (share == later_share_) return;
+  ik_.weigh(targets_, blend_.inverse_weights());
+  later_share_ = share;
+}
+
+// how far the null space is drawn in this frame, as in Rollout
+void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
+  if (!drawn_) return;
+  const auto share = [&](int f) {
+    const double tau = static_cast<double>(f) / problem_->steps;
+    if (!problem_->guide.empty()) return minimum_jerk(tau);
+    return minimum_jerk((tau - input.timing.delay) / (1.0 - input.timing.delay));
+  };
+  const double before = share(frame - 1);
+  const double now = share(frame);
+  const std::span<const double> posture = input.has_later() ? blend_.posture() : input.posture;
+  for (std::size_t d = 0; d < reference_.size(); ++d) {
+    reference_[d] = problem_->guide.empty()
+                        ? posture[d] * (now - before)
+                        : (problem_->guide[d] - angles_[1][d]) * share_of_rest(before, now);
+  }
+}
+
+void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome) {
+  // the larger of both, and NaN once either was
+  const auto worse = [](double before, double now) { return max(now, before) + (before - before); };
+  double missed = 0.0;
+  for (IkTarget<double>& target : targets) {
+    double miss = norm(position_error(next_, target));
+    if (!target.contact) {
+      if (target.turns()) {
+        const double turn = norm(turn_error(next_, target)) * kTurnLength;
+        miss = worse(miss, turn * (last ? 1.0 : kTurnOnWay));
+      }
+      target.lag = miss;
+      missed = worse(missed, miss);
+      continue;
+    }
+    outcome.contact_slide = worse(outcome.contact_slide, miss);
+    outcome.contact_tilt = worse(outcome.contact_tilt, tilt(next_, target));
+  }
+  outcome.path_error = worse(outcome.path_error, missed);
+  if (last) outcome.goal_error = missed;
+}
+
+// this frame, with speeds by central differences to its neighbours
+PlacedFrame<double> NlpRollout::moving_frame() {
+  const BodyModel& body = *problem_->body;
+  const double rate = problem_->steps / problem_->duration;
+  for (std::size_t d = 0; d < speeds_.size(); ++d) {
+    const double to_come = angles_[2][d] - angles_[1][d];
+    const double gone = angles_[1][d] - angles_[0][d];
+    speeds_[d] = (to_come + gone) * (0.5 * rate);
+    accelerations_[d] = (to_come - gone) * (rate * rate);
+  }
+  const Wrench<double> ground =
+      inverse_dynamics<double>(body, now_, speeds_, accelerations_, dynamics_, torques_);
+  bear_on_feet<double>(body, now_, angles_[1], ground, torques_);
+  const Vec3d centre = shigusa::centre_of_mass(body, dynamics_);
+  return {{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
+          now_,
+          pressure(ground, floor_height(body))};
+}
+
+RolledOut roll_out_nlp(const ReachProblem& problem, const Parameters& parameters) {
+  return record_motion(problem, parameters, NlpRollout(problem));
+}
+
+}  // namespace shigusa

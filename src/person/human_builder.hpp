@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <initializer_list>
+#include <shigusa/person/human_body.hpp>
+#include <string>
+#include <vector>
+
+#include "human_frames.hpp"
+#include "part_shapes.hpp"
+#include "segment_mass.hpp"
+
+namespace shigusa {
+
+[[nodiscard]] inline std::string prefix_of(Side side) {
+  return side == Side::left ? "left_" : "right_";
+}
+[[nodiscard]] inline std::size_t index_of(Side side) { return side == Side::left ? 0 : 1; }
+
+// Builds a person's definition link by link; each step adds what hangs on the links before it.
+class HumanBuilder {
+ public:
+  HumanBuilder(const Landmarks& person, const HumanSettings& settings,
+               std::vector<std::string> doubts);
+  BodyModel build();
+
+ private:
+  // A link in the start posture.
+  struct Part {
+    int link = kBaseLink;
+    Mat3d frame;        // R_WL
+    Vec3d origin{};     // m, world
+    double from = 0.0;  // of a piece of the trunk: where it begins, as a share of hips – C7
+  };
+  // A freedom of a joint.
+  struct Freedom {
+    const char* name;
+    Axis axis;
+    double sign;
+    JointLimits limits;
+    double start = 0.0;
+  };
+
+  [[nodiscard]] bool whole() const { return settings_.extent == BodyExtent::human; }
+
+  // a joint at a point of the part; its link's frame in the start posture is `frame`
+  Part add_joint(const std::string& joint, const Part& on, const Vec3d& at, const Mat3d& frame,
+                 std::initializer_list<Freedom> freedoms);
+  int add_dof(const std::string& joint, const char* freedom, int parent, const Vec3d& offset,
+              Axis axis, double sign, const JointLimits& limits, double start);
+
+  // legs and arms
+  void add_standing_leg();
+  void add_standing_masses(Side side);
+  void set_foot_masses(Side side);
+  void add_hanging_leg(Side side);
+  void add_seated_leg(Side side);
+  void add_seat(Side side, const Part& thigh);
+  void add_arm(Side side);
+  void couple_hip(int hip, int knee);
+  [[nodiscard]] Part add_toes(Side side, const Part& on, double sign);
+  void add_foot(Side side, const Part& part);
+  [[nodiscard]] Heel heel_of(Side side, const Part& part) const;
+  [[nodiscard]] int freedom(const std::string& name) const;
+  // a point of the start posture in the part's frame
+  [[nodiscard]] static Vec3d in_link(const Vec3d& point, const Part& part);
+
+  // trunk and head
+  void add_trunk();
+  void add_spine();
+  void add_neck();
+  [[nodiscard]] Part add_clavicle(Side side);
+
+  // what is drawn and written
+  void add_nodes();
+  [[nodiscard]] int add_trunk_nodes(int hips);
+  void add_stubs(int hips, int chest);
+  void add_arm_nodes(Side side, int chest);
+  void add_leg_nodes(Side side, int hips);
+  int add_node(const std::string& name, int parent, const Part& part, const Vec3d& point,
+               bool end_site = false);
+
+  // a part of the person, that moves with `on`
+  void add_capsule(BodyPart part, const Part& on);
+  void add_trunk_capsules();
+  void add_leg_capsules(Side side);
+  void add_arm_capsules(Side side);
+  void set_mass(const Part& part, const LinkMass& mass);
+  [[nodiscard]] Vec3d mid_hip() const;
+  [[nodiscard]] Vec3d mid_shoulder() const;
+  void hold_start_posture();
+
+  const Landmarks& person_;
+  const HumanSettings& settings_;
+  HumanFrames frames_;
+  const SegmentTable& table_;
+  SegmentMasses masses_;
+  BodyDefinition body_;
+  Side base_side_ = Side::right;
+  bool other_stands_ = false;
+  double strength_ = 1.0;
+  double leg_strength_ = 1.0;
+  std::vector<Part> trunk_;  // from the pelvis to what carries arms and neck: one where it is rigid
+  Part neck_;
+  Part head_;
+  struct ArmParts {
+    Part clavicle, upper, fore, hand;
+  };
+  struct LegParts {
+    Part thigh, shank, foot;
+    Part toes;  // the foot, or its forefoot where heels lift
+  };
+  ArmParts arms_[2];
+  LegParts legs_[2];
+  Vec3d shift_{};  // from the right leg to the left leg's mass (half extent)
+};
+
+}  // namespace shigusa

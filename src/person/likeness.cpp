@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <shigusa/person/likeness.hpp>
+
+namespace shigusa {
+namespace {
+
+// What figures come to, in lengths of their legs: a dwarf with a big head 1.6 of trunk and 1.4 of
+// arm, a giant 2 of arm. People have 0.6 of trunk and 0.7 of arm.
+constexpr double kLongestTrunk = 4.0;
+constexpr double kShortestArm = 0.2;
+constexpr double kLongestArm = 4.0;
+// Of a limb's two segments the longer over the shorter one, and of two fellows; people have 1.3 and
+// 1.0 at most.
+constexpr double kSegments = 5.0;
+constexpr double kFellows = 2.5;
+// From shoulder to shoulder, and from hip to hip, in lengths of trunk and legs; people have 0.3.
+constexpr double kBroadest = 1.0;
+// Four-legged animals, likewise: a fox has 1.3 of trunk and 1.15 of foreleg.
+constexpr double kAnimalsTrunk = 0.8;
+constexpr double kAnimalsArm = 0.85;
+
+struct Lengths {
+  double upper;
+  double lower;
+
+  [[nodiscard]] double sum() const { return upper + lower; }
+};
+
+Lengths of(const Landmarks::Leg& leg) {
+  return {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle)};
+}
+Lengths of(const Landmarks::Arm& arm) {
+  return {norm(arm.shoulder - arm.elbow), norm(arm.elbow - arm.wrist)};
+}
+
+double unevenness(double a, double b) { return max(a, b) / min(a, b); }
+
+Vec3d middle(const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; }
+
+// The trunk lies level over four limbs that reach down alike.
+bool stands_on_four(const Landmarks& f) {
+  constexpr double kAcross = 0.64;  // cosine of 50°
+  constexpr double kAlong = 0.7;    // cosine of 45°
+  constexpr double kLevel = 0.35;   // of the legs
+  const Vec3d hips = middle(f.left_leg.hip, f.right_leg.hip);
+  const Vec3d ankles = middle(f.left_leg.ankle, f.right_leg.ankle);
+  const Vec3d shoulders = middle(f.left_arm.shoulder, f.right_arm.shoulder);
+  const Vec3d wrists = middle(f.left_arm.wrist, f.right_arm.wrist);
+  const Vec3d down = normalized(ankles - hips);
+  const double legs = norm(ankles - hips);
+  return abs(dot(normalized(shoulders - hips), down)) < kAcross &&
+         dot(normalized(wrists - shoulders), down) > kAlong &&
+         abs(dot(wrists - ankles, down)) < kLevel * legs;
+}
+
+}  // namespace
+
+std::string unlike_a_person(const Landmarks& figure) {
+  const double legs = 0.5 * (of(figure.left_leg).sum() + of(figure.right_leg).sum());
+  const double arms = 0.5 * (of(figure.left_arm).sum() + of(figure.right_arm).sum());
+  const double trunk = norm(middle(figure.left_arm.shoulder, figure.right_arm.shoulder) -
+                            middle(figure.left_leg.hip, figure.right_leg.hip));
+  const double trunk_share = trunk / legs;
+  const double arm_share = arms / legs;
+  if (stands_on_four(figure) && (trunk_share > kAnimalsTrunk || arm_share > kAnimalsArm)) {
+    return fmt::format(
+        "it stands on four legs: the trunk lies level, as long as {:.2f} legs, and the limbs in "
+        "front, {:.2f}, reach down as far as those behind",
+        trunk_share, arm_share);
+  }
+  const double breadth = max(norm(figure.left_arm.shoulder - figure.right_arm.shoulder),
+                             norm(figure.left_leg.hip - figure.right_leg.hip)) /
+                         (trunk + legs);
+  if (breadth > kBroadest) {
+    return fmt::format(
+        "shoulders or hips are {:.2f} times as broad as trunk and legs are long; up "
+        "to {} is taken",
+        breadth, kBroadest);
+  }
+  if (trunk_share > kLongestTrunk) {
+    return fmt::format("the trunk is {:.2f} times as long as the legs; up to {} is taken",
+                       trunk_share, kLongestTrunk);
+  }
+  if (arm_share < kShortestArm || arm_share > kLongestArm) {
+    return fmt::format("the arms are {:.2f} times as long as the legs; {} to {} is taken",
+                       arm_share, kShortestArm, kLongestArm);
+  }
+  const auto odd = [](const char* limb, Lengths left, Lengths right) -> std::string {
+    for (const Lengths& each : {left, right}) {
+      const double share = unevenness(each.upper, each.lower);
+      if (share <= kSegments) continue;
+      return fmt::format(
+          "of the two segments of one {} one is {:.1f} times as long as the other; "
+          "up to {} is taken",
+          limb, share, kSegments);
+    }
+    const double share = unevenness(left.sum(), right.sum());
+    if (share <= kFellows) return {};
+    return fmt::format("one of its two {}s is {:.1f} times as long as the other; up to {} is taken",
+                       limb, share, kFellows);
+  };
+  const std::string legs_odd = odd("leg", of(figure.left_leg), of(figure.right_leg));
+  if (!legs_odd.empty()) return legs_odd;
+  return odd("arm", of(figure.left_arm), of(figure.right_arm));
+}
+
+}  // namespace shigusa

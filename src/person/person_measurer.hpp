@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/person/landmarks.hpp>
+#include <span>
+#include <utility>
+
+#include "humanoid_names.hpp"
+#include "skeleton_tree.hpp"
+
+namespace shigusa {
+
+[[nodiscard]] inline std::string_view side_word(Side side) {
+  return side == Side::left ? "left" : "right";
+}
+
+struct LegBones {
+  HumanoidBone hip, knee, ankle;
+};
+struct ArmBones {
+  HumanoidBone shoulder, elbow, wrist;
+};
+[[nodiscard]] inline LegBones leg_bones(Side side) {
+  return side == Side::left ? LegBones{HumanoidBone::left_upper_leg, HumanoidBone::left_lower_leg,
+                                       HumanoidBone::left_foot}
+                            : LegBones{HumanoidBone::right_upper_leg, HumanoidBone::right_lower_leg,
+                                       HumanoidBone::right_foot};
+}
+[[nodiscard]] inline ArmBones arm_bones(Side side) {
+  return side == Side::left ? ArmBones{HumanoidBone::left_upper_arm, HumanoidBone::left_lower_arm,
+                                       HumanoidBone::left_hand}
+                            : ArmBones{HumanoidBone::right_upper_arm, HumanoidBone::right_lower_arm,
+                                       HumanoidBone::right_hand};
+}
+
+inline constexpr std::array kBothSides{Side::left, Side::right};
+
+// The direction of a trunk and legs in one posture.
+struct TrunkAndLegs {
+  Vec3d trunk;  // from between the hips to between the shoulders
+  Vec3d legs;   // from between the ankles to between the hips
+
+  // The axis that both point along, or 0.
+  [[nodiscard]] Vec3d common_axis() const;
+  // The direction of a body that is straight from the ankles to the shoulders, or 0.
+  [[nodiscard]] Vec3d common_line() const;
+};
+
+struct FileUnit;
+
+// Measures in the file's units and axes first, then moves the result into shigusa's world.
+class PersonMeasurer {
+ public:
+  PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
+                 const HumanoidMap& map, std::span<const SkinVertex> skin);
+
+  // As measure_person; once.
+  Result<MeasuredPerson> measure(const MeasureSettings& settings);
+
+ private:
+  using Bone = HumanoidBone;
+
+  template <class... Args>
+  void doubt(fmt::format_string<Args...> format, Args&&... args) {
+    result_.doubts.push_back(fmt::format(format, std::forward<Args>(args)...));
+  }
+
+  [[nodiscard]] const Vec3d& at(Bone bone) const { return tree_.at(map_[bone]); }
+  [[nodiscard]] BonePart part(int i) const { return read_bone_name(tree_.node(i).name).part; }
+  Landmarks& body() { return result_.landmarks; }
+  Landmarks::Leg& leg(Side side) { return side == Side::left ? body().left_leg : body().right_leg; }
+  Landmarks::Arm& arm(Side side) { return side == Side::left ? body().left_arm : body().right_arm; }
+
+  // limbs and directions
+  [[nodiscard]] Result<void> check_length(Side side, std::string_view segment, Bone a,
+                                          Bone b) const;
+  Result<void> read_limbs();
+  Vec3d find_up();
+  [[nodiscard]] TrunkAndLegs rest_build() const;
+  Result<void> find_left();
+
+  // tips, stature and grips
+  void read_tips();
+  void read_further_joints();
+  [[nodiscard]] double way(int a, int b) const;
+  [[nodiscard]] double trunk_length(double leg_length) const;
+  double measure_stature();
+  void place_missing_tips();
+  void find_grips();
+
+  // what the mesh tells, where there is one
+  [[nodiscard]] std::vector<Vec3d> flesh_of_foot(Side side) const;
+  void read_soles();
+  [[nodiscard]] SoleOutline outline_of(const std::vector<Vec3d>& flesh, const Vec3d& ankle,
+                                       const Vec3d& ahead) const;
+  [[nodiscard]] std::optional<Vec3d> skull_by_mesh() const;
+  void fit_parts();
+
+  // the world
+  Result<void> find_unit(const MeasureSettings& settings);
+  void doubt_unit(const FileUnit& best);
+  [[nodiscard]] double sole(Side side) const;
+  void move_to_world();
+  void check_plausibility();
+
+  const Skeleton& skeleton_;
+  SkeletonTree tree_;
+  const HumanoidMap& map_;
+  MeasuredPerson result_;
+  Vec3d up_{};  // directions in the file's axes
+  Vec3d left_{};
+  Vec3d ahead_{};
+  Vec3d mid_hip_{};
+  Vec3d mid_shoulder_{};
+  int neck_ = -1;
+  int head_ = -1;
+  int head_tip_ = -1;
+  std::optional<Vec3d> skull_;  // the head's joint to the vertex, by the mesh
+  double head_length_ = 0.0;    // neck to vertex, file units
+  double stature_ = 0.0;        // file units
+};
+
+}  // namespace shigusa

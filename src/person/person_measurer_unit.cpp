@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include <shigusa/person/human_body.hpp>
+
+#include "person_measurer.hpp"
+
+namespace shigusa {
+
+struct FileUnit {
+  std::string_view name;
+  double metres;
+  bool rare = false;
+};
+
+namespace {
+
+using F = StatureFractions;
+
+// A hand shorter than this share of the stature lacks its fingers.
+constexpr double kShortHand = 0.05;
+// Left and right segments of one person differ by less than this share.
+constexpr double kAsymmetry = 0.1;
+
+constexpr double kShortestPerson = 0.5;  // m
+constexpr double kTallestPerson = 2.5;   // m
+constexpr double kMeanStature = 1.7;     // m
+// Beyond these statures (m) the unit is worth a look; between the wider two a second unit is too.
+constexpr double kUsualLow = 1.3;
+constexpr double kUsualHigh = 2.1;
+constexpr double kPlausibleLow = 0.8;
+constexpr double kPlausibleHigh = 2.2;
+
+constexpr std::array<FileUnit, 5> kUnits{
+    {{"metres", 1.0},
+     {"centimetres", 0.01},
+     {"millimetres", 0.001},
+     {"inches", 0.0254, true},
+     {"1/0.45 inch, the CMU database's unit", 0.0254 / 0.45, true}}};
+
+bool is_person(double stature) { return stature >= kShortestPerson && stature <= kTallestPerson; }
+// Whether a unit may be told by the stature that it gives: rare ones by a usual stature alone.
+bool tells(const FileUnit& unit, double stature) {
+  return unit.rare ? stature >= kPlausibleLow && stature <= kPlausibleHigh : is_person(stature);
+}
+double oddness(double stature) { return abs(stature - kMeanStature); }
+
+}  // namespace
+
+Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
+  if (settings.stature) {
+    result_.stature = *settings.stature;
+    result_.placement.unit = *settings.stature / stature_;
+    if (is_person(*settings.stature)) return {};
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("a stature of {:g} m; {} to {} m are allowed", *settings.stature,
+                            kShortestPerson, kTallestPerson));
+  }
+  const FileUnit* best = kUnits.data();
+  for (const FileUnit& unit : kUnits) {
+    if (oddness(stature_ * unit.metres) < oddness(stature_ * best->metres)) best = &unit;
+  }
+  if (tells(*best, stature_ * best->metres)) {
+    result_.placement.unit = best->metres;
+    result_.stature = stature_ * best->metres;
+    doubt_unit(*best);
+  } else {
+    result_.placement.unit = kMeanStature / stature_;
+    result_.stature = kMeanStature;
+    doubt(
+        "along the bones the person is {:g} units tall, and no unit makes that {} to {} m: a "
+        "stature of {:.2f} m is guessed; with --stature it is another",
+        stature_, kShortestPerson, kTallestPerson, kMeanStature);
+  }
+  return {};
+}
+
+void PersonMeasurer::doubt_unit(const FileUnit& best) {
+  if (result_.stature < kUsualLow || result_.stature > kUsualHigh) {
+    doubt("a stature of {:.2f} m is unusual; the unit is taken as {}", result_.stature, best.name);
+  }
+  for (const FileUnit& unit : kUnits) {
+    const double stature = stature_ * unit.metres;
+    if (&unit == &best || stature < kPlausibleLow || stature > kPlausibleHigh) continue;
+    doubt("the unit is taken as {}, a stature of {:.2f} m; it could be {}, {:.2f} m", best.name,
+          result_.stature, unit.name, stature);
+  }
+}
+
+// Height of the lowest part of a foot's sole (m, above the world's zero).
+double PersonMeasurer::sole(Side side) const {
+  const Landmarks::Leg& l = result_.landmarks.leg(side);
+  if (l.sole) return (*l.sole)[0].y;
+  return min(l.ankle.y - F::kAnkleHeight * result_.stature, l.toe.y);
+}
+
+void PersonMeasurer::move_to_world() {
+  const Vec3d between = (body().left_leg.ankle + body().right_leg.ankle) * 0.5;
+  const auto move = [&](Vec3d& p) {
+    const Vec3d d = (p - between) * result_.placement.unit;
+    p = {dot(d, left_), dot(d, up_), dot(d, ahead_)};
+  };
+  const auto each = [&](const auto& action) {
+    for (const Side side : kBothSides) {
+      for (Vec3d* p : {&leg(side).hip, &leg(side).knee, &leg(side).ankle, &leg(side).toe}) {
+        action(*p);
+      }
+      for (Vec3d* p :
+           {&arm(side).shoulder, &arm(side).elbow, &arm(side).wrist, &arm(side).fingertip}) {
+        action(*p);
+      }
+      if (leg(side).sole) {
+        for (Vec3d& corner : *leg(side).sole) action(corner);
+      }
+      action(*arm(side).grip);
+      if (arm(side).clavicle) action(*arm(side).clavicle);
+    }
+    for (Vec3d& joint : body().spine) action(joint);
+    if (body().head) action(*body().head);
+    action(body().neck);
+    action(body().head_top);
+  };
+  each(move);
+  double floor = min(sole(Side::left), sole(Side::right));
+  // the file's own, where whoever made it stood the soles on that
+  const double zero = -dot(between, up_) * result_.placement.unit;
+  if (body().left_leg.sole && abs(floor - zero) <= kFileFloor) floor = zero;
+  each([&](Vec3d& p) { p.y -= floor; });
+  result_.placement = {left_, up_, ahead_, between + up_ * (floor / result_.placement.unit),
+                       result_.placement.unit};
+}
+
+void PersonMeasurer::check_plausibility() {
+  for (const Side side : kBothSides) {
+    const bool by_mesh = leg(side).sole.has_value();
+    if (sole(side) > kLiftedFoot) {
+      doubt("the {} foot is {:.2f} m above the floor", side_word(side), sole(side));
+    } else if (by_mesh && sole(side) > kFileFloor) {
+      doubt("the {} sole is {:.0f} mm above the floor", side_word(side), 1e3 * sole(side));
+    }
+    const double hand = norm(arm(side).fingertip - arm(side).wrist);
+    if (hand < kShortHand * result_.stature) {
+      doubt("the {} hand is only {:.3f} m long: its fingers are missing", side_word(side), hand);
+    }
+  }
+  const Landmarks& b = result_.landmarks;
+  const auto compare = [&](std::string_view segment, double left, double right) {
+    if (abs(left - right) <= kAsymmetry * max(left, right)) return;
+    doubt("the left {} is {:.3f} m long, the right one {:.3f} m", segment, left, right);
+  };
+  compare("thigh", norm(b.left_leg.hip - b.left_leg.knee),
+          norm(b.right_leg.hip - b.right_leg.knee));
+  compare("shank", norm(b.left_leg.knee - b.left_leg.ankle),
+          norm(b.right_leg.knee - b.right_leg.ankle));
+  compare("upper arm", norm(b.left_arm.shoulder - b.left_arm.elbow),
+          norm(b.right_arm.shoulder - b.right_arm.elbow));
+  compare("forearm", norm(b.left_arm.elbow - b.left_arm.wrist),
+          norm(b.right_arm.elbow - b.right_arm.wrist));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/body/body_model.hpp>
+
+#include "body/link_mass.hpp"
+#include "human_frames.hpp"
+
+namespace shigusa {
+
+// A leg's own sole, or that of a person of that stature (m).
+[[nodiscard]] SoleOutline sole_outline(const Landmarks::Leg& leg, double stature);
+
+// The same of what is ahead of the toes' joint.
+[[nodiscard]] SoleOutline forefoot_outline(const Landmarks::Leg& leg, double stature);
+
+// The segments of a person as masses (de Leva's fractions on the measured lengths).
+class SegmentMasses {
+ public:
+  SegmentMasses(const Landmarks& person, const HumanFrames& frames, const SegmentTable& table,
+                double mass, double stature)
+      : person_(person), frames_(frames), table_(table), mass_(mass), stature_(stature) {}
+
+  [[nodiscard]] LinkMass foot(Side side) const;
+  // what of the foot is ahead of the toes' joint
+  [[nodiscard]] LinkMass forefoot(Side side) const;
+  [[nodiscard]] LinkMass shank(Side side) const;
+  [[nodiscard]] LinkMass thigh(Side side) const;
+  [[nodiscard]] LinkMass trunk_and_head() const;
+  // with the neck
+  [[nodiscard]] LinkMass head() const;
+  // The trunk between two shares (0..1, rising) of the way from between the hips to C7.
+  [[nodiscard]] LinkMass trunk_slice(double from, double to) const;
+  [[nodiscard]] LinkMass upper_arm(Side side) const;
+  [[nodiscard]] LinkMass forearm(Side side) const;
+  [[nodiscard]] LinkMass hand(Side side) const;
+  [[nodiscard]] LinkMass forearm_and_hand(Side side) const;
+  [[nodiscard]] LinkMass arm(Side side) const;
+
+ private:
+  [[nodiscard]] LinkMass segment(const SegmentParameters& p, const Vec3d& from, const Vec3d& to,
+                                 const Vec3d& left) const;
+
+  const Landmarks& person_;
+  const HumanFrames& frames_;
+  const SegmentTable& table_;
+  double mass_;
+  double stature_;
+};
+
+}  // namespace shigusa

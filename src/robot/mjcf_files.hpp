@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <shigusa/robot/mjcf.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shigusa {
+
+using XmlElement = tinyxml2::XMLElement;
+
+// A text in a message: short, and without bytes that a terminal may take amiss.
+[[nodiscard]] std::string shown(std::string_view text);
+
+// A model's XML files, with those that they include, and the first error that was met in them.
+class MjcfFiles {
+ public:
+  // Parses the file and all that it includes.
+  MjcfFiles(std::string_view text, std::string_view name, const MjcfInclude& include);
+
+  // <mujoco>, or null where an error was met.
+  [[nodiscard]] const XmlElement* root() const { return root_; }
+
+  // Calls visit(element) for each element below, what is included in its place; stops at an error.
+  template <class Visit>
+  void each(const XmlElement& parent, const Visit& visit) {
+    for (const XmlElement* e = parent.FirstChildElement(); e != nullptr && !error_;
+         e = e->NextSiblingElement()) {
+      const auto included = included_.find(e);
+      if (included != included_.end()) {
+        if (included->second != nullptr) each(*included->second, visit);
+      } else {
+        visit(*e);
+      }
+    }
+  }
+
+  // Notes an error, if it is the first; its place is the element's line.
+  template <class... Args>
+  void wrong(const XmlElement& at, fmt::format_string<Args...> format, Args&&... args) {
+    if (error_) return;
+    error_ =
+        Error{ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...), place_of(at)};
+  }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+  [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
+  // The files that are included and were not there.
+  [[nodiscard]] const std::vector<std::string>& absent() const { return absent_; }
+
+ private:
+  const XmlElement* parse(std::string_view text, const std::string& name);
+  void follow(const XmlElement& element, const MjcfInclude& include);
+  void include(const XmlElement& element, const MjcfInclude& include);
+  [[nodiscard]] std::string place_of(const XmlElement& element) const;
+  void refuse(std::string message, std::string place);
+
+  std::vector<std::pair<std::string, std::unique_ptr<tinyxml2::XMLDocument>>> files_;
+  const XmlElement* root_ = nullptr;
+  std::map<const XmlElement*, const XmlElement*> included_;  // <include>, the other file's root
+  std::vector<std::string> absent_;
+  std::vector<std::string> doubts_;
+  std::size_t tags_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace shigusa

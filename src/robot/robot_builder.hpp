@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <map>
+#include <shigusa/robot/robot.hpp>
+#include <string>
+#include <vector>
+
+#include "robot_feet.hpp"
+#include "robot_joints.hpp"
+
+namespace shigusa {
+
+// Builds a body from a robot, link by link; all positions are in shigusa's world where every angle
+// is 0, in which the frames of all links are parallel.
+class RobotBuilder {
+ public:
+  RobotBuilder(const Robot& robot, const HumanoidMap& map) : robot_(robot), map_(map) {}
+
+  [[nodiscard]] Result<BodyModel> build();
+
+ private:
+  static constexpr std::size_t kRight = 1;  // of left and right: the side that stands
+
+  // A moving joint of the body.
+  struct Moving {
+    const PersonJoint* person = nullptr;
+    int dof = -1;
+    int outer = -1;  // group away from the pelvis
+    int inner = -1;
+  };
+  // the robot as a person: bones, joints, groups of links
+  Result<void> understand();
+  void list_moving();
+
+  // Joints that keep their angle and may not be at 0 are bent as little as their limits allow; true
+  // where there was one.
+  bool bend_still_joints();
+
+  // Links that do not move against each other are one group.
+  void find_groups();
+
+  [[nodiscard]] const Vec3d& centre(const PersonJoint& joint) const;
+
+  // The joint of a part that flexes, else its first one.
+  static const PersonJoint& hinge(const PersonLimb& limb, std::size_t part);
+  [[nodiscard]] Vec3d hip(std::size_t side) const { return centre(hinge(person_.legs[side], 0)); }
+  [[nodiscard]] Vec3d knee(std::size_t side) const { return centre(hinge(person_.legs[side], 1)); }
+  [[nodiscard]] Vec3d ankle(std::size_t side) const { return centre(hinge(person_.legs[side], 2)); }
+  [[nodiscard]] Vec3d shoulder(std::size_t side) const;
+  [[nodiscard]] Vec3d elbow(std::size_t side) const { return centre(hinge(person_.arms[side], 2)); }
+  [[nodiscard]] Vec3d wrist(std::size_t side) const;
+
+  // Stature, floor, and the base's place.
+  void measure();
+
+  [[nodiscard]] const Vec3d& origin(int link) const;
+
+  // The tree from the standing foot on, depth first, the pelvis before what else hangs on a link.
+  void add_links();
+  void add_dof(Moving& moving, int group, int parent);
+  std::string unique(const std::string& name);
+  Result<void> add_masses();
+  [[nodiscard]] bool is_within_joint(std::size_t group) const;
+
+  [[nodiscard]] int dof_of(const PersonJoint& joint) const;
+  [[nodiscard]] int link_of(int robot_link) const {
+    return link_of_[static_cast<std::size_t>(group_[static_cast<std::size_t>(robot_link)])];
+  }
+  [[nodiscard]] Vec3d local(int link, const Vec3d& world) const { return world - origin(link); }
+
+  void add_foot(std::size_t side);
+
+  // The frame in the hand that is the effector.
+  [[nodiscard]] int hand_link(std::size_t side) const;
+  void add_hand(std::size_t side);
+  void add_capsule(const std::string& name, int link, const Vec3d& from, const Vec3d& to,
+                   double radius);
+
+  // As a person's of that stature, which is all that the file's meshes would tell.
+  void add_capsules();
+
+  // Nodes stand where joints turn, so that a skeleton of them moves as the robot does. They grow
+  // from the pelvis.
+  void add_nodes();
+
+  // A person's names go to the joints that bend; an effector's and a foot's link keep theirs.
+  void name_nodes();
+  int add_node(const std::string& name, int parent, int group, const Vec3d& world,
+               bool end_site = false);
+  std::string free_name(std::string name);
+  void add_chain(const std::vector<PersonJoint>& joints);
+  void add_head();
+  void add_hand_nodes(std::size_t side);
+  void add_foot_nodes(std::size_t side);
+  void add_robot_frame();
+  void tell();
+
+  Robot robot_;
+  const HumanoidMap& map_;
+  PlacedRobot placed_;
+  PersonJoints person_;
+  std::vector<Moving> moving_;
+  std::vector<int> of_joint_;              // (joints) index in moving_, or -1
+  std::vector<double> still_;              // (joints) rad, of those that keep their angle
+  std::vector<int> group_;                 // (links)
+  std::vector<std::vector<int>> members_;  // (groups) links
+  std::vector<int> link_of_;               // (groups) the kernel's link
+  std::vector<Vec3d> origins_;             // (dofs) m, world, of their links
+  Vec3d base_{};
+  std::array<RobotSole, 2> soles_;
+  std::array<int, 2> hands_{};        // links of the file
+  std::map<int, std::string> names_;  // of nodes, by joint
+  std::vector<std::string> taken_;    // names of nodes
+  std::vector<int> node_of_;          // (groups)
+  std::vector<std::string> unlimited_;
+  std::vector<std::string> still_names_;
+  std::vector<std::string> weak_;      // freedoms without effort
+  std::vector<std::string> massless_;  // links
+  BodyDefinition body_;
+};
+
+}  // namespace shigusa

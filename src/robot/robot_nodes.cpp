@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/person/human_body.hpp>
+
+#include "robot_builder.hpp"
+
+namespace shigusa {
+namespace {
+
+using F = StatureFractions;
+
+constexpr std::array<const char*, 2> kSides{"left_", "right_"};
+// A gripper's frame is at least this far beyond the wrist, as a share of the stature.
+constexpr double kLeastHand = 0.01;
+// From between the shoulders up to the head's joint and the vertex, of robots without a neck.
+constexpr double kHeadJoint = 0.09;
+constexpr double kVertex = 1.0 - F::kShoulderHeight;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+void RobotBuilder::add_foot(std::size_t side) {
+  const RobotSole& sole = soles_[side];
+  // a foot that hangs in the air bears nothing
+  if (sole.corners[0].y > kLiftedFoot) return;
+  const int end = person_.legs[side].end;
+  Foot foot{.name = std::string(kSides[side]) + "foot",
+            .node = robot_.links[at(end)].name,
+            .link = link_of(end),
+            .centre = {},
+            .outline = {}};
+  for (const Vec3d& corner : sole.corners) {
+    foot.outline.push_back(local(foot.link, corner));
+    foot.centre += foot.outline.back() * 0.25;
+  }
+  body_.feet.push_back(std::move(foot));
+}
+
+int RobotBuilder::hand_link(std::size_t side) const {
+  const PersonLimb& arm = person_.arms[side];
+  for (const char* word : {"grip", "palm", "hand"}) {
+    for (const int link : members_[at(group_[at(arm.end)])]) {
+      std::string name = robot_.links[at(link)].name;
+      for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      const Vec3d way = placed_.links[at(link)].translation - wrist(side);
+      const bool apart = norm(way) > kLeastHand * body_.stature;
+      if (apart && name.find(word) != name.npos) return link;
+    }
+  }
+  return arm.end;
+}
+
+void RobotBuilder::add_hand(std::size_t side) {
+  const PersonLimb& arm = person_.arms[side];
+  hands_[side] = hand_link(side);
+  const int link = link_of(hands_[side]);
+  body_.effectors.push_back({std::string(kSides[side]) + "hand",
+                             robot_.links[at(hands_[side])].name, link,
+                             local(link, placed_.links[at(hands_[side])].translation),
+                             dof_of(arm.joints[arm.begins[1]])});
+}
+
+void RobotBuilder::add_capsule(const std::string& name, int link, const Vec3d& from,
+                               const Vec3d& to, double radius) {
+  if (norm(to - from) > 0.0) {
+    body_.capsules.push_back(
+        {name, link, local(link, from), local(link, to), radius * body_.stature});
+  }
+}
+
+void RobotBuilder::add_capsules() {
+  const Vec3d hips = (hip(0) + hip(1)) * 0.5;
+  const Vec3d shoulders = (shoulder(0) + shoulder(1)) * 0.5;
+  const Vec3d inset = normalized(shoulders - hips) * (kTrunkRadius * body_.stature);
+  add_capsule("trunk", link_of(person_.chest), hips, shoulders - inset, kTrunkRadius);
+  for (const std::size_t side : {kRight, 1 - kRight}) {
+    const std::string prefix = kSides[side];
+    const PersonLimb& leg = person_.legs[side];
+    const int thigh = moving_[at(of_joint_[at(leg.joints[leg.begins[1] - 1].joint)])].outer;
+    add_capsule(prefix + "thigh", link_of_[at(thigh)], knee(side), hip(side), kThighRadius);
+    const Effector& hand = body_.effectors[side == kRight ? 0 : 1];
+    add_capsule(prefix + "hand", hand.link, wrist(side), origin(hand.link) + hand.point,
+                kForearmRadius);
+  }
+}
+
+void RobotBuilder::add_nodes() {
+  const Vec3d hips = (hip(0) + hip(1)) * 0.5;
+  name_nodes();
+  const int pelvis = group_[at(person_.pelvis)];
+  node_of_.assign(members_.size(), -1);
+  node_of_[at(pelvis)] = add_node("hips", -1, pelvis, hips);
+  for (const PersonLimb& leg : person_.legs) add_chain(leg.joints);
+  add_chain(person_.spine);
+  for (const PersonLimb& arm : person_.arms) add_chain(arm.joints);
+  add_chain(person_.neck);
+  add_head();
+  for (const std::size_t side : {0u, 1u}) {
+    add_hand_nodes(side);
+    add_foot_nodes(side);
+  }
+}
+
+void RobotBuilder::name_nodes() {
+  for (const std::size_t side : {0u, 1u}) {
+    const std::string prefix = kSides[side];
+    const PersonLimb& leg = person_.legs[side];
+    const PersonLimb& arm = person_.arms[side];
+    names_.emplace(leg.joints[0].joint, prefix + "upper_leg");
+    names_.emplace(hinge(leg, 1).joint, prefix + "lower_leg");
+    names_.emplace(hinge(leg, 2).joint, prefix + "foot");
+    names_.emplace(arm.joints[arm.begins[1]].joint, prefix + "upper_arm");
+    names_.emplace(hinge(arm, 2).joint, prefix + "lower_arm");
+    if (arm.begins[3] < arm.joints.size()) {
+      names_.emplace(arm.joints[arm.begins[3]].joint, prefix + "hand");
+    }
+    for (const int link : {hands_[side], leg.end}) {
+      taken_.push_back(robot_.links[at(link)].name);
+    }
+  }
+  if (!person_.neck.empty()) {
+    names_.emplace(person_.neck.back().joint, "head");
+    names_.emplace(person_.neck.front().joint, "neck");
+  }
+}
+
+int RobotBuilder::add_node(const std::string& name, int parent, int group, const Vec3d& world,
+                           bool end_site) {
+  const int link = link_of_[at(group)];
+  body_.nodes.push_back({name, parent, link, local(link, world), end_site});
+  return static_cast<int>(body_.nodes.size()) - 1;
+}
+
+std::string RobotBuilder::free_name(std::string name) {
+  while (std::find(taken_.begin(), taken_.end(), name) != taken_.end()) name += "_joint";
+  taken_.push_back(name);
+  return name;
+}
+
+void RobotBuilder::add_chain(const std::vector<PersonJoint>& joints) {
+  for (const PersonJoint& j : joints) {
+    const Moving& m = moving_[at(of_joint_[at(j.joint)])];
+    const auto name = names_.find(j.joint);
+    const Robot::Joint& joint = robot_.joints[at(j.joint)];
+    node_of_[at(m.outer)] =
+        add_node(free_name(name != names_.end()
+                               ? name->second
+                               : robot_.links[at(j.outward ? joint.child : joint.parent)].name),
+                 node_of_[at(m.inner)], m.outer, centre(j));
+  }
+}
+
+void RobotBuilder::add_head() {
+  const Vec3d shoulders = (shoulder(0) + shoulder(1)) * 0.5;
+  const int chest = group_[at(person_.chest)];
+  const Vec3d top = shoulders + Vec3d{0.0, kVertex * body_.stature, 0.0};
+  if (person_.neck.empty()) {
+    const Vec3d joint = shoulders + Vec3d{0.0, kHeadJoint * body_.stature, 0.0};
+    const int head = add_node(free_name("head"), node_of_[at(chest)], chest, joint);
+    add_node("", head, chest, top, true);
+    return;
+  }
+  const int group = moving_[at(of_joint_[at(person_.neck.back().joint)])].outer;
+  int head = node_of_[at(group)];
+  if (person_.neck.size() == 1) {
+    head = add_node(free_name("head"), head, group,
+                    shoulders + Vec3d{0.0, kHeadJoint * body_.stature, 0.0});
+  }
+  const Vec3d above = origin(link_of_[at(group)]) + Vec3d{0.0, 0.5 * kVertex * body_.stature, 0.0};
+  add_node("", head, group, top.y > above.y ? top : above, true);
+}
+
+void RobotBuilder::add_hand_nodes(std::size_t side) {
+  const PersonLimb& arm = person_.arms[side];
+  const int group = group_[at(arm.end)];
+  const Vec3d grip = placed_.links[at(hands_[side])].translation;
+  const std::string vocabulary = std::string(kSides[side]) + "hand";
+  int parent = node_of_[at(group)];
+  const bool has_wrist = arm.begins[3] < arm.joints.size();
+  if (!has_wrist && robot_.links[at(hands_[side])].name != vocabulary) {
+    parent = add_node(free_name(vocabulary), parent, group, placed_.links[at(arm.end)].translation);
+  }
+  const int node = add_node(robot_.links[at(hands_[side])].name, parent, group, grip);
+  const Vec3d along = normalized(wrist(side) - elbow(side));
+  add_node("", node, group, grip + along * (0.3 * F::kHand * body_.stature), true);
+}
+
+void RobotBuilder::add_foot_nodes(std::size_t side) {
+  const int end = person_.legs[side].end;
+  const int group = group_[at(end)];
+  const int parent = node_of_[at(group)];
+  add_node(robot_.links[at(end)].name, parent, group, placed_.links[at(end)].translation);
+  const Vec3d toe = (soles_[side].corners[0] + soles_[side].corners[3]) * 0.5;
+  add_node("", static_cast<int>(body_.nodes.size()) - 1, group, toe, true);
+}
+
+void RobotBuilder::add_robot_frame() {
+  RobotFrame frame;
+  frame.root = robot_.links[0].name;
+  frame.link = link_of(0);
+  frame.root_in_link = {placed_.links[0].rotation, local(frame.link, placed_.links[0].translation)};
+  for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+    const Robot::Joint& joint = robot_.joints[j];
+    if (!joint.moves) continue;
+    RobotJoint& to = frame.joints.emplace_back();
+    to.name = joint.name;
+    to.angle = still_[j];
+    to.slides = joint.slides;
+    if (of_joint_[j] < 0) {
+      if (joint.turns) still_names_.push_back(joint.name);
+      continue;
+    }
+    const Moving& m = moving_[at(of_joint_[j])];
+    to.dof = m.dof;
+    to.sign = m.person->sign;
+  }
+  body_.robot = std::move(frame);
+}
+
+void RobotBuilder::tell() {
+  const auto doubt = [&](const char* noun, const std::vector<std::string>& names,
+                         const char* what) {
+    if (names.empty()) return;
+    body_.doubts.push_back(names.size() == 1 ? fmt::format("{} '{}' {}", noun, names[0], what)
+                                             : fmt::format("{} {}s, '{}' the first, each {}",
+                                                           names.size(), noun, names[0], what));
+  };
+  doubt("joint", still_names_, "is of no limb, or of fingers, toes or face: it keeps its angle");
+  doubt("joint", unlimited_, "has no limits in the file: it gets a person's");
+  if (!weak_.empty()) {
+    body_.doubts.push_back(
+        fmt::format("the file has no effort, or an impossible one, for {} of the freedoms, {} the "
+                    "first: they get a person's, by the weight",
+                    weak_.size(), weak_[0]));
+  }
+  doubt("link", massless_, "has no mass in the file, nor what is fixed to it: it weighs nothing");
+  if (soles_[0].guessed || soles_[1].guessed) {
+    body_.doubts.push_back(
+        "the feet have no shapes to tell their soles: they are as long and "
+        "broad as a person's");
+  }
+  if (body_.feet.size() < 2) {
+    body_.doubts.push_back("one foot is in the air where all angles are 0: it carries nothing");
+  }
+}
+
+}  // namespace shigusa

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/kinematics/weighted_ik.hpp>
+#include <shigusa/robot/settled_posture.hpp>
+
+namespace shigusa {
+namespace {
+
+constexpr int kSteps = 200;
+constexpr double kRate = 0.15;  // of the way left, in a step
+constexpr double kFlat = 1e-7;  // m: a foot that is so near its place stands
+constexpr double kHanging =
+    0.35;                        // an arm sticks out where its hand is further aside, of its height
+constexpr double kAside = 0.15;  // and hangs with so much of it aside
+
+class Settler {
+ public:
+  explicit Settler(const BodyModel& body)
+      : body_(body),
+        kinematics_(body),
+        workspace_(body),
+        step_(body.dofs().size()),
+        weights_(body.dofs().size(), 1.0) {
+    const std::vector<double> zero(body.dofs().size(), 0.0);
+    forward_kinematics<double>(body, zero, kinematics_);
+    for (const Foot& foot : body.feet()) {
+      if (foot.link == kBaseLink) continue;
+      IkTarget<double> target;
+      target.link = foot.link;
+      target.point = foot.centre;
+      target.position = kinematics_.point(foot.link, foot.centre);
+      target.contact = true;
+      target.orientation = kinematics_.link_rotation(foot.link);
+      feet_.push_back(target);
+    }
+  }
+
+  // Walks from the angles towards the aim with the feet where they are; false where the feet or the
+  // limits do not let it come there.
+  bool walk(std::vector<double>& angles, const std::vector<double>& aim,
+            const std::vector<IkTarget<double>>& arms = {}) {
+    std::vector<double> now = angles;
+    std::vector<IkTarget<double>> targets = arms;
+    if (arms.empty()) targets = feet_;
+    for (std::size_t d = 0; d < weights_.size(); ++d) {
+      weights_[d] = arms.empty() || is_shoulder(static_cast<int>(d)) ? 1.0 : 0.0;
+    }
+    std::vector<double> pull(now.size());
+    for (int k = 0; k < kSteps; ++k) {
+      for (std::size_t d = 0; d < now.size(); ++d) pull[d] = kRate * (aim[d] - now[d]);
+      forward_kinematics<double>(body_, now, kinematics_);
+      advance(targets, pull, now);
+    }
+    for (int k = 0; k < kSteps && !stands(now); ++k) advance(feet_, {}, now);
+    if (!stands(now)) return false;
+    angles = now;
+    return true;
+  }
+
+  // the hands' targets to hang at the sides, of arms that do not yet
+  [[nodiscard]] std::vector<IkTarget<double>> hanging(const std::vector<double>& angles) {
+    forward_kinematics<double>(body_, angles, kinematics_);
+    std::vector<IkTarget<double>> targets;
+    for (const Effector& effector : body_.effectors()) {
+      const Vec3d shoulder = kinematics_.origin[static_cast<std::size_t>(effector.limb_root)];
+      const Vec3d hand = kinematics_.point(effector.link, effector.point);
+      const Vec3d way = hand - shoulder;
+      const double aside = abs(way.x);
+      if (aside <= kHanging * abs(way.y) || aside <= abs(way.z)) continue;
+      const double out = way.x < 0.0 ? -kAside : kAside;
+      IkTarget<double> target;
+      target.link = effector.link;
+      target.point = effector.point;
+      target.position = shoulder + normalized(Vec3d{out, -1.0, 0.1}) * norm(way);
+      targets.push_back(target);
+    }
+    return targets;
+  }
+
+ private:
+  void advance(const std::vector<IkTarget<double>>& targets, std::span<const double> pull,
+               std::vector<double>& angles) {
+    if (targets.empty()) {
+      for (std::size_t d = 0; d < pull.size(); ++d) angles[d] += pull[d];
+    } else {
+      weighted_ik_step<double>(body_, kinematics_, targets, weights_, pull, IkSettings{},
+                               workspace_, step_);
+      for (std::size_t d = 0; d < step_.size(); ++d) angles[d] += step_[d];
+    }
+    for (std::size_t d = 0; d < angles.size(); ++d) {
+      angles[d] = clamp(angles[d], body_.dofs()[d].lower, body_.dofs()[d].upper);
+    }
+    forward_kinematics<double>(body_, angles, kinematics_);
+  }
+
+  [[nodiscard]] bool is_shoulder(int dof) const {
+    const auto effectors = body_.effectors();
+    return std::any_of(effectors.begin(), effectors.end(), [&](const Effector& effector) {
+      return body_.dof(dof).joint == body_.dof(effector.limb_root).joint;
+    });
+  }
+
+  [[nodiscard]] bool stands(const std::vector<double>& angles) {
+    forward_kinematics<double>(body_, angles, kinematics_);
+    return std::all_of(feet_.begin(), feet_.end(), [&](const IkTarget<double>& foot) {
+      return norm(position_error(kinematics_, foot)) < kFlat && tilt(kinematics_, foot) < kFlat;
+    });
+  }
+
+  const BodyModel& body_;
+  Kinematics<double> kinematics_;
+  IkWorkspace<double> workspace_;
+  std::vector<double> step_;
+  std::vector<double> weights_;  // (dofs) inverse ones: 0 where locked
+  std::vector<IkTarget<double>> feet_;
+};
+
+// Whether every angle of the aim is within its limits.
+bool allowed(const BodyModel& body, const std::vector<double>& aim) {
+  for (std::size_t d = 0; d < aim.size(); ++d) {
+    if (aim[d] < body.dofs()[d].lower || aim[d] > body.dofs()[d].upper) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> settled_posture(const BodyModel& body, std::vector<std::string>& doubts) {
+  Settler settler(body);
+  const std::vector<double> zero(body.start().begin(), body.start().end());
+  std::vector<double> angles = zero;
+  if (!settler.walk(angles, zero)) {
+    doubts.emplace_back("its limits do not let both feet stand flat as the file places them");
+  }
+  for (const PostureMode& mode : posture_modes(body)) {
+    if (mode.name != "squat") continue;
+    std::vector<double> bent = angles;
+    for (std::size_t d = 0; d < bent.size(); ++d) bent[d] += kStandingKnee * mode.direction[d];
+    if (!allowed(body, bent) || !settler.walk(angles, bent)) {
+      doubts.emplace_back(
+          "it stands with straight knees: its limits do not let them bend above flat feet");
+    }
+  }
+  const std::vector<IkTarget<double>> arms = settler.hanging(angles);
+  if (!arms.empty()) (void)settler.walk(angles, angles, arms);
+  return angles;
+}
+
+}  // namespace shigusa

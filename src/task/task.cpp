@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/task/task.hpp>
+#include <utility>
+
+#include "task_goals.hpp"
+
+namespace shigusa {
+namespace {
+
+bool within(const Vec3d& v, double low, double high) {
+  for (int k = 0; k < 3; ++k) {
+    if (!(v[k] >= low && v[k] <= high)) return false;
+  }
+  return true;
+}
+
+Result<void> check_obstacles(const Task& task) {
+  if (task.obstacles.size() > kObstaclesMax) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} obstacles; allowed are {}", task.obstacles.size(), kObstaclesMax));
+  }
+  for (const Obstacle& obstacle : task.obstacles) {
+    const Quatd& q = obstacle.rotation;
+    const double length = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+    const char* wrong = nullptr;
+    if (!within(obstacle.position, -kGoalRange, kGoalRange)) wrong = "position";
+    if (!within(obstacle.size, 0.0, kGoalRange)) wrong = "size";
+    if (!(obstacle.radius >= 0.0 && obstacle.radius <= kGoalRange)) wrong = "radius";
+    if (!(abs(length - 1.0) < 1e-3)) wrong = "rotation";
+    if (wrong == nullptr) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} is out of range: within {:g} m, sizes from 0, a unit quaternion",
+                            wrong, kGoalRange),
+                "obstacle " + obstacle.name.substr(0, 80));
+  }
+  return {};
+}
+
+// What lifts heels is beyond the bodies that the other presets know.
+Result<void> check_heels(const Task& task) {
+  const auto feet = task.body.feet();
+  const bool lift =
+      std::any_of(feet.begin(), feet.end(), [](const Foot& foot) { return foot.heel.has_value(); });
+  if (!lift || task.preset == Preset::flat) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("the preset {} knows no heels that lift; flat does", word_of(task.preset)));
+}
+
+Result<void> check_phases(const Task& task) {
+  if (task.phases < 1 || task.phases > kPhasesMax) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("phases is {}; allowed are 1 and {}", task.phases, kPhasesMax));
+  }
+  if (task.phases > 1 && task.preset != Preset::flat) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("the preset {} has one phase; flat knows two", word_of(task.preset)));
+  }
+  if (task.phases == 1 && task.fixed && task.fixed->values.later) {
+    return fail(ErrorCode::invalid_argument,
+                "a later phase is fixed, and the task has one phase; phases 2 gives it two");
+  }
+  return {};
+}
+
+Result<void> check_settings(const Task& task) {
+  if (task.duration &&
+      !(*task.duration >= kTaskDurationMin && *task.duration <= kTaskDurationMax)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("duration is {} s; allowed are {:g} to {:g} s", *task.duration,
+                            kTaskDurationMin, kTaskDurationMax));
+  }
+  if (task.evaluations && *task.evaluations < task.genetic.population) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("evaluations is {}; allowed are {} (the population) and more",
+                            *task.evaluations, task.genetic.population));
+  }
+  if (task.candidates < 1) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
+  }
+  if (const auto checked = check_phases(task); !checked) return checked;
+  if (const auto checked = check_heels(task); !checked) return checked;
+  if (task.look_at && !within(*task.look_at, -kGoalRange, kGoalRange)) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("allowed are finite numbers from -{:g} to {:g} m", kGoalRange, kGoalRange),
+        "look_at");
+  }
+  if (const auto checked = check_obstacles(task); !checked) return checked;
+  const CriteriaSettings& c = task.criteria;
+  double sum = 0.0;
+  const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
+  bool valid = true;
+  bool scaled = true;
+  for_each_criterion([&](const auto& criterion) {
+    valid = add(criterion.weight(c)) && valid;
+    scaled = scaled && criterion.scale(c) > 0.0;
+  });
+  for (const UserCriterion& user : c.user) valid = valid && add(user.weight) && user.scale > 0.0;
+  if (!valid || sum <= 0.0) {
+    return fail(ErrorCode::invalid_argument,
+                "criteria weights must be finite, 0 or more, and not all 0; scales above 0");
+  }
+  if (!scaled) {
+    return fail(ErrorCode::invalid_argument, "reference scales of criteria must be above 0");
+  }
+  return {};
+}
+
+// Where limits hold joints back, a frame takes up to so many further steps to bring an effector
+// back that has left its path by more than this.
+constexpr int kLimitCorrections = 2;
+constexpr double kPathSlack = 3e-4;  // m
+
+}  // namespace
+
+int usual_evaluations(const Task& task) {
+  if (task.generator == MotionGenerator::nlp_ik) return kNlpEvaluations;
+  return traits_of(task.preset).evaluations;
+}
+
+SearchMethod search_of(const Task& task) {
+  return task.search.value_or(traits_of(task.preset).search);
+}
+
+Task with_preset(Task task, Preset preset) {
+  task.preset = preset;
+  task.criteria = traits_of(preset).criteria();
+  task.candidates = traits_of(preset).candidates;
+  return task;
+}
+
+CriteriaSettings task_criteria(const Task& task) {
+  CriteriaSettings criteria = task.criteria;
+  if (task.look_at) criteria.head.gaze_target = task.look_at;
+  if (!criteria.head.gaze_target) criteria.head.gaze_target = gaze_of(task.body, task.goals);
+  criteria.collision.obstacles = task.obstacles;
+  return criteria;
+}
+
+Result<ReachProblem> make_problem(const Task& task) {
+  if (task.goals.empty()) {
+    return fail(ErrorCode::invalid_argument, "no goal: give at least one effector's position");
+  }
+  if (const auto checked = check_settings(task); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const BodyModel& body = task.body;
+  const Kinematics<double> kinematics = start_kinematics(body);
+  ReachProblem problem;
+  problem.body = &body;
+  problem.duration = 0.0;
+  for (const Goal& goal : task.goals) {
+    Result<ReachGoal> reach = make_reach_goal(body, kinematics, goal);
+    if (!reach) return tl::unexpected(reach.error());
+    for (const ReachGoal& earlier : problem.goals) {
+      if (earlier.effector != reach->effector) continue;
+      return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
+    }
+    problem.duration = max(problem.duration, goal_duration(body, kinematics, *reach));
+    problem.goals.push_back(std::move(*reach));
+  }
+  if (const auto checked = check_rows(problem); !checked) return tl::unexpected(checked.error());
+  problem.duration *= load_factor(body.load());
+  if (task.duration) problem.duration = *task.duration;
+  problem.hold_limits = problem.posture_law = traits_of(task.preset).natural;
+  problem.gaze = task_criteria(task).head.gaze_target;
+  if (task.preset == Preset::flat) {
+    problem.corrections = kLimitCorrections;
+    problem.path_slack = kPathSlack;
+  }
+  return problem;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/task/task.hpp>
+
+namespace shigusa {
+
+// The way of one goal, from the body's start posture; fails as make_problem does.
+[[nodiscard]] Result<ReachGoal> make_reach_goal(const BodyModel& body,
+                                                const Kinematics<double>& start, const Goal& goal);
+
+// What a goal wants of its effector's orientation, of a foot level ground where it says nothing.
+[[nodiscard]] EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
+                                     const Kinematics<double>& start);
+
+// Duration (s) of a way to a goal.
+[[nodiscard]] double goal_duration(const BodyModel& body, const Kinematics<double>& start,
+                                   const ReachGoal& goal);
+
+// Fails where goals and contacts take more rows than the IK has.
+[[nodiscard]] Result<void> check_rows(const ReachProblem& problem);
+
+// Where the eyes go: the first goal of a limb, as head and trunk do not look at themselves.
+[[nodiscard]] std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals);
+
+}  // namespace shigusa

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// Characters with meshes: soles stand on the floor in what leaves, and results keep what the mesh
+// told.
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <project/character_export.hpp>
+#include <project/landmarks_json.hpp>
+#include <shigusa/character/character_description.hpp>
+#include <shigusa/document/export.hpp>
+#include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/io/gltf_skin.hpp>
+
+#include "support/mesh_file.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using nlohmann::json;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double kNear = 0.003;  // m
+const std::string kMotion = "motion";
+
+int index_of(const json& gltf, const std::string& name) {
+  for (std::size_t i = 0; i < gltf["nodes"].size(); ++i) {
+    if (gltf["nodes"][i].value("name", "") == name) return static_cast<int>(i);
+  }
+  throw std::runtime_error("no node " + name);
+}
+
+// Shoes and shanks about the joints of a standing person: soles at `sole`, m in the person's own
+// world, whatever world the file is in.
+std::vector<MeshPoint> body_mesh(const json& gltf, double sole) {
+  std::vector<MeshPoint> points;
+  const ExportedGlb rest(glb(gltf.dump(), ""));
+  const auto at = [&](const std::string& name) {
+    return rest.place(index_of(gltf, name)).translation;
+  };
+  for (const std::string side : {"left_", "right_"}) {
+    const Vec3d ankle = at(side + "foot");
+    const Vec3d knee = at(side + "lower_leg");
+    Vec3d ahead = at(side + "toes") - ankle;
+    ahead.y = 0.0;
+    ahead = normalized(ahead);
+    const Vec3d across{ahead.z, 0.0, -ahead.x};
+    for (const double y : {sole, 0.5 * (sole + ankle.y), ankle.y}) {
+      for (int i = 0; i <= 4; ++i) {
+        for (const double x : {-0.045, 0.045}) {
+          Vec3d p = ankle + ahead * (-0.07 + 0.07 * i) + across * x;
+          p.y = y;
+          points.push_back({p, index_of(gltf, side + "foot")});
+        }
+      }
+    }
+    for (int i = 0; i < 200; ++i) {
+      const double turn = 2.4 * i;
+      const Vec3d out{std::cos(turn), 0.0, std::sin(turn)};
+      points.push_back(
+          {ankle + (knee - ankle) * (i / 200.0) + out * 0.052, index_of(gltf, side + "lower_leg")});
+    }
+  }
+  return points;
+}
+
+// A person's file whose shoes are 35 mm thicker than by stature; `make` turns it into an odd one,
+// its mesh with it, as that is bound to the nodes.
+std::string odd_file(const std::function<void(json&)>& make, double sole = -0.035) {
+  json gltf = person_gltf();
+  MeshFile file(gltf);
+  file.add_skinned(body_mesh(gltf, sole));
+  make(file.json);
+  return file.bytes();
+}
+
+void put_below(json& file, json above) {
+  above["name"] = "Armature";
+  above["children"] = {0};
+  file["nodes"].push_back(above);
+}
+
+struct Odd {
+  const char* name;
+  std::function<void(json&)> make;
+};
+
+void PrintTo(const Odd& odd, std::ostream* out) { *out << odd.name; }
+
+CharacterSpec loaded(const std::string& bytes, const std::string& name = "odd.glb") {
+  CharacterSpec spec{.source = name};
+  const auto done = load_character(bytes, spec);
+  EXPECT_TRUE(done) << done.error().to_string();
+  return spec;
+}
+
+class MeshCharacters : public testing::TestWithParam<Odd> {};
+
+TEST_P(MeshCharacters, StandOnTheirSolesInWhatLeaves) {
+  TaskFile file;
+  file.character = loaded(odd_file(GetParam().make));
+  const double s = file.character.stature.value();
+  file.goals = {{"right_hand", Vec3d{-0.1, 0.4, 0.3} * s}};
+  const Task task = make_task(file, {}).value();
+  const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+  const Clip& clip = generation.candidates[0].motion.clip;
+  const CharacterExporter exporter(*file.character.rig);
+  const GltfAnimation animation = exporter.animation(task.body, clip, kMotion);
+  const ExportedGlb out(exporter.glb(std::span(&animation, 1)).value());
+  const double unit = file.character.rig->rig.placement.unit;
+  for (const char* foot : {"left_foot", "right_foot"}) {
+    const int node =
+        file.character.rig->file_node[static_cast<std::size_t>(rig_node(file.character, foot))];
+    for (const int frame : {0, clip.frames - 1}) {
+      EXPECT_NEAR(lowest_vertex(out, {node}, kMotion, frame) * unit, 0.0, kNear)
+          << foot << ' ' << frame;
+    }
+  }
+  EXPECT_NEAR(task.body.stature(), 1.741 + 0.035, 0.01);
+  EXPECT_THAT(file.character.doubts, Not(Contains(HasSubstr("the mesh was not read"))));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, MeshCharacters,
+    testing::Values(Odd{"Plain", [](json&) {}},
+                    Odd{"InCentimetres",
+                        [](json& f) {
+                          put_below(f, {{"scale", {100.0, 100.0, 100.0}}});
+                        }},
+                    Odd{"BelowScaledNodes",
+                        [](json& f) {
+                          put_below(f, {{"scale", {0.01, 0.01, 0.01}}});
+                          f["nodes"].push_back({{"name", "Root"},
+                                                {"scale", {100.0, 100.0, 100.0}},
+                                                {"children", {f["nodes"].size() - 1}}});
+                        }},
+                    Odd{"FacingAway",
+                        [](json& f) {
+                          put_below(f, {{"rotation", {0, 1, 0, 0}}});
+                        }},
+                    Odd{"FacingAside",
+                        [](json& f) {
+                          put_below(f, {{"rotation", {0, std::sqrt(0.5), 0, std::sqrt(0.5)}}});
+                        }},
+                    Odd{"ZUp",
+                        [](json& f) {
+                          put_below(f, {{"rotation", {std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}});
+                        }},
+                    Odd{"Elsewhere",
+                        [](json& f) {
+                          put_below(f, {{"translation", {3.0, 1.5, -2.0}}});
+                        }}),
+    [](const auto& of) { return std::string(of.param.name); });
+
+// No rotation leads out of a mirror, so the file keeps its own axes, but its soles stand on its
+// own floor.
+TEST(MeshCharacter, AMirroredOneIsMeasuredAlike) {
+  const CharacterSpec plain = loaded(odd_file([](json&) {}));
+  const CharacterSpec mirror = loaded(odd_file([](json& f) {
+    put_below(f, {{"scale", {-1.0, 1.0, 1.0}}});
+  }));
+  ASSERT_TRUE(plain.landmarks && mirror.landmarks);
+  EXPECT_NEAR(*plain.stature, *mirror.stature, 1e-6);
+  // the sides of a mirrored skeleton keep their names; seen from within it is the same person
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LE(norm((*plain.landmarks->left_leg.sole)[i] - (*mirror.landmarks->left_leg.sole)[i]),
+              1e-5)
+        << i;
+  }
+  EXPECT_NEAR(plain.landmarks->parts[BodyPart::left_shank]->radius,
+              mirror.landmarks->parts[BodyPart::left_shank]->radius, 1e-5);
+}
+
+TEST(MeshCharacter, AMeshThatIsNotReadIsADoubtAndThePersonAsBefore) {
+  const CharacterSpec plain = loaded(glb(person_gltf().dump()));
+  const CharacterSpec packed = loaded(odd_file([](json& f) {
+    f["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = json::object();
+  }));
+  EXPECT_THAT(packed.doubts, Contains(HasSubstr("the mesh was not read")));
+  EXPECT_EQ(landmarks_to_json(*packed.landmarks), landmarks_to_json(*plain.landmarks));
+}
+
+TEST(MeshCharacter, ResultsKeepSolesAndParts) {
+  const CharacterSpec spec = loaded(odd_file([](json&) {}));
+  TaskFile file;
+  file.character = spec;
+  file.goals = {{"right_hand", {-0.2, 0.8, 0.4}}};
+  const TaskFile again = parse_task(format_task(file), "task.json").value();
+  ASSERT_TRUE(again.character.landmarks);
+  EXPECT_TRUE(spec.landmarks->left_leg.sole);
+  EXPECT_TRUE(spec.landmarks->parts[BodyPart::left_shank]);
+  EXPECT_EQ(landmarks_to_json(*again.character.landmarks), landmarks_to_json(*spec.landmarks));
+  const BodyModel with_file = build_character(spec).value();
+  const BodyModel without = build_character(again.character).value();
+  ASSERT_EQ(with_file.capsules().size(), without.capsules().size());
+  for (std::size_t c = 0; c < without.capsules().size(); ++c) {
+    EXPECT_EQ(with_file.capsules()[c].radius, without.capsules()[c].radius);
+    EXPECT_EQ(with_file.capsules()[c].from, without.capsules()[c].from);
+  }
+}
+
+std::string refused(const std::function<void(json&)>& make) {
+  TaskFile file;
+  file.character = loaded(odd_file([](json&) {}));
+  file.goals = {{"right_hand", {-0.2, 0.8, 0.4}}};
+  json task = json::parse(format_task(file));
+  make(task["character"]["landmarks_m"]);
+  const auto read = parse_task(task.dump(), "task.json");
+  return read ? "" : read.error().to_string();
+}
+
+TEST(MeshCharacter, SolesAndPartsThatAreNoneAreRefused) {
+  EXPECT_EQ(refused([](json&) {}), "");
+  EXPECT_THAT(refused([](json& l) { l["left_sole"].erase(3); }),
+              HasSubstr("left_sole: must be four corners"));
+  EXPECT_THAT(refused([](json& l) { std::swap(l["left_sole"][0], l["left_sole"][1]); }),
+              HasSubstr("counter-clockwise from above"));
+  EXPECT_THAT(refused([](json& l) { l["parts"]["left_shank"]["radius_m"] = 0; }),
+              HasSubstr("radius_m"));
+  EXPECT_THAT(refused([](json& l) { l["parts"]["left_shank"].erase("to_m"); }),
+              HasSubstr("to_m: is missing"));
+  EXPECT_THAT(refused([](json& l) { l["parts"]["tail"] = json::object(); }), HasSubstr("tail"));
+}
+
+TEST(MeshCharacter, BodyTellsTheCapsulesOfAllParts) {
+  const CharacterSpec spec = loaded(odd_file([](json&) {}));
+  const json told = json::parse(format_character(spec, build_character(spec).value()));
+  double shank = 0.0;
+  for (const json& capsule : told["capsules"]) {
+    if (capsule["name"] == "left_shank") shank = capsule["radius_m"];
+  }
+  EXPECT_NEAR(shank, 0.052, 0.002);
+}
+
+// Characters that nobody here wrote; see ../shared/characters/manifest.tsv.
+struct Real {
+  const char* file;
+  double stature;  // m, of the mesh without helmets and hair, by hand
+};
+
+class RealMeshes : public testing::TestWithParam<Real> {};
+
+TEST_P(RealMeshes, StandOnTheirSoles) {
+  const auto path = std::filesystem::path(SHIGUSA_SHARED_DIR) / "characters" / GetParam().file;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+  TaskFile file;
+  file.character.source = path.string();
+  file.goals = {{"right_hand", {-0.2, 0.8, 0.4}}};
+  ASSERT_TRUE(measure_character(file.character, {}));
+  EXPECT_NEAR(*file.character.stature, GetParam().stature, 0.03);
+  const Task task = make_task(file, {}).value();
+  const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+  const CharacterExporter exporter(*file.character.rig);
+  const GltfAnimation animation =
+      exporter.animation(task.body, generation.candidates[0].motion.clip, kMotion);
+  const std::string bytes = exporter.glb(std::span(&animation, 1)).value();
+  // the reader itself is tested against its definition; here it reads what leaves
+  const auto moved = parse_gltf_animation(bytes, "out.glb", {.animation = kMotion});
+  ASSERT_TRUE(moved) << moved.error().to_string();
+  const Skin skin = read_gltf_skin(bytes, "out.glb", moved->character, moved->posed);
+  double lowest = 1e9;
+  for (const SkinVertex& vertex : skin.vertices) {
+    for (int node = vertex.node; node >= 0;
+         node = moved->character.rest.skeleton.nodes[static_cast<std::size_t>(node)].parent) {
+      if (node == rig_node(file.character, "left_foot") ||
+          node == rig_node(file.character, "right_foot")) {
+        lowest = std::min(lowest, vertex.position.y);
+      }
+    }
+  }
+  EXPECT_NEAR(lowest, 0.0, kNear);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, RealMeshes,
+                         testing::Values(Real{"KayKit_Knight.glb", 2.315},
+                                         Real{"lab0_CesiumMan.glb", 1.507}));
+
+}  // namespace
+}  // namespace shigusa

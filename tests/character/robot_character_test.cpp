@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// A robot from its file through a search, a result and back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <shigusa/document/export.hpp>
+#include <shigusa/edit/mirror.hpp>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+
+#include "support/exported.hpp"
+#include "support/robot_file.hpp"
+#include "support/work_folder.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+
+class RobotCharacter : public testing::Test {
+ protected:
+  WorkFolder folder_;
+  TaskFile file_;
+
+  void SetUp() override {
+    file_.character.source = folder_.put("small.urdf", RobotFile().text());
+    file_.goals = {{"right_hand", {-0.2, 0.4, 0.35}}};
+    file_.evaluations = 200;
+  }
+};
+
+TEST_F(RobotCharacter, IsReadOnceAndThenStandsInTheTask) {
+  ASSERT_TRUE(make_task(file_, {}));
+  EXPECT_EQ(file_.character.source, "small.urdf");
+  ASSERT_TRUE(file_.character.urdf);
+  const Result<TaskFile> again = parse_task(format_task(file_), "task.json");
+  ASSERT_TRUE(again) << again.error().to_string();
+  EXPECT_EQ(again->character.urdf, file_.character.urdf);
+  TaskFile copy = *again;
+  EXPECT_TRUE(make_task(copy, "/nowhere"));
+}
+
+TEST_F(RobotCharacter, BeginsWithBentKneesOnFlatFeetWithinItsLimits) {
+  const Task task = make_task(file_, {}).value();
+  const BodyModel& body = task.body;
+  Kinematics<double> kinematics(body);
+  forward_kinematics<double>(body, body.start(), kinematics);
+  for (const Foot& foot : body.feet()) {
+    for (const Vec3d& corner : foot.outline) {
+      EXPECT_NEAR(kinematics.point(foot.link, corner).y, 0.0, 1e-6);
+    }
+  }
+  const auto knee = static_cast<std::size_t>(body.find_dof("left_knee.flexion").value());
+  EXPECT_NEAR(body.start()[knee], radians(10.0), radians(1.0));
+  for (int d = 0; d < body.dof_count(); ++d) {
+    EXPECT_GE(body.start()[static_cast<std::size_t>(d)], body.dof(d).lower);
+    EXPECT_LE(body.start()[static_cast<std::size_t>(d)], body.dof(d).upper);
+  }
+}
+
+TEST_F(RobotCharacter, ResultIsPlayedAgainWithTheSameBytes) {
+  const Task task = make_task(file_, {}).value();
+  const Generation generation = generate(task).value();
+  EXPECT_TRUE(generation.meets_goals());
+  EXPECT_LT(generation.replay_difference, 0.02);
+  const std::string summary = format_result(file_, task, generation, {});
+  StoredResult stored = parse_result(summary, "summary.json").value();
+  const Task again = make_task(stored.task, {}).value();
+  const Generation replayed = regenerate(again, stored.candidates.at(0)).value();
+  for (const ExportFormat format : {ExportFormat::csv, ExportFormat::bvh, ExportFormat::svg}) {
+    EXPECT_EQ(export_candidate(again, replayed.candidates[0], format).value(),
+              export_candidate(task, generation.candidates[0], format).value());
+  }
+}
+
+TEST_F(RobotCharacter, BvhHasTheRobotsLinkWhereTheGoalIs) {
+  const Task task = make_task(file_, {}).value();
+  const Candidate candidate = generate(task).value().candidates.at(0);
+  const ExportedMotion bvh(export_candidate(task, candidate, ExportFormat::bvh).value(), 0.01);
+  EXPECT_EQ(candidate.goals[0].node, "right_palm");
+  EXPECT_LT(norm(bvh.at_end("right_palm") - task.goals[0].position), 1e-3);
+  for (const ContactResult& contact : candidate.contacts) {
+    EXPECT_LT(bvh.slide(contact.node), 1e-3);
+    EXPECT_LT(bvh.tilt(contact.node), radians(0.1));
+  }
+}
+
+TEST_F(RobotCharacter, TableHasTheFilesJointsAndTheRootsPlace) {
+  const Task task = make_task(file_, {}).value();
+  const Candidate candidate = generate(task).value().candidates.at(0);
+  const std::string csv = export_candidate(task, candidate, ExportFormat::csv).value();
+  const std::string names = csv.substr(0, csv.find('\n'));
+  EXPECT_TRUE(
+      names.starts_with("time [s],root.x [m],root.y [m],root.z [m],root.qx,root.qy,root.qz,"
+                        "root.qw,left_hip_yaw [rad],"));
+  for (const char* name : {"left_finger [rad]", "left_finger_tip [rad]", "drawer [m]",
+                           "right_elbow torque [N m]", "right_hand.z [m]"}) {
+    EXPECT_THAT(names, HasSubstr(name));
+  }
+  EXPECT_THAT(names, testing::Not(HasSubstr("left_finger torque")));
+}
+
+TEST_F(RobotCharacter, HasNoMirrorImage) {
+  const Result<TaskFile> image = mirrored(file_);
+  ASSERT_FALSE(image);
+  EXPECT_THAT(image.error().message, HasSubstr("is a robot"));
+}
+
+TEST_F(RobotCharacter, HasItsOwnStature) {
+  file_.character.stature = 1.7;
+  const Result<Task> task = make_task(file_, {});
+  ASSERT_FALSE(task);
+  EXPECT_THAT(task.error().message, HasSubstr("stature is of a person"));
+}
+
+TEST_F(RobotCharacter, LayersSayThatTheyAreForPeople) {
+  Task task = with_preset(make_task(file_, {}).value(), Preset::layers);
+  const Result<Generation> generation = generate(task);
+  ASSERT_FALSE(generation);
+  EXPECT_THAT(generation.error().message, HasSubstr("layers are for bodies"));
+}
+
+// Four legs of three joints each below a level trunk.
+TEST_F(RobotCharacter, OnFourLegsIsRefused) {
+  std::string text =
+      "<robot name=\"dog\"><link name=\"base\"><inertial><mass value=\"9\"/>"
+      "<inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/>"
+      "</inertial></link>";
+  const auto joint = [&](const std::string& parent, const std::string& child, const char* xyz) {
+    text += fmt::format(
+        "<link name=\"{1}\"/><joint name=\"{1}_joint\" type=\"continuous\"><parent link=\"{0}\"/>"
+        "<child link=\"{1}\"/><origin xyz=\"{2}\"/><axis xyz=\"0 1 0\"/></joint>",
+        parent, child, xyz);
+  };
+  for (const auto& [leg, xyz] : {std::pair("FL", "0.3 0.1 0"), std::pair("FR", "0.3 -0.1 0"),
+                                 std::pair("RL", "-0.3 0.1 0"), std::pair("RR", "-0.3 -0.1 0")}) {
+    const std::string name(leg);
+    joint("base", name + "_a", xyz);
+    joint(name + "_a", name + "_b", "0 0 -0.2");
+    joint(name + "_b", name + "_c", "0 0 -0.2");
+    joint(name + "_c", name + "_d", "0.03 0 -0.02");
+  }
+  file_.character.source = folder_.put("dog.urdf", text + "</robot>");
+  const Result<Task> task = make_task(file_, {});
+  ASSERT_FALSE(task);
+  EXPECT_THAT(task.error().to_string(), HasSubstr("dog.urdf: no person: it stands on four legs"));
+}
+
+TEST_F(RobotCharacter, ThatIsNoHumanoidIsToldSo) {
+  file_.character.source = folder_.put(
+      "arm.urdf",
+      "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"continuous\">"
+      "<parent link=\"a\"/><child link=\"b\"/><origin xyz=\"0 0 1\"/></joint></robot>");
+  const Result<Task> task = make_task(file_, {});
+  ASSERT_FALSE(task);
+  EXPECT_THAT(task.error().to_string(), HasSubstr("arm.urdf: no humanoid robot"));
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <shigusa/core/random.hpp>
+#include <shigusa/document/clip_score.hpp>
+#include <shigusa/document/export.hpp>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/kinematics/skeleton_motion.hpp>
+
+#include "support/work_folder.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+
+Generation small_generation(const Task& task) {
+  Task quick = task;
+  quick.evaluations = 300;
+  quick.candidates = 1;
+  return generate(quick).value();
+}
+
+Task low_reach(BodyModel body) {
+  Task task{.body = std::move(body)};
+  task.goals = {{"right_hand", {-0.1, 0.35, 0.4}}};
+  return task;
+}
+
+class ClipScoreTest : public testing::Test {
+ protected:
+  std::string write(const SkeletonMotion& motion) {
+    work_.put("clip.bvh", format_bvh(motion));
+    return (work_.path() / "clip.bvh").string();
+  }
+
+  WorkFolder work_;
+};
+
+// Generated, written, read and fitted: the figures of the summary. A generated motion is at rest
+// before its first frame and after its last, a file's goes on as it came: two frames of 61.
+TEST_F(ClipScoreTest, AMotionOfItsOwnScoresAsItsSummaryHasIt) {
+  for (const char* name : {"full_body", "human"}) {
+    const Task task = low_reach(name == std::string("human") ? human_body() : full_body());
+    const Generation generation = small_generation(task);
+    const Candidate& candidate = generation.candidates.front();
+    const std::string path = write(skeleton_motion(task.body, candidate.motion.clip));
+    const RecordedMotion recorded = read_recorded(path, {.source = name}, 0).value();
+    const ClipScore score = score_clip(recorded, {.cutoff = 0.0}).value();
+    EXPECT_LT(score.fit.worst_distance, 1e-5) << name;
+    EXPECT_TRUE(score.doubts.empty()) << name;
+    ASSERT_EQ(score.score.terms.size(), candidate.score.terms.size());
+    for (std::size_t i = 0; i < score.score.terms.size(); ++i) {
+      EXPECT_EQ(score.score.terms[i].name, candidate.score.terms[i].name);
+      EXPECT_NEAR(score.score.terms[i].penalty, candidate.score.terms[i].penalty,
+                  0.01 * candidate.score.terms[i].penalty + 1e-4)
+          << name << " " << score.score.terms[i].name;
+    }
+    // a minimum-jerk motion of a second is slower than the cutoff
+    const ClipScore smoothed = score_clip(recorded).value();
+    EXPECT_NEAR(smoothed.score.total, candidate.score.total, 0.02 * candidate.score.total) << name;
+  }
+}
+
+// Another person's body, built from the file itself: the same angles, the same joints.
+TEST_F(ClipScoreTest, TheClipsOwnPersonFollowsItExactly) {
+  const Task task = low_reach(human_body({.stature = 1.6, .mass = 55.0}));
+  const Candidate candidate = small_generation(task).candidates.front();
+  const std::string path = write(skeleton_motion(task.body, candidate.motion.clip));
+  const CharacterSpec person{.source = path, .extent = BodyExtent::human};
+  const RecordedMotion recorded = read_recorded(path, person, 0).value();
+  const ClipScore score = score_clip(recorded, {.cutoff = 0.0}).value();
+  EXPECT_NEAR(recorded.body.stature(), 1.6, 1e-3);
+  EXPECT_LT(score.fit.worst_distance, 1e-5);
+  EXPECT_NEAR(score.score.total, candidate.score.total, 0.02 * candidate.score.total);
+}
+
+// Noise of a twentieth of a degree, as capture has it, is some 4 rad/s² at 60 Hz.
+TEST_F(ClipScoreTest, SmoothingTakesNoiseOutOfAccelerations) {
+  const Task task = low_reach(full_body());
+  const Candidate candidate = small_generation(task).candidates.front();
+  Clip noisy = candidate.motion.clip;
+  Random random(7);
+  for (double& angle : noisy.angles) angle += radians(0.05) * (2.0 * random.uniform() - 1.0);
+  const std::string path = write(skeleton_motion(task.body, noisy));
+  const RecordedMotion recorded = read_recorded(path, {.source = "full_body"}, 0).value();
+  ScoreSettings settings;
+  settings.criteria.joint_acceleration.acceleration = 20.0;
+  const double clean = score_motion(task.body, candidate.motion, settings.criteria).total;
+  const double smoothed = score_clip(recorded, settings).value().score.total;
+  settings.cutoff = 0.0;
+  const double raw = score_clip(recorded, settings).value().score.total;
+  EXPECT_LT(std::abs(smoothed - clean), 0.3 * std::abs(raw - clean));
+}
+
+TEST_F(ClipScoreTest, AFootThatStepsIsADoubtAndNoRefusal) {
+  const BodyModel body = full_body();
+  Clip clip{.dofs = body.dof_count(), .frames = 20, .angles = {}};
+  const auto hip = static_cast<std::size_t>(body.find_dof("left_hip.flexion").value());
+  for (int f = 0; f < clip.frames; ++f) {
+    std::vector<double> angles(body.start().begin(), body.start().end());
+    if (f >= 10) angles[hip] += 0.02 * (f - 10);
+    clip.angles.insert(clip.angles.end(), angles.begin(), angles.end());
+  }
+  const std::string path = write(skeleton_motion(body, clip));
+  const RecordedMotion recorded = read_recorded(path, {.source = "full_body"}, 0).value();
+  const ClipScore all = score_clip(recorded).value();
+  ASSERT_EQ(all.doubts.size(), 1U);
+  EXPECT_THAT(all.doubts.front(), HasSubstr("left_foot moves by"));
+  EXPECT_LT(all.fit.worst_distance, 1e-5);  // the leg is free to follow
+  EXPECT_TRUE(score_clip(recorded, {.last = 10}).value().doubts.empty());
+}
+
+// What a person does beyond a limit is told, and done.
+TEST_F(ClipScoreTest, LimitsThatTheRecordPassesAreReported) {
+  const BodyModel body = full_body();
+  const auto elbow = static_cast<std::size_t>(body.find_dof("right_elbow.flexion").value());
+  const double beyond = body.dof(static_cast<int>(elbow)).upper + radians(8.0);
+  Clip clip{.dofs = body.dof_count(), .frames = 120, .angles = {}};
+  for (int f = 0; f < clip.frames; ++f) {
+    std::vector<double> angles(body.start().begin(), body.start().end());
+    angles[elbow] += (beyond - angles[elbow]) * f / 119.0;
+    clip.angles.insert(clip.angles.end(), angles.begin(), angles.end());
+  }
+  const std::string path = write(skeleton_motion(body, clip));
+  const RecordedMotion recorded = read_recorded(path, {.source = "full_body"}, 0).value();
+  const ClipScore score = score_clip(recorded).value();
+  ASSERT_EQ(score.measures.over_limit.size(), 1U);
+  EXPECT_EQ(score.measures.over_limit.front().dof, "right_elbow.flexion");
+  EXPECT_NEAR(score.measures.over_limit.front().excess, radians(8.0), radians(0.1));
+}
+
+TEST_F(ClipScoreTest, WhatCannotBeScoredIsRefusedWithAReason) {
+  const BodyModel body = full_body();
+  Clip clip{.dofs = body.dof_count(), .frames = 1, .angles = {}};
+  clip.angles.assign(body.start().begin(), body.start().end());
+  const std::string path = write(skeleton_motion(body, clip));
+  const RecordedMotion recorded = read_recorded(path, {.source = path}, 0).value();
+  EXPECT_THAT(score_clip(recorded, {.first = 1}).error().to_string(),
+              HasSubstr("the file has 0 to 0"));
+  EXPECT_THAT(score_clip(recorded, {.cutoff = -1.0}).error().to_string(), HasSubstr("-1 Hz"));
+  EXPECT_TRUE(score_clip(recorded).has_value());
+  EXPECT_THAT(read_recorded(path, {.source = "robot.urdf"}, 0).error().to_string(),
+              HasSubstr("is a robot"));
+  EXPECT_THAT(read_recorded("clip.csv", {.source = path}, 0).error().to_string(),
+              HasSubstr("allowed are .bvh"));
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// Results of layered presets in files, and assignments to their parameters.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "document/schema_check.hpp"
+#include "shigusa/document/result_file.hpp"
+#include "support/layered.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+struct Sample {
+  TaskFile file;
+  Task task;
+  Generation generation;
+
+  explicit Sample(const TaskFile& asked)
+      : file(asked), task(make_task(file, {}).value()), generation(generate(task).value()) {}
+
+  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}); }
+};
+
+TaskFile layers_task() {
+  TaskFile file;
+  file.character.source = "full_body";
+  file.preset = Preset::layers;
+  file.goals = {{"left_hand", {0.3, 1.1, 0.4}}, {"right_hand", {-0.2, 1.1, 0.4}}};
+  file.seed = 3;
+  file.evaluations = 100;
+  return file;
+}
+
+const Sample& sample() {
+  static const Sample made(layers_task());
+  return made;
+}
+
+std::string message(const Json& json) {
+  const Result<StoredResult> result = parse_result(json.dump(), "summary.json");
+  return result ? "" : result.error().to_string();
+}
+
+TEST(LayeredResult, ParametersAreReadBackBitForBit) {
+  for (const auto& [reading, word] : kEnumWords<LayerReading>) {
+    // in the paper's code, and in one of any numbers
+    for (const SearchMethod method : {SearchMethod::paper_ga, SearchMethod::cma_es}) {
+      TaskFile file = layers_task();
+      file.layer_reading = reading;
+      file.search = method;
+      const Sample made(file);
+      const StoredResult stored = parse_result(made.text(), "summary.json").value();
+      EXPECT_EQ(stored.task.preset, Preset::layers);
+      EXPECT_EQ(stored.task.layer_reading, reading);
+      EXPECT_TRUE(stored.candidates.empty());
+      ASSERT_EQ(stored.layered.size(), made.generation.candidates.size());
+      for (std::size_t i = 0; i < stored.layered.size(); ++i) {
+        EXPECT_EQ(stored.layered[i], made.generation.candidates[i].layered);
+      }
+    }
+  }
+}
+
+TEST(LayeredResult, StoredParametersGiveTheSameMotion) {
+  StoredResult stored = parse_result(sample().text(), "summary.json").value();
+  const Task task = make_task(stored.task, {}).value();
+  const Generation again = regenerate(task, stored.layered[0]).value();
+  EXPECT_EQ(again.candidates[0].motion.clip.angles,
+            sample().generation.candidates[0].motion.clip.angles);
+}
+
+TEST(LayeredResult, FollowsTheSchema) {
+  const SchemaCheck schema = SchemaCheck::in_docs("result.schema.json");
+  EXPECT_EQ(schema.judge(nlohmann::json::parse(sample().text())), "");
+  TaskFile far = layers_task();
+  far.goals = {{"right_hand", {0, 5, 0}}};
+  EXPECT_EQ(schema.judge(nlohmann::json::parse(Sample(far).text())), "");
+}
+
+TEST(LayeredResult, WrongParametersAreNamedByTheirPlace) {
+  const Json good = Json::parse(sample().text());
+  ASSERT_EQ(message(good), "");
+  const auto with = [&good](const Json::json_pointer& place, const Json& value) {
+    Json json = good;
+    json[place] = value;
+    return message(json);
+  };
+  const Json::json_pointer parameters("/candidates/0/parameters");
+  EXPECT_THAT(with(parameters / "weights" / "right_hip.flexion", 0),
+              HasSubstr("right_hip.flexion: is 0; allowed are numbers from 0.001 to 1000"));
+  EXPECT_THAT(with(parameters / "weights" / "right_knee.flexion", 1),
+              HasSubstr("'right_knee.flexion'"));
+  EXPECT_THAT(with(parameters / "locked", {"right_knee.flexion"}), HasSubstr("parameters.locked"));
+  EXPECT_THAT(with(parameters / "contractions" / "legs", 16),
+              HasSubstr("contractions.legs: is 16; allowed are numbers from 0 to 15"));
+  EXPECT_THAT(with(parameters / "contractions", Json::object()),
+              HasSubstr("contractions.legs: is missing"));
+  EXPECT_THAT(with(parameters / "posture" / "delay", 0.1), HasSubstr("'delay'"));
+  EXPECT_THAT(with(parameters / "arms", Json::object()), HasSubstr("arms.left_arm: is missing"));
+  EXPECT_THAT(with(parameters / "arms" / "right_arm" / "weights" / "right_elbow.flexion", "x"),
+              HasSubstr("arms.right_arm.weights.right_elbow.flexion"));
+  EXPECT_THAT(with(parameters / "arms" / "third_arm", 1), HasSubstr("'third_arm'"));
+  EXPECT_THAT(with(Json::json_pointer("/task/goals/0/effector"), "foot"), HasSubstr("'foot'"));
+  EXPECT_THAT(with(Json::json_pointer("/task/layer_reading"), "none"), HasSubstr("'none'"));
+}
+
+TaskFile human_task() {
+  TaskFile file = layers_task();
+  file.preset = Preset::human;
+  file.criteria = traits_of(file.preset).criteria();
+  file.goals = {{"right_hand", {-0.05, 0.1, 0.3}}};
+  return file;
+}
+
+TEST(HumanResult, IsReadBackBitForBitAndPlayedTheSame) {
+  for (const char* body : {"full_body", "half_body"}) {
+    TaskFile file = human_task();
+    file.character.source = body;
+    const Sample made(file);
+    EXPECT_EQ(SchemaCheck::in_docs("result.schema.json").judge(nlohmann::json::parse(made.text())),
+              "");
+    StoredResult stored = parse_result(made.text(), "summary.json").value();
+    ASSERT_EQ(stored.layered.size(), made.generation.candidates.size());
+    const Task task = make_task(stored.task, {}).value();
+    for (std::size_t i = 0; i < stored.layered.size(); ++i) {
+      EXPECT_EQ(stored.layered[i], made.generation.candidates[i].layered);
+      EXPECT_EQ(regenerate(task, stored.layered[i]).value().candidates[0].motion.clip.angles,
+                made.generation.candidates[i].motion.clip.angles);
+    }
+  }
+}
+
+TEST(HumanResult, WrongParametersAreNamedByTheirPlace) {
+  const Json good = Json::parse(Sample(human_task()).text());
+  ASSERT_EQ(message(good), "");
+  const auto with = [&good](const char* place, const Json& value) {
+    Json json = good;
+    json[Json::json_pointer(std::string("/candidates/0/parameters") + place)] = value;
+    return message(json);
+  };
+  EXPECT_THAT(with("/arms/right_arm/swivel_rad", 2), HasSubstr("swivel_rad: is 2; allowed are"));
+  EXPECT_THAT(with("/arms/right_arm", Json::object()), HasSubstr("swivel_rad: is missing"));
+  EXPECT_THAT(with("/arms/right_arm/weights", Json::object()), HasSubstr("'weights'"));
+  EXPECT_THAT(with("/rest", Json::object()), HasSubstr("left_shoulder.flexion_rad: is missing"));
+  EXPECT_THAT(with("/rest/left_elbow.flexion_rad", 9), HasSubstr("is 9; allowed are"));
+  EXPECT_THAT(with("/rest/right_elbow.flexion_rad", 0), HasSubstr("'right_elbow.flexion_rad'"));
+  EXPECT_THAT(with("/rest", 1), HasSubstr("parameters.rest"));
+}
+
+TEST(LayeredResult, OtherPresetsHaveNoArms) {
+  Json json = Json::parse(sample().text());
+  json["task"]["preset"] = "paper";
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].parameters"));
+}
+
+class AssignLayered : public testing::Test {
+ protected:
+  // The freedoms of that name in the upper layer.
+  [[nodiscard]] std::vector<std::size_t> dofs(const std::string& part) const {
+    std::vector<std::size_t> found;
+    for (std::size_t d = 0; d < c_.layers[0].body.dofs.size(); ++d) {
+      if (c_.layers[0].body.dofs[d].name.find(part) == 0) found.push_back(d);
+    }
+    return found;
+  }
+
+  BodyModel body_ = full_body();
+  LayeredChange c_{body_, {{"left_hand", {}}, {"right_hand", {}}}};
+};
+
+TEST_F(AssignLayered, WeightAndLockOfTheUpperLayer) {
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_hip.weight=3", c_.after));
+  ASSERT_EQ(dofs("right_hip.").size(), 3u);
+  for (const std::size_t d : dofs("right_hip.")) c_.expected.upper.joints[d] = {3.0, false};
+  EXPECT_EQ(c_.after, c_.expected);
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_shoulder.flexion.locked=true", c_.after));
+  c_.expected.upper.joints[dofs("right_shoulder.flexion").at(0)].locked = true;
+  EXPECT_EQ(c_.after, c_.expected);
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_shoulder.flexion.weight=2e2", c_.after));
+  c_.expected.upper.joints[dofs("right_shoulder.flexion").at(0)] = {200.0, false};
+  EXPECT_EQ(c_.after, c_.expected);
+}
+
+TEST_F(AssignLayered, ContractionOfAllLimbsThatShareIt) {
+  ASSERT_TRUE(assign_parameter(c_.layers, "arms.contraction=7.5", c_.after));
+  for (std::size_t i = 0; i < c_.layers[0].body.limbs.size(); ++i) {
+    if (c_.layers[0].body.limbs[i].joints.kind == LimbKind::arm) {
+      c_.expected.upper.contractions[i] = 7.5;
+    }
+  }
+  EXPECT_EQ(c_.after, c_.expected);
+  EXPECT_NE(c_.after, c_.before);
+}
+
+TEST_F(AssignLayered, ArmsOwnLayerByItsName) {
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_arm.right_elbow.flexion.weight=9", c_.after));
+  c_.expected.arms[1][3] = {9.0, false};  // the second goal's
+  EXPECT_EQ(c_.after, c_.expected);
+  ASSERT_TRUE(assign_parameter(c_.layers, "left_arm.left_shoulder.locked=true", c_.after));
+  for (std::size_t k = 0; k < 3; ++k) c_.expected.arms[0][k].locked = true;
+  EXPECT_EQ(c_.after, c_.expected);
+}
+
+TEST_F(AssignLayered, WrongOnesChangeNothing) {
+  for (const char* wrong :
+       {"", "=", "legs=8", "legs.contraction", "legs.contraction=15.1", "legs.contraction=1e999",
+        "right_hip.weight=0", "right_knee.weight=2", "right_elbow.weight=2",
+        "right_arm.right_hip.weight=2", "right_hip.locked=1", "right_leg.contraction=3"}) {
+    EXPECT_FALSE(assign_parameter(c_.layers, wrong, c_.after)) << wrong;
+    EXPECT_EQ(c_.after, c_.before) << wrong;
+  }
+}
+
+class AssignHuman : public testing::Test {
+ protected:
+  BodyModel body_ = full_body();
+  LayeredChange c_{body_, {{"right_hand", {}}}, {LayerStack::human}};
+};
+
+TEST_F(AssignHuman, SwivelAndFinalAnglesInDegreesOrRadians) {
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_arm.swivel_deg=20", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.layers, "left_elbow.final_deg=40", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.layers, "left_shoulder.abduction.final_rad=0.5", c_.after));
+  c_.expected.swivels[0] = 20.0 * radians(1.0);
+  c_.expected.finals[1] = 0.5;
+  c_.expected.finals[2] = 40.0 * radians(1.0);
+  EXPECT_EQ(c_.after, c_.expected);
+  ASSERT_TRUE(assign_parameter(c_.layers, "arms.contraction=2", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.layers, "right_hip.flexion.weight=2", c_.after));
+}
+
+TEST_F(AssignHuman, WrongOnesChangeNothing) {
+  for (const char* wrong :
+       {"right_arm.swivel_deg=91", "right_arm.swivel_deg=", "right_arm.swivel_deg=nan",
+        "left_arm.swivel_deg=3", "right_arm.swivel=3", "right_elbow.final_deg=40",
+        "left_elbow.final_deg=200", "left_elbow.final=40", "left_shoulder.rotation.final_deg=1",
+        "right_arm.right_elbow.flexion.weight=2"}) {
+    EXPECT_FALSE(assign_parameter(c_.layers, wrong, c_.after)) << wrong;
+    EXPECT_EQ(c_.after, c_.before) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace shigusa

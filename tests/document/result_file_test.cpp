@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "document/task_samples.hpp"
+#include "shigusa/document/export.hpp"
+#include "support/person_file.hpp"
+#include "support/work_folder.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+// A result of a task, as its file holds it.
+struct Sample {
+  TaskFile file;
+  Task task;
+  Generation generation;
+
+  explicit Sample(TaskFile asked)
+      : file(std::move(asked)), task(make_task(file, {}).value()), generation(make(task)) {}
+
+  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}); }
+
+ private:
+  static Generation make(Task& task) {
+    task.genetic.max_generations = 1;
+    return generate(task).value();
+  }
+};
+
+TaskFile reach_task() {
+  TaskFile file;
+  file.goals = {{"right_hand", {-0.2, 1.1, 0.4}}};
+  file.seed = 3;
+  return file;
+}
+
+const Sample& sample() {
+  static const Sample made(reach_task());
+  return made;
+}
+
+std::string message(const Json& json) {
+  const Result<StoredResult> result = parse_result(json.dump(), "summary.json");
+  return result ? "" : result.error().to_string();
+}
+
+TEST(ResultFile, HoldsAThousandCandidatesAtMost) {
+  Json json = Json::parse(sample().text());
+  const Json one = json["candidates"][0];
+  json["candidates"] = Json(1000, one);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(message(json), "");
+  for (const std::size_t many : {1001u, 2001u}) {
+    json["candidates"] = Json(many, one);
+    EXPECT_THAT(message(json), HasSubstr(std::to_string(many) + " candidates; up to 1000"));
+  }
+  // a sanitizer on a busy machine takes long
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+}
+
+TEST(ResultFile, AListOfVeryManyObjectsIsRefusedWhileItIsRead) {
+  std::string text = R"({"candidates":[{})";
+  for (int i = 0; i < 200'000; ++i) text += ",{}";
+  const auto refused = parse_result(text + "]}", "summary.json");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().to_string(), HasSubstr("more than 2048 objects in one list"));
+}
+
+TEST(ResultFile, NamesOfFilesLeadNowhereElse) {
+  Json json = Json::parse(sample().text());
+  Json& candidate = json["candidates"][0];
+  candidate["files"] = {{"bvh", "candidate-1.bvh"}};
+  candidate["sha256"] = {{"bvh", std::string(64, '0')}};
+  EXPECT_EQ(message(json), "");
+  for (const Json& name :
+       {Json("../x.bvh"), Json("/etc/passwd"), Json(".."), Json(""), Json("a\\b"),
+        Json(std::string("a\0b", 3)), Json(std::string(300, 'a')), Json(7)}) {
+    candidate["files"]["bvh"] = name;
+    EXPECT_THAT(message(json), HasSubstr("candidates[0].files.bvh: must be the name")) << name;
+  }
+  candidate["files"] = {{"csv", "candidate-1.csv"}};
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].sha256.bvh: must be 64")) << "of no file";
+  candidate["sha256"] = {{"csv", "short"}};
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].sha256.csv: must be 64"));
+  candidate["sha256"] = Json::array();
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].sha256: must be an object"));
+}
+
+TEST(ResultFile, TaskAndParametersAreReadBackBitForBit) {
+  const StoredResult stored = parse_result(sample().text(), "summary.json").value();
+  EXPECT_EQ(bits(stored.task), bits(sample().file));
+  EXPECT_EQ(words(stored.task), words(sample().file));
+  ASSERT_EQ(stored.candidates.size(), sample().generation.candidates.size());
+  for (std::size_t i = 0; i < stored.candidates.size(); ++i) {
+    EXPECT_EQ(stored.candidates[i], sample().generation.candidates[i].parameters);
+  }
+}
+
+TEST(ResultFile, StoredParametersGiveTheSameMotion) {
+  StoredResult stored = parse_result(sample().text(), "summary.json").value();
+  const Task task = make_task(stored.task, {}).value();
+  const Generation again = regenerate(task, stored.candidates[0]).value();
+  EXPECT_EQ(again.candidates[0].motion.clip.angles,
+            sample().generation.candidates[0].motion.clip.angles);
+}
+
+TEST(ResultFile, TwoPhasesAreReadBackBitForBit) {
+  TaskFile file = reach_task();
+  file.phases = 2;
+  const Sample made(file);
+  const StoredResult stored = parse_result(made.text(), "summary.json").value();
+  EXPECT_EQ(bits(stored.task), bits(made.file));
+  ASSERT_EQ(stored.candidates.size(), made.generation.candidates.size());
+  for (std::size_t i = 0; i < stored.candidates.size(); ++i) {
+    ASSERT_TRUE(stored.candidates[i].later.has_value());
+    EXPECT_EQ(stored.candidates[i], made.generation.candidates[i].parameters);
+  }
+  const Json good = Json::parse(made.text());
+  const auto with = [&good](const char* member, const Json& value) {
+    Json json = good;
+    json["candidates"][0]["parameters"]["later"][Json::json_pointer(member)] = value;
+    return message(json);
+  };
+  EXPECT_THAT(with("", 1), HasSubstr("candidates[0].parameters.later: must be an object"));
+  EXPECT_THAT(with("", Json::object()), HasSubstr("later.switch: is missing"));
+  EXPECT_THAT(with("/switch", 0.9), HasSubstr("is 0.9; allowed are numbers from 0.2 to 0.8"));
+  EXPECT_THAT(with("/weights", Json::object()), HasSubstr("is missing"));
+  EXPECT_THAT(with("/weights/right_knee.flexion", 0), HasSubstr("allowed are numbers from 0.001"));
+  EXPECT_THAT(with("/locked", {"tail"}), HasSubstr("later.locked"));
+  EXPECT_THAT(with("/posture/squat_rad", 9), HasSubstr("later.posture.squat_rad: is 9"));
+  EXPECT_THAT(with("/swtich", 0.5), HasSubstr("did you mean 'switch'?"));
+}
+
+TEST(ResultFile, PersonFromAFileIsKeptAsMeasured) {
+  const WorkFolder folder;
+  TaskFile file = reach_task();
+  file.character.source = folder.put("person.bvh", person_bvh());
+  file.character.frame = 1;
+  const Sample made(file);
+  const StoredResult stored = parse_result(made.text(), "summary.json").value();
+  EXPECT_EQ(stored.task.character.source, "person.bvh") << "a bare name: no folder of this machine";
+  EXPECT_EQ(bits(stored.task), bits(made.file));
+}
+
+TEST(ResultFile, NeverOpensTheFileThatItNames) {
+  const WorkFolder folder;
+  Json json = Json::parse(sample().text());
+  json["task"]["character"] = {{"source", folder.put("person.bvh", person_bvh())}};
+  EXPECT_THAT(message(json), HasSubstr("summary.json: task.character: landmarks_m is missing"));
+}
+
+TEST(ResultFile, OtherVersionIsAnError) {
+  Json json = Json::parse(sample().text());
+  json["version"] = 2;
+  EXPECT_THAT(message(json), HasSubstr("version is 2; allowed is 1"));
+  json.erase("version");
+  EXPECT_THAT(message(json), HasSubstr("version is missing"));
+}
+
+TEST(ResultFile, ATaskIsNoResult) {
+  EXPECT_THAT(message(Json::parse(format_task(reach_task()))), HasSubstr("not a result"));
+  EXPECT_THAT(message(Json::array()), HasSubstr("not a result"));
+}
+
+TEST(ResultFile, WithoutCandidatesIsAnError) {
+  Json json = Json::parse(sample().text());
+  json["candidates"] = Json::array();
+  EXPECT_THAT(message(json), HasSubstr("candidates is an empty list"));
+}
+
+TEST(ResultFile, WrongParametersAreNamedByTheirPlace) {
+  const Json good = Json::parse(sample().text());
+  const auto with = [&good](const Json::json_pointer& place, const Json& value) {
+    Json json = good;
+    json[place] = value;
+    return message(json);
+  };
+  const Json::json_pointer parameters("/candidates/0/parameters");
+  EXPECT_THAT(with(Json::json_pointer("/candidates/0"), 1), HasSubstr("candidates[0].parameters"));
+  EXPECT_THAT(with(parameters, Json::object()), HasSubstr("parameters.weights: is missing"));
+  EXPECT_THAT(with(parameters / "weights" / "right_knee.flexion", 0),
+              HasSubstr("right_knee.flexion: is 0; allowed are numbers from 0.001 to 1000"));
+  EXPECT_THAT(with(parameters / "weights" / "tail.flexion", 1), HasSubstr("'tail.flexion'"));
+  EXPECT_THAT(with(parameters / "locked", {"tail"}), HasSubstr("parameters.locked"));
+  EXPECT_THAT(with(parameters / "locked", "right_knee.flexion"), HasSubstr("must be a list"));
+  EXPECT_THAT(with(parameters / "lokced", 1), HasSubstr("did you mean 'locked'?"));
+}
+
+struct Assignment {
+  const char* text;
+  const char* wrong;  // part of the message, or nullptr where it is right
+  std::vector<int> changed{};
+  JointWeight now{};
+};
+
+TEST(AssignParameter, FollowsItsTable) {
+  const BodyModel body = half_body();
+  const auto dof = [&body](const char* name) { return body.find_dof(name).value(); };
+  const int knee = dof("right_knee.flexion");
+  const std::vector<int> hip{dof("right_hip.rotation"), dof("right_hip.abduction"),
+                             dof("right_hip.flexion")};
+  const Assignment table[] = {
+      {"right_knee.flexion.weight=12", nullptr, {knee}, {12.0, false}},
+      {"right_knee.weight=0.5", nullptr, {knee}, {0.5, false}},
+      {"right_knee.weight=1e-3", nullptr, {knee}, {1e-3, false}},
+      {"right_knee.weight=1e3", nullptr, {knee}, {1e3, false}},
+      {"right_hip.weight=3", nullptr, hip, {3.0, false}},
+      {"right_hip.flexion.weight=3", nullptr, {hip[2]}, {3.0, false}},
+      {"right_hip.locked=true", nullptr, hip, {1.0, true}},
+      {"right_hip.rotation.locked=false", nullptr, {}, {}},
+      {"right_knee.weight", "is not NAME.weight=NUMBER"},
+      {"weight=3", "is not NAME.weight=NUMBER"},
+      {"", "is not NAME.weight=NUMBER"},
+      {"=", "is not NAME.weight=NUMBER"},
+      {".weight=3", "unknown joint ''"},
+      {"right_kne.weight=3", "did you mean 'right_knee"},
+      {"right_knee.wieght=3", "did you mean 'weight'?"},
+      {"right_knee.flexion=3", "unknown parameter 'flexion'"},
+      {"right_knee.weight=", "weight is ''"},
+      {"right_knee.weight=0", "weight is '0'"},
+      {"right_knee.weight=-1", "weight is '-1'"},
+      {"right_knee.weight=1e4", "allowed are numbers from 0.001 to 1000"},
+      {"right_knee.weight=nan", "weight is 'nan'"},
+      {"right_knee.weight=inf", "weight is 'inf'"},
+      {"right_knee.weight=3 kg", "weight is '3 kg'"},
+      {"right_knee.weight=1=2", "weight is '1=2'"},
+      {"right_knee.locked=1", "locked is '1'; allowed are true and false"},
+  };
+  for (const Assignment& row : table) {
+    Parameters parameters = uniform_parameters(body);
+    Parameters expected = parameters;
+    for (const int d : row.changed) expected.joints[static_cast<std::size_t>(d)] = row.now;
+    const Result<void> assigned = assign_parameter(body, row.text, parameters);
+    EXPECT_EQ(assigned.has_value(), row.wrong == nullptr) << row.text;
+    if (!assigned && row.wrong) {
+      EXPECT_THAT(assigned.error().message, HasSubstr(row.wrong)) << row.text;
+    }
+    EXPECT_EQ(parameters, expected) << row.text;
+  }
+}
+
+TEST(AssignParameter, OfALaterPhaseBeginsItAsTheFirst) {
+  const BodyModel body = full_body();
+  const auto knee = static_cast<std::size_t>(*body.find_dof("right_knee.flexion"));
+  Parameters parameters = uniform_parameters(body);
+  ASSERT_TRUE(assign_parameter(body, "right_knee.weight=2", parameters));
+  ASSERT_TRUE(assign_parameter(body, "squat_deg=60", parameters));
+  EXPECT_FALSE(parameters.later.has_value());
+  const Parameters one = parameters;
+  ASSERT_TRUE(assign_parameter(body, "switch=0.6", parameters));
+  EXPECT_EQ(*parameters.later, (LaterPhase{0.6, one.joints, one.posture.modes}));
+  ASSERT_TRUE(assign_parameter(body, "later.right_knee.weight=3", parameters));
+  ASSERT_TRUE(assign_parameter(body, "later.squat_deg=30", parameters));
+  ASSERT_TRUE(assign_parameter(body, "later.left_knee.flexion.locked=true", parameters));
+  EXPECT_EQ(parameters.joints, one.joints);
+  EXPECT_EQ(parameters.posture, one.posture);
+  EXPECT_EQ(parameters.later->joints[knee], (JointWeight{3.0, false}));
+  EXPECT_EQ(posture_members(body, parameters.posture)[0].name, "squat");
+  EXPECT_EQ(parameters.later->modes[0], radians(30.0));
+  ASSERT_TRUE(assign_parameter(body, "squat_deg=40", parameters));
+  EXPECT_EQ(parameters.later->modes[0], radians(30.0));
+  Parameters weights_alone = uniform_parameters(body);
+  ASSERT_TRUE(assign_parameter(body, "later.right_knee.weight=3", weights_alone));
+  EXPECT_TRUE(weights_alone.posture.modes.empty());
+}
+
+TEST(AssignParameter, OfALaterPhaseNamesWhatIsWrong) {
+  const BodyModel body = full_body();
+  const struct {
+    const char* text;
+    const char* wrong;
+  } table[] = {
+      {"switch=0.1", "switch is '0.1'; allowed are numbers from 0.2 to 0.8"},
+      {"switch_deg=0.5", "unknown posture parameter 'switch_deg'"},
+      {"swich=0.5", "did you mean 'switch'?"},
+      {"later.sqat_deg=3", "did you mean 'later.squat_deg'?"},
+      {"later.squat_deg=300", "later.squat_deg is '300'"},
+      {"later.delay=0.1", "unknown posture parameter 'later.delay'"},
+      {"later.right_kne.weight=3", "did you mean 'later.right_knee"},
+      {"later.right_knee.weight=0", "weight is '0'"},
+      {"later.right_knee.wieght=3", "did you mean 'weight'?"},
+      {"later.right_knee.locked=1", "locked is '1'"},
+      {"later.=1", "unknown posture parameter 'later.'"},
+      {"later..weight=1", "unknown joint 'later.'"},
+  };
+  for (const auto& row : table) {
+    Parameters parameters = uniform_parameters(body);
+    const Result<void> assigned = assign_parameter(body, row.text, parameters);
+    ASSERT_FALSE(assigned) << row.text;
+    EXPECT_THAT(assigned.error().message, HasSubstr(row.wrong)) << row.text;
+    EXPECT_EQ(parameters, uniform_parameters(body)) << row.text;
+  }
+}
+
+TEST(AssignParameter, WeightFreesALockedFreedom) {
+  const BodyModel body = half_body();
+  Parameters parameters = uniform_parameters(body);
+  ASSERT_TRUE(assign_parameter(body, "right_knee.locked=true", parameters));
+  ASSERT_TRUE(assign_parameter(body, "right_knee.weight=4", parameters));
+  const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  EXPECT_EQ(parameters.joints[knee], (JointWeight{4.0, false}));
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/document/export.hpp>
+#include <shigusa/edit/mirror.hpp>
+#include <shigusa/edit/replay.hpp>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/kinematics/skeleton_motion.hpp>
+
+#include "support/exported.hpp"
+
+namespace shigusa {
+namespace {
+
+TaskFile asked(Preset preset) {
+  TaskFile file;
+  file.preset = preset;
+  file.criteria = traits_of(preset).criteria();
+  file.goals = {{"right_hand", {-0.25, 0.5, 0.45}}};
+  file.evaluations = 200;
+  return file;
+}
+
+// Angles of the freedoms with a left and a right change sides; there are no others.
+void expect_image(const BodyModel& body, const Clip& clip, const Clip& image) {
+  ASSERT_EQ(clip.frames, image.frames);
+  double largest = 0.0;
+  for (int f = 0; f < clip.frames; ++f) {
+    for (int d = 0; d < clip.dofs; ++d) {
+      const int other = body.find_dof(mirrored_name(body.dof(d).name)).value();
+      largest = std::fmax(largest, std::fabs(clip.frame(f)[static_cast<std::size_t>(d)] -
+                                             image.frame(f)[static_cast<std::size_t>(other)]));
+    }
+  }
+  EXPECT_LT(degrees(largest), 0.5);
+}
+
+TEST(Mirror, NamesChangeSides) {
+  EXPECT_EQ(mirrored_name("right_hand"), "left_hand");
+  EXPECT_EQ(mirrored_name("left_hip.flexion"), "right_hip.flexion");
+  EXPECT_EQ(mirrored_name("squat"), "squat");
+  EXPECT_EQ(mirrored_name("later.left_hip.flexion"), "later.right_hip.flexion");
+  EXPECT_EQ(mirrored_name(""), "");
+}
+
+class MirroredMotion : public testing::TestWithParam<PresetTraits> {};
+
+TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
+  TaskFile file = asked(GetParam().preset);
+  const Task task = make_task(file, {}).value();
+  const Generation generation = generate(task).value();
+  TaskFile other = mirrored(file).value();
+  EXPECT_EQ(other.goals[0].effector, "left_hand");
+  EXPECT_EQ(other.goals[0].position, (Vec3d{0.25, 0.5, 0.45}));
+  const Task image = make_task(other, {}).value();
+  const Candidate& best = generation.candidates.front();
+  const Generation again =
+      best.layered ? regenerate(image, mirrored(image, *best.layered).value()).value()
+                   : regenerate(image, mirrored(task.body, image.body, best.parameters)).value();
+  EXPECT_TRUE(again.meets_goals());
+  EXPECT_LE(again.candidates[0].goals[0].error, kReachTolerance);
+  expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
+  EXPECT_NEAR(again.candidates[0].final_posture.trunk_turn, -best.final_posture.trunk_turn, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion, testing::ValuesIn(kPresets),
+                         [](const auto& of) { return std::string(of.param.word); });
+
+TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {
+  TaskFile file = asked(Preset::flat);
+  file.phases = 2;
+  const Task task = make_task(file, {}).value();
+  const Candidate best = generate(task).value().candidates.front();
+  TaskFile other = mirrored(file).value();
+  EXPECT_EQ(other.phases, 2);
+  const Task image = make_task(other, {}).value();
+  const Parameters across = mirrored(task.body, image.body, best.parameters);
+  const auto right = static_cast<std::size_t>(*task.body.find_dof("right_elbow.flexion"));
+  const auto left = static_cast<std::size_t>(*task.body.find_dof("left_elbow.flexion"));
+  EXPECT_EQ(across.later->joints[left], best.parameters.later->joints[right]);
+  EXPECT_EQ(across.later->switch_at, best.parameters.later->switch_at);
+  EXPECT_EQ(mirrored(image.body, task.body, across), best.parameters);
+  const Generation again = regenerate(image, across).value();
+  expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
+}
+
+// Somebody who is not alike on both sides, and stands turned with a foot ahead.
+std::string uneven_person() {
+  const BodyModel body = full_body();
+  Clip clip{.dofs = body.dof_count(), .frames = 1, .frame_time = 0.1, .angles = {}};
+  clip.angles.assign(body.start().begin(), body.start().end());
+  const auto turn = [&](const char* dof, double angle) {
+    clip.angles[static_cast<std::size_t>(body.find_dof(dof).value())] += angle;
+  };
+  turn("right_shoulder.abduction", 0.3);
+  turn("left_elbow.flexion", 0.5);
+  SkeletonMotion motion = skeleton_motion(body, clip);
+  for (SkeletonNode& node : motion.skeleton.nodes) {
+    if (node.name.starts_with("left_lower_arm")) node.offset = node.offset * 1.1;
+  }
+  for (std::size_t i = 0; i < motion.skeleton.nodes.size(); ++i) {
+    if (motion.skeleton.nodes[i].parent >= 0) {
+      motion.clip.local[i].translation = motion.skeleton.nodes[i].offset;
+    }
+  }
+  return format_bvh(motion);
+}
+
+TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
+  TaskFile file = asked(Preset::flat);
+  file.character.source = "person.bvh";
+  ASSERT_TRUE(load_character(uneven_person(), file.character));
+  const Task task = make_task(file, {}).value();
+  StoredResult stored = stored_result(file, generate(task).value());
+  const Landmarks before = *stored.task.character.landmarks;
+  ASSERT_TRUE(mirror_result(stored));
+  const Landmarks& person = *stored.task.character.landmarks;
+  EXPECT_EQ(person.left_arm.elbow, before.left_arm.elbow);
+  ASSERT_TRUE(stored.task.character.rig) << "and so the skeleton is theirs";
+  const Task image = make_task(stored.task, {}).value();
+  const Generation mirrored = replay_all(image, stored).value();
+  EXPECT_TRUE(mirrored.meets_goals());
+  for (const Candidate& candidate : mirrored.candidates) {
+    const std::string bvh =
+        export_candidate(stored.task.character, image, candidate, ExportFormat::bvh).value();
+    const testing_support::ExportedMotion motion(bvh, 0.01);
+    const int hand = rig_node(stored.task.character, candidate.goals[0].node);
+    const std::string& node =
+        stored.task.character.rig->skeleton.nodes[static_cast<std::size_t>(hand)].name;
+    EXPECT_TRUE(node.starts_with("left_hand"));
+    EXPECT_LE(norm(motion.at_end(node) - Vec3d{0.25, 0.5, 0.45}), 1e-3);
+    for (const char* foot : {"left_foot", "right_foot"}) {
+      EXPECT_LE(motion.slide(foot), 1e-3);
+      EXPECT_LE(motion.tilt(foot), radians(0.1));
+    }
+  }
+}
+
+TEST(Mirror, TwiceIsTheTaskAgain) {
+  TaskFile file = asked(Preset::flat);
+  file.fixed = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1",
+                "squat_deg=40",         "nothing",      "later.right_elbow.locked=true",
+                "later.twist_deg=5",    "switch=0.3"};
+  const TaskFile once = mirrored(file).value();
+  EXPECT_THAT(once.fixed,
+              testing::ElementsAre("left_elbow.weight=3", "twist_deg=-20", "twist_rad=0.1",
+                                   "squat_deg=40", "nothing", "later.left_elbow.locked=true",
+                                   "later.twist_deg=-5", "switch=0.3"));
+  EXPECT_EQ(format_task(mirrored(once).value()), format_task(file));
+}
+
+TEST(Mirror, HalfABodyHasNone) {
+  TaskFile file = asked(Preset::flat);
+  file.character.source = "half_body";
+  EXPECT_THAT(mirrored(file).error().message, testing::HasSubstr("has one side only"));
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/body/posture_modes.hpp>
+#include <shigusa/generate/final_posture.hpp>
+#include <shigusa/shigusa.hpp>
+
+namespace shigusa {
+namespace {
+
+// The start posture with some freedoms at other angles (degrees).
+std::vector<double> posed(const BodyModel& body,
+                          const std::vector<std::pair<const char*, double>>& turned) {
+  std::vector<double> angles(body.start().begin(), body.start().end());
+  for (const auto& [name, angle] : turned) {
+    angles[static_cast<std::size_t>(body.find_dof(name).value())] = radians(angle);
+  }
+  return angles;
+}
+
+std::vector<double> mode(const BodyModel& body, const char* name, double value) {
+  std::vector<double> angles(body.start().begin(), body.start().end());
+  for (const PostureMode& m : posture_modes(body)) {
+    if (m.name != name) continue;
+    for (std::size_t d = 0; d < angles.size(); ++d) angles[d] += value * m.direction[d];
+  }
+  return angles;
+}
+
+int right_hand(const BodyModel& body) {
+  for (std::size_t e = 0; e < body.effectors().size(); ++e) {
+    if (body.effectors()[e].name == "right_hand") return static_cast<int>(e);
+  }
+  return -1;
+}
+
+class FinalPostures : public testing::TestWithParam<const char*> {
+ protected:
+  const BodyModel body_ = std::string(GetParam()) == "half_body" ? half_body() : full_body();
+  PostureMeter meter_{body_};
+  [[nodiscard]] FinalPosture of(const std::vector<double>& angles) {
+    return meter_.measure(angles, right_hand(body_));
+  }
+};
+
+TEST_P(FinalPostures, StartIsUpright) {
+  const FinalPosture posture = of(posed(body_, {}));
+  EXPECT_FALSE(posture.stoop_squat_index.has_value());
+  EXPECT_NEAR(posture.trunk_turn, 0.0, 1e-12);
+  EXPECT_EQ(posture_words(posture), "upright");
+}
+
+TEST_P(FinalPostures, HipsThatStayAtTheirHeightAreAStoop) {
+  std::vector<double> angles = posed(body_, {});
+  for (const char* hip : {"left_hip.flexion", "right_hip.flexion"}) {
+    if (const auto dof = body_.find_dof(hip))
+      angles[static_cast<std::size_t>(*dof)] += radians(90.0);
+  }
+  const FinalPosture posture = of(angles);
+  EXPECT_NEAR(posture.stoop_squat_index.value(), 100.0, 1e-9);
+  EXPECT_EQ(posture_words(posture), "stoop");
+}
+
+TEST_P(FinalPostures, HipsThatSinkWithTheShouldersAreASquat) {
+  const FinalPosture posture = of(mode(body_, "squat", radians(100.0)));
+  EXPECT_LT(posture.stoop_squat_index.value(), 15.0);
+  // an upright trunk sinks as far as its hips do
+  const double sunk = of(posed(body_, {{"right_knee.flexion", 90.0},
+                                       {"right_hip.flexion", 50.0},
+                                       {"right_ankle.flexion", 40.0}}))
+                          .stoop_squat_index.value();
+  if (std::string(GetParam()) == "half_body") {
+    EXPECT_NEAR(sunk, 0.0, 6.0);
+  }
+  EXPECT_NEAR(posture.knee_flexion, radians(100.0), 0.1);
+  EXPECT_EQ(posture_words(posture), "squat");
+}
+
+TEST_P(FinalPostures, ElbowThatPointsAwayFromTheTrunkIsOut) {
+  // the upper arm level to the side, the forearm forwards: the elbow is at the side of the line
+  const auto out =
+      posed(body_, {{"right_shoulder.abduction", 90.0}, {"right_elbow.flexion", 90.0}});
+  EXPECT_GT(of(out).elbow_swivel, radians(50.0));
+  // the upper arm hangs, the forearm is level: the elbow is below the line
+  const auto below = posed(body_, {{"right_elbow.flexion", 90.0}});
+  EXPECT_LT(std::fabs(of(below).elbow_swivel), radians(30.0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Body, FinalPostures, testing::Values("half_body", "full_body"),
+                         [](const auto& of) { return std::string(of.param); });
+
+TEST(FinalPosture, TurnToTheLeftIsPositive) {
+  const BodyModel body = full_body();
+  PostureMeter meter(body);
+  const FinalPosture left = meter.measure(mode(body, "twist", radians(40.0)), right_hand(body));
+  const FinalPosture right = meter.measure(mode(body, "twist", radians(-40.0)), right_hand(body));
+  EXPECT_GT(left.trunk_turn, radians(20.0));
+  EXPECT_NEAR(right.trunk_turn, -left.trunk_turn, 0.1);
+  EXPECT_EQ(posture_words(left), "upright, turned left");
+  EXPECT_EQ(posture_words(right), "upright, turned right");
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <shigusa/document/result_file.hpp>
+#include <shigusa/generate/parameter_space.hpp>
+#include <shigusa/shigusa.hpp>
+
+namespace shigusa {
+namespace {
+
+const Vec3d kAtTheFeet{-0.05, 0.1, 0.3};
+
+Task fixed_task(Preset preset, const std::vector<const char*>& assignments) {
+  Task task = with_preset({.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}}, preset);
+  task.evaluations = 600;
+  task.fixed = no_fixed_parameters(task.body);
+  for (const char* assignment : assignments) {
+    EXPECT_TRUE(fix_parameter(task.body, assignment, *task.fixed)) << assignment;
+  }
+  return task;
+}
+
+double posture_value(const BodyModel& body, Parameters parameters, const std::string& name) {
+  for (const PostureMember& member : posture_members(body, parameters.posture)) {
+    if (member.name == name) return *member.value;
+  }
+  return std::nan("");
+}
+
+class Fixed : public testing::TestWithParam<Preset> {};
+
+TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
+  const Task task = fixed_task(
+      GetParam(), {"right_shoulder.weight=7", "left_knee.locked=true", "twist_deg=10", "bow=0.05"});
+  const auto dof = [&](const char* name) {
+    return static_cast<std::size_t>(task.body.find_dof(name).value());
+  };
+  const Generation generation = generate(task).value();
+  ASSERT_GE(generation.candidates.size(), 2U);
+  for (const Candidate& candidate : generation.candidates) {
+    for (const char* name :
+         {"right_shoulder.flexion", "right_shoulder.abduction", "right_shoulder.rotation"}) {
+      EXPECT_EQ(candidate.parameters.joints[dof(name)], (JointWeight{7.0, false})) << name;
+    }
+    EXPECT_TRUE(candidate.parameters.joints[dof("left_knee.flexion")].locked);
+    EXPECT_EQ(posture_value(task.body, candidate.parameters, "twist"), radians(10.0));
+    EXPECT_EQ(posture_value(task.body, candidate.parameters, "bow"), 0.05);
+    // a locked joint keeps its start angle
+    const Clip& clip = candidate.motion.clip;
+    const std::size_t knee = dof("left_knee.flexion");
+    EXPECT_NEAR(clip.frame(clip.frames - 1)[knee], task.body.start()[knee], 1e-3);
+  }
+  EXPECT_NE(generation.candidates[0].parameters, generation.candidates[1].parameters);
+}
+
+TEST_P(Fixed, MotionsAreThoseThatTheParametersGive) {
+  const Task task = fixed_task(GetParam(), {"squat_deg=60", "right_elbow.weight=3"});
+  const Generation generation = generate(task).value();
+  EXPECT_LT(generation.replay_difference, 0.02);
+  const Candidate& best = generation.candidates.front();
+  const Generation again = regenerate(played_task(task, generation), best.parameters).value();
+  EXPECT_NEAR(again.candidates[0].score.total, best.score.total, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Preset, Fixed, testing::Values(Preset::paper, Preset::flat),
+                         [](const auto& of) { return std::string(word_of(of.param)); });
+
+TEST(SquatDial, IsTheKneesFlexionAtTheEnd) {
+  for (const double dial : {10.0, 60.0, 100.0}) {
+    const std::string text = "squat_deg=" + std::to_string(dial);
+    Task task = fixed_task(Preset::flat, {text.c_str()});
+    task.evaluations = 3000;
+    const double start =
+        task.body.start()[static_cast<std::size_t>(*task.body.find_dof("right_knee.flexion"))];
+    const Generation generation = generate(task).value();
+    for (const Candidate& candidate : generation.candidates) {
+      EXPECT_NEAR(degrees(candidate.final_posture.knee_flexion - start), dial, 13.0);
+    }
+  }
+}
+
+TEST(FixedParameters, AreNoCoordinatesOfTheSearch) {
+  const Task task = fixed_task(Preset::flat, {"squat_deg=60", "right_elbow.weight=3"});
+  const ReachProblem problem = make_problem(task).value();
+  const ParameterSpace all(problem, GeneCode::natural);
+  const ParameterSpace rest(problem, GeneCode::natural, task.fixed);
+  EXPECT_EQ(rest.genes(), all.genes() - 2);
+  EXPECT_GE(all.find("squat"), 0);
+  EXPECT_EQ(rest.find("squat"), -1);
+  EXPECT_EQ(rest.find("right_elbow.flexion"), -1);
+}
+
+TEST(FixedParameters, AllOfThemLeaveNothingToSearch) {
+  Task task = fixed_task(Preset::flat, {});
+  task.fixed->joints.assign(task.fixed->joints.size(), true);
+  task.fixed->posture.assign(task.fixed->posture.size(), true);
+  const Result<Generation> generation = generate(task);
+  ASSERT_FALSE(generation);
+  EXPECT_THAT(generation.error().message, testing::HasSubstr("every parameter is fixed"));
+}
+
+TEST(FixedParameters, OfAnotherBodyAreRefused) {
+  Task task = fixed_task(Preset::flat, {});
+  task.fixed = no_fixed_parameters(half_body());
+  EXPECT_FALSE(generate(task));
+  task.fixed = no_fixed_parameters(task.body);
+  task.fixed->posture.pop_back();
+  EXPECT_FALSE(generate(task));
+}
+
+}  // namespace
+}  // namespace shigusa

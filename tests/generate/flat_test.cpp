@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// The preset flat: its parameter space, its archive, and what generate() makes of them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <shigusa/generate/archive.hpp>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/generate/parameter_space.hpp>
+#include <shigusa/person/human_body.hpp>
+
+#include "support/problems.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::Contains;
+using testing::Not;
+
+constexpr Vec3d kAtTheFeet{-0.15, 0.05, 0.45};
+
+Task flat_task(const BodyModel& body, const Vec3d& goal) {
+  return {.body = body, .goals = {{"right_hand", goal}}};
+}
+
+TEST(ParameterSpace, StartsAtThePlainMotion) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  const ParameterSpace space(problem, GeneCode::natural);
+  const Parameters start = space.decode(space.start());
+  for (const JointWeight& joint : start.joints) {
+    EXPECT_NEAR(joint.weight, 1.0, 1e-12);
+    EXPECT_FALSE(joint.locked);
+  }
+  for (const double value : start.posture.modes) EXPECT_NEAR(value, 0.0, 1e-12);
+  EXPECT_EQ(start.posture.timing.delay, 0.0);
+  EXPECT_NEAR(start.posture.timing.bow, 0.0, 1e-12);
+}
+
+TEST(ParameterSpace, SearchesOnlyWhatMovesAGoalOrAFoot) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  const std::vector<std::string> names = ParameterSpace(problem, GeneCode::natural).names();
+  for (const char* name : {"hip.flexion", "knee.flexion", "right_elbow.flexion", "squat", "lean",
+                           "twist", "right_swivel", "bow", "sway"}) {
+    EXPECT_THAT(names, Contains(name));
+  }
+  for (const char* name : {"left_elbow.flexion", "left_swivel", "left_knee.flexion"}) {
+    EXPECT_THAT(names, Not(Contains(name)));
+  }
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+}
+
+TEST(ParameterSpace, PaperCodesAreThePapersWeights) {
+  const Task task = flat_task(half_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  const ParameterSpace space(problem, GeneCode::paper);
+  ASSERT_EQ(space.genes(), 9);
+  std::vector<double> point;
+  std::vector<std::uint16_t> codes;
+  for (const int code : {0, 1, 7, 14, 15, 3, 2, 9, 8}) {
+    point.push_back((code + 0.5) / 16.0);
+    codes.push_back(static_cast<std::uint16_t>(code));
+  }
+  EXPECT_EQ(space.decode(point), decode_paper_genes(codes));
+}
+
+TEST(ParameterSpace, DelayAndSkewAreSearchedOnRequestOnly) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  const ParameterSpace natural(problem, GeneCode::natural);
+  const ParameterSpace every(problem, GeneCode::every);
+  EXPECT_EQ(every.genes(), natural.genes() + 2);
+  for (const char* name : {"delay", "skew"}) {
+    EXPECT_LT(natural.find(name), 0) << name;
+    EXPECT_GE(every.find(name), 0) << name;
+  }
+}
+
+TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  const ReachProblem problem = make_problem(task).value();
+  ParameterSpace space(problem, GeneCode::every);
+  Random random(2);
+  std::vector<double> points;
+  for (int k = 0; k < 3 * space.genes(); ++k) points.push_back(random.uniform());
+  const MotionInputs rows = space.rows(points);
+  const std::size_t dofs = task.body.dofs().size();
+  ASSERT_EQ(rows.inverse_weights.size(), 3 * dofs);
+  const auto genes = static_cast<std::size_t>(space.genes());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Parameters p = space.decode(std::span(points).subspan(i * genes, genes));
+    const std::vector<double> change = posture_change(task.body, p.posture);
+    for (std::size_t d = 0; d < dofs; ++d) {
+      EXPECT_NEAR(static_cast<double>(rows.inverse_weights[i * dofs + d]) * p.joints[d].weight, 1.0,
+                  1e-6);
+      EXPECT_NEAR(static_cast<double>(rows.posture[i * dofs + d]), change[d], 1e-6);
+    }
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i]), p.posture.timing.delay, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 1]), p.posture.timing.bow, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 2]), p.posture.timing.skew, 1e-7);
+    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 3]), p.posture.timing.sway, 1e-7);
+  }
+}
+
+TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
+  const BodyModel body = half_body();
+  Archive archive(body);
+  const std::size_t dofs = body.dofs().size();
+  // the mode's own direction: knees bend under an upright trunk, hips sink with the shoulders
+  const std::vector<double> squat = posture_modes(body)[0].direction;
+  std::vector<float> postures(10 * dofs, 0.0F);
+  std::vector<double> points;
+  std::vector<double> scores;
+  for (std::size_t i = 0; i < 10; ++i) {
+    points.push_back(0.1 * static_cast<double>(i));
+    scores.push_back(i == 3 ? 1.0 : 0.9 - 0.05 * static_cast<double>(i));
+    for (std::size_t d = 0; d < dofs; ++d) {
+      postures[i * dofs + d] = static_cast<float>((i == 9 ? 1.6 : 0.1) * squat[d]);
+    }
+  }
+  archive.add(points, scores, postures, 1.0);
+  const std::vector<Archived> ranked = archive.ranked();
+  ASSERT_EQ(ranked.size(), Archive::kPerCell + 1);
+  EXPECT_EQ(ranked[0].point[0], points[9]);
+  EXPECT_EQ(ranked[0].style, Style::squat);
+  for (std::size_t k = 1; k < ranked.size(); ++k) {
+    EXPECT_EQ(ranked[k].point[0], points[9 - k]);
+    EXPECT_EQ(ranked[k].style, Style::upright);
+  }
+}
+
+class Flat : public testing::TestWithParam<Vec3d> {};
+
+TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndEndApart) {
+  Task task = flat_task(full_body(), GetParam());
+  task.duration = 2.0;  // in haste, what strength allows is less varied
+  const Generation generation = generate(task).value();
+  EXPECT_TRUE(generation.meets_goals());
+  ASSERT_GE(generation.candidates.size(), 4U);
+  const ReachProblem problem = make_problem(task).value();
+  for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
+    const Candidate& candidate = generation.candidates[i];
+    EXPECT_LE(candidate.goals[0].error, 1e-3);
+    EXPECT_TRUE(candidate.measures.over_limit.empty());
+    EXPECT_LE(MeasuredMotion(problem, candidate.motion.clip).contact_slide, 1e-3);
+    const Clip& a = candidate.motion.clip;
+    for (std::size_t k = 0; k < i; ++k) {
+      const Clip& b = generation.candidates[k].motion.clip;
+      double squares = 0.0;
+      for (int d = 0; d < a.dofs; ++d) {
+        const auto j = static_cast<std::size_t>(d);
+        const double difference = a.frame(a.frames - 1)[j] - b.frame(b.frames - 1)[j];
+        squares += difference * difference;
+      }
+      EXPECT_GE(degrees(std::sqrt(squares / a.dofs)), 10.0);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Goals, Flat,
+                         testing::Values(Vec3d{0.25, 0.55, 0.5}, kAtTheFeet,
+                                         Vec3d{-0.35, 1.9, 0.25}));
+
+TEST(FlatSearch, AtTheFeetItFindsAStoopAndASquat) {
+  Task task = flat_task(full_body(), kAtTheFeet);
+  task.duration = 3.0;  // what ankles have the strength for to let a body down into a squat
+  const Generation generation = generate(task).value();
+  double least = 100.0;
+  double most = 0.0;
+  for (const Candidate& candidate : generation.candidates) {
+    const double index = candidate.final_posture.stoop_squat_index.value();
+    least = std::fmin(least, index);
+    most = std::fmax(most, index);
+    EXPECT_TRUE(candidate.measures.over_limit.empty());
+  }
+  EXPECT_LT(least, kSquatIndex);
+  EXPECT_GT(most, kStoopIndex);
+}
+
+TEST(FlatSearch, SaysWhyThereAreFewerCandidates) {
+  Task task = flat_task(full_body(), kAtTheFeet);
+  const Generation all = generate(task).value();
+  EXPECT_EQ(static_cast<int>(all.candidates.size()), task.candidates);
+  EXPECT_EQ(all.fewer, "");
+  task.candidates = 500;
+  const Generation fewer = generate(task).value();
+  EXPECT_LT(fewer.candidates.size(), 500U);
+  EXPECT_THAT(fewer.fewer, testing::HasSubstr(std::to_string(fewer.candidates.size()) + " of 500"));
+  EXPECT_THAT(fewer.fewer, testing::HasSubstr("end within 5° of a better one"));
+}
+
+TEST(FlatSearch, BeatsThePapersAlgorithmByThePapersOwnCriteria) {
+  Task paper =
+      with_preset({.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}}, Preset::paper);
+  paper.evaluations = 3000;
+  Task flat = flat_task(full_body(), kAtTheFeet);
+  flat.criteria = paper_criteria();
+  EXPECT_LT(generate(flat).value().candidates[0].score.total,
+            0.8 * generate(paper).value().best_seen_score);
+}
+
+TEST(FlatSearch, MoreBudgetIsNeverWorse) {
+  double before = 1e9;
+  for (const int evaluations : {24, 39, 40, 41, 100, 300, 1000, 2000}) {
+    Task task = flat_task(half_body(), kAtTheFeet);
+    task.evaluations = evaluations;
+    const double best = generate(task).value().best_seen_score;
+    EXPECT_LE(best, before + kReplayTolerance) << evaluations;
+    before = best;
+  }
+}
+
+TEST(FlatSearch, NeverScoresMoreThanItsBudget) {
+  for (const int evaluations : {8, 9, 23, 24, 39, 40, 41, 100}) {
+    Task task = flat_task(half_body(), kAtTheFeet);
+    task.evaluations = evaluations;
+    // a goal that no way leads to would be searched for on each
+    EXPECT_LE(generate(task).value().evaluations, 3 * evaluations) << evaluations;
+    task.goals[0].position = {-0.25, 1.0, 0.35};
+    EXPECT_LE(generate(task).value().evaluations, evaluations) << evaluations;
+  }
+}
+
+TEST(FlatSearch, EverySearchFindsCandidates) {
+  for (const auto& [method, word] : kEnumWords<SearchMethod>) {
+    Task task = flat_task(half_body(), {-0.2, 0.6, 0.5});
+    task.search = method;
+    task.evaluations = 300;
+    const Generation generation = generate(task).value();
+    EXPECT_TRUE(generation.meets_goals()) << word;
+    EXPECT_LE(generation.evaluations, 300) << word;
+    EXPECT_GE(generation.evaluations, 290) << word;
+  }
+}
+
+TEST(FlatSearch, EditedPostureIsCheckedAndPlayed) {
+  const Task task = flat_task(full_body(), kAtTheFeet);
+  Parameters parameters = uniform_parameters(task.body);
+  parameters.posture.modes.assign(posture_modes(task.body).size(), 0.0);
+  EXPECT_TRUE(regenerate(task, parameters).has_value());
+  parameters.posture.timing.bow = 1.0;
+  EXPECT_FALSE(regenerate(task, parameters).has_value());
+  parameters.posture.timing.bow = 0.0;
+  parameters.posture.modes.pop_back();
+  EXPECT_FALSE(regenerate(task, parameters).has_value());
+}
+
+}  // namespace
+}  // namespace shigusa

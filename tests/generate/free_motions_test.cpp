@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What is delivered as free passes through neither head nor shank by another geometry than the
+// kernel's.
+#include <gtest/gtest.h>
+
+#include <shigusa/core/random.hpp>
+#include <shigusa/person/human_body.hpp>
+
+#include "support/flesh.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+// m: capsules give way by kCollisionDepth, and their shape is not the flesh's
+constexpr double kThrough = 0.010;
+// Builds that check every step take fifteen times as long for a goal.
+#ifdef NDEBUG
+constexpr int kGoals = 30;
+#else
+constexpr int kGoals = 3;
+#endif
+
+// Where forearms came through head and shanks: about the head, at the shins, between the feet and
+// behind the back. In parts of the stature.
+Vec3d awkward_goal(int index, Random& random) {
+  const auto near = [&](const Vec3d& at, const Vec3d& by) {
+    return Vec3d{at.x + random.uniform(-by.x, by.x), at.y + random.uniform(-by.y, by.y),
+                 at.z + random.uniform(-by.z, by.z)};
+  };
+  switch (index % 5) {
+    case 0:
+      return near({0.0, 0.93, 0.0}, {0.15, 0.08, 0.15});  // head
+    case 1:
+      return near({0.0, 0.15, 0.02}, {0.15, 0.10, 0.12});  // shins
+    case 2:
+      return near({0.0, 0.03, 0.02}, {0.03, 0.02, 0.15});  // between the feet
+    case 3:
+      return near({0.05, 0.60, -0.15}, {0.15, 0.15, 0.05});  // behind the back
+    default:
+      return near({0.20, 0.15, -0.05}, {0.10, 0.10, 0.10});  // beside the other shin
+  }
+}
+
+struct Found {
+  int free = 0;       // motions delivered as passing through nothing
+  double head = 0.0;  // m, the deepest of these
+  double shank = 0.0;
+};
+
+Found free_motions(const BodyModel& body) {
+  Random random(77);
+  Found found;
+  for (int k = 0; k < kGoals; ++k) {
+    Task task{.body = body};
+    task.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}};
+    task.seed = random.next();
+    task.evaluations = 400;
+    const Generation generation = generate(task).value();
+    for (const Candidate& candidate : generation.candidates) {
+      if (candidate.measures.collides.depth > kCollisionDepth) continue;
+      ++found.free;
+      const Flesh::Depths depths = Flesh(body, candidate.motion.clip).deepest();
+      found.head = std::fmax(found.head, depths.head);
+      found.shank = std::fmax(found.shank, depths.shank);
+    }
+  }
+  return found;
+}
+
+class FreeMotions : public testing::TestWithParam<const char*> {
+ protected:
+  BodyModel body() { return std::string(GetParam()) == "human" ? human_body() : full_body(); }
+};
+
+TEST_P(FreeMotions, PassThroughNeitherHeadNorShank) {
+  const Found found = free_motions(body());
+  EXPECT_GE(found.free, kGoals);
+  EXPECT_LE(found.head, kThrough);
+  EXPECT_LE(found.shank, kThrough);
+}
+
+// The other geometry sees what the capsules are for.
+TEST_P(FreeMotions, WouldWithoutTheirCapsules) {
+  if (kGoals < 30) GTEST_SKIP() << kGoals << " goals are too few to meet one that leads through";
+  BodyDefinition bare = body().definition();
+  std::erase_if(bare.capsules, [](const Capsule& capsule) {
+    return capsule.name == "head" || capsule.name == "jaw" || capsule.name.ends_with("shank");
+  });
+  const Found found = free_motions(BodyModel(bare));
+  EXPECT_GT(std::fmax(found.head, found.shank), 3.0 * kThrough);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, FreeMotions, testing::Values("full_body", "human"));
+
+}  // namespace
+}  // namespace shigusa

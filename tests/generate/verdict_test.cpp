@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <shigusa/generate/verdict.hpp>
+#include <shigusa/layers/clip_dynamics.hpp>
+#include <shigusa/motion/minimum_jerk.hpp>
+
+#include "support/motions.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+using testing::HasSubstr;
+
+// Measures of a motion that asks for nothing.
+MotionMeasures nothing_of(const BodyModel& body) {
+  MotionMeasures measures;
+  for (int d = 0; d < body.dof_count(); ++d) measures.loads.push_back({.dof = d});
+  measures.support = SupportMargins{{0.1, 0.0}, {0.1, 0.0}};
+  return measures;
+}
+
+MotionMeasures loaded(const BodyModel& body, double share) {
+  MotionMeasures measures = nothing_of(body);
+  const double torque = share * body.dof(2).torque_positive;
+  measures.loads[2] = {.dof = 2, .torque = torque, .share = share, .time = 0.25};
+  return measures;
+}
+
+Verdict verdict_on(const MotionMeasures& measures) { return judge(full_body(), measures).verdict; }
+
+TEST(Verdict, WhatAsksForNothingIsPossible) {
+  const BodyModel body = full_body();
+  const Judgement judgement = judge(body, nothing_of(body));
+  EXPECT_EQ(judgement.verdict, Verdict::possible);
+  EXPECT_TRUE(judgement.reasons.empty());
+}
+
+TEST(Verdict, GoesByTheShareOfStrength) {
+  const BodyModel body = full_body();
+  EXPECT_EQ(verdict_on(loaded(body, 0.99)), Verdict::possible);
+  EXPECT_EQ(verdict_on(loaded(body, 1.01)), Verdict::strains);
+  EXPECT_EQ(verdict_on(loaded(body, 1.49)), Verdict::strains);
+  EXPECT_EQ(verdict_on(loaded(body, 1.51)), Verdict::impossible);
+}
+
+TEST(Verdict, GoesByHowFarThePressureLeavesTheFeet) {
+  MotionMeasures measures = nothing_of(full_body());
+  const auto outside = [&](double distance) {
+    measures.support->pressure = {-distance, 0.3};
+    return verdict_on(measures);
+  };
+  EXPECT_EQ(outside(0.009), Verdict::possible);
+  EXPECT_EQ(outside(0.011), Verdict::strains);
+  EXPECT_EQ(outside(0.051), Verdict::impossible);
+  measures.support.reset();
+  EXPECT_EQ(verdict_on(measures), Verdict::possible);
+}
+
+TEST(Verdict, GoesByTheDepthOfACollision) {
+  MotionMeasures measures = nothing_of(full_body());
+  const auto deep = [&](double depth) {
+    measures.collides = {depth, "right_forearm", "head", 0.4};
+    return verdict_on(measures);
+  };
+  EXPECT_EQ(deep(0.004), Verdict::possible);
+  EXPECT_EQ(deep(0.006), Verdict::strains);
+  EXPECT_EQ(deep(0.021), Verdict::impossible);
+}
+
+TEST(Verdict, GoesByHowFarAJointIsBeyondItsRange) {
+  MotionMeasures measures = nothing_of(full_body());
+  const auto beyond = [&](double angle) {
+    measures.over_limit = {{"right_knee.flexion", radians(angle)}};
+    return verdict_on(measures);
+  };
+  EXPECT_EQ(beyond(2.9), Verdict::possible);
+  EXPECT_EQ(beyond(3.1), Verdict::strains);
+  EXPECT_EQ(beyond(10.1), Verdict::impossible);
+}
+
+TEST(Verdict, DrivesOfARobotGiveNoMoreThanItsFileSays) {
+  BodyDefinition definition = full_body().definition();
+  definition.robot = RobotFrame{};
+  const BodyModel robot(definition);
+  EXPECT_EQ(judge(robot, loaded(robot, 0.99)).verdict, Verdict::possible);
+  EXPECT_EQ(judge(robot, loaded(robot, 1.01)).verdict, Verdict::impossible);
+}
+
+TEST(Verdict, IsThatOfTheWorstReasonWhichComesFirst) {
+  const BodyModel body = full_body();
+  MotionMeasures measures = loaded(body, 1.2);
+  measures.collides = {0.08, "right_forearm", "head", 0.4};
+  measures.over_limit = {{"left_knee.flexion", radians(20.0)}};
+  const Judgement judgement = judge(body, measures);
+  EXPECT_EQ(judgement.verdict, Verdict::impossible);
+  ASSERT_EQ(judgement.reasons.size(), 3u);
+  EXPECT_EQ(judgement.reasons[0].kind, ReasonKind::collision);  // 4 times what is impossible
+  EXPECT_EQ(judgement.reasons[1].kind, ReasonKind::limit);      // 2 times
+  EXPECT_EQ(judgement.reasons[2].kind, ReasonKind::strength);
+  EXPECT_EQ(judgement.reasons[2].verdict, Verdict::strains);
+}
+
+TEST(Verdict, ReasonsSayJointNumberAndTime) {
+  const BodyModel body = full_body();
+  MotionMeasures measures = loaded(body, 2.0);
+  measures.support->pressure = {-0.353, 0.61};
+  measures.collides = {0.042, "right_forearm", "head", 0.4};
+  measures.over_limit = {{"left_knee.flexion", radians(12.0)}};
+  std::string words;
+  for (const Reason& reason : judge(body, measures).reasons) words += reason_words(reason) + "\n";
+  EXPECT_THAT(words, HasSubstr(body.dof(2).name + " needs "));
+  EXPECT_THAT(words, HasSubstr("at 0.25 s, 2.0 times its strength of "));
+  EXPECT_THAT(words, HasSubstr("the floor would have to press 353 mm outside the feet at 0.61 s"));
+  EXPECT_THAT(words, HasSubstr("right_forearm is 42 mm in head at 0.40 s"));
+  EXPECT_THAT(words, HasSubstr("left_knee.flexion is 12° beyond its range"));
+}
+
+// A mass of 1 kg on a rod of 1 m that swings up from hanging sideways within its strength when
+// there is time.
+struct Swing {
+  static BodyModel body(double strength) {
+    BodyDefinition chain = chain_definition({{Axis::x, 1.0, 1.0}});
+    chain.dofs[0].torque_positive = chain.dofs[0].torque_negative = strength;
+    return BodyModel(chain);
+  }
+  static Motion motion(const BodyModel& body, double duration) {
+    std::vector<std::vector<double>> frames;
+    constexpr int kSteps = 60;
+    for (int f = 0; f <= kSteps; ++f) {
+      frames.push_back({1.0 - minimum_jerk(static_cast<double>(f) / kSteps)});
+    }
+    Clip clip = motion_through(body, frames).clip;
+    clip.frame_time = duration / kSteps;
+    return ClipDynamics(body).completed(clip);
+  }
+};
+
+TEST(Verdict, TellsTheDurationInWhichAHastyMotionIsPossible) {
+  const BodyModel body = Swing::body(16.0);
+  const Motion hasty = Swing::motion(body, 0.3);
+  const Judgement judgement = judge(body, hasty, measure_motion(body, hasty, {}));
+  ASSERT_EQ(judgement.verdict, Verdict::impossible);
+  ASSERT_TRUE(judgement.possible_in);
+  EXPECT_GT(*judgement.possible_in, 0.3);
+  const auto in = [&](double duration) {
+    const Motion motion = Swing::motion(body, duration);
+    return judge(body, measure_motion(body, motion, {})).verdict;
+  };
+  EXPECT_EQ(in(*judgement.possible_in), Verdict::possible);
+  // six halvings of the range up to three times the duration
+  EXPECT_NE(in(*judgement.possible_in - 2.0 * 0.3 / 64.0 - 1e-9), Verdict::possible);
+}
+
+TEST(Verdict, NoTimeMakesWhatIsTooHeavyPossible) {
+  const BodyModel body = Swing::body(4.0);  // of some 8 N·m that the mass takes at the start
+  const Motion motion = Swing::motion(body, 1.0);
+  const Judgement judgement = judge(body, motion, measure_motion(body, motion, {}));
+  EXPECT_EQ(judgement.verdict, Verdict::impossible);
+  EXPECT_FALSE(judgement.possible_in);
+}
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// What generate() makes of the body `human` near the floor.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <shigusa/generate/archive.hpp>
+#include <shigusa/generate/generator.hpp>
+#include <shigusa/person/human_body.hpp>
+
+namespace shigusa {
+namespace {
+
+constexpr Vec3d kLowGoals[] = {
+    {-0.15, 0.12, 0.30}, {-0.05, 0.15, 0.30}, {-0.10, 0.25, 0.35}, {-0.20, 0.30, 0.40}};
+
+Generation reached(const Vec3d& goal, double load, std::uint64_t seed,
+                   std::optional<int> evaluations = {}) {
+  Task task{.body = human_body(), .goals = {{.position = goal, .load = load}}};
+  task.seed = seed;
+  task.evaluations = evaluations;
+  return generate(task).value();
+}
+
+double penalty(const Candidate& candidate, const std::string& name) {
+  for (const ScoreTerm& term : candidate.score.terms) {
+    if (term.name == name) return term.penalty;
+  }
+  ADD_FAILURE() << name;
+  return 1.0;
+}
+
+TEST(WholeHuman, LoadBendsTheKnees) {
+  double light = 0.0;
+  double heavy = 0.0;
+  for (const Vec3d& goal : kLowGoals) {
+    for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}}) {
+      light += reached(goal, 0.1, seed, 6000).candidates[0].final_posture.knee_flexion / 8.0;
+      heavy += reached(goal, 15.0, seed, 6000).candidates[0].final_posture.knee_flexion / 8.0;
+    }
+  }
+  RecordProperty("light_deg", std::to_string(degrees(light)));
+  RecordProperty("heavy_deg", std::to_string(degrees(heavy)));
+  EXPECT_GT(light, radians(40.0));
+  EXPECT_GT(heavy, light + radians(8.0));
+}
+
+TEST(WholeHuman, StandsOnItsFeetAndHasSeveralAnswers) {
+  double pressure = 0.0;
+  std::size_t candidates = 0;
+  for (const Vec3d& goal : kLowGoals) {
+    const Generation generation = reached(goal, 0.0, 0);
+    pressure += penalty(generation.candidates[0], "centre_of_pressure") / 4.0;
+    candidates += generation.candidates.size();
+  }
+  EXPECT_LT(pressure, 0.1);  // it was 0.33 with hips that flex alone
+  EXPECT_GE(candidates, 16U);
+}
+
+// Straight ahead of the chest two motions end 10° apart, and people have more ways.
+TEST(WholeHuman, HasFiveAnswersToWhatIsEasyAsWell) {
+  for (const Vec3d& goal : {Vec3d{-0.08, 0.99, 0.54}, {0.57, 1.71, 0.31}, {-0.24, 1.55, 0.23}}) {
+    const Generation generation = reached(goal, 0.0, 0);
+    const std::vector<Candidate>& all = generation.candidates;
+    EXPECT_EQ(all.size(), 5U) << generation.fewer;
+    std::vector<std::vector<float>> ends;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Clip& clip = all[i].motion.clip;
+      const auto last = clip.frame(clip.frames - 1);
+      ends.emplace_back(last.begin(), last.end());
+      for (std::size_t k = 0; k < i; ++k) {
+        EXPECT_GE(posture_distance(ends[k], ends[i]), kNearEnd - kEndSlack);
+      }
+    }
+  }
+}
+
+// The grip is 5 cm above the floor and the fingertips are 8 cm further on: the hand must be laid
+// flat.
+TEST(WholeHuman, HandsStayAboveTheFloor) {
+  for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{2}, std::uint64_t{3}}) {
+    const Generation generation = reached({-0.25, 0.05, 0.35}, 0.0, seed);
+    for (const Candidate& candidate : generation.candidates) {
+      EXPECT_LE(candidate.measures.collides.depth, kCollisionDepth) << seed;
+    }
+  }
+}
+
+TEST(WholeHuman, SquatsBesideStoops) {
+  int squats = 0;
+  int stoops = 0;
+  for (const Vec3d& goal : kLowGoals) {
+    Task task{.body = human_body(), .goals = {{.position = goal}}};
+    task.seed = 1;
+    task.duration = 2.0;  // what ankles have the strength for to let a body down into a squat
+    const Generation generation = generate(task).value();
+    const auto has = [&](Style style) {
+      return std::any_of(generation.candidates.begin(), generation.candidates.end(),
+                         [style](const Candidate& c) {
+                           return style_of(c.final_posture.stoop_squat_index) == style;
+                         });
+    };
+    squats += has(Style::squat) ? 1 : 0;
+    stoops += has(Style::stoop) ? 1 : 0;
+  }
+  EXPECT_GE(squats, 3);
+  EXPECT_GE(stoops, 3);
+}
+
+}  // namespace
+}  // namespace shigusa

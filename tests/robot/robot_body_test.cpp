@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/robot/robot.hpp>
+#include <shigusa/robot/urdf.hpp>
+
+#include "support/robot_file.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+Robot small_robot() { return parse_urdf(RobotFile().text(), "small.urdf").value(); }
+
+BodyModel small_body() {
+  const Robot robot = small_robot();
+  return build_robot(robot, find_humanoid(robot).value()).value();
+}
+
+const Dof& dof(const BodyModel& body, const std::string& name) {
+  return body.dof(body.find_dof(name).value());
+}
+
+Kinematics<double> placed(const BodyModel& body, const std::vector<double>& q) {
+  Kinematics<double> kinematics(body);
+  forward_kinematics<double>(body, q, kinematics);
+  return kinematics;
+}
+
+// Where a node goes when one freedom turns by a little.
+Vec3d way_of(const BodyModel& body, const std::string& node, const std::string& freedom,
+             double angle) {
+  const auto found = std::find_if(body.nodes().begin(), body.nodes().end(),
+                                  [&](const BodyNode& n) { return n.name == node; });
+  EXPECT_NE(found, body.nodes().end()) << node;
+  std::vector<double> q(body.dofs().size(), 0.0);
+  const Vec3d before = placed(body, q).point(found->link, found->point);
+  q[static_cast<std::size_t>(body.find_dof(freedom).value())] = angle;
+  return placed(body, q).point(found->link, found->point) - before;
+}
+
+TEST(RobotBody, FindsTheBonesByTheNamesOfLinks) {
+  const Robot robot = small_robot();
+  const HumanoidMap map = find_humanoid(robot).value();
+  const auto name = [&](HumanoidBone bone) {
+    return robot.links[static_cast<std::size_t>(map[bone])].name;
+  };
+  EXPECT_EQ(name(HumanoidBone::hips), "pelvis");
+  EXPECT_EQ(name(HumanoidBone::right_lower_leg), "right_shank");
+  EXPECT_EQ(name(HumanoidBone::left_lower_arm), "left_forearm");
+}
+
+TEST(RobotBody, FreedomsAreNamedAsAPersons) {
+  const BodyModel body = small_body();
+  EXPECT_EQ(body.dof_count(), 25);
+  for (const char* side : {"left_", "right_"}) {
+    for (const char* name :
+         {"hip.flexion", "hip.abduction", "hip.rotation", "knee.flexion", "ankle.flexion",
+          "ankle.inversion", "shoulder.flexion", "shoulder.abduction", "shoulder.rotation",
+          "elbow.flexion", "elbow.rotation"}) {
+      EXPECT_TRUE(body.find_dof(std::string(side) + name)) << side << name;
+    }
+  }
+  EXPECT_TRUE(body.find_dof("spine.rotation"));
+  EXPECT_TRUE(body.find_dof("spine.flexion"));
+  EXPECT_TRUE(body.find_dof("neck.rotation"));
+}
+
+TEST(RobotBody, PositiveAnglesAreTheAnatomicalOnes) {
+  const BodyModel body = small_body();
+  // the pelvis stands on the right foot, so the left leg is the one that swings
+  EXPECT_LT(way_of(body, "left_foot", "left_knee.flexion", 0.3).z, -0.05);
+  EXPECT_GT(way_of(body, "left_lower_leg", "left_hip.flexion", 0.3).z, 0.05);
+  EXPECT_GT(way_of(body, "left_lower_leg", "left_hip.abduction", 0.3).x, 0.05);
+  EXPECT_GT(way_of(body, "left_palm", "left_elbow.flexion", 0.3).z, 0.05);
+  EXPECT_GT(way_of(body, "right_palm", "right_shoulder.flexion", 0.3).z, 0.05);
+  EXPECT_LT(way_of(body, "right_palm", "right_shoulder.abduction", 0.3).x, -0.05);
+  EXPECT_GT(way_of(body, "head", "spine.flexion", 0.3).z, 0.05);
+  // of the standing leg the pelvis moves: it goes backwards and down when the knee bends
+  EXPECT_LT(way_of(body, "hips", "right_knee.flexion", 0.3).y, 0.0);
+  EXPECT_GT(way_of(body, "hips", "right_ankle.flexion", 0.3).z, 0.05);
+}
+
+TEST(RobotBody, LimitsAreTheFilesInTheFreedomsSense) {
+  const BodyModel body = small_body();
+  // the file's knee bends by negative angles
+  EXPECT_EQ(dof(body, "right_knee.flexion").lower, 0.0);
+  EXPECT_EQ(dof(body, "right_knee.flexion").upper, 2.3);
+  EXPECT_EQ(dof(body, "right_elbow.flexion").lower, 0.2);
+  EXPECT_EQ(dof(body, "right_elbow.flexion").torque_positive, 30.0);
+  // a continuous one gets a person's
+  EXPECT_NEAR(dof(body, "right_elbow.rotation").upper, radians(80.0), 1e-12);
+}
+
+TEST(RobotBody, StartsWithinLimits) {
+  const BodyModel body = small_body();
+  for (int d = 0; d < body.dof_count(); ++d) {
+    const double start = body.start()[static_cast<std::size_t>(d)];
+    EXPECT_GE(start, body.dof(d).lower);
+    EXPECT_LE(start, body.dof(d).upper);
+  }
+}
+
+TEST(RobotBody, StandsOnItsSoles) {
+  const BodyModel body = small_body();
+  ASSERT_EQ(body.feet().size(), 2u);
+  EXPECT_EQ(body.feet()[0].node, "right_sole");
+  EXPECT_EQ(body.feet()[0].link, kBaseLink);
+  const Kinematics<double> kinematics = placed(body, std::vector<double>(25, 0.0));
+  for (const Foot& foot : body.feet()) {
+    for (const Vec3d& corner : foot.outline) {
+      EXPECT_NEAR(kinematics.point(foot.link, corner).y, 0.0, 1e-9);
+    }
+    // the box is 0.2 by 0.1
+    EXPECT_NEAR(norm(foot.outline[0] - foot.outline[1]), 0.2, 1e-9);
+    EXPECT_NEAR(norm(foot.outline[1] - foot.outline[2]), 0.1, 1e-9);
+  }
+}
+
+// The small robot with other shapes for its soles.
+BodyModel with_soles(const std::string& shapes) {
+  std::string text = RobotFile().text();
+  const std::string box =
+      "<collision><origin xyz=\"0.03 0 -0.04\"/><geometry><box size=\"0.2 0.1 0.02\"/>"
+      "</geometry></collision>";
+  for (std::size_t at = text.find(box); at != text.npos; at = text.find(box, at + 1)) {
+    text.replace(at, box.size(), shapes);
+  }
+  const Robot robot = parse_urdf(text, "small.urdf").value();
+  return build_robot(robot, find_humanoid(robot).value()).value();
+}
+
+std::string shape(const char* geometry, const char* xyz, const char* rpy = "0 0 0") {
+  return fmt::format(
+      "<collision><origin xyz=\"{}\" rpy=\"{}\"/><geometry>{}</geometry></collision>", xyz, rpy,
+      geometry);
+}
+
+// Height of the foot's frame, at the ankle's first joint, over the sole.
+double ankle_height(const BodyModel& body) { return -body.feet()[0].outline[0].y; }
+
+// Shapes on one line, or of which one alone touches the floor, leave no area.
+TEST(RobotBody, SoleIsWhereShapesEnd) {
+  const std::string line = shape("<sphere radius=\"0.01\"/>", "0.1 0 -0.08") +
+                           shape("<sphere radius=\"0.01\"/>", "-0.05 0 -0.08");
+  const std::string rocker = shape("<box size=\"0.2 0.1 0.02\"/>", "0.03 0 -0.06") +
+                             shape("<sphere radius=\"0.01\"/>", "0.03 0 -0.08");
+  const std::string capsule =
+      shape("<capsule radius=\"0.02\" length=\"0.2\"/>", "0.03 0 -0.07", "0 1.5707963 0");
+  for (const std::string& shapes : {line, rocker, capsule}) {
+    EXPECT_NEAR(ankle_height(with_soles(shapes)), 0.10, 1e-6) << shapes;
+  }
+  // an area is the feet's own where shapes have one
+  const BodyModel body = with_soles(rocker);
+  EXPECT_NEAR(norm(body.feet()[0].outline[0] - body.feet()[0].outline[1]), 0.2, 1e-9);
+}
+
+TEST(RobotBody, ArmThatEndsAtItsElbowHasAHandWithADoubt) {
+  const Robot robot = with_hands(parse_urdf(RobotFile(false).text(), "small.urdf").value());
+  const BodyModel body = build_robot(robot, find_humanoid(robot).value()).value();
+  EXPECT_EQ(body.effectors()[1].name, "left_hand");
+  EXPECT_TRUE(body.find_dof("left_elbow.flexion"));
+  EXPECT_TRUE(body.find_dof("left_shoulder.rotation"));
+  EXPECT_THAT(body.doubts(), testing::Contains(testing::HasSubstr(
+                                 "link 'left_forearm' ends its arm: the hand is taken to be 0.20 m "
+                                 "on, twice as far as its centre of mass")));
+}
+
+TEST(RobotBody, FramesOnAFootTellNothingOfItsFacing) {
+  std::string text = RobotFile().text();
+  text.replace(text.find("</robot>"), 8,
+               "<joint name=\"c\" type=\"fixed\"><parent link=\"left_sole\"/><child link=\"c\"/>"
+               "<origin xyz=\"-0.3 0 0\"/></joint><link name=\"c\"/></robot>");
+  const Robot robot = parse_urdf(text, "small.urdf").value();
+  EXPECT_THAT(find_humanoid(robot).value().doubts,
+              testing::Not(testing::Contains(testing::HasSubstr("backwards"))));
+}
+
+TEST(RobotBody, HandsEndAtThePalmsFrame) {
+  const BodyModel body = small_body();
+  ASSERT_EQ(body.effectors().size(), 2u);
+  EXPECT_EQ(body.effectors()[0].name, "right_hand");
+  EXPECT_EQ(body.effectors()[0].node, "right_palm");
+}
+
+TEST(RobotBody, FingersAreBentAsLittleAsTheirLimitsAllow) {
+  const BodyModel body = small_body();
+  const auto& joints = body.robot()->joints;
+  const auto finger = std::find_if(joints.begin(), joints.end(), [](const RobotJoint& joint) {
+    return joint.name == "left_finger";
+  });
+  ASSERT_NE(finger, joints.end());
+  EXPECT_EQ(finger->dof, -1);
+  EXPECT_EQ(finger->angle, 0.1);
+}
+
+TEST(RobotBody, WeighsWhatItsLinksWeigh) {
+  const Robot robot = small_robot();
+  double mass = 0.0;
+  for (const Robot::Link& link : robot.links) mass += link.mass;
+  EXPECT_NEAR(small_body().mass(), mass, 1e-9);
+}
+
+TEST(RobotBody, SkeletonOfItsNodesMovesAsItDoes) {
+  const BodyModel body = small_body();
+  Clip clip;
+  clip.dofs = body.dof_count();
+  clip.frames = 1;
+  for (int d = 0; d < clip.dofs; ++d) {
+    clip.angles.push_back(0.5 * (body.dof(d).lower + body.dof(d).upper) + 0.01 * d);
+  }
+  const SkeletonMotion motion = skeleton_motion(body, clip);
+  const std::vector<Transformd> world = world_transforms(motion.skeleton, motion.clip, 0);
+  const Kinematics<double> kinematics = placed(body, clip.angles);
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const BodyNode& node = body.nodes()[i];
+    EXPECT_LT(norm(world[i].translation - kinematics.point(node.link, node.point)), 1e-9)
+        << node.name;
+  }
+}
+
+TEST(RobotBody, SlantingAxisTurnsAboutItself) {
+  const BodyModel body = small_body();
+  int slanting = 0;
+  std::vector<double> q(body.dofs().size(), 0.2);
+  const Kinematics<double> before = placed(body, q);
+  for (int d = 0; d < body.dof_count(); ++d) {
+    if (!body.dof(d).turn) continue;
+    ++slanting;
+    const auto k = static_cast<std::size_t>(d);
+    constexpr double kStep = 0.3;
+    std::vector<double> turned = q;
+    turned[k] += kStep;
+    const Kinematics<double> after = placed(body, turned);
+    const Mat3d turn = after.rotation[k] * transpose(before.rotation[k]);
+    EXPECT_LT(norm(rotation_vector(turn) - before.axis[k] * kStep), 1e-12) << body.dof(d).name;
+  }
+  EXPECT_EQ(slanting, 4);
+}
+
+TEST(RobotBody, NeedsTurningKnees) {
+  std::string text = RobotFile().text();
+  const std::size_t at = text.find("revolute", text.find("left_knee"));
+  text.replace(at, 8, "fixed");
+  const Robot robot = parse_urdf(text, "r.urdf").value();
+  const Result<BodyModel> body = build_robot(robot, find_humanoid(robot).value());
+  ASSERT_FALSE(body);
+  EXPECT_THAT(body.error().message, testing::HasSubstr("left_knee"));
+}
+
+TEST(RobotBody, RobotsWithoutLimbsAreNone) {
+  const Robot robot = parse_urdf("<robot name=\"r\"><link name=\"a\"/></robot>", "r.urdf").value();
+  EXPECT_FALSE(find_humanoid(robot));
+}
+
+}  // namespace
+}  // namespace shigusa
