@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/body/anthropometry.hpp>
 #include <utility>
 
 namespace shigusa {
