@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <shigusa/character/axis_words.hpp>
-#include <shigusa/core/parse_number.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <utility>
 
 #include "commands.hpp"

@@ -3,7 +3,7 @@
 
 #include <exception>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/motion/resample.hpp>
+#include <shigusa/motion/clip.hpp>
 #include <shigusa/task/task.hpp>
 #include <sstream>
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/document/limb_cache.hpp>
 

@@ -3,11 +3,10 @@
 
 #include <charconv>
 #include <filesystem>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/figure/strip_figure.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
-#include <shigusa/person/landmarks.hpp>
 
 #include "commands.hpp"
 
@@ -22,45 +21,6 @@ Result<FigureFormat> format_of(const std::filesystem::path& path) {
   return fail(ErrorCode::invalid_argument,
               "a picture's name must end in .svg, .png or .pdf; this ends in '" + ending + "'",
               path.string());
-}
-
-// Metres per unit of a figure that is no whole person: nobody is 3 m tall, so it is in centimetres,
-// as animation tools expect of BVH and shigusa writes it.
-double guessed_unit(const std::vector<Transformd>& world, std::optional<double> stature) {
-  constexpr double kTallest = 3.0;
-  double low = world.front().translation.y;
-  double high = low;
-  for (const Transformd& node : world) {
-    low = min(low, node.translation.y);
-    high = max(high, node.translation.y);
-  }
-  if (stature && high > low) return *stature / (high - low);
-  return high - low > kTallest ? 0.01 : 1.0;
-}
-
-// What is known of the figure: axes, scale and bones; anything else is drawn as it stands.
-Result<void> understand_figure(const SkeletonMotion& motion, const RenderOptions& options,
-                               StripSettings& settings) {
-  const int frame = std::min(settings.first_frame, motion.clip.frames - 1);
-  const std::vector<Transformd> world = world_transforms(motion.skeleton, motion.clip, frame);
-  const Result<HumanoidMap> map = find_humanoid(motion.skeleton, world);
-  const Result<MeasuredPerson> person =
-      map ? measure_person(motion.skeleton, world, *map, {.stature = options.stature})
-          : Result<MeasuredPerson>(tl::unexpected(map.error()));
-  if (map) settings.humanoid = *map;
-  if (person) {
-    settings.metres_per_unit = person->placement.unit;
-    settings.up = person->placement.up;
-    return {};
-  }
-  if (options.stature && !(*options.stature >= 0.5 && *options.stature <= 2.5)) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("is {} m; allowed are 0.5 to 2.5 m", *options.stature), "--stature");
-  }
-  settings.metres_per_unit = guessed_unit(world, options.stature);
-  note(options.clip, fmt::format("no whole person: {}; drawn as it stands, +Y up, 1 unit = {:g} m",
-                                 person.error().to_string(), settings.metres_per_unit));
-  return {};
 }
 
 }  // namespace
@@ -105,8 +65,14 @@ int render(const RenderOptions& options) {
          "is the clip itself, which the picture would replace; give another name by --out",
          out.string()});
   }
-  if (const auto known = understand_figure(*motion, options, settings); !known) {
-    return report(known.error());
+  const Result<std::string> no_person = understand_figure(*motion, options.stature, settings);
+  if (!no_person) {
+    return report({no_person.error().code, no_person.error().message, "--stature"});
+  }
+  if (!no_person->empty()) {
+    note(options.clip,
+         fmt::format("no whole person: {}; drawn as it stands, +Y up, 1 unit = {:g} m", *no_person,
+                     settings.metres_per_unit));
   }
   const Result<std::string> picture = draw_strip(*motion, {}, settings, *format);
   if (!picture) return report({picture.error().code, picture.error().to_string(), options.clip});

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <shigusa/character/character.hpp>
-#include <shigusa/kinematics/clip_fit.hpp>
+#include <shigusa/kinematics/fit_clip.hpp>
 #include <shigusa/task/task.hpp>
 #include <string>
 #include <vector>

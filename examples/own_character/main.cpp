@@ -16,7 +16,7 @@ int fail(const shigusa::Error& error) {
 
 int main(int argc, char** argv) {
   if (argc != 2) return std::fprintf(stderr, "usage: example_own_character hero.glb\n"), 2;
-  auto bytes = shigusa::read_text_file(argv[1], shigusa::kGltfMaxBytes);
+  auto bytes = shigusa::read_text_file(argv[1], shigusa::kCharacterMaxBytes);
   if (!bytes) return fail(bytes.error());
 
   // the bytes may come from anywhere; the name tells what kind of file they are

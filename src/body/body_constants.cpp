@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <shigusa/body/body_constants.hpp>
 #include <shigusa/body/body_model.hpp>
 
 namespace shigusa {

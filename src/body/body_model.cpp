@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <shigusa/body/body_constants.hpp>
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/body/coupled_limits.hpp>
 #include <shigusa/core/check.hpp>
 #include <utility>
 
@@ -74,8 +76,8 @@ std::optional<int> find_named(const Items& items, std::string_view name) {
 BodyModel::BodyModel(BodyDefinition definition)
     : definition_(checked(std::move(definition))),
       further_(further_effectors(definition_)),
-      constants_(definition_),
-      constants_float_(definition_) {
+      constants_(std::make_shared<const BodyConstants<double>>(definition_)),
+      constants_float_(std::make_shared<const BodyConstants<float>>(definition_)) {
   const std::size_t count = definition_.dofs.size();
   ancestry_.assign(count * count, 0);
   for (std::size_t link = 0; link < count; ++link) {
@@ -89,6 +91,12 @@ BodyModel::BodyModel(BodyDefinition definition)
     }
   }
   chain_begin_.push_back(chains_.size());
+}
+
+double upper_limit(const BodyModel& body, int dof, std::span<const double> angles) {
+  CoupledLimits<double> limits(body);
+  limits.update(angles);
+  return body.dof(dof).upper + limits.added()[static_cast<std::size_t>(dof)];
 }
 
 BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places) {

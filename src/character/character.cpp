@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/character/character.hpp>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/person/at_ease.hpp>
 
 #include "character_file.hpp"
@@ -146,8 +147,9 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
         "files with the character's own skeleton keep the mirrored axes: goals are not where they "
         "stand in them");
   }
-  spec.rig = make_rig(std::move(*file), *found, *spec.landmarks);
-  spec.rig->rig.twists = find_twist_bones(spec.rig->skeleton, world, found->map);
+  CharacterRig rig = make_rig(std::move(*file), *found, *spec.landmarks);
+  rig.rig.twists = find_twist_bones(rig.skeleton, world, found->map);
+  spec.rig = std::make_shared<const CharacterRig>(std::move(rig));
   if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
   return {};
 }

@@ -14,6 +14,9 @@
 namespace shigusa {
 namespace {
 
+static_assert(kCharacterMaxBytes == kGltfMaxBytes && kGltfMaxBytes >= kFbxMaxBytes &&
+              kGltfMaxBytes >= kBvhMaxBytes);
+
 void take(GltfCharacter&& file, CharacterFile& character) {
   character.skeleton = std::move(file.rest.skeleton);
   character.rest = {std::move(file.rest.clip.local), file.places};

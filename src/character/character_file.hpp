@@ -3,6 +3,7 @@
 
 #include <shigusa/body/skin.hpp>
 #include <shigusa/character/character.hpp>
+#include <shigusa/character/character_rig.hpp>
 
 namespace shigusa {
 

@@ -3,6 +3,8 @@
 
 #include <shigusa/character/character.hpp>
 #include <shigusa/person/human_body.hpp>
+#include <shigusa/person/humanoid_map.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 namespace shigusa {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "character_places.hpp"
 
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/kinematics/rig.hpp>
 #include <utility>
 
 namespace shigusa {

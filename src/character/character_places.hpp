@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/character/character.hpp>
+#include <shigusa/kinematics/rig.hpp>
 
 #include "io/json_reader.hpp"
 

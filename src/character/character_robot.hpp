@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/character/character.hpp>
+#include <shigusa/person/humanoid_map.hpp>
 
 namespace shigusa {
 

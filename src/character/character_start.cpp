@@ -7,6 +7,7 @@
 #include <shigusa/body/anthropometry.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/person/at_ease.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/likeness.hpp>
 
 #include "humanoid_request.hpp"

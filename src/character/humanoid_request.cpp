@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/io/file.hpp>
 
 namespace shigusa {

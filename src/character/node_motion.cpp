@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/character/node_motion.hpp>
+#include <shigusa/kinematics/rig.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
 
 namespace shigusa {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <shigusa/body/coupled_limits.hpp>
+#include <shigusa/criteria/collision.hpp>
 #include <shigusa/criteria/motion_measures.hpp>
 
 namespace shigusa {

@@ -38,6 +38,10 @@ SupportMeter measure_support(const BodyModel& body, const Motion& motion) {
   return meter;
 }
 
+std::vector<SupportFrame> support_frames(const BodyModel& body, const Motion& motion) {
+  return measure_support(body, motion).frames();
+}
+
 std::optional<SupportMargins> support_margins(const BodyModel& body, const Motion& motion) {
   return measure_support(body, motion).margins();
 }

@@ -5,7 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/io/gltf_write.hpp>
+#include <shigusa/motion/motion.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 namespace shigusa {
 namespace {

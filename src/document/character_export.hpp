@@ -3,6 +3,7 @@
 
 #include <shigusa/character/character.hpp>
 #include <shigusa/io/gltf_write.hpp>
+#include <shigusa/motion/clip.hpp>
 #include <span>
 #include <string>
 

@@ -3,11 +3,18 @@
 
 #include <algorithm>
 #include <shigusa/body/anthropometry.hpp>
+#include <shigusa/criteria/criteria.hpp>
+#include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/criteria/support_margin.hpp>
 #include <shigusa/document/clip_score.hpp>
 #include <shigusa/dynamics/contact_forces.hpp>
+#include <shigusa/generate/posture_meter.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/kinematics/fit_clip.hpp>
 #include <shigusa/motion/low_pass.hpp>
+#include <shigusa/motion/motion.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 
 #include "character/character_file.hpp"
 #include "character/character_heels.hpp"
@@ -239,7 +246,8 @@ Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string&
   } else {
     rig.start = start_of(character, *body);
   }
-  return RecordedMotion{std::move(file->motion), std::move(rig), std::move(*body)};
+  return RecordedMotion{std::move(file->motion), std::make_shared<const Rig>(std::move(rig)),
+                        std::move(*body)};
 }
 
 Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings& settings) {
@@ -265,7 +273,7 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   const int around = static_cast<int>(min(kAround / clip.frame_time, 1000.0)) + 1;
   ClipScore result;
   result.fit =
-      fit_clip(recorded.body, recorded.rig, recorded.motion, {settings.first, last, around});
+      fit_clip(recorded.body, *recorded.rig, recorded.motion, {settings.first, last, around});
   Clip smooth = result.fit.clip;
   if (settings.cutoff > 0.0) low_pass(smooth, settings.cutoff);
   const int first = result.fit.before;

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <shigusa/body/joint_name.hpp>
-#include <shigusa/core/names.hpp>
+#include <shigusa/character/character_rig.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/figure/strip_figure.hpp>
 #include <shigusa/io/bvh.hpp>

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>

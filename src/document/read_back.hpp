@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <shigusa/body/skeleton.hpp>
 #include <shigusa/document/result_file.hpp>
 #include <string>
 #include <string_view>

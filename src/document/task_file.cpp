@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <shigusa/criteria/criteria.hpp>
 #include <shigusa/document/result_file.hpp>
 #include <shigusa/document/task_file.hpp>
 #include <shigusa/io/file.hpp>

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <shigusa/core/names.hpp>
-#include <shigusa/core/parse_number.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/document/result_file.hpp>
+#include <shigusa/layers/layer.hpp>
+#include <shigusa/layers/layered_parameters.hpp>
 #include <utility>
 
 namespace shigusa {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <shigusa/generate/posture_meter.hpp>
 #include <utility>
 
 #include "task/task_goals.hpp"

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <shigusa/generate/generator.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/rollout/rollout.hpp>
 
 namespace shigusa {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/generate/final_posture.hpp>
+#include <shigusa/generate/posture_meter.hpp>
 
 namespace shigusa {
 namespace {

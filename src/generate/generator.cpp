@@ -5,6 +5,7 @@
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/generate/generator.hpp>
 #include <shigusa/generate/layered_problem.hpp>
+#include <shigusa/task/make_problem.hpp>
 #include <utility>
 
 #include "candidate.hpp"

@@ -4,6 +4,7 @@
 #include <shigusa/generate/layered_problem.hpp>
 #include <shigusa/layers/layered_parameters.hpp>
 #include <shigusa/rollout/reachability.hpp>
+#include <shigusa/task/make_problem.hpp>
 #include <utility>
 
 #include "ways.hpp"

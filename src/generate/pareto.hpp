@@ -3,6 +3,7 @@
 
 #include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/generate/generator.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
 #include <span>
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <shigusa/core/parallel.hpp>
-#include <shigusa/generate/final_posture.hpp>
+#include <shigusa/generate/posture_meter.hpp>
 
 #include "ways.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
-#include <shigusa/core/parse_number.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
 #include <vector>

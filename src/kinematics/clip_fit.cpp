@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <shigusa/core/check.hpp>
-#include <shigusa/kinematics/clip_fit.hpp>
+#include <shigusa/kinematics/fit_clip.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/math/ldlt.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <shigusa/criteria/criteria.hpp>
 #include <shigusa/layers/layer.hpp>
 #include <utility>
 

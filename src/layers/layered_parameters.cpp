@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/layers/layered_parameters.hpp>
 
 namespace shigusa {

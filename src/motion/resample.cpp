@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <shigusa/core/check.hpp>
-#include <shigusa/motion/resample.hpp>
+#include <shigusa/motion/clip.hpp>
 
 namespace shigusa {
 namespace {

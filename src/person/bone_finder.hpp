@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <shigusa/core/result.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <utility>
 #include <vector>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "human_frames.hpp"
 
+#include <shigusa/body/anthropometry.hpp>
+#include <shigusa/person/landmarks.hpp>
+
 namespace shigusa {
 namespace {
 

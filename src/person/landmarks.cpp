@@ -2,6 +2,7 @@
 #include <shigusa/body/anthropometry.hpp>
 #include <shigusa/person/human_body.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 #include "person_measurer.hpp"
 

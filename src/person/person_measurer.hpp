@@ -5,7 +5,10 @@
 
 #include <array>
 #include <shigusa/body/anthropometry.hpp>
+#include <shigusa/core/result.hpp>
+#include <shigusa/person/humanoid_map.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 #include <span>
 #include <utility>
 

@@ -2,7 +2,7 @@
 #include "mjcf_values.hpp"
 
 #include <algorithm>
-#include <shigusa/core/parse_number.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/math/quat.hpp>
 
 namespace shigusa {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <shigusa/body/skeleton.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/robot/robot.hpp>
 #include <utility>
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <shigusa/math/quat.hpp>
+#include <shigusa/math/transform.hpp>
 #include <shigusa/robot/urdf.hpp>
 
 #ifdef SHIGUSA_HAS_URDF

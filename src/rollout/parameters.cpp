@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/core/check.hpp>
+#include <shigusa/rollout/held_input.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <utility>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/rollout/held_input.hpp>
 #include <shigusa/rollout/rollout.hpp>
 
 namespace shigusa {

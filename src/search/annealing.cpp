@@ -7,6 +7,7 @@
 #include <shigusa/core/random.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <shigusa/search/annealing.hpp>
+#include <shigusa/search/searches.hpp>
 #include <utility>
 
 #include "normal.hpp"
@@ -141,6 +142,11 @@ SearchResult annealing_search(const SearchProblem& problem, const AnnealingSetti
   // before any memory is taken for its genes
   Scorer(problem, settings.evaluations, progress);
   return Annealing(problem, settings, progress).search();
+}
+
+SearchResult annealing_by_default(const SearchProblem& problem, int evaluations, std::uint64_t seed,
+                                  const Progress& progress) {
+  return annealing_search(problem, {.evaluations = evaluations, .seed = seed}, progress);
 }
 
 }  // namespace shigusa

@@ -7,6 +7,7 @@
 #include <shigusa/core/random.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <shigusa/search/cma_es.hpp>
+#include <shigusa/search/searches.hpp>
 #include <utility>
 
 #include "cma_run.hpp"
@@ -131,6 +132,11 @@ class CmaEs {
 SearchResult cma_es_search(const SearchProblem& problem, const CmaEsSettings& settings,
                            const Progress& progress) {
   return CmaEs(problem, settings, progress).search();
+}
+
+SearchResult cma_es_by_default(const SearchProblem& problem, int evaluations, std::uint64_t seed,
+                               const Progress& progress) {
+  return cma_es_search(problem, {.evaluations = evaluations, .seed = seed}, progress);
 }
 
 }  // namespace shigusa

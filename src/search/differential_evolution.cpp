@@ -7,6 +7,7 @@
 #include <shigusa/core/random.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <shigusa/search/differential_evolution.hpp>
+#include <shigusa/search/searches.hpp>
 #include <utility>
 
 #include "population.hpp"
@@ -139,6 +140,12 @@ SearchResult differential_evolution_search(const SearchProblem& problem,
   // before any memory is taken for its genes
   Scorer(problem, settings.evaluations, progress);
   return Evolution(problem, settings, progress).search();
+}
+
+SearchResult evolution_by_default(const SearchProblem& problem, int evaluations, std::uint64_t seed,
+                                  const Progress& progress) {
+  return differential_evolution_search(problem, {.evaluations = evaluations, .seed = seed},
+                                       progress);
 }
 
 }  // namespace shigusa

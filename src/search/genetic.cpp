@@ -10,6 +10,7 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/search/genetic.hpp>
 #include <shigusa/search/genetic_operators.hpp>
+#include <shigusa/search/searches.hpp>
 #include <utility>
 
 #include "scorer.hpp"
@@ -280,6 +281,13 @@ SearchResult restarted_genetic_search(const SearchProblem& problem, const Geneti
     scorer.report(static_cast<double>(so_far.evaluations) / evaluations);
   }
   return runs.finish(scorer.left() > 0 ? SearchEnd::converged : SearchEnd::budget);
+}
+
+SearchResult genetic_by_default(const SearchProblem& problem, int evaluations, std::uint64_t seed,
+                                const Progress& progress) {
+  GeneticSettings settings;
+  settings.seed = seed;
+  return restarted_genetic_search(problem, settings, evaluations, progress);
 }
 
 }  // namespace shigusa

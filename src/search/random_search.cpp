@@ -5,6 +5,7 @@
 #include <shigusa/core/check.hpp>
 #include <shigusa/core/random.hpp>
 #include <shigusa/search/random_search.hpp>
+#include <shigusa/search/searches.hpp>
 #include <utility>
 
 #include "population.hpp"
@@ -36,6 +37,11 @@ SearchResult random_search(const SearchProblem& problem, const RandomSettings& s
   }
   scorer.result().final_population = std::move(best);
   return std::move(scorer.result());
+}
+
+SearchResult random_by_default(const SearchProblem& problem, int evaluations, std::uint64_t seed,
+                               const Progress& progress) {
+  return random_search(problem, {.evaluations = evaluations, .seed = seed}, progress);
 }
 
 }  // namespace shigusa

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/criteria/criteria.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/motion/minimum_jerk.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
 #include <shigusa/task/task.hpp>
 #include <utility>
 

@@ -7,7 +7,7 @@
 #include <shigusa/body/joint_name.hpp>
 #include <shigusa/body/load.hpp>
 #include <shigusa/body/stance.hpp>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <utility>
 
 namespace shigusa {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/motion/effector_turn.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
 #include <shigusa/task/task.hpp>
 
 namespace shigusa {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "task_search.hpp"
 
+#include <shigusa/search/genetic.hpp>
+
 namespace shigusa {
 
 SearchResult run_search(const Task& task, const SearchProblem& problem, int evaluations, bool once,

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <shigusa/core/parse_number.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <string>
 
 #include "core/c_locale.hpp"

@@ -8,7 +8,7 @@
 #include <project/character_export.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/kinematics/clip_fit.hpp>
+#include <shigusa/kinematics/fit_clip.hpp>
 
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

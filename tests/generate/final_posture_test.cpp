@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <shigusa/body/posture_modes.hpp>
-#include <shigusa/generate/final_posture.hpp>
+#include <shigusa/generate/posture_meter.hpp>
 #include <shigusa/shigusa.hpp>
 
 namespace shigusa {

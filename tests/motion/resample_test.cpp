@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <shigusa/core/check.hpp>
+#include <shigusa/motion/clip.hpp>
 #include <shigusa/motion/minimum_jerk.hpp>
-#include <shigusa/motion/resample.hpp>
 
 namespace shigusa {
 namespace {

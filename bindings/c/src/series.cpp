@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/character/node_motion.hpp>
-#include <shigusa/criteria/joint_range.hpp>
-#include <shigusa/criteria/support_margin.hpp>
 
 #include "door.hpp"
 
@@ -47,13 +45,11 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
     case SHIGUSA_CENTRE_OF_MASS:
       for (const Vec3d& at : motion.centre_of_mass) add(at, table);
       break;
-    case SHIGUSA_SUPPORT: {
-      const SupportMeter meter = measure_support(result.task.body, motion);
-      for (const SupportFrame& frame : meter.frames()) {
+    case SHIGUSA_SUPPORT:
+      for (const SupportFrame& frame : support_frames(result.task.body, motion)) {
         table.insert(table.end(), {frame.centre_of_mass, frame.pressure});
       }
       break;
-    }
     case SHIGUSA_EFFECTORS:
       for (size_t f = 0; f < frames; ++f) {
         for (const std::vector<Vec3d>& effector : motion.effectors) add(effector[f], table);

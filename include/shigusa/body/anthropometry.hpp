@@ -2,14 +2,10 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <shigusa/body/side.hpp>
+#include <shigusa/body/stature.hpp>
 #include <shigusa/math/scalar.hpp>
-#include <string_view>
 
 namespace shigusa {
-
-enum class Sex { male, female };
 
 // Mass and mass distribution of one body segment. Source: P. de Leva, Adjustments to
 // Zatsiorsky-Seluyanov's segment inertia parameters, J. Biomechanics 29 (1996) 1223-1230, table 4.
@@ -185,22 +181,5 @@ inline constexpr JointLimits kWristFlexion{radians(-70), radians(80), 12.2, 7.1}
 inline constexpr JointLimits kWristDeviation{radians(-30), radians(20), 11, 9.5};
 // Women's joint strength as a share of men's, each at the mean mass of their group.
 inline constexpr double kFemaleStrength = 0.6;
-
-// A standing person's build.
-struct Stature {
-  double stature = 1.741;  // m, 0.5..2.5
-  double mass = 73.0;      // kg, 2..300
-  Sex sex = Sex::male;
-  Side base = Side::right;  // the foot that bears the body
-  bool heels = false;       // they may lift; of human_body
-};
-
-// Mass in kg of a person of that stature with the body-mass index of the group's mean.
-[[nodiscard]] double default_mass(double stature, Sex sex);
-
-// Standing height (m) that 5, 50 or 95 of a hundred people do not exceed, by the names "p5", "p50"
-// and "p95"; nothing for other names. Source: C. Gordon et al., 1988 Anthropometric Survey of U.S.
-// Army Personnel, Natick TR-89/044 (1989), stature.
-[[nodiscard]] std::optional<double> stature_percentile(std::string_view name, Sex sex);
 
 }  // namespace shigusa

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <shigusa/body/body_constants.hpp>
 #include <shigusa/body/side.hpp>
+#include <shigusa/math/transform.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@
 #include <vector>
 
 namespace shigusa {
+
+template <class T>
+struct BodyConstants;
 
 // The link that stands still: the foot that carries the body, or its forefoot where heels lift. All
 // other links are numbered as the freedom that moves them.
@@ -189,10 +193,10 @@ class BodyModel {
   template <class T>
   [[nodiscard]] const BodyConstants<T>& constants() const {
     if constexpr (std::is_same_v<T, double>) {
-      return constants_;
+      return *constants_;
     } else {
       static_assert(std::is_same_v<T, float>);
-      return constants_float_;
+      return *constants_float_;
     }
   }
 
@@ -221,9 +225,14 @@ class BodyModel {
   std::vector<char> ancestry_;            // (links × dofs) 1 where the dof moves the link
   std::vector<int> chains_;               // of all links, one after the other
   std::vector<std::size_t> chain_begin_;  // (links + 1) where each begins
-  BodyConstants<double> constants_;
-  BodyConstants<float> constants_float_;
+  // shared by the copies of a body, as they never change
+  std::shared_ptr<const BodyConstants<double>> constants_;
+  std::shared_ptr<const BodyConstants<float>> constants_float_;
 };
+
+// The upper limit (rad) of a dof at the given angles (dofs, rad), with what the body's couplings
+// add.
+[[nodiscard]] double upper_limit(const BodyModel& body, int dof, std::span<const double> angles);
 
 // The body with these places in the places of its own.
 [[nodiscard]] BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places);

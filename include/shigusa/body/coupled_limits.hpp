@@ -47,12 +47,4 @@ class CoupledLimits {
   std::vector<S> added_;
 };
 
-// The upper limit (rad) of a dof at the given angles (dofs), with what the body's couplings add.
-[[nodiscard]] inline double upper_limit(const BodyModel& body, int dof,
-                                        std::span<const double> angles) {
-  CoupledLimits<double> limits(body);
-  limits.update(angles);
-  return body.dof(dof).upper + limits.added()[static_cast<std::size_t>(dof)];
-}
-
 }  // namespace shigusa

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <shigusa/core/result.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/gltf.hpp>
-#include <shigusa/kinematics/rig.hpp>
+#include <shigusa/math/vec3.hpp>
 #include <shigusa/person/human_body.hpp>
 #include <string>
 #include <string_view>
@@ -16,24 +15,11 @@
 
 namespace shigusa {
 
-enum class CharacterFormat { bvh, gltf, vrm };
+// No file of a character may be larger; more is refused before memory is taken.
+inline constexpr std::size_t kCharacterMaxBytes = std::size_t{128} << 20;
 
 // A character's own skeleton, for motions to leave on it.
-struct CharacterRig {
-  std::filesystem::path file;                // its name
-  std::shared_ptr<const std::string> bytes;  // of glTF: all of it, for motions to be added to
-  CharacterFormat format = CharacterFormat::bvh;
-  Skeleton skeleton;                  // names; offsets in the file's units
-  Rig rig;                            // its nodes as the file has them in the frame measured
-  std::vector<GltfPlace> places;      // of glTF: (nodes) at rest …
-  std::vector<LocalTransform> posed;  // … and the skeleton in the frame measured, turned from rest
-  BvhChannels channels;               // of BVH
-  Vec3d ahead{0, 0, 1};               // of glTF: the way it faces at rest, its axes
-  std::vector<int> file_node;         // of glTF: (nodes) indices in the file
-  std::vector<std::pair<std::string, int>> vrm_bones;  // of VRM
-  std::vector<std::string> animations;                 // of glTF: names of those that it has
-  std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
-};
+struct CharacterRig;
 
 // Humanoid bones ("right_hand") and the nodes of a file that they are, as a person tells them: by
 // name, or by "#17" the node of that place in the file.
@@ -76,12 +62,9 @@ struct CharacterSpec {
   std::vector<std::string> doubts{};  // what was guessed in measuring, or left out of MJCF
   // what measuring found: humanoid bone and the file's node for it; not kept in files
   std::vector<std::pair<std::string, std::string>> humanoid{};
-  std::optional<CharacterRig> rig{};  // not kept in files either
+  // the file's skeleton, shared by the copies of a spec; not kept in files either
+  std::shared_ptr<const CharacterRig> rig{};
 };
-
-// The node of the character's file that a node of the body is ("right_foot", "right_hand_grip"), or
-// -1 where it is none, or the spec has no rig.
-[[nodiscard]] int rig_node(const CharacterSpec& spec, std::string_view body_node);
 
 // True where the file that `source` names, if it does, is not needed: built in, or read before.
 [[nodiscard]] bool is_complete(const CharacterSpec& spec);

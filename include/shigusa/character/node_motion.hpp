@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/body/skeleton.hpp>
 #include <shigusa/character/character.hpp>
 #include <shigusa/motion/clip.hpp>
 #include <string>

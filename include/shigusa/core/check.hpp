@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stdexcept>
+#include <shigusa/core/result.hpp>
 #include <string>
 
 namespace shigusa {
-
-// Thrown by SHG_CHECK: the caller broke a documented precondition.
-class PreconditionError : public std::logic_error {
- public:
-  using std::logic_error::logic_error;
-};
 
 // Throws PreconditionError with "message [condition]". Not inline: a check in the kernel must not
 // bring code of the standard library into files that are compiled for a SIMD set.

@@ -2,13 +2,28 @@
 #pragma once
 
 #include <array>
-#include <shigusa/core/names.hpp>
+#include <optional>
 #include <shigusa/core/result.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace shigusa {
+
+// The name of `known` that is nearest to `name` by edit distance; empty when none shares a third of
+// it. For messages about misspelt names.
+[[nodiscard]] std::string_view nearest_name(std::string_view name,
+                                            std::span<const std::string> known);
+
+// "unknown effector 'right_hnad'; did you mean 'right_hand'? Known: left_hand, right_hand".
+[[nodiscard]] std::string unknown_name(std::string_view kind, std::string_view name,
+                                       std::span<const std::string> known);
+
+// The number that the whole text writes, "-0.5", "+1e3", ".5" or "inf", nearest double. It has a
+// point in every locale that the program may have chosen. What is too large for a double becomes
+// infinite, what is too small 0. None for anything else: blanks around it, "1,5", "0x10".
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 // A value of an enum and the word that files, options and messages have for it.
 template <class Enum>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/core/check.hpp>
 
 namespace shigusa {
 
@@ -26,7 +25,6 @@ class Random {
 
   // Uniform integer in [0, count), count ≥ 1; each has a probability within 2^-32 of 1 / count.
   std::uint32_t below(std::uint32_t count) {
-    SHG_ASSERT(count >= 1);
     const std::uint64_t high = next() >> 32;
     return static_cast<std::uint32_t>((high * count) >> 32);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <tl/expected.hpp>
 #include <utility>
@@ -38,5 +39,11 @@ using Result = tl::expected<T, Error>;
                                                 std::string place = {}) {
   return tl::unexpected<Error>(Error{code, std::move(message), std::move(place)});
 }
+
+// Thrown by SHG_CHECK: the caller broke a documented precondition.
+class PreconditionError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
 
 }  // namespace shigusa

@@ -2,18 +2,11 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 
 namespace shigusa {
-
-// Lean at which the penalty is full (rule R8b): the toes' edge is 0.13 m ahead of mid-foot and the
-// centre of mass about 1.0 m high standing, 0.7 m stooping.
-inline constexpr double kBalanceLean = 0.20;
-
-struct BalanceSettings {
-  double lean = kBalanceLean;  // horizontal over vertical, > 0
-};
 
 // Middle of the standing feet's soles (m, world) in the start posture; feet stay planted.
 [[nodiscard]] Vec3d support_centre(const BodyModel& body);

@@ -2,19 +2,12 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/criteria/support_zone.hpp>
 
 namespace shigusa {
-
-// What people keep between the plumb line of their centre of mass and the edge of what they stand
-// on (m): some 2 to 3 cm.
-inline constexpr double kBalanceReserve = 0.03;
-
-struct BalanceZoneSettings {
-  double margin = kBalanceReserve;  // m, > 0
-};
 
 // How near the centre of mass's plumb line comes to the edge of the feet's support polygon, or how
 // far it leaves it, in [0, 1]. Anywhere well inside is as good as the middle: people who reach let

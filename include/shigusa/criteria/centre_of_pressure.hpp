@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/dynamics/inverse_dynamics.hpp>
 
 namespace shigusa {
-
-// How far outside the support polygon (m) the penalty is full.
-inline constexpr double kPressureOutside = 0.10;
-
-struct PressureSettings {
-  double outside = kPressureOutside;  // m, > 0
-};
 
 // How far the motion would have the floor's force outside what the feet stand on, in [0, 1]: no
 // floor gives that, and the body would tip over the edge of its feet, however well its centre of

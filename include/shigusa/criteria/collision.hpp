@@ -2,24 +2,16 @@
 #pragma once
 
 #include <shigusa/core/check.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
+#include <shigusa/criteria/motion_measures.hpp>
 #include <shigusa/kinematics/penetration.hpp>
 #include <shigusa/motion/motion.hpp>
 #include <string>
 #include <vector>
 
 namespace shigusa {
-
-// Depth (m) of a collision at which the penalty is full.
-inline constexpr double kCollisionFull = 0.05;
-// What flesh gives way by (m): less is no collision.
-inline constexpr double kCollisionDepth = 0.005;
-
-struct CollisionSettings {
-  double full = kCollisionFull;       // m, > 0
-  std::vector<Obstacle> obstacles{};  // of the task
-};
 
 // What can collide in a body, and by how much it does at the start: that is not held against a
 // motion.
@@ -119,15 +111,5 @@ class Collision {
   std::vector<PlacedCapsule<S>> placed_;
   MeanAndWorst<S> seen_;
 };
-
-// Where a motion collides most.
-struct CollisionFound {
-  double depth = 0.0;  // m, beyond what the start posture has; 0 where nothing collides
-  std::string limb;    // capsule, "right_forearm"
-  std::string other;   // capsule, obstacle or "floor"
-  double time = 0.0;   // s
-};
-[[nodiscard]] CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
-                                               const CollisionSettings& settings = {});
 
 }  // namespace shigusa

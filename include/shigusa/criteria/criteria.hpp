@@ -3,33 +3,91 @@
 
 #include <optional>
 #include <shigusa/core/check.hpp>
-#include <shigusa/criteria/criteria_settings.hpp>
-#include <string>
+#include <shigusa/criteria/balance.hpp>
+#include <shigusa/criteria/balance_zone.hpp>
+#include <shigusa/criteria/centre_of_pressure.hpp>
+#include <shigusa/criteria/collision.hpp>
+#include <shigusa/criteria/discomfort.hpp>
+#include <shigusa/criteria/feasibility.hpp>
+#include <shigusa/criteria/head.hpp>
+#include <shigusa/criteria/joint_acceleration.hpp>
+#include <shigusa/criteria/joint_range.hpp>
+#include <shigusa/criteria/low_back.hpp>
+#include <shigusa/criteria/torque.hpp>
+#include <shigusa/criteria/work.hpp>
+#include <tuple>
 #include <utility>
-#include <vector>
 
 namespace shigusa {
 
-// One line of a score's breakdown.
-struct ScoreTerm {
-  std::string name;
-  double weight = 0.0;
-  double penalty = 0.0;  // 0..1
+// One built-in criterion: its class, its name, and where its weight and its reference scale are.
+template <template <class> class CriterionOf>
+struct CriterionEntry {
+  template <class S>
+  using Criterion = CriterionOf<S>;
+  using Settings = typename CriterionOf<double>::Settings;
+
+  const char* name;  // in scores and in files
+  double CriteriaSettings::*weight_member;
+  Settings CriteriaSettings::*settings_member;
+  const char* scale_name;  // in files
+  double Settings::*scale_member;
+
+  // The criterion's members of CriteriaSettings, const or not.
+  template <class Criteria>
+  [[nodiscard]] constexpr auto& weight(Criteria& criteria) const {
+    return criteria.*weight_member;
+  }
+  template <class Criteria>
+  [[nodiscard]] constexpr auto& settings(Criteria& criteria) const {
+    return criteria.*settings_member;
+  }
+  template <class Criteria>
+  [[nodiscard]] constexpr auto& scale(Criteria& criteria) const {
+    return settings(criteria).*scale_member;
+  }
 };
 
-struct Score {
-  double total = 0.0;  // Σ weight · penalty
-  // the built-in criteria whose weight is above 0, in the table's order, then the user's in theirs
-  std::vector<ScoreTerm> terms;
+// All built-in criteria, in the order of a score's terms. Whatever reads, writes, checks or sums
+// them goes by this table.
+inline constexpr std::tuple kCriteria{
+    CriterionEntry<JointRange>{"joint_range", &CriteriaSettings::joint_range_weight,
+                               &CriteriaSettings::joint_range, "margin",
+                               &JointRangeSettings::margin},
+    CriterionEntry<Balance>{"balance", &CriteriaSettings::balance_weight,
+                            &CriteriaSettings::balance, "lean", &BalanceSettings::lean},
+    CriterionEntry<Torque>{"torque", &CriteriaSettings::torque_weight, &CriteriaSettings::torque,
+                           "share", &TorqueSettings::share},
+    CriterionEntry<BalanceZone>{"balance_zone", &CriteriaSettings::balance_zone_weight,
+                                &CriteriaSettings::balance_zone, "margin_m",
+                                &BalanceZoneSettings::margin},
+    CriterionEntry<Discomfort>{"discomfort", &CriteriaSettings::discomfort_weight,
+                               &CriteriaSettings::discomfort, "share", &DiscomfortSettings::share},
+    CriterionEntry<JointAcceleration>{"joint_acceleration",
+                                      &CriteriaSettings::joint_acceleration_weight,
+                                      &CriteriaSettings::joint_acceleration, "acceleration_rad_s2",
+                                      &JointAccelerationSettings::acceleration},
+    CriterionEntry<Work>{"work", &CriteriaSettings::work_weight, &CriteriaSettings::work, "share",
+                         &WorkSettings::share},
+    CriterionEntry<LowBack>{"low_back", &CriteriaSettings::low_back_weight,
+                            &CriteriaSettings::low_back, "share", &LowBackSettings::share},
+    CriterionEntry<Head>{"head", &CriteriaSettings::head_weight, &CriteriaSettings::head, "height",
+                         &HeadSettings::height},
+    CriterionEntry<Collision>{"collision", &CriteriaSettings::collision_weight,
+                              &CriteriaSettings::collision, "depth_m", &CollisionSettings::full},
+    CriterionEntry<PressureZone>{"centre_of_pressure", &CriteriaSettings::pressure_weight,
+                                 &CriteriaSettings::pressure, "outside_m",
+                                 &PressureSettings::outside},
+    CriterionEntry<Feasibility>{"feasibility", &CriteriaSettings::feasibility_weight,
+                                &CriteriaSettings::feasibility, "outside_m",
+                                &FeasibilitySettings::outside},
 };
 
-// The score that a motion gets which misses its goal, leaves its path or moves a planted foot: no
-// other is worse.
-[[nodiscard]] double worst_score(const CriteriaSettings& settings);
-
-// Scores a whole motion.
-[[nodiscard]] Score score_motion(const BodyModel& body, const Motion& motion,
-                                 const CriteriaSettings& settings);
+// Calls visit(entry) for each built-in criterion in the table's order.
+template <class Visitor>
+void for_each_criterion(Visitor&& visit) {
+  std::apply([&visit](const auto&... entry) { (visit(entry), ...); }, kCriteria);
+}
 
 // The built-in criteria whose weight is above 0, together, frame by frame.
 template <class S>

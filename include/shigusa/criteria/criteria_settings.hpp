@@ -2,22 +2,13 @@
 #pragma once
 
 #include <functional>
-#include <shigusa/criteria/balance.hpp>
-#include <shigusa/criteria/balance_zone.hpp>
-#include <shigusa/criteria/centre_of_pressure.hpp>
-#include <shigusa/criteria/collision.hpp>
-#include <shigusa/criteria/discomfort.hpp>
-#include <shigusa/criteria/feasibility.hpp>
-#include <shigusa/criteria/head.hpp>
-#include <shigusa/criteria/joint_acceleration.hpp>
-#include <shigusa/criteria/joint_range.hpp>
-#include <shigusa/criteria/low_back.hpp>
-#include <shigusa/criteria/torque.hpp>
-#include <shigusa/criteria/work.hpp>
+#include <optional>
+#include <shigusa/body/body_model.hpp>
+#include <shigusa/body/obstacle.hpp>
+#include <shigusa/motion/motion.hpp>
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace shigusa {
@@ -26,6 +17,94 @@ namespace shigusa {
 inline constexpr double kPaperRangeWeight = 0.5;
 inline constexpr double kPaperBalanceWeight = 0.3;
 inline constexpr double kPaperTorqueWeight = 0.2;
+
+// Share of a joint's range by which a limit may be passed until the penalty is full (rule R8a).
+inline constexpr double kRangeMargin = 0.2;
+struct JointRangeSettings {
+  double margin = kRangeMargin;  // share of the range, > 0
+};
+
+// Lean at which the penalty is full (rule R8b): the toes' edge is 0.13 m ahead of mid-foot and the
+// centre of mass about 1.0 m high standing, 0.7 m stooping.
+inline constexpr double kBalanceLean = 0.20;
+struct BalanceSettings {
+  double lean = kBalanceLean;  // horizontal over vertical, > 0
+};
+
+// Root mean square share of the joints' strength at which the penalty is full (rule R8c). It
+// saturates there: torque is heavy-tailed.
+inline constexpr double kTorqueShare = 0.6;
+struct TorqueSettings {
+  double share = kTorqueShare;  // of strength, > 0
+};
+
+// What people keep between the plumb line of their centre of mass and the edge of what they stand
+// on (m): some 2 to 3 cm.
+inline constexpr double kBalanceReserve = 0.03;
+struct BalanceZoneSettings {
+  double margin = kBalanceReserve;  // m, > 0
+};
+
+// Mean discomfort of the joints at which the penalty is full: a quarter of them at the ends of
+// their range.
+inline constexpr double kDiscomfortShare = 0.25;
+struct DiscomfortSettings {
+  double share = kDiscomfortShare;  // of the joints at their ends, > 0
+};
+
+// Root mean square joint acceleration at which the penalty is full (rad/s²): that of a turn by 90°
+// in 1 s with the minimum-jerk profile, sqrt(120 / 7) · (π / 2) / (1 s)², were all joints to make
+// it.
+inline constexpr double kJointAcceleration = 6.5;
+struct JointAccelerationSettings {
+  double acceleration = kJointAcceleration;  // rad/s², > 0
+};
+
+// Work at which the penalty is full, as a share of the body's weight times its stature: about what
+// it takes to lower a body into a deep squat, and as much again.
+inline constexpr double kWorkShare = 0.4;
+struct WorkSettings {
+  double share = kWorkShare;  // of weight times stature, > 0
+};
+
+// Share of strength at which the penalty is full: all of it. 0.75 is about 180 N·m in that man:
+// with a muscle lever of 6 cm and the upper body's own weight the disc then bears the 3400 N that
+// NIOSH takes for the limit of what is harmless (Waters et al., Ergonomics 36 (1993) 749-776). The
+// penalty grows on beyond it, or a heavy load would say nothing about how to lift it.
+inline constexpr double kLowBackShare = 1.0;
+struct LowBackSettings {
+  double share = kLowBackShare;  // of strength, > 0
+};
+
+// Height of the head above the pelvis, as a share of their distance, from which on nothing is
+// amiss: a trunk that leans by 60°.
+inline constexpr double kHeadHeight = 0.5;
+struct HeadSettings {
+  double height = kHeadHeight;  // share, > 0
+  // m, world: what the eyes are on. A task's first goal where none is given; without one only the
+  // head's height counts.
+  std::optional<Vec3d> gaze_target{};
+};
+
+// Depth (m) of a collision at which the penalty is full.
+inline constexpr double kCollisionFull = 0.05;
+struct CollisionSettings {
+  double full = kCollisionFull;       // m, > 0
+  std::vector<Obstacle> obstacles{};  // of the task
+};
+
+// How far outside the support polygon (m) the penalty is full.
+inline constexpr double kPressureOutside = 0.10;
+struct PressureSettings {
+  double outside = kPressureOutside;  // m, > 0
+};
+
+// How far outside the support polygon (m) a pressure weighs as much as a joint that needs twice its
+// strength.
+inline constexpr double kFeasibilityOutside = 0.05;
+struct FeasibilitySettings {
+  double outside = kFeasibilityOutside;  // m, > 0
+};
 
 // A criterion of the user's own: any scalar function of the motion; smaller is better. Its penalty
 // is value / scale, held to [0, 1] as the built-in ones are. NaN makes the motion the worst of all.
@@ -66,75 +145,6 @@ struct CriteriaSettings {
   std::vector<UserCriterion> user{};
 };
 
-// One built-in criterion: its class, its name, and where its weight and its reference scale are.
-template <template <class> class CriterionOf>
-struct CriterionEntry {
-  template <class S>
-  using Criterion = CriterionOf<S>;
-  using Settings = typename CriterionOf<double>::Settings;
-
-  const char* name;  // in scores and in files
-  double CriteriaSettings::*weight_member;
-  Settings CriteriaSettings::*settings_member;
-  const char* scale_name;  // in files
-  double Settings::*scale_member;
-
-  // The criterion's members of CriteriaSettings, const or not.
-  template <class Criteria>
-  [[nodiscard]] constexpr auto& weight(Criteria& criteria) const {
-    return criteria.*weight_member;
-  }
-  template <class Criteria>
-  [[nodiscard]] constexpr auto& settings(Criteria& criteria) const {
-    return criteria.*settings_member;
-  }
-  template <class Criteria>
-  [[nodiscard]] constexpr auto& scale(Criteria& criteria) const {
-    return settings(criteria).*scale_member;
-  }
-};
-
-// All built-in criteria, in the order of a score's terms. Whatever reads, writes, checks or sums
-// them goes by this table.
-inline constexpr std::tuple kCriteria{
-    CriterionEntry<JointRange>{"joint_range", &CriteriaSettings::joint_range_weight,
-                               &CriteriaSettings::joint_range, "margin",
-                               &JointRangeSettings::margin},
-    CriterionEntry<Balance>{"balance", &CriteriaSettings::balance_weight,
-                            &CriteriaSettings::balance, "lean", &BalanceSettings::lean},
-    CriterionEntry<Torque>{"torque", &CriteriaSettings::torque_weight, &CriteriaSettings::torque,
-                           "share", &TorqueSettings::share},
-    CriterionEntry<BalanceZone>{"balance_zone", &CriteriaSettings::balance_zone_weight,
-                                &CriteriaSettings::balance_zone, "margin_m",
-                                &BalanceZoneSettings::margin},
-    CriterionEntry<Discomfort>{"discomfort", &CriteriaSettings::discomfort_weight,
-                               &CriteriaSettings::discomfort, "share", &DiscomfortSettings::share},
-    CriterionEntry<JointAcceleration>{"joint_acceleration",
-                                      &CriteriaSettings::joint_acceleration_weight,
-                                      &CriteriaSettings::joint_acceleration, "acceleration_rad_s2",
-                                      &JointAccelerationSettings::acceleration},
-    CriterionEntry<Work>{"work", &CriteriaSettings::work_weight, &CriteriaSettings::work, "share",
-                         &WorkSettings::share},
-    CriterionEntry<LowBack>{"low_back", &CriteriaSettings::low_back_weight,
-                            &CriteriaSettings::low_back, "share", &LowBackSettings::share},
-    CriterionEntry<Head>{"head", &CriteriaSettings::head_weight, &CriteriaSettings::head, "height",
-                         &HeadSettings::height},
-    CriterionEntry<Collision>{"collision", &CriteriaSettings::collision_weight,
-                              &CriteriaSettings::collision, "depth_m", &CollisionSettings::full},
-    CriterionEntry<PressureZone>{"centre_of_pressure", &CriteriaSettings::pressure_weight,
-                                 &CriteriaSettings::pressure, "outside_m",
-                                 &PressureSettings::outside},
-    CriterionEntry<Feasibility>{"feasibility", &CriteriaSettings::feasibility_weight,
-                                &CriteriaSettings::feasibility, "outside_m",
-                                &FeasibilitySettings::outside},
-};
-
-// Calls visit(entry) for each built-in criterion in the table's order.
-template <class Visitor>
-void for_each_criterion(Visitor&& visit) {
-  std::apply([&visit](const auto&... entry) { (visit(entry), ...); }, kCriteria);
-}
-
 // The paper's three by rule R8's weights: what CriteriaSettings is by default.
 [[nodiscard]] CriteriaSettings paper_criteria();
 
@@ -155,5 +165,26 @@ struct CriteriaPreset {
 };
 // "paper", "default" and "pareto".
 [[nodiscard]] std::span<const CriteriaPreset> criteria_presets();
+
+// One line of a score's breakdown.
+struct ScoreTerm {
+  std::string name;
+  double weight = 0.0;
+  double penalty = 0.0;  // 0..1
+};
+
+struct Score {
+  double total = 0.0;  // Σ weight · penalty
+  // the built-in criteria whose weight is above 0, in the table's order, then the user's in theirs
+  std::vector<ScoreTerm> terms;
+};
+
+// The score that a motion gets which misses its goal, leaves its path or moves a planted foot: no
+// other is worse.
+[[nodiscard]] double worst_score(const CriteriaSettings& settings);
+
+// Scores a whole motion.
+[[nodiscard]] Score score_motion(const BodyModel& body, const Motion& motion,
+                                 const CriteriaSettings& settings);
 
 }  // namespace shigusa

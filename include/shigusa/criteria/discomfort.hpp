@@ -2,24 +2,18 @@
 #pragma once
 
 #include <shigusa/body/coupled_limits.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <vector>
 
 namespace shigusa {
 
-// Mean discomfort of the joints at which the penalty is full: a quarter of them at the ends of
-// their range.
-inline constexpr double kDiscomfortShare = 0.25;
 // Part of the way from neutral to a limit, at its end, where discomfort rises steeply.
 inline constexpr double kDiscomfortEnd = 0.12;
 // A limit nearer to neutral than this share of the range is where the joint rests: there knees and
 // elbows are straight.
 inline constexpr double kRestingShare = 0.10;
-
-struct DiscomfortSettings {
-  double share = kDiscomfortShare;  // of the joints at their ends, > 0
-};
 
 // How far the joints are from neutral and how near the ends of their range, in [0, 1]. Neutral is
 // upright with hanging arms, all angles 0. With u the share of the way from neutral to the limit

@@ -2,20 +2,13 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/dynamics/inverse_dynamics.hpp>
 #include <vector>
 
 namespace shigusa {
-
-// How far outside the support polygon (m) a pressure weighs as much as a joint that needs twice its
-// strength.
-inline constexpr double kFeasibilityOutside = 0.05;
-
-struct FeasibilitySettings {
-  double outside = kFeasibilityOutside;  // m, > 0
-};
 
 // Whether the body could make the motion at all, in [0, 1): 0 where every joint keeps to its
 // strength and the floor can hold the body, and above it the more the worst moment asks for. With

@@ -4,14 +4,12 @@
 #include <optional>
 #include <shigusa/body/body_model.hpp>
 #include <shigusa/core/check.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 
 namespace shigusa {
 
-// Height of the head above the pelvis, as a share of their distance, from which on nothing is
-// amiss: a trunk that leans by 60°.
-inline constexpr double kHeadHeight = 0.5;
 // Angle (rad) between the trunk's forward direction and the way from the head to the goal, up to
 // which neck and eyes turn to it whichever way it is: 45° of the neck, its range in flexion and in
 // extension (AAOS), and 35° of the eyes (MIL-STD-1472) …
@@ -22,13 +20,6 @@ inline constexpr double kGazeLimit = radians(95);
 // The same of a body that has a neck: what is left to the eyes.
 inline constexpr double kEyesFree = radians(35);
 inline constexpr double kEyesLimit = radians(60);
-
-struct HeadSettings {
-  double height = kHeadHeight;  // share, > 0
-  // m, world: what the eyes are on. A task's first goal where none is given; without one only the
-  // head's height counts.
-  std::optional<Vec3d> gaze_target{};
-};
 
 // Head and pelvis of a body.
 struct HeadPoints {

@@ -2,18 +2,10 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 
 namespace shigusa {
-
-// Root mean square joint acceleration at which the penalty is full (rad/s²): that of a turn by 90°
-// in 1 s with the minimum-jerk profile, sqrt(120 / 7) · (π / 2) / (1 s)², were all joints to make
-// it.
-inline constexpr double kJointAcceleration = 6.5;
-
-struct JointAccelerationSettings {
-  double acceleration = kJointAcceleration;  // rad/s², > 0
-};
 
 // How hard the joints are sped up and slowed down, in [0, 1]:
 //   P = min(1, sqrt(mean_t mean_i q̈_i²) / acceleration).

@@ -2,17 +2,11 @@
 #pragma once
 
 #include <shigusa/body/coupled_limits.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <vector>
 
 namespace shigusa {
-
-// Share of a joint's range by which a limit may be passed until the penalty is full (rule R8a).
-inline constexpr double kRangeMargin = 0.2;
-
-struct JointRangeSettings {
-  double margin = kRangeMargin;  // share of the range, > 0
-};
 
 // How far joints pass their limits, during the motion or at its end, in [0, 1] (paper, section
 // 3.3; rule R8a):

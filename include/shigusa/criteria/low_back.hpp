@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/mean_and_worst.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <vector>
@@ -17,15 +18,6 @@ inline constexpr double kBackFlexion = 150.0;
 // mass above that; the quotient stays when the trunk leans. 0.82 were it 0.07 m higher, 0.71 at
 // 0.12 m.
 inline constexpr double kBackShareOfHips = 0.76;
-// Share of strength at which the penalty is full: all of it. 0.75 is about 180 N·m in that man:
-// with a muscle lever of 6 cm and the upper body's own weight the disc then bears the 3400 N that
-// NIOSH takes for the limit of what is harmless (Waters et al., Ergonomics 36 (1993) 749-776). The
-// penalty grows on beyond it, or a heavy load would say nothing about how to lift it.
-inline constexpr double kLowBackShare = 1.0;
-
-struct LowBackSettings {
-  double share = kLowBackShare;  // of strength, > 0
-};
 
 // The dofs whose torques' sum is told as a share of the lower back's strength: both hips' flexion,
 // or the lowest joint's of a spine.

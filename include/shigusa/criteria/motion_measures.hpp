@@ -3,8 +3,7 @@
 
 #include <optional>
 #include <shigusa/body/body_model.hpp>
-#include <shigusa/criteria/collision.hpp>
-#include <shigusa/criteria/support_margin.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/motion/motion.hpp>
 #include <string>
 #include <vector>
@@ -28,6 +27,48 @@ struct LimitExcess {
 };
 // The joints that pass their limits by more than anyone sees, the worst first.
 [[nodiscard]] std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip);
+
+// How far (m) inside the support polygon something stays at least, less than 0 outside it, and when
+// (s, from the motion's beginning).
+struct SupportMargin {
+  double distance = 0.0;
+  double time = 0.0;
+};
+
+// Whether a person could stand through a motion: the plumb line of the centre of mass, and the
+// floor's centre of pressure, both against the support polygon. The pressure's is the moment (N·m)
+// by which the body is held from tipping, over its weight: where the floor bears that weight, the
+// distance of the centre of pressure; no floor gives less than 0. Motions faster than gravity let
+// it leave the feet for a moment; a centre of mass that leaves them is a fall or a step.
+struct SupportMargins {
+  SupportMargin centre_of_mass;
+  SupportMargin pressure;
+};
+
+// Both in one frame (m, inside the support polygon; less than 0 outside).
+struct SupportFrame {
+  double centre_of_mass = 0.0;
+  double pressure = 0.0;
+};
+
+// Both of a whole motion that is at rest before and after: (frames), and the least of each. None of
+// a body without feet, or with feet of no size.
+[[nodiscard]] std::vector<SupportFrame> support_frames(const BodyModel& body, const Motion& motion);
+[[nodiscard]] std::optional<SupportMargins> support_margins(const BodyModel& body,
+                                                            const Motion& motion);
+
+// What flesh gives way by (m): less is no collision.
+inline constexpr double kCollisionDepth = 0.005;
+
+// Where a motion collides most.
+struct CollisionFound {
+  double depth = 0.0;  // m, beyond what the start posture has; 0 where nothing collides
+  std::string limb;    // capsule, "right_forearm"
+  std::string other;   // capsule, obstacle or "floor"
+  double time = 0.0;   // s
+};
+[[nodiscard]] CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
+                                               const CollisionSettings& settings = {});
 
 // What a motion asks of the body, generated or recorded.
 struct MotionMeasures {

@@ -2,18 +2,11 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 #include <vector>
 
 namespace shigusa {
-
-// Root mean square share of the joints' strength at which the penalty is full (rule R8c). It
-// saturates there: torque is heavy-tailed.
-inline constexpr double kTorqueShare = 0.6;
-
-struct TorqueSettings {
-  double share = kTorqueShare;  // of strength, > 0
-};
 
 // Torque that the whole motion takes, in [0, 1] (paper, section 3.3; rule R8c):
 //   P = min(1, sqrt(mean_t mean_i (τ_i / τ_i^max)²) / share),

@@ -2,17 +2,10 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/criteria/motion_frame.hpp>
 
 namespace shigusa {
-
-// Work at which the penalty is full, as a share of the body's weight times its stature: about what
-// it takes to lower a body into a deep squat, and as much again.
-inline constexpr double kWorkShare = 0.4;
-
-struct WorkSettings {
-  double share = kWorkShare;  // of weight times stature, > 0
-};
 
 // Work (J) at which the penalty is full.
 [[nodiscard]] double full_work(const BodyModel& body, const WorkSettings& settings);

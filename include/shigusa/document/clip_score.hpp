@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <shigusa/body/skeleton.hpp>
 #include <shigusa/character/character.hpp>
 #include <shigusa/core/result.hpp>
 #include <shigusa/generate/generator.hpp>
@@ -47,10 +49,12 @@ struct ClipScore {
   std::vector<std::string> doubts;  // that make the figures worth less
 };
 
+struct Rig;
+
 // A motion file, and the body that it drives.
 struct RecordedMotion {
   SkeletonMotion motion;
-  Rig rig;
+  std::shared_ptr<const Rig> rig;  // of its nodes; there where it was read
   BodyModel body;
 };
 

@@ -7,7 +7,9 @@
 #include <shigusa/core/result.hpp>
 #include <shigusa/document/task_file.hpp>
 #include <shigusa/generate/generator.hpp>
-#include <shigusa/motion/resample.hpp>
+#include <shigusa/motion/clip.hpp>
+#include <shigusa/rollout/parameters.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -94,6 +96,8 @@ struct StoredResult {
 // The same, and notes what was set; `fixed` begins as no_fixed_parameters.
 [[nodiscard]] Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
                                          FixedParameters& fixed);
+
+struct Layer;
 
 // The same of layered parameters, whose `layers` are those to the goals:
 //   right_hip.flexion.weight=12, right_hip.weight=12, right_hip.locked=true   of the upper layer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/body/body_constants.hpp>
 #include <shigusa/dynamics/inverse_dynamics.hpp>
 
 namespace shigusa {

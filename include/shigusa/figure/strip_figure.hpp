@@ -46,6 +46,15 @@ struct StripSettings {
   std::vector<Limb> accented{Limb::right_arm};  // drawn in the accent colour
 };
 
+// Fills in the settings that a motion file does not tell: the bones, as names and shape tell them,
+// and of a whole person the axis that points up and the unit, all measured in the settings' first
+// frame. A `stature` (m) scales the figure to that height. Returns why the figure is no whole
+// person; it is then drawn as it stands, +Y up, in metres, or in centimetres where it would be
+// taller than anybody. The text is empty for a person. Fails on a stature outside 0.5 to 2.5 m.
+[[nodiscard]] Result<std::string> understand_figure(const SkeletonMotion& motion,
+                                                    std::optional<double> stature,
+                                                    StripSettings& settings);
+
 // The strip figure of the paper's figures 4 to 7: a motion as poses from left to right over time on
 // one floor line, in parallel projection. Same input and same libraries, same bytes.
 //

@@ -4,7 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <shigusa/generate/final_posture.hpp>
+#include <shigusa/generate/posture_meter.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <shigusa/search/problem.hpp>
 #include <span>

@@ -6,8 +6,9 @@
 #include <shigusa/core/result.hpp>
 #include <shigusa/generate/final_posture.hpp>
 #include <shigusa/generate/verdict.hpp>
-#include <shigusa/layers/layered_parameters.hpp>
-#include <shigusa/rollout/rollout.hpp>
+#include <shigusa/layers/layer_parameters.hpp>
+#include <shigusa/motion/motion.hpp>
+#include <shigusa/rollout/parameters.hpp>
 #include <shigusa/task/task.hpp>
 #include <string>
 #include <vector>

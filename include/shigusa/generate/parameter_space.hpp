@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <shigusa/body/posture_modes.hpp>
+#include <shigusa/rollout/motion_input.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/body/body_constants.hpp>
 #include <shigusa/body/body_model.hpp>
 #include <span>
 #include <vector>

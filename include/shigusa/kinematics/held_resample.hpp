@@ -2,7 +2,7 @@
 #pragma once
 
 #include <shigusa/body/body_model.hpp>
-#include <shigusa/motion/resample.hpp>
+#include <shigusa/motion/clip.hpp>
 #include <vector>
 
 namespace shigusa {

@@ -6,6 +6,7 @@
 #include <shigusa/body/skeleton.hpp>
 #include <shigusa/motion/clip.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 #include <shigusa/person/twist_bones.hpp>
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/body/body_constants.hpp>
 #include <shigusa/core/check.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/math/ldlt.hpp>

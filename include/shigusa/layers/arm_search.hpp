@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <shigusa/layers/arm_motion.hpp>
+#include <shigusa/layers/layered_settings.hpp>
 #include <span>
 
 namespace shigusa {
@@ -14,15 +15,7 @@ namespace shigusa {
 using ArmGenes = std::array<std::uint8_t, kArmDofs>;
 [[nodiscard]] ArmWeights arm_weights(const ArmGenes& genes);
 
-// How an arm's genome is found among the 65,536 that there are. Two that lock two freedoms or more
-// are left out, as three are needed to place a hand, and so are multiples of another's weights.
-enum class LimbSearch {
-  // The best of the codes kLimbLadder in all combinations, then of all codes next to it, again and
-  // again until none is better: some 600 motions.
-  ladder,
-  // The best of all.
-  enumeration,
-};
+// The codes that LimbSearch::ladder begins with.
 inline constexpr std::array<std::uint8_t, 5> kLimbLadder{0, 1, 3, 7, 15};
 
 // Scores (genomes); lower is better.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/core/enum_words.hpp>
 #include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/layers/body_limbs.hpp>
+#include <shigusa/layers/layered_settings.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -112,18 +112,6 @@ struct Layer {
   std::vector<HandedLimb> hands_down;
 };
 
-// What the paper's count of 14 parameters for the whole body means (rule R2).
-enum class LayerReading {
-  shared_contractions,  // 6 weights a half, and 2 contractions: of the arms, of the legs
-  contraction_a_limb,   // hips do not rotate: 5 weights a half, and 4 contractions
-};
-
-template <>
-inline constexpr std::array kEnumWords<LayerReading>{
-    EnumWord{LayerReading::shared_contractions, "shared_contractions"},
-    EnumWord{LayerReading::contraction_a_limb, "contraction_a_limb"},
-};
-
 // The paper's two layers for a body: first the trunk with arms and legs of variable length, scored
 // by `criteria` when its limbs have been expanded; then one layer for each arm, scored by joint
 // range and torque. Fails on a body that is not a person's (find_limbs).
@@ -146,7 +134,6 @@ inline constexpr double kSwivelMax = radians(90.0);
     LayerReading reading = LayerReading::shared_contractions);
 
 // Which layers a body gets, and the reading of the first.
-enum class LayerStack { paper, human };
 struct LayerChoice {
   LayerStack stack = LayerStack::paper;
   LayerReading reading = LayerReading::shared_contractions;

@@ -3,6 +3,7 @@
 
 #include <shigusa/core/result.hpp>
 #include <shigusa/layers/arm_motion.hpp>
+#include <shigusa/layers/layer_parameters.hpp>
 #include <shigusa/layers/reduced_motion.hpp>
 #include <shigusa/rollout/goal.hpp>
 #include <span>
@@ -10,16 +11,6 @@
 #include <vector>
 
 namespace shigusa {
-
-// What a layered motion is generated from.
-struct LayeredParameters {
-  LayerParameters upper;           // trunk and limb lengths
-  std::vector<ArmWeights> arms{};  // (goals whose arm goes by weights)
-  std::vector<double> swivels{};   // (goals whose arm goes by its swivel) rad
-  std::vector<double> finals{};    // (final angles that layers search) rad
-
-  friend bool operator==(const LayeredParameters&, const LayeredParameters&) = default;
-};
 
 // One of the numbers that layered parameters consist of, by the name of its gene.
 struct LayeredMember {

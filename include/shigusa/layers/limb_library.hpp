@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <shigusa/layers/arm_search.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <span>
@@ -83,12 +81,6 @@ class LimbLibrary {
   std::uint64_t hash_ = 0;
   std::vector<Cell> cells_;
   int built_ = 0;
-};
-
-// Where libraries are kept between runs. Either may be empty. What `load` gives is not trusted.
-struct LimbStore {
-  std::function<std::optional<std::string>(const std::string& name)> load;
-  std::function<void(const std::string& name, std::string_view bytes)> save;
 };
 
 // "right_arm-0123456789abcdef.limb"

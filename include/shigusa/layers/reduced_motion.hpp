@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <shigusa/layers/layer_parameters.hpp>
 #include <shigusa/layers/reduced_limits.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/posture_law.hpp>
@@ -18,15 +19,6 @@ struct ReducedPlacement {
   std::vector<Vec3d> axis;      // (dofs) world: turned about, or slid along
 };
 void place_reduced(const ReducedBody& body, std::span<const double> q, ReducedPlacement& placed);
-
-// What a layer's motion is made from: its genes, decoded.
-struct LayerParameters {
-  std::vector<JointWeight> joints;  // (dofs of the layer's body); a slide's means nothing
-  // (limbs) 0..kLayerGeneMax, where the limb is longest and shortest
-  std::vector<double> contractions;
-
-  friend bool operator==(const LayerParameters&, const LayerParameters&) = default;
-};
 
 // The paper's code: (genes) each 0..kLayerGeneMax. Freedoms without a gene are locked.
 [[nodiscard]] LayerParameters decode_layer_genes(const Layer& layer,

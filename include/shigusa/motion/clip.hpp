@@ -22,4 +22,21 @@ struct Clip {
   [[nodiscard]] double duration() const { return frames > 1 ? (frames - 1) * frame_time : 0.0; }
 };
 
+// Frames a second of the files that motions leave in: what is usual, and what can be asked for
+// (Hz).
+inline constexpr double kUsualRate = 60.0;
+inline constexpr double kRateMin = 1.0;
+inline constexpr double kRateMax = 240.0;
+
+// Frames that a motion of this duration (s) has at so many a second, the first at time 0: the last
+// one is the first that is not before the motion's end.
+[[nodiscard]] int frames_at(double duration, double rate);
+
+// The clip at `rate` frames a second: frame k is the posture at k / rate, and the last one exactly
+// the clip's last. Between the clip's frames angles follow cubic Hermite splines, whose slope in a
+// frame is that between its neighbours, and 0 in the first and the last: a motion begins and ends
+// at rest. Where the clip's frames are h seconds apart, an angle q is off by h³ |d³q/dt³| / 40 at
+// most. Needs a frame, and a rate from kRateMin to kRateMax.
+[[nodiscard]] Clip resampled(const Clip& clip, double rate);
+
 }  // namespace shigusa

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/body/stature.hpp>
 #include <shigusa/person/landmarks.hpp>
 #include <string>
 #include <vector>

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <shigusa/body/skeleton.hpp>
+#include <shigusa/math/transform.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <vector>
 

@@ -11,12 +11,6 @@
 
 namespace shigusa {
 
-// What scoring many motions at once is done with; none of it changes a score.
-struct BatchSettings {
-  SimdSet simd = widest_simd_set();
-  int threads = 0;  // 0: one for each core
-};
-
 class LaneScorer;
 
 // Scores motions by the built-in criteria, many at once: one in each lane of a vector register, on

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <shigusa/body/body_model.hpp>
-#include <shigusa/rollout/motion_input.hpp>
+#include <shigusa/rollout/timing.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -121,21 +121,5 @@ struct FixedParameters {
 // are not as many values as the body has modes.
 [[nodiscard]] std::vector<double> posture_change(const BodyModel& body,
                                                  const PostureParameters& posture);
-
-// Parameters with the memory that a MotionInput looks into.
-class HeldInput {
- public:
-  HeldInput(const BodyModel& body, const Parameters& parameters);
-
-  [[nodiscard]] MotionInput<double> input() const;
-
- private:
-  std::vector<double> weights_;
-  std::vector<double> change_;  // empty without modes
-  PostureParameters posture_;
-  std::vector<double> later_weights_;  // empty without a later phase …
-  std::vector<double> later_change_;   // … and without modes
-  double switch_at_ = 0.0;
-};
 
 }  // namespace shigusa

@@ -2,35 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <shigusa/search/genetic_operators.hpp>
-#include <shigusa/search/problem.hpp>
+#include <shigusa/search/searches.hpp>
 
 namespace shigusa {
-
-// The paper's numbers (section 3.2); each is in docs/paper_map.md.
-inline constexpr int kPaperBitsPerGene = 4;         // 4 ビットの 2 進コード
-inline constexpr int kPaperPopulation = 8;          // 8 パターンの個体群
-inline constexpr double kPaperCrossoverRate = 0.5;  // 交叉確率は 0.5
-inline constexpr double kPaperMutationRate = 0.1;   // 突然変位率は 0.1
-inline constexpr int kPaperMaxGenerations = 20;     // 最大 20 世代
-// What the paper leaves open, settled by rule R7.
-inline constexpr int kPaperUnchangedGenerations = 3;  // generations without change that end it
-inline constexpr double kPaperFitnessOffset = 0.05;   // fitness F = 1 / (offset + score)
-
-struct GeneticSettings {
-  int bits_per_gene = kPaperBitsPerGene;                   // 1..kMaxBitsPerGene
-  int population = kPaperPopulation;                       // even, 2..1000
-  double crossover_rate = kPaperCrossoverRate;             // per pair, 0..1
-  double mutation_rate = kPaperMutationRate;               // per individual, 0..1
-  int max_generations = kPaperMaxGenerations;              // ≥ 0
-  int unchanged_generations = kPaperUnchangedGenerations;  // ≥ 1
-  double fitness_offset = kPaperFitnessOffset;             // 1e-12..1e12
-  std::uint64_t seed = 0;
-  std::uint64_t stream = 0;  // other random numbers for the same seed: restarts
-  std::optional<int>
-      max_evaluations{};  // genomes that may be scored, ≥ population; absent: no limit
-};
 
 // The paper's genetic algorithm (section 3.2, with rule R7 for what it leaves open); its steps are
 // the functions of genetic_operators.hpp. It searches over strings of codes, bits_per_gene bits for

@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <shigusa/core/enum_words.hpp>
-#include <shigusa/search/annealing.hpp>
-#include <shigusa/search/cma_es.hpp>
-#include <shigusa/search/differential_evolution.hpp>
-#include <shigusa/search/genetic.hpp>
-#include <shigusa/search/random_search.hpp>
-#include <type_traits>
+#include <shigusa/core/progress.hpp>
+#include <shigusa/search/problem.hpp>
 
 namespace shigusa {
+
+// The paper's numbers (section 3.2); each is in docs/paper_map.md.
+inline constexpr int kPaperBitsPerGene = 4;         // 4 ビットの 2 進コード
+inline constexpr int kPaperPopulation = 8;          // 8 パターンの個体群
+inline constexpr double kPaperCrossoverRate = 0.5;  // 交叉確率は 0.5
+inline constexpr double kPaperMutationRate = 0.1;   // 突然変位率は 0.1
+inline constexpr int kPaperMaxGenerations = 20;     // 最大 20 世代
+// What the paper leaves open, settled by rule R7.
+inline constexpr int kPaperUnchangedGenerations = 3;  // generations without change that end it
+inline constexpr double kPaperFitnessOffset = 0.05;   // fitness F = 1 / (offset + score)
+
+struct GeneticSettings {
+  int bits_per_gene = kPaperBitsPerGene;                   // 1..kMaxBitsPerGene
+  int population = kPaperPopulation;                       // even, 2..1000
+  double crossover_rate = kPaperCrossoverRate;             // per pair, 0..1
+  double mutation_rate = kPaperMutationRate;               // per individual, 0..1
+  int max_generations = kPaperMaxGenerations;              // ≥ 0
+  int unchanged_generations = kPaperUnchangedGenerations;  // ≥ 1
+  double fitness_offset = kPaperFitnessOffset;             // 1e-12..1e12
+  std::uint64_t seed = 0;
+  std::uint64_t stream = 0;  // other random numbers for the same seed: restarts
+  std::optional<int>
+      max_evaluations{};  // genomes that may be scored, ≥ population; absent: no limit
+};
 
 enum class SearchMethod {
   paper_ga,                // restarted_genetic_search, for the paper's weights 0..15
@@ -22,10 +44,18 @@ enum class SearchMethod {
   random,                  // random_search
 };
 
+// Each search by its default settings, with a budget of `evaluations` points.
+using SearchRun = SearchResult(const SearchProblem& problem, int evaluations, std::uint64_t seed,
+                               const Progress& progress);
+SearchRun genetic_by_default;  // restarted_genetic_search
+SearchRun annealing_by_default;
+SearchRun cma_es_by_default;
+SearchRun evolution_by_default;
+SearchRun random_by_default;
+
 // A search of one's own, called as these are. It scores at most `evaluations` points of the
 // problem, and returns the best it saw, and a final population that may be empty.
-using SearchFunction = std::function<SearchResult(const SearchProblem& problem, int evaluations,
-                                                  std::uint64_t seed, const Progress& progress)>;
+using SearchFunction = std::function<SearchRun>;
 
 // What there is to know of a method.
 struct SearchInfo {
@@ -33,36 +63,16 @@ struct SearchInfo {
   std::string_view word;
   bool paper_code;  // where a preset has the paper's weights 0..15, it searches these
   bool genetic;     // it converges by itself, and is restarted until its budget is used up
-  SearchResult (*run)(const SearchProblem&, int evaluations, std::uint64_t seed, const Progress&);
+  SearchRun* run;
 };
 
-// Runs a search by default settings.
-template <auto Search, class Settings>
-SearchResult run_by_default(const SearchProblem& problem, int evaluations, std::uint64_t seed,
-                            const Progress& progress) {
-  Settings settings;
-  settings.seed = seed;
-  if constexpr (std::is_same_v<Settings, GeneticSettings>) {
-    return Search(problem, settings, evaluations, progress);
-  } else {
-    settings.evaluations = evaluations;
-    return Search(problem, settings, progress);
-  }
-}
-
 inline constexpr std::array kSearches{
-    SearchInfo{SearchMethod::paper_ga, "paper_ga", true, true,
-               run_by_default<restarted_genetic_search, GeneticSettings>},
-    SearchInfo{SearchMethod::log_ga, "log_ga", false, true,
-               run_by_default<restarted_genetic_search, GeneticSettings>},
-    SearchInfo{SearchMethod::annealing, "annealing", true, false,
-               run_by_default<annealing_search, AnnealingSettings>},
-    SearchInfo{SearchMethod::cma_es, "cma_es", false, false,
-               run_by_default<cma_es_search, CmaEsSettings>},
-    SearchInfo{SearchMethod::differential_evolution, "de", false, false,
-               run_by_default<differential_evolution_search, DifferentialEvolutionSettings>},
-    SearchInfo{SearchMethod::random, "random", true, false,
-               run_by_default<random_search, RandomSettings>},
+    SearchInfo{SearchMethod::paper_ga, "paper_ga", true, true, genetic_by_default},
+    SearchInfo{SearchMethod::log_ga, "log_ga", false, true, genetic_by_default},
+    SearchInfo{SearchMethod::annealing, "annealing", true, false, annealing_by_default},
+    SearchInfo{SearchMethod::cma_es, "cma_es", false, false, cma_es_by_default},
+    SearchInfo{SearchMethod::differential_evolution, "de", false, false, evolution_by_default},
+    SearchInfo{SearchMethod::random, "random", true, false, random_by_default},
 };
 template <>
 inline constexpr auto kEnumWords<SearchMethod> = words_of_table(kSearches, &SearchInfo::method);

@@ -25,4 +25,10 @@ enum class SimdSet {
 // The widest of them.
 [[nodiscard]] SimdSet widest_simd_set();
 
+// What scoring many motions at once is done with; none of it changes a score.
+struct BatchSettings {
+  SimdSet simd = widest_simd_set();
+  int threads = 0;  // 0: one for each core
+};
+
 }  // namespace shigusa

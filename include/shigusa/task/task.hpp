@@ -3,15 +3,15 @@
 
 #include <optional>
 #include <shigusa/body/body_model.hpp>
+#include <shigusa/body/obstacle.hpp>
 #include <shigusa/core/enum_words.hpp>
 #include <shigusa/core/result.hpp>
-#include <shigusa/criteria/criteria.hpp>
+#include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/layers/layered_settings.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/rollout/goal.hpp>
 #include <shigusa/rollout/parameters.hpp>
-#include <shigusa/search/genetic.hpp>
 #include <shigusa/search/searches.hpp>
+#include <shigusa/simd/simd_set.hpp>
 #include <string>
 #include <vector>
 
@@ -154,14 +154,5 @@ struct Task {
 [[nodiscard]] Result<Task> prepared(const Task& task);
 // Whether that is another task.
 [[nodiscard]] bool needs_preparing(const Task& task);
-
-// The problem that a task poses to the search: paths from the start posture to the goals, and the
-// time for them. Fails with a message that names the goal and what is allowed: unknown effector
-// (with the nearest name), two goals for one effector, coordinates that are not finite or beyond
-// kGoalRange, no goal at all, a duration outside 0.05 to 60 s, criteria weights below 0 or all 0,
-// phases that the preset does not know or that a fixed parameter is not of, a load, an obstacle, a
-// rotation, an axis or a box out of range, more goals than kMaxIkRows allows.
-// The problem points into the task.
-[[nodiscard]] Result<ReachProblem> make_problem(const Task& task);
 
 }  // namespace shigusa
