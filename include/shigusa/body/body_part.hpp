@@ -11,8 +11,8 @@ namespace shigusa {
 // The parts of a person that nothing should pass through. A trunk is one part, or pelvis, spine,
 // chest and upper chest where it has joints: a body has the one or the others.
 enum class BodyPart {
-  head,  // the skull without its lower part, …
-  jaw,   // … and that
+  head,  // the skull without its lower part
+  jaw,   // the lower part of the skull
   neck,
   trunk,
   pelvis,
@@ -32,6 +32,7 @@ enum class BodyPart {
   left_hand,
   right_hand,
 };
+// Number of the parts.
 inline constexpr int kBodyPartCount = 20;
 
 // "left_upper_arm".
@@ -49,11 +50,13 @@ struct PartShape {
 
 // (parts) shapes, as far as they are known.
 struct PartShapes {
-  std::array<std::optional<PartShape>, kBodyPartCount> shape{};
+  std::array<std::optional<PartShape>, kBodyPartCount> shape{};  // by the number of the part
 
+  // The shape of a part, or nothing.
   [[nodiscard]] const std::optional<PartShape>& operator[](BodyPart part) const {
     return shape[static_cast<std::size_t>(part)];
   }
+  // The same, to be changed.
   [[nodiscard]] std::optional<PartShape>& operator[](BodyPart part) {
     return shape[static_cast<std::size_t>(part)];
   }

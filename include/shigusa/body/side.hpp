@@ -3,6 +3,7 @@
 
 namespace shigusa {
 
+// A side of the body, as the person has it.
 enum class Side { left, right };
 
 }  // namespace shigusa

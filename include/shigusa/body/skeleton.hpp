@@ -20,7 +20,7 @@ struct SkeletonNode {
 // A hierarchy of named nodes, parents before children: the form that files hold. The kernel
 // computes on BodyModel instead.
 struct Skeleton {
-  std::vector<SkeletonNode> nodes;
+  std::vector<SkeletonNode> nodes;  // parents before children
 
   // Index of the node of that name, or -1.
   [[nodiscard]] int find(std::string_view name) const;
@@ -29,15 +29,16 @@ struct Skeleton {
 // A node's place in its parent's frame.
 struct LocalTransform {
   Vec3d translation{};  // m
-  Quatd rotation{};
+  Quatd rotation{};     // from the node's axes to its parent's
 };
 
 // Motion of a skeleton at a constant frame time.
 struct SkeletonClip {
-  double frame_time = 1.0 / 60.0;  // s
-  int frames = 0;
+  double frame_time = 1.0 / 60.0;     // s
+  int frames = 0;                     // postures, at equal times
   std::vector<LocalTransform> local;  // (frames × nodes) each node in its parent's frame
 
+  // The transforms of all nodes at one frame, 0..frames-1.
   [[nodiscard]] const LocalTransform* frame(const Skeleton& skeleton, int index) const {
     return local.data() + static_cast<std::size_t>(index) * skeleton.nodes.size();
   }
@@ -45,8 +46,8 @@ struct SkeletonClip {
 
 // A skeleton with its motion: what a motion file holds. Metres, seconds, radians.
 struct SkeletonMotion {
-  Skeleton skeleton;
-  SkeletonClip clip;
+  Skeleton skeleton;  // the nodes at rest
+  SkeletonClip clip;  // how they move
 };
 
 // Origins of all nodes at rest: (nodes), in the file's world, metres.

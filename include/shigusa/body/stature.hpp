@@ -7,13 +7,14 @@
 
 namespace shigusa {
 
+// The sex that tables of masses and strengths are taken for.
 enum class Sex { male, female };
 
 // A standing person's build.
 struct Stature {
-  double stature = 1.741;  // m, 0.5..2.5
-  double mass = 73.0;      // kg, 2..300
-  Sex sex = Sex::male;
+  double stature = 1.741;   // m, 0.5..2.5
+  double mass = 73.0;       // kg, 2..300
+  Sex sex = Sex::male;      // of the tables
   Side base = Side::right;  // the foot that bears the body
   bool heels = false;       // they may lift; of human_body
 };

@@ -34,14 +34,14 @@ using BoneRequest = std::vector<std::pair<std::string, std::string>>;
 // which the mesh was bound.
 inline constexpr int kRestPose = -1;
 
-// Who moves: a built-in body, or a person measured from a file.
+// The one who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
   // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, FBX, URDF or MJCF file;
   // for a person or a robot read before (landmarks, urdf below), only a name
   std::string source = "full_body";
-  std::optional<double> stature{};  // m, 0.5..2.5
-  std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
-  Sex sex = Sex::male;
+  std::optional<double> stature{};     // m, 0.5..2.5
+  std::optional<double> mass{};        // kg, 2..300; from stature and sex when not given
+  Sex sex = Sex::male;                 // of the tables of masses and strengths
   std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
   // of the file's motion: the start posture, exactly as that frame has it, or kRestPose. Of glTF it
   // is one of an animation, at 60 frames a second. None: of an animation its first; else of glTF

@@ -19,15 +19,16 @@ namespace shigusa {
 // angle lets it grow to (LimitCoupling).
 [[nodiscard]] std::pair<double, double> widest_limits(const BodyModel& body, int dof);
 
-// What is told of a twist bone of the file: whose twist it shares.
+// A twist bone of the file, and whose twist it shares.
 struct TwistShare {
-  std::string node;
-  std::string bone;
-  double share = 0.0;
+  std::string node;    // of the file
+  std::string bone;    // humanoid bone whose twist it shares
+  double share = 0.0;  // of the way along that bone, 0..1
 };
+// The twist bones of the character's file; none without its rig.
 [[nodiscard]] std::vector<TwistShare> twist_shares(const CharacterSpec& spec);
 
-// What was understood of a character, as JSON text: the object that `shigusa body --json` prints,
+// The character as it was understood, as JSON text: the object that `shigusa body --json` prints,
 // whose `nodes` are those of node_motion.
 [[nodiscard]] std::string format_character(const CharacterSpec& spec, const BodyModel& body);
 

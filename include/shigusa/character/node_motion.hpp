@@ -13,12 +13,13 @@ namespace shigusa {
 // A node that a motion moves: of the character's own file where its rig is at hand, else of the
 // body's skeleton.
 struct CharacterNode {
-  std::string name;
+  std::string name;    // in the file
   int parent = -1;     // index of an earlier node; -1 for a root
   Vec3d offset{};      // at rest in the parent, in units of node_unit
   int file_node = -1;  // of glTF: index in the file
 };
 
+// All nodes that node_motion moves, parents before children.
 [[nodiscard]] std::vector<CharacterNode> character_nodes(const CharacterSpec& character,
                                                          const BodyModel& body);
 // m per unit of the nodes' translations.

@@ -28,8 +28,8 @@ namespace shigusa {
 // A value of an enum and the word that files, options and messages have for it.
 template <class Enum>
 struct EnumWord {
-  Enum value;
-  std::string_view word;
+  Enum value;             // of the enum
+  std::string_view word;  // in files
 };
 
 template <class Enum>
@@ -58,6 +58,7 @@ template <class Enum>
   return {};
 }
 
+// All words of an enum, in the order of kEnumWords.
 template <class Enum>
 [[nodiscard]] std::vector<std::string> all_words() {
   std::vector<std::string> words;

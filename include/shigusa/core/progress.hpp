@@ -23,10 +23,11 @@ struct ProgressReport {
 // far; so does the `deadline` once it has passed. What is found by a deadline depends on the
 // machine's speed.
 struct Progress {
-  std::function<void(const ProgressReport&)> report{};
-  const std::atomic<bool>* cancel = nullptr;
-  std::optional<std::chrono::steady_clock::time_point> deadline{};
+  std::function<void(const ProgressReport&)> report{};              // called at each step
+  const std::atomic<bool>* cancel = nullptr;                        // ends the work once it is true
+  std::optional<std::chrono::steady_clock::time_point> deadline{};  // ends it once it has passed
 
+  // Whether the work is to end now.
   [[nodiscard]] bool cancelled() const {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return true;
     return deadline && std::chrono::steady_clock::now() >= *deadline;

@@ -8,6 +8,7 @@
 
 namespace shigusa {
 
+// The kind of an error.
 enum class ErrorCode {
   invalid_argument,  // the caller's or the user's value is outside what is allowed
   not_found,         // a file, joint or effector of that name does not exist
@@ -17,12 +18,12 @@ enum class ErrorCode {
   cancelled,         // the user stopped the work
 };
 
-// What went wrong, where, and what would be right. `place` is empty or a location such as
+// A failure with its place and the remedy. `place` is empty or a location such as
 // "line 12 of walk.bvh"; `message` names the value seen and the values allowed.
 struct Error {
-  ErrorCode code = ErrorCode::invalid_argument;
-  std::string message;
-  std::string place;
+  ErrorCode code = ErrorCode::invalid_argument;  // the kind
+  std::string message;                           // for a person
+  std::string place;                             // where it is, or empty
 
   // One line for a person: "line 12 of walk.bvh: ...".
   [[nodiscard]] std::string to_string() const {
@@ -35,6 +36,7 @@ struct Error {
 template <class T>
 using Result = tl::expected<T, Error>;
 
+// Makes an error to be returned as a Result.
 [[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, std::string message,
                                                 std::string place = {}) {
   return tl::unexpected<Error>(Error{code, std::move(message), std::move(place)});

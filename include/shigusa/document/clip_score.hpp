@@ -23,39 +23,42 @@ inline constexpr double kFootSteps = 0.03;
 // Joints that are this far (m) from the recorded ones on average make another motion.
 inline constexpr double kFollowsBadly = 0.03;
 
+// How a recorded motion is scored.
 struct ScoreSettings {
-  CriteriaSettings criteria = default_criteria();
-  int first = 0;                  // frames of the file that are scored …
-  std::optional<int> last{};      // … the last one included; the file's last when not given
+  CriteriaSettings criteria = default_criteria();  // the mixture
+  int first = 0;                                   // the first frame of the file that is scored
+  std::optional<int> last{};      // the last one, included; the file's last when not given
   double cutoff = kMotionCutoff;  // Hz, of low_pass; 0 takes the angles as they are
 };
 
 // A clip's scoring as JSON asks for it: {"criteria": "default", "first": 0, "last": 80,
 // "smoothed_hz": 6, "animation": "Take 1", "character": …}, all of which may be left out.
 struct ClipRequest {
-  ScoreSettings settings{};
-  std::string animation{};
+  ScoreSettings settings{};  // how it is scored
+  std::string animation{};   // name or index of it in the file; the first when empty
   std::optional<CharacterSpec> character{};  // the clip's own person when not given
 };
+// Parses such a text; `name` stands for it in errors.
 [[nodiscard]] Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view name);
 
-// What a clip's motion is like on a body.
+// The score of a clip's motion on a body.
 struct ClipScore {
-  Score score;
-  Motion motion;  // smoothed; of the frames that are scored, without effectors
-  ClipFit fit;    // as recorded, with the frames around
-  MotionMeasures measures;
-  FinalPosture final_posture;
+  Score score;                      // by the settings' criteria
+  Motion motion;                    // smoothed; of the frames that are scored, without effectors
+  ClipFit fit;                      // as recorded, with the frames around
+  MotionMeasures measures;          // what the motion asks of the body
+  FinalPosture final_posture;       // how it ends
   std::vector<std::string> doubts;  // that make the figures worth less
 };
 
+// Ties a skeleton to a body.
 struct Rig;
 
 // A motion file, and the body that it drives.
 struct RecordedMotion {
-  SkeletonMotion motion;
+  SkeletonMotion motion;           // as the file has it
   std::shared_ptr<const Rig> rig;  // of its nodes; there where it was read
-  BodyModel body;
+  BodyModel body;                  // that follows it
 };
 
 // Reads a clip: .bvh, or an animation of a .glb, .gltf, .vrm or .vrma file, sampled at 60 Hz, by

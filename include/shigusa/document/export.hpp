@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// What a candidate can be written as.
+// The formats that a candidate can be written in.
 enum class ExportFormat { bvh, csv, svg, png, pdf, glb, vrma };
 
 // Parses a list such as "bvh,csv,png"; an empty one is no format.
@@ -27,8 +27,9 @@ enum class ExportFormat { bvh, csv, svg, png, pdf, glb, vrma };
 // Makes the folder, if need be, and makes sure that files can be written to it.
 [[nodiscard]] Result<void> prepare_folder(const std::filesystem::path& folder);
 
+// How a result is written to a folder.
 struct ExportSettings {
-  std::vector<ExportFormat> formats;
+  std::vector<ExportFormat> formats;  // of each candidate
   bool one_file = false;     // all candidates in candidates.glb, in place of a GLB for each
   double rate = kUsualRate;  // Hz, of BVH, GLB and VRMA: kRateMin to kRateMax
   // the file that the character came from, so that the result can tell where it is; or empty

@@ -16,16 +16,20 @@
 
 namespace shigusa {
 
+// The version of the format that is written.
 inline constexpr int kResultVersion = 1;
+// A larger file is refused.
 inline constexpr std::size_t kResultMaxBytes = std::size_t{64} << 20;
+// A result of more candidates is refused.
 inline constexpr std::size_t kResultMaxCandidates = 1000;
+// The name of a result's own file in its folder.
 inline constexpr const char* kSummaryName = "summary.json";
 
-// What a result says beside the motions; none of it changes them.
+// Facts about a run, which a result tells beside the motions; none of them changes a motion.
 struct RunInfo {
-  double elapsed_ms = 0.0;
-  int threads = 1;
-  std::string simd = "scalar";
+  double elapsed_ms = 0.0;          // of the search
+  int threads = 1;                  // that it had
+  std::string simd = "scalar";      // name of its SIMD set
   std::string search = "paper_ga";  // "edit" where parameters were given instead of searched
 };
 
@@ -49,7 +53,7 @@ struct CandidateFile {
 // By format: "bvh".
 using CandidateFiles = std::map<std::string, CandidateFile>;
 
-// What is written beside a result.
+// The files that are written beside a result.
 struct ResultFiles {
   double rate = kUsualRate;                  // Hz, of BVH, GLB and VRMA
   std::vector<CandidateFiles> candidates{};  // one for each, or none where nothing is written
@@ -65,13 +69,13 @@ struct ResultFiles {
 
 // A result as read back: enough to generate its motions again and to edit them.
 struct StoredResult {
-  TaskFile task;
+  TaskFile task;                       // that it is the result of
   std::vector<Parameters> candidates;  // in rank order
   std::vector<LayeredParameters>
       layered;                          // the same of layered presets, whose `candidates` are none
   std::vector<CandidateFiles> files{};  // of each candidate; what was read back is not kept
-  std::string character{};              // as ResultFiles has it, …
-  double rate = kUsualRate;             // … and this
+  std::string character{};              // as ResultFiles has it
+  double rate = kUsualRate;             // Hz, as ResultFiles has it
 };
 
 // Parses a result. Errors name the place, the value seen and what is allowed.
@@ -97,6 +101,7 @@ struct StoredResult {
 [[nodiscard]] Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
                                          FixedParameters& fixed);
 
+// One layer of a hierarchy.
 struct Layer;
 
 // The same of layered parameters, whose `layers` are those to the goals:

@@ -10,13 +10,16 @@
 
 namespace shigusa {
 
+// The formats that a figure can be written in.
 enum class FigureFormat { svg, png, pdf };
 
+// A limb of a figure.
 enum class Limb { left_arm, right_arm, left_leg, right_leg };
 
+// The most poses that a strip may have.
 inline constexpr int kStripMaxPoses = 60;
 
-// What is drawn beside the figure itself; positions in the skeleton's world and unit.
+// Marks that are drawn beside the figure itself; positions in the skeleton's world and unit.
 struct StripOverlay {
   std::vector<Vec3d> goals;           // ringed crosses, in every pose
   std::vector<Vec3d> centre_of_mass;  // (frames) a quartered disc and its plumb line; may be empty
@@ -24,6 +27,7 @@ struct StripOverlay {
   std::string caption;                // UTF-8, below the strip in DejaVu Sans; may be empty
 };
 
+// How a strip figure is drawn.
 struct StripSettings {
   int poses = 7;        // poses drawn, equally spaced in time, first and last included
   int first_frame = 0;  // the part of the clip that is drawn; time labels count from here
@@ -34,7 +38,7 @@ struct StripSettings {
 
   double azimuth_deg = 50.0;    // viewer's place: 0 in front, positive towards the figure's right
   double elevation_deg = 10.0;  // viewer above the horizon
-  Vec3d up{0, 1, 0};
+  Vec3d up{0, 1, 0};            // of the skeleton's world, of any length but 0
   // absent: as the hips of the first pose tell, else +Z (+X when up is Z)
   std::optional<Vec3d> facing;
   // height along `up`; absent: 0, or the lowest node drawn where that is further than a tenth of

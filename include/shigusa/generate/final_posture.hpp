@@ -6,7 +6,8 @@
 
 namespace shigusa {
 
-// What a person would say about the posture that a motion ends in, measured on its joints' places.
+// The posture that a motion ends in, as a person would describe it, measured on the places of
+// joints.
 struct FinalPosture {
   double knee_flexion = 0.0;  // rad, mean of the knees that stand
   // 100 (1 - drop of the hips / drop of the shoulders), people's bending: below 30 a full squat,
@@ -19,8 +20,9 @@ struct FinalPosture {
   double elbow_swivel = 0.0;
 };
 
-// Where words begin: half way between squat and stoop is neither.
+// A stoop-squat index below this is called a squat; half way between squat and stoop is neither.
 inline constexpr double kSquatIndex = 40.0;
+// A stoop-squat index above this is called a stoop.
 inline constexpr double kStoopIndex = 80.0;
 
 // "stoop", "squat, turned left", "upright, elbow out": what tells it from others in a few words.

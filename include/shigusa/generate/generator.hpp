@@ -15,11 +15,13 @@
 
 namespace shigusa {
 
+// Whether the candidates meet their goals.
 enum class ReachStatus {
   reached,      // every candidate meets every goal within kReachTolerance and kTurnTolerance
   unsteady,     // so they do, and every one of them is impossible: see Judgement
   unreachable,  // the body cannot; candidates end at the closest point
 };
+// The words of ReachStatus.
 template <>
 inline constexpr std::array kEnumWords<ReachStatus>{
     EnumWord{ReachStatus::reached, "reached"},
@@ -34,6 +36,7 @@ enum class PathKind {
   detour,    // by way of a via point around the body
   free,      // as the posture takes it: no path leads there with these parameters
 };
+// The words of PathKind.
 template <>
 inline constexpr std::array kEnumWords<PathKind>{
     EnumWord{PathKind::straight, "straight"},
@@ -45,20 +48,20 @@ inline constexpr std::array kEnumWords<PathKind>{
 // How a goal's effector is turned.
 struct TurnResult {
   Quatd start{};                  // R_WE in the start posture, see GoalAxis
-  Quatd reached{};                // … and at the end
+  Quatd reached{};                // R_WE at the end
   std::optional<double> error{};  // rad, from the goal's rotation or between its axis and direction
 };
 
 // Where a goal's effector ends.
 struct GoalResult {
-  std::string effector;
-  std::string node;    // node of the exported skeleton whose origin it is
-  Vec3d goal{};        // m, world
-  Vec3d reached{};     // m, world
-  double error = 0.0;  // m, from the goal or its box
-  PathKind path = PathKind::straight;
-  Vec3d tolerance{};  // m, see Goal
-  TurnResult turn;
+  std::string effector;                // that the goal is for
+  std::string node;                    // node of the exported skeleton whose origin it is
+  Vec3d goal{};                        // m, world
+  Vec3d reached{};                     // m, world
+  double error = 0.0;                  // m, from the goal or its box
+  PathKind path = PathKind::straight;  // how it went there
+  Vec3d tolerance{};                   // m, see Goal
+  TurnResult turn;                     // how it is turned
 };
 
 // How far a heel lifts, at any frame.
@@ -69,23 +72,23 @@ struct HeelLift {
 
 // How well a planted foot stood.
 struct ContactResult {
-  std::string effector;
-  std::string node;
+  std::string effector;            // name of the foot
+  std::string node;                // node of the exported skeleton that moves with it
   double max_slide = 0.0;          // m, at any frame
   std::optional<HeelLift> heel{};  // of one that may lift
 };
 
 // One way to get there.
 struct Candidate {
-  Parameters parameters;
-  Motion motion;
-  Score score;
-  std::vector<GoalResult> goals;
-  double path_error = 0.0;  // m, largest distance from the path at any frame that follows it
-  std::vector<ContactResult> contacts;
-  MotionMeasures measures;
-  Judgement judgement;  // whether the body could make the motion
-  FinalPosture final_posture;
+  Parameters parameters;          // that the motion is generated from; empty of layered presets
+  Motion motion;                  // from the start posture to the goals
+  Score score;                    // by the task's criteria
+  std::vector<GoalResult> goals;  // in the task's order
+  double path_error = 0.0;        // m, largest distance from the path at any frame that follows it
+  std::vector<ContactResult> contacts;  // of planted feet
+  MotionMeasures measures;              // what the motion asks of the body
+  Judgement judgement;                  // whether the body could make the motion
+  FinalPosture final_posture;           // how it ends
   // Of layered presets, what the motion is generated from; `parameters` are empty then.
   std::optional<LayeredParameters> layered{};
   double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
@@ -93,21 +96,22 @@ struct Candidate {
   bool collision_left = false;  // it is deeper than kCollisionDepth all the same
 };
 
-// What a search came to.
+// The result of a search for motions.
 struct Generation {
-  ReachStatus status = ReachStatus::reached;
+  ReachStatus status = ReachStatus::reached;  // whether the goals are met
   double remaining_distance = 0.0;  // m, of the best candidate to its goals; 0 when reached
   double remaining_turn = 0.0;      // rad, the largest that is left of a goal's turn; the same
-  // What is impossible after all that is not, and of each the lowest score first; at least one.
+  // At least one: the possible ones first, then the impossible ones, each by score, the lowest
+  // first.
   std::vector<Candidate> candidates;
   std::string fewer;      // why there are fewer than asked for; else empty
   double duration = 0.0;  // s
   // The task gives no duration, and nothing that was found is possible in the usual one: this is
   // one in which something is. See played_task.
   bool slowed = false;
-  int evaluations = 0;  // motions scored by the search
-  int runs = 1;         // of the preset paper: with other random numbers each, see generate
-  int generations = 0;
+  int evaluations = 0;     // motions scored by the search
+  int runs = 1;            // of the preset paper: with other random numbers each, see generate
+  int generations = 0;     // of the search, in all runs
   int rejected_nan = 0;    // motions that a criterion scored NaN
   int near_copies = 0;     // distinct genomes whose motions were all but a better one's
   int missed = 0;          // final genomes that missed a goal, left the path or moved a foot
@@ -117,9 +121,9 @@ struct Generation {
   double replay_difference = 0.0;  // the most that a candidate's score in the search was off by
   std::optional<Parameters> best_seen;  // the best of all genomes evaluated, kept or not
   std::optional<LayeredParameters> best_seen_layered;  // the same of layered presets
-  double best_seen_score = 0.0;
-  int cells_searched = 0;  // of the arms' libraries, which were in no store
-  SearchEnd end = SearchEnd::converged;
+  double best_seen_score = 0.0;                        // of that genome
+  int cells_searched = 0;                // of the arms' libraries, which were in no store
+  SearchEnd end = SearchEnd::converged;  // why the search ended
 
   // Whether the candidates end at their goals.
   [[nodiscard]] bool meets_goals() const { return status != ReachStatus::unreachable; }
@@ -133,18 +137,18 @@ struct Generation {
 inline constexpr double kDistinctPosture = radians(5.0);
 // Presets other than the paper's tell candidates apart by how they end: root mean square (rad).
 inline constexpr double kDistinctEnd = radians(10.0);
-// … or, where fewer than asked for do, by this: a hand's own way, such as an elbow held higher
-// (rad).
+// Where fewer than asked for differ by so much, this is enough (rad): a hand's own way, such as an
+// elbow held higher.
 inline constexpr double kNearEnd = radians(5.0);
-// What a replay in double may bring two ends nearer by (rad).
+// A replay in double may bring two ends nearer by this (rad).
 inline constexpr double kEndSlack = radians(0.1);
-// Candidates score at most this much worse than the best …
+// Candidates score at most this much worse than the best.
 inline constexpr double kCandidateSpread = 0.15;
-// … or this, where the best bends down and none of their style is better: people squat although it
-// costs more.
+// Where the best bends down, one that is the best of its style may be worse by this: people squat
+// although it costs more.
 inline constexpr double kStyleSpread = 0.3;
 // Searches score in single precision; every candidate is played again in double and scored anew.
-// What scores may differ by without being counted: feasibility takes the worst moment of
+// Scores may differ by this without being counted: feasibility takes the worst moment of
 // accelerations, which single precision puts off by some 2e-3 rad/s².
 inline constexpr double kReplayTolerance = 5e-3;
 // How near (m) a candidate must come to the closest point where the goal is out of reach.

@@ -16,6 +16,7 @@ enum class Verdict {
   strains,     // some people of its stature, mass and sex could
   impossible,  // nobody could
 };
+// The words of Verdict.
 template <>
 inline constexpr std::array kEnumWords<Verdict>{
     EnumWord{Verdict::possible, "possible"},
@@ -23,13 +24,14 @@ inline constexpr std::array kEnumWords<Verdict>{
     EnumWord{Verdict::impossible, "impossible"},
 };
 
-// What makes a motion hard, or impossible.
+// The kinds of reasons that make a motion hard, or impossible.
 enum class ReasonKind {
   strength,   // a joint needs more than it has
   pressure,   // the floor would have to press outside what the feet stand on
   collision,  // a part is in another one, an obstacle or the floor
   limit,      // a joint is beyond its range
 };
+// The words of ReasonKind.
 template <>
 inline constexpr std::array kEnumWords<ReasonKind>{
     EnumWord{ReasonKind::strength, "strength"},
@@ -38,16 +40,17 @@ inline constexpr std::array kEnumWords<ReasonKind>{
     EnumWord{ReasonKind::limit, "limit"},
 };
 
+// One reason why a motion is hard.
 struct Reason {
-  ReasonKind kind = ReasonKind::strength;
-  Verdict verdict = Verdict::strains;
+  ReasonKind kind = ReasonKind::strength;  // what it is about
+  Verdict verdict = Verdict::strains;      // how hard that alone makes the motion
   // what is asked for: a share of the joint's strength; else m outside the feet, m deep, or rad
   // beyond the limit
   double amount = 0.0;
   std::string subject{};         // freedom, or capsule; empty of the pressure
   std::string other{};           // what the capsule is in
-  double torque = 0.0;           // N·m, of strength: needed …
-  double strength = 0.0;         // N·m, … and had, in that direction
+  double torque = 0.0;           // N·m, of strength: that the joint needs
+  double strength = 0.0;         // N·m, of strength: that the joint has, in that direction
   std::optional<double> time{};  // s, of the worst moment; none of limits
 };
 // "right_ankle.inversion needs 213 N·m at 0.61 s, 8.5 times its strength".
@@ -55,8 +58,8 @@ struct Reason {
 
 // From where on a motion strains, and from where on it is impossible.
 struct VerdictBounds {
-  double strains;
-  double impossible;
+  double strains;     // above this a motion strains
+  double impossible;  // above this a motion is impossible
 };
 // Share of a joint's strength. Strengths are those of an average person. A standard deviation of a
 // quarter of the mean is assumed among people of one sex, so that one in forty has 1.5 times as
@@ -74,17 +77,18 @@ inline constexpr VerdictBounds kLimitBounds{radians(3.0), radians(10.0)};
 
 // The verdict on a motion: that of its worst reason, and all reasons, the worst first.
 struct Judgement {
-  Verdict verdict = Verdict::possible;
-  std::vector<Reason> reasons;
+  Verdict verdict = Verdict::possible;  // of the worst reason
+  std::vector<Reason> reasons;          // the worst first
   // s: where the motion is impossible, and only for its haste, the least duration in which it is
   // possible or, if none up to kSlowest times its own is, in which it strains
   std::optional<double> possible_in{};
 };
+// Judges a motion by what was measured of it, without possible_in.
 [[nodiscard]] Judgement judge(const BodyModel& body, const MotionMeasures& measures);
 
 // A motion that is slower than this many times its duration is another motion.
 inline constexpr double kSlowest = 3.0;
-// The same of a motion that is at hand, with possible_in.
+// Judges a motion that is at hand, with possible_in.
 [[nodiscard]] Judgement judge(const BodyModel& body, const Motion& motion,
                               const MotionMeasures& measures);
 

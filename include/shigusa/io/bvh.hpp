@@ -11,9 +11,12 @@
 
 namespace shigusa {
 
-// What a BVH file may hold at most; more is refused before memory is taken.
+// The most bytes of a file; more is refused before memory is taken, as is what is beyond the next
+// three.
 inline constexpr std::size_t kBvhMaxBytes = std::size_t{64} << 20;
+// The most joints and end sites of a file.
 inline constexpr int kBvhMaxNodes = 4096;
+// The most frames of a file.
 inline constexpr int kBvhMaxFrames = 200'000;
 inline constexpr std::size_t kBvhMaxTransforms = 8'000'000;  // frames × nodes: 450 MB
 // Numbers beyond this are refused, infinities and NaN among them.
@@ -21,16 +24,16 @@ inline constexpr double kBvhMaxValue = 1e9;
 
 // One column of a BVH's motion.
 struct BvhChannel {
-  bool rotates = false;
-  Axis axis = Axis::x;
+  bool rotates = false;  // about the axis; else it moves along it
+  Axis axis = Axis::x;   // of the parent's frame
 };
 // (nodes) the channels of each in their order; of end sites none.
 using BvhChannels = std::vector<std::vector<BvhChannel>>;
 
 // A BVH file: its motion, and how it writes it.
 struct BvhFile {
-  SkeletonMotion motion;
-  BvhChannels channels;
+  SkeletonMotion motion;  // in the file's own unit and axes
+  BvhChannels channels;   // of its nodes
 };
 
 // Parses BVH text. Lengths stay in the file's own unit (BVH does not tell it) and axes in the
@@ -55,8 +58,10 @@ struct BvhFile {
 
 // Reads and parses a BVH file.
 [[nodiscard]] Result<SkeletonMotion> read_bvh(const std::filesystem::path& path);
+// The same with the channels.
 [[nodiscard]] Result<BvhFile> read_bvh_file(const std::filesystem::path& path);
 
+// How format_bvh writes a motion.
 struct BvhFormat {
   double unit = 0.01;  // m per unit written: centimetres, what animation tools expect of BVH
   // Channels of the nodes as another file has them; empty: as told below. A node keeps its own

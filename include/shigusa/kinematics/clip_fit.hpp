@@ -20,12 +20,13 @@ struct FootTravel {
 struct ClipFit {
   Clip clip;       // with the frames around
   int before = 0;  // how many of these come before the first that is looked at
-  // between recorded joints and the body's, those of the standing foot apart:
-  double mean_distance = 0.0;   // m, over joints and frames
-  double worst_distance = 0.0;  // m
-  std::string worst_joint;      // humanoid bone
-  int worst_frame = 0;          // of the record
-  std::vector<FootTravel> feet;
+  // m, between recorded joints and the body's, over joints and frames; those of the standing foot
+  // apart
+  double mean_distance = 0.0;
+  double worst_distance = 0.0;   // m, the largest of the same
+  std::string worst_joint;       // humanoid bone that it is of
+  int worst_frame = 0;           // of the record, when it is
+  std::vector<FootTravel> feet;  // how far the recorded feet go
 };
 
 }  // namespace shigusa

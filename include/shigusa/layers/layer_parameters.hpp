@@ -7,21 +7,22 @@
 
 namespace shigusa {
 
-// What a layer's motion is made from: its genes, decoded.
+// The numbers that a layer's motion is made from: its genes, decoded.
 struct LayerParameters {
   std::vector<JointWeight> joints;  // (dofs of the layer's body); a slide's means nothing
-  // (limbs) 0..kLayerGeneMax, where the limb is longest and shortest
+  // (limbs) 0..15, where the limb is longest and shortest
   std::vector<double> contractions;
 
   friend bool operator==(const LayerParameters&, const LayerParameters&) = default;
 };
 
+// Freedoms of an arm that moves by weights.
 inline constexpr int kArmDofs = 4;
 
-// Of shoulder flexion, abduction and rotation, and elbow flexion.
+// The weights of shoulder flexion, abduction and rotation, and elbow flexion.
 using ArmWeights = std::array<JointWeight, kArmDofs>;
 
-// What a layered motion is generated from.
+// The numbers that a layered motion is generated from.
 struct LayeredParameters {
   LayerParameters upper;           // trunk and limb lengths
   std::vector<ArmWeights> arms{};  // (goals whose arm goes by weights)

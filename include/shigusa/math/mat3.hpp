@@ -8,10 +8,11 @@ namespace shigusa {
 // 3×3 matrix by columns; as a rotation R_AB, its columns are the axes of frame B seen in A.
 template <class S>
 struct Mat3 {
-  Vec3<S> cx{S(1), S(0), S(0)};
-  Vec3<S> cy{S(0), S(1), S(0)};
-  Vec3<S> cz{S(0), S(0), S(1)};
+  Vec3<S> cx{S(1), S(0), S(0)};  // first column
+  Vec3<S> cy{S(0), S(1), S(0)};  // second column
+  Vec3<S> cz{S(0), S(0), S(1)};  // third column
 
+  // The column of that index, 0..2.
   [[nodiscard]] const Vec3<S>& column(int i) const { return i == 0 ? cx : i == 1 ? cy : cz; }
 
   friend Vec3<S> operator*(const Mat3& m, const Vec3<S>& v) {
@@ -25,24 +26,28 @@ struct Mat3 {
   friend bool operator==(const Mat3&, const Mat3&) = default;
 };
 
+// A matrix of double.
 using Mat3d = Mat3<double>;
 
+// A constant as the kernel's scalar.
 template <class S, class T>
 [[nodiscard]] Mat3<S> to_scalar(const Mat3<T>& m) {
   return {to_scalar<S>(m.cx), to_scalar<S>(m.cy), to_scalar<S>(m.cz)};
 }
 
+// mᵀ, of a rotation its inverse.
 template <class S>
 [[nodiscard]] Mat3<S> transpose(const Mat3<S>& m) {
   return {{m.cx.x, m.cy.x, m.cz.x}, {m.cx.y, m.cy.y, m.cz.y}, {m.cx.z, m.cy.z, m.cz.z}};
 }
 
-// transpose(m) * v
+// mᵀ v.
 template <class S>
 [[nodiscard]] Vec3<S> transpose_times(const Mat3<S>& m, const Vec3<S>& v) {
   return {dot(m.cx, v), dot(m.cy, v), dot(m.cz, v)};
 }
 
+// One of a frame's axes.
 enum class Axis { x, y, z };
 
 // The columns a and b of a rotation after a turn from a towards b, given its sine and cosine.
@@ -69,7 +74,7 @@ template <class S>
   return m;
 }
 
-// Rot(axis, angle) · v, given the sine and cosine of the angle …
+// Rot(axis, angle) · v, given the sine and cosine of the angle.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vec3<S> turned(const Vec3<S>& v, Axis axis,
                                                         const SinCos<S>& a) {
@@ -82,7 +87,7 @@ template <class S>
       return {v.x * a.cos - v.y * a.sin, v.y * a.cos + v.x * a.sin, v.z};
   }
 }
-// … and by the angle the other way round: v seen from a frame that is turned.
+// Rot(axis, -angle) · v, given those of the angle: v seen from a frame that is turned.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vec3<S> turned_back(const Vec3<S>& v, Axis axis,
                                                              const SinCos<S>& a) {

@@ -8,10 +8,10 @@ namespace shigusa {
 // Unit quaternion, order x, y, z, w; q and -q are the same rotation.
 template <class S>
 struct Quat {
-  S x{};
-  S y{};
-  S z{};
-  S w{S(1)};
+  S x{};      // axis · sin(angle / 2), its x
+  S y{};      // its y
+  S z{};      // its z
+  S w{S(1)};  // cos(angle / 2)
 
   friend Quat operator*(const Quat& a, const Quat& b) {
     return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
@@ -22,6 +22,7 @@ struct Quat {
   friend bool operator==(const Quat&, const Quat&) = default;
 };
 
+// A quaternion of double.
 using Quatd = Quat<double>;
 
 // Of q and -q, which are the same rotation, the one nearer to `near`.
@@ -37,6 +38,7 @@ using Quatd = Quat<double>;
           axis == Axis::z ? half.sin : 0.0, half.cos};
 }
 
+// The rotation matrix of a unit quaternion.
 template <class S>
 [[nodiscard]] Mat3<S> to_matrix(const Quat<S>& q) {
   const S two(2);

@@ -9,43 +9,53 @@
 // its own overloads of the same names. sqrt and + - * / are exact by IEEE 754 on all machines.
 namespace shigusa {
 
+// π.
 inline constexpr double kPi = 3.14159265358979323846;
 
-// What a scalar S of the kernel is made of: the type of the constants that it is computed with.
+// Tells of a scalar S of the kernel which numbers it is made of.
 template <class S>
 struct ScalarTraits {
-  using Element = S;
-  static constexpr int kLanes = 1;
+  using Element = S;                // what each lane is
+  static constexpr int kLanes = 1;  // numbers that S holds
 };
+// The type of the constants that a scalar S is computed with.
 template <class S>
 using Element = typename ScalarTraits<S>::Element;
 
+// Degrees in radians.
 [[nodiscard]] constexpr double radians(double angle_deg) { return angle_deg * (kPi / 180.0); }
+// Radians in degrees.
 [[nodiscard]] constexpr double degrees(double angle) { return angle * (180.0 / kPi); }
 
 // condition ? yes : no; for packs the choice is made lane by lane.
 [[nodiscard]] inline double select(bool condition, double yes, double no) {
   return condition ? yes : no;
 }
+// √x, exactly rounded; NaN below 0.
 [[nodiscard]] inline double sqrt(double x) { return __builtin_sqrt(x); }
+// |x|.
 [[nodiscard]] inline double abs(double x) { return __builtin_fabs(x); }
-// min and max return a where a or b is NaN.
+// The smaller of both; a where a or b is NaN.
 [[nodiscard]] inline double min(double a, double b) { return b < a ? b : a; }
+// The larger of both; a where a or b is NaN.
 [[nodiscard]] inline double max(double a, double b) { return a < b ? b : a; }
+// x held to low..high.
 template <class S>
 [[nodiscard]] inline S clamp(S x, S low, S high) {
   return min(max(x, low), high);
 }
-// True when the condition holds in any (in all) of the lanes.
+// Whether the condition holds in any of the lanes.
 [[nodiscard]] inline bool any(bool condition) { return condition; }
+// Whether the condition holds in all lanes.
 [[nodiscard]] inline bool all(bool condition) { return condition; }
 // False for infinities and NaN.
 [[nodiscard]] inline bool is_finite(double x) { return x - x == 0.0; }
 
+// Sine and cosine of one angle.
 template <class S>
 struct SinCos {
-  S sin;
-  S cos;
+  S sin;  // of the angle
+  S cos;  // of the same
 };
 
 // sin and cos of an angle in radians; absolute error below 2.3e-16 for |angle| ≤ 1e6 and below 1e-7
@@ -112,11 +122,12 @@ struct SinCos {
   return y < 0.0 ? -angle : angle;
 }
 
-// Inverse sine and cosine; the argument is clamped to [-1, 1]. Absolute error below 1e-15.
+// Inverse sine (rad); the argument is clamped to [-1, 1]. Absolute error below 1e-15.
 [[nodiscard]] inline double asin(double x) {
   const double c = clamp(x, -1.0, 1.0);
   return atan2(c, sqrt((1.0 - c) * (1.0 + c)));
 }
+// Inverse cosine (rad); the argument is clamped to [-1, 1]. Absolute error below 1e-15.
 [[nodiscard]] inline double acos(double x) {
   const double c = clamp(x, -1.0, 1.0);
   return atan2(sqrt((1.0 - c) * (1.0 + c)), c);

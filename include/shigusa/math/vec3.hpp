@@ -5,15 +5,19 @@
 
 namespace shigusa {
 
+// A vector of three coordinates, or a point, in the frame and unit that its owner tells.
 template <class S>
 struct Vec3 {
-  S x{};
-  S y{};
-  S z{};
+  S x{};  // along the x axis
+  S y{};  // along the y axis
+  S z{};  // along the z axis
 
+  // The coordinate of that index, 0..2.
   [[nodiscard]] const S& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+  // The same, to be changed.
   [[nodiscard]] S& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
 
+  // Adds b.
   Vec3& operator+=(const Vec3& b) {
     x = x + b.x;
     y = y + b.y;
@@ -28,18 +32,22 @@ struct Vec3 {
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
+// A vector of double.
 using Vec3d = Vec3<double>;
 
+// a · b.
 template <class S>
 [[nodiscard]] S dot(const Vec3<S>& a, const Vec3<S>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+// a × b.
 template <class S>
 [[nodiscard]] Vec3<S> cross(const Vec3<S>& a, const Vec3<S>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+// |a|.
 template <class S>
 [[nodiscard]] S norm(const Vec3<S>& a) {
   return sqrt(dot(a, a));

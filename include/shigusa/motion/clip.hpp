@@ -9,23 +9,26 @@ namespace shigusa {
 
 // A body's motion: joint angles at equally spaced times.
 struct Clip {
-  int dofs = 0;
-  int frames = 0;
+  int dofs = 0;                    // freedoms of the body
+  int frames = 0;                  // postures
   double frame_time = 1.0 / 60.0;  // s
   std::vector<double> angles;      // (frames × dofs) rad, dof order of BodyModel
 
+  // (dofs) rad, the angles of one frame, 0..frames-1.
   [[nodiscard]] std::span<const double> frame(int index) const {
     return std::span<const double>(angles).subspan(
         static_cast<std::size_t>(index) * static_cast<std::size_t>(dofs),
         static_cast<std::size_t>(dofs));
   }
+  // From the first frame to the last (s).
   [[nodiscard]] double duration() const { return frames > 1 ? (frames - 1) * frame_time : 0.0; }
 };
 
-// Frames a second of the files that motions leave in: what is usual, and what can be asked for
-// (Hz).
+// Frames a second of the files that motions leave in, where nobody asks for others (Hz).
 inline constexpr double kUsualRate = 60.0;
+// The fewest frames a second that can be asked for (Hz).
 inline constexpr double kRateMin = 1.0;
+// The most frames a second that can be asked for (Hz).
 inline constexpr double kRateMax = 240.0;
 
 // Frames that a motion of this duration (s) has at so many a second, the first at time 0: the last

@@ -7,7 +7,7 @@
 
 namespace shigusa {
 
-// A motion with what can be read off it: what criteria of the user's own are given.
+// A motion with the quantities that can be read off it. Criteria of the user's own are given this.
 struct Motion {
   Clip clip;                                  // joint angles
   std::vector<double> torques;                // (frames × dofs) N·m, dof order of BodyModel

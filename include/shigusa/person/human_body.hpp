@@ -18,15 +18,16 @@ enum class BodyExtent {
   human,
 };
 
+// How build_human makes a body.
 struct HumanSettings {
-  std::string name = "body";
-  BodyExtent extent = BodyExtent::full;
-  double stature = 1.741;  // m
-  double mass = 73.0;      // kg
-  Sex sex = Sex::male;
-  Side base = Side::right;  // the foot that bears the body where both stand
-  bool on_both = false;     // both feet stand, however high the one is above the other
-  bool sits = false;        // on both thighs, see build_human; not of half extent
+  std::string name = "body";             // of the body
+  BodyExtent extent = BodyExtent::full;  // how much of it moves
+  double stature = 1.741;                // m
+  double mass = 73.0;                    // kg
+  Sex sex = Sex::male;                   // of the tables of masses and strengths
+  Side base = Side::right;               // the foot that bears the body where both stand
+  bool on_both = false;                  // both feet stand, however high the one is above the other
+  bool sits = false;                     // on both thighs, see build_human; not of half extent
   // Heels may lift: the body stands on its forefeet, and each foot turns about its toes' joint. Of
   // extent human, standing.
   bool heels = false;
@@ -42,9 +43,9 @@ inline constexpr double kLiftedFoot = 0.05;
 // start posture lies outside a joint limit, that limit is widened to hold it, with a doubt. Half
 // extent: the left leg's mass moves as the right leg's translation, the left arm's with the trunk,
 // and leg strengths count for both legs (paper, section 3.1; each number in docs/paper_map.md).
-// Who sits has the right thigh as the base, and the left one stands in a foot's place: the pelvis
-// tips over them and turns no further. The legs below are one piece with their thighs, and where
-// their soles are on the floor these are a part of what bears the body.
+// A person who sits has the right thigh as the base, and the left one stands in a foot's place: the
+// pelvis tips over them and turns no further. The legs below are one piece with their thighs, and
+// where their soles are on the floor these are a part of what bears the body.
 [[nodiscard]] BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
                                     std::vector<std::string> doubts = {});
 
@@ -52,9 +53,11 @@ inline constexpr double kLiftedFoot = 0.05;
 // Maki, Clinical Biomechanics 12 (1997) 66-70). The half body's foot points straight ahead.
 inline constexpr double kStandingToeOut = radians(7.0);
 
-// The built-in bodies, standing at ease (standing_landmarks).
+// Makes the body of 9 freedoms, standing at ease (standing_landmarks).
 [[nodiscard]] BodyModel half_body(const Stature& stature = {});
+// Makes the body of 18 freedoms, standing at ease.
 [[nodiscard]] BodyModel full_body(const Stature& stature = {});
+// Makes the body of 45 freedoms, standing at ease.
 [[nodiscard]] BodyModel human_body(const Stature& stature = {});
 
 }  // namespace shigusa

@@ -34,6 +34,7 @@ enum class HumanoidBone {
   left_shoulder,
   right_shoulder,
 };
+// Number of the bones.
 inline constexpr int kHumanoidBoneCount = 22;
 
 // "right_upper_leg".
@@ -44,10 +45,13 @@ struct HumanoidMap {
   std::array<int, kHumanoidBoneCount> node;  // node index, or -1 where the skeleton has none
   std::vector<std::string> doubts;           // sentences for a person: guesses that may be wrong
 
+  // No bone is known.
   HumanoidMap() { node.fill(-1); }
+  // The node that a bone is, or -1.
   [[nodiscard]] int operator[](HumanoidBone bone) const {
     return node[static_cast<std::size_t>(bone)];
   }
+  // The same, to be changed.
   [[nodiscard]] int& operator[](HumanoidBone bone) { return node[static_cast<std::size_t>(bone)]; }
 };
 

@@ -17,29 +17,31 @@ using SoleOutline = std::array<Vec3d, 4>;
 // are made of. Metres, in shigusa's world: +Y up, facing +Z, left is +X, origin on the floor
 // between the feet.
 struct Landmarks {
+  // Joints of a leg (m).
   struct Leg {
-    Vec3d hip;
-    Vec3d knee;
-    Vec3d ankle;
-    Vec3d toe;  // tip of the foot
+    Vec3d hip;    // centre of the joint
+    Vec3d knee;   // centre of the joint
+    Vec3d ankle;  // centre of the joint
+    Vec3d toe;    // tip of the foot
     // the toes' joint, of a character that lifts its heels the file's node; see toes_joint
     std::optional<Vec3d> toes{};
     // of a character with a mesh the shoe's, at the height of its lowest point; none: by stature
     std::optional<SoleOutline> sole{};
   };
+  // Joints of an arm (m).
   struct Arm {
-    Vec3d shoulder;
-    Vec3d elbow;
-    Vec3d wrist;
-    Vec3d fingertip;
+    Vec3d shoulder;                   // centre of the joint
+    Vec3d elbow;                      // centre of the joint
+    Vec3d wrist;                      // centre of the joint
+    Vec3d fingertip;                  // tip of the third finger
     std::optional<Vec3d> clavicle{};  // its joint with the breastbone; none: part of the trunk
     // where the hand holds things: of a character the node nearest to it; see grip_of
     std::optional<Vec3d> grip{};
   };
-  Leg left_leg;
-  Leg right_leg;
-  Arm left_arm;
-  Arm right_arm;
+  Leg left_leg;    // the person's own left
+  Leg right_leg;   // and right
+  Arm left_arm;    // the person's own left
+  Arm right_arm;   // and right
   Vec3d neck;      // base of the neck (C7)
   Vec3d head_top;  // vertex
   // Joints that the paper's rigid trunk does without; a person from a file may lack some.
@@ -47,9 +49,11 @@ struct Landmarks {
   std::optional<Vec3d> head{};  // between neck and skull
   PartShapes parts{};  // of a character with a mesh, those that it tells; see body_part.hpp
 
+  // The leg of a side.
   [[nodiscard]] const Leg& leg(Side side) const {
     return side == Side::left ? left_leg : right_leg;
   }
+  // The arm of a side.
   [[nodiscard]] const Arm& arm(Side side) const {
     return side == Side::left ? left_arm : right_arm;
   }
@@ -60,6 +64,7 @@ struct Landmarks {
 
 // Where the toes bend: their own joint, or at kToesShare of the way from the ankle to the tip.
 [[nodiscard]] Vec3d toes_joint(const Landmarks::Leg& leg);
+// Share of the way from the ankle to the tip of the foot at which toes bend.
 inline constexpr double kToesShare = 0.7;
 
 // Landmarks of a person standing upright at ease: knees bent by 5°, elbows by 10°, arms hanging,

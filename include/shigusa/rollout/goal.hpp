@@ -25,7 +25,7 @@ struct Goal {
   // How it is turned from the world's axes to its frame (see GoalAxis), a unit quaternion to within
   // kUnitSlack; or one axis, about which it may turn. At most one of both.
   std::optional<Quatd> rotation{};
-  std::optional<GoalAxis> axis{};
+  std::optional<GoalAxis> axis{};  // the one axis
   Vec3d tolerance{};  // m, ≥ 0: half the sides of the box about `position` where any place will do
   friend bool operator==(const Goal&, const Goal&) = default;
 };

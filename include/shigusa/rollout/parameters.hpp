@@ -15,13 +15,15 @@ namespace shigusa {
 // Weights that a person may set; only their ratios matter. Over wider ratios the damping, which is
 // relative, would blunt the goals.
 inline constexpr double kWeightMin = 1e-3;
+// The largest weight that a person may set.
 inline constexpr double kWeightMax = 1e3;
 // Weights of the logarithmic codes are e^-5.5 .. e^5.5: a range of 15 is too narrow to reach
 // natural postures, and wider ones add nothing.
 inline constexpr double kLogWeightRange = 5.5;
 inline constexpr double kPostureMax = 3.2;  // rad, of a posture mode's value
-// Share of the duration about which a motion's second phase may begin.
+// The earliest share of the duration about which a motion's second phase may begin.
 inline constexpr double kSwitchMin = 0.2;
+// The latest share of the duration about which it may begin.
 inline constexpr double kSwitchMax = 0.8;
 
 // How readily one joint freedom moves.
@@ -53,14 +55,15 @@ struct LaterPhase {
 // One number of the posture: its name, where it is, and what is allowed.
 struct PostureMember {
   std::string name;  // a mode's name, "delay", "bow", "skew", "sway", "later.squat", "switch"
-  double* value = nullptr;
-  double low = 0.0;
-  double high = 0.0;
-  bool angle = false;  // in radians
+  double* value = nullptr;  // where the number is
+  double low = 0.0;         // the least that is allowed
+  double high = 0.0;        // the most that is allowed
+  bool angle = false;       // in radians
 };
 
-// What the names of the later phase begin with: "later.right_knee.flexion", "later.squat".
+// The names of the later phase begin with this: "later.right_knee.flexion", "later.squat".
 inline constexpr std::string_view kLaterPrefix = "later.";
+// The name of the number that tells when the later phase begins.
 inline constexpr std::string_view kSwitchName = "switch";
 // "squat" of "later.squat"; a name of the first phase as it is.
 [[nodiscard]] constexpr std::string_view name_within_phase(std::string_view name) {
@@ -77,9 +80,9 @@ inline constexpr std::string_view kSwitchName = "switch";
 
 // The few readable numbers that a motion is generated from; what a search finds and a person edits.
 struct Parameters {
-  std::vector<JointWeight> joints;  // (dofs) in the body's order
-  PostureParameters posture{};      // no modes: weights alone, as in the paper
-  std::optional<LaterPhase> later{};
+  std::vector<JointWeight> joints;    // (dofs) in the body's order
+  PostureParameters posture{};        // no modes: weights alone, as in the paper
+  std::optional<LaterPhase> later{};  // the second phase, of a motion that has one
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };

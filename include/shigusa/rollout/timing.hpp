@@ -21,19 +21,19 @@ struct Timing {
 
 // One of these numbers.
 struct TimingNumber {
-  std::string_view name;
-  double low;  // what is allowed
-  double high;
-  double searched_low;  // what searches look through
-  double searched_high;
-  bool searched;  // by the usual searches; the others leave it at 0
+  std::string_view name;  // "bow"
+  double low;             // the least that is allowed
+  double high;            // the most that is allowed
+  double searched_low;    // the least that searches try
+  double searched_high;   // the most that searches try
+  bool searched;          // by the usual searches; the others leave it at 0
 };
 
 inline constexpr double kDelayMax = 0.5;  // share of the duration
 // Of the path's length, what a path may leave its line by: by its bow forwards or (< 0) backwards,
-// by its sway outwards or inwards. People's reaches leave it by a tenth to a fifth …
+// by its sway outwards or inwards. People's reaches leave it by a tenth to a fifth.
 inline constexpr double kBowMax = 0.3;
-// … and by how much searches do.
+// By so much of it searches let a path leave its line.
 inline constexpr double kBowSearched = 0.2;
 
 // All of them; whatever reads, writes, searches or shows a timing goes by this table.
@@ -43,6 +43,7 @@ inline constexpr std::array kTimingNumbers{
     TimingNumber{"skew", -1.0, 1.0, -1.0, 1.0, false},
     TimingNumber{"sway", -kBowMax, kBowMax, -kBowSearched, kBowSearched, true},
 };
+// Number of them.
 inline constexpr std::size_t kTimings = kTimingNumbers.size();
 // Where they are, in the table's order.
 template <class S>

@@ -8,6 +8,7 @@
 
 namespace shigusa {
 
+// The most coordinates that a point may have.
 inline constexpr int kMaxGenes = 10000;
 
 // A minimisation over the unit cube. Searches know numbers, never bodies; batch evaluation is the
@@ -32,9 +33,14 @@ struct Individual {
   friend bool operator==(const Individual&, const Individual&) = default;
 };
 
-enum class SearchEnd { converged, budget, cancelled };
+// Why a search ended.
+enum class SearchEnd {
+  converged,  // by itself
+  budget,     // all evaluations are used up
+  cancelled,  // by the caller, or by a deadline
+};
 
-// What a search returns.
+// The result of a search.
 //
 // Every search is anytime: its budget decides where it stops and nothing else. The points that are
 // scored with one budget are the first of those scored with a larger one, so with the same seed
@@ -45,7 +51,7 @@ struct SearchResult {
   int evaluations = 0;                       // points scored
   int rejected_nan = 0;                      // scores that were NaN
   int generations = 0;                       // completed after the initial population
-  SearchEnd end = SearchEnd::budget;
+  SearchEnd end = SearchEnd::budget;         // why it ended
 };
 
 // The final population, each point once, lowest score first; equal ones in their order.

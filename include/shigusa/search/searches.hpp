@@ -12,60 +12,63 @@
 namespace shigusa {
 
 // The paper's numbers (section 3.2); each is in docs/paper_map.md.
-inline constexpr int kPaperBitsPerGene = 4;         // 4 ビットの 2 進コード
-inline constexpr int kPaperPopulation = 8;          // 8 パターンの個体群
-inline constexpr double kPaperCrossoverRate = 0.5;  // 交叉確率は 0.5
-inline constexpr double kPaperMutationRate = 0.1;   // 突然変位率は 0.1
-inline constexpr int kPaperMaxGenerations = 20;     // 最大 20 世代
-// What the paper leaves open, settled by rule R7.
-inline constexpr int kPaperUnchangedGenerations = 3;  // generations without change that end it
-inline constexpr double kPaperFitnessOffset = 0.05;   // fitness F = 1 / (offset + score)
+inline constexpr int kPaperBitsPerGene = 4;           // 4 ビットの 2 進コード
+inline constexpr int kPaperPopulation = 8;            // 8 パターンの個体群
+inline constexpr double kPaperCrossoverRate = 0.5;    // 交叉確率は 0.5
+inline constexpr double kPaperMutationRate = 0.1;     // 突然変位率は 0.1
+inline constexpr int kPaperMaxGenerations = 20;       // 最大 20 世代
+inline constexpr int kPaperUnchangedGenerations = 3;  // generations without change end it (rule R7)
+inline constexpr double kPaperFitnessOffset = 0.05;   // F = 1 / (offset + score) (rule R7)
 
+// The settings of the paper's genetic algorithm.
 struct GeneticSettings {
-  int bits_per_gene = kPaperBitsPerGene;                   // 1..kMaxBitsPerGene
+  int bits_per_gene = kPaperBitsPerGene;                   // 1..16
   int population = kPaperPopulation;                       // even, 2..1000
   double crossover_rate = kPaperCrossoverRate;             // per pair, 0..1
   double mutation_rate = kPaperMutationRate;               // per individual, 0..1
   int max_generations = kPaperMaxGenerations;              // ≥ 0
   int unchanged_generations = kPaperUnchangedGenerations;  // ≥ 1
   double fitness_offset = kPaperFitnessOffset;             // 1e-12..1e12
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;                                  // the same seed gives the same search
   std::uint64_t stream = 0;  // other random numbers for the same seed: restarts
   std::optional<int>
       max_evaluations{};  // genomes that may be scored, ≥ population; absent: no limit
 };
 
+// The searches that there are.
 enum class SearchMethod {
-  paper_ga,                // restarted_genetic_search, for the paper's weights 0..15
+  paper_ga,                // the paper's genetic algorithm, for the paper's weights 0..15
   log_ga,                  // the same, for logarithmic weights
-  annealing,               // annealing_search
-  cma_es,                  // cma_es_search: the default
-  differential_evolution,  // differential_evolution_search
-  random,                  // random_search
+  annealing,               // simulated annealing
+  cma_es,                  // covariance matrix adaptation: the default
+  differential_evolution,  // differential evolution
+  random,                  // uniformly random points
 };
 
-// Each search by its default settings, with a budget of `evaluations` points.
+// A search by its default settings, with a budget of `evaluations` points. The same seed gives the
+// same result.
 using SearchRun = SearchResult(const SearchProblem& problem, int evaluations, std::uint64_t seed,
                                const Progress& progress);
-SearchRun genetic_by_default;  // restarted_genetic_search
-SearchRun annealing_by_default;
-SearchRun cma_es_by_default;
-SearchRun evolution_by_default;
-SearchRun random_by_default;
+SearchRun genetic_by_default;    // the paper's genetic algorithm, again and again
+SearchRun annealing_by_default;  // simulated annealing, several chains side by side
+SearchRun cma_es_by_default;     // covariance matrix adaptation with restarts
+SearchRun evolution_by_default;  // differential evolution with rates that adapt themselves
+SearchRun random_by_default;     // uniformly random points, the yardstick of the others
 
 // A search of one's own, called as these are. It scores at most `evaluations` points of the
 // problem, and returns the best it saw, and a final population that may be empty.
 using SearchFunction = std::function<SearchRun>;
 
-// What there is to know of a method.
+// The facts about a method.
 struct SearchInfo {
-  SearchMethod method;
-  std::string_view word;
-  bool paper_code;  // where a preset has the paper's weights 0..15, it searches these
-  bool genetic;     // it converges by itself, and is restarted until its budget is used up
-  SearchRun* run;
+  SearchMethod method;    // that they are about
+  std::string_view word;  // in files
+  bool paper_code;        // where a preset has the paper's weights 0..15, it searches these
+  bool genetic;           // it converges by itself, and is restarted until its budget is used up
+  SearchRun* run;         // runs it
 };
 
+// All methods, in the order of SearchMethod.
 inline constexpr std::array kSearches{
     SearchInfo{SearchMethod::paper_ga, "paper_ga", true, true, genetic_by_default},
     SearchInfo{SearchMethod::log_ga, "log_ga", false, true, genetic_by_default},
@@ -74,9 +77,11 @@ inline constexpr std::array kSearches{
     SearchInfo{SearchMethod::differential_evolution, "de", false, false, evolution_by_default},
     SearchInfo{SearchMethod::random, "random", true, false, random_by_default},
 };
+// The words of SearchMethod.
 template <>
 inline constexpr auto kEnumWords<SearchMethod> = words_of_table(kSearches, &SearchInfo::method);
 
+// The facts about one method.
 [[nodiscard]] constexpr const SearchInfo& info_of(SearchMethod method) {
   return kSearches[static_cast<std::size_t>(method)];
 }

@@ -17,7 +17,9 @@ enum class SimdSet {
 
 // "scalar", "avx2", "avx512"; lanes_4 is "sse2" on x86 and "simd128" elsewhere.
 [[nodiscard]] std::string_view simd_name(SimdSet set);
+// The set of that name, or nothing.
 [[nodiscard]] std::optional<SimdSet> find_simd(std::string_view name);
+// How many motions a core scores at once by that set.
 [[nodiscard]] int simd_lanes(SimdSet set);
 
 // The sets that this program has and this machine can run, narrowest first; asked once.
@@ -25,10 +27,10 @@ enum class SimdSet {
 // The widest of them.
 [[nodiscard]] SimdSet widest_simd_set();
 
-// What scoring many motions at once is done with; none of it changes a score.
+// How many motions are scored at once; none of it changes a score.
 struct BatchSettings {
-  SimdSet simd = widest_simd_set();
-  int threads = 0;  // 0: one for each core
+  SimdSet simd = widest_simd_set();  // PreconditionError where the machine lacks it
+  int threads = 0;                   // 0: one for each core
 };
 
 }  // namespace shigusa

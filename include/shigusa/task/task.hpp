@@ -37,12 +37,12 @@ enum class Preset {
   human,   // three layers: trunk and limb lengths, the swivel of arms, then what no goal moves
 };
 
-// What a preset is, and has where a task says nothing else.
+// The traits of a preset, which hold where a task says nothing else.
 struct PresetTraits {
-  Preset preset;
-  std::string_view word;
-  SearchMethod search;
-  CriteriaSettings (*criteria)();
+  Preset preset;                     // that these are of
+  std::string_view word;             // in files
+  SearchMethod search;               // of its parameters
+  CriteriaSettings (*criteria)();    // scores its motions
   int candidates;                    // delivered at most
   int evaluations;                   // scored by searches that do not converge by themselves
   std::optional<LayerStack> layers;  // that it goes by
@@ -50,6 +50,7 @@ struct PresetTraits {
   // differ by how they end. The paper knows none of these, and tells whole motions apart.
   bool natural;
 };
+// All presets, in the order of Preset.
 inline constexpr std::array kPresets{
     PresetTraits{Preset::paper,
                  "paper",
@@ -72,9 +73,11 @@ inline constexpr std::array kPresets{
     PresetTraits{Preset::human, "human", SearchMethod::cma_es, default_criteria, kFlatCandidates,
                  kHumanEvaluations, LayerStack::human, true},
 };
+// The words of Preset.
 template <>
 inline constexpr auto kEnumWords<Preset> = words_of_table(kPresets, &PresetTraits::preset);
 
+// The traits of one preset.
 [[nodiscard]] constexpr const PresetTraits& traits_of(Preset preset) {
   return kPresets[static_cast<std::size_t>(preset)];
 }
@@ -84,37 +87,39 @@ inline constexpr double kFootLift = 0.10;
 
 // A goal's coordinates may not exceed this (m): nobody reaches so far, and numbers stay harmless.
 inline constexpr double kGoalRange = 100.0;
+// The most obstacles of a task.
 inline constexpr std::size_t kObstaclesMax = 64;
 inline constexpr double kTaskDurationMin = 0.05;  // s
 inline constexpr double kTaskDurationMax = 60.0;  // s
 
 inline constexpr int kPhasesMax = 2;  // weights and posture change once at most
 
-// What generates a motion from parameters.
+// The methods that generate a motion from parameters.
 enum class MotionGenerator {
   weighted_ik,  // the weighted pseudo-inverse (WeightedIk)
   nlp_ik,       // constrained minimisation in each frame (Zhao and Badler), always within limits
 };
 
+// The words of MotionGenerator.
 template <>
 inline constexpr std::array kEnumWords<MotionGenerator>{
     EnumWord{MotionGenerator::weighted_ik, "weighted_ik"},
     EnumWord{MotionGenerator::nlp_ik, "nlp_ik"},
 };
 
-// What is asked for. Another preset's criteria and number of candidates come by with_preset.
+// A request for motions. Another preset's criteria and number of candidates come by with_preset.
 struct Task {
-  BodyModel body;
-  std::vector<Goal> goals{};         // 1 or more, each for another effector
-  std::optional<double> duration{};  // s; from the distance (reach_duration) when not given
-  Preset preset = Preset::flat;
+  BodyModel body;                     // that moves, in its start posture
+  std::vector<Goal> goals{};          // 1 or more, each for another effector
+  std::optional<double> duration{};   // s; from the distance (reach_duration) when not given
+  Preset preset = Preset::flat;       // how the parameters are searched
   std::vector<Obstacle> obstacles{};  // at most kObstaclesMax; the criterion `collision` sees them
-  CriteriaSettings criteria = default_criteria();
-  std::optional<SearchMethod> search{};  // the preset's own when not given
-  SearchFunction own_search{};           // in the place of all these, when given; not of layers
-  std::uint64_t seed = 0;
-  GeneticSettings genetic{};  // of the searches paper_ga and log_ga, which take the task's seed
-  // What the search leaves as it is; nothing when not given.
+  CriteriaSettings criteria = default_criteria();  // what its motions are scored by
+  std::optional<SearchMethod> search{};            // the preset's own when not given
+  SearchFunction own_search{};  // in the place of all these, when given; not of layers
+  std::uint64_t seed = 0;       // the same seed gives the same motions
+  GeneticSettings genetic{};    // of the searches paper_ga and log_ga, which take the task's seed
+  // Parameters that the search leaves as they are; none when not given.
   std::optional<FixedParameters> fixed{};
   int candidates = kFlatCandidates;  // at most so many are delivered, ≥ 1
   // Of the preset flat: candidates are those of which none is better by joint range, balance and
@@ -139,14 +144,14 @@ struct Task {
 // Motions that are scored for a task that does not say how many, but for the paper's search.
 [[nodiscard]] int usual_evaluations(const Task& task);
 
-// What searches for a task: the method that it names, or its preset's.
+// The search of a task: the method that it names, or its preset's.
 [[nodiscard]] SearchMethod search_of(const Task& task);
 
 // The task by a preset, with its criteria and number of candidates.
 [[nodiscard]] Task with_preset(Task task, Preset preset);
 
-// What the task's motions are scored by: its criteria, with the eyes on look_at, or on the first
-// goal of a limb where nothing else is said.
+// The criteria that the task's motions are scored by: its own, with the eyes on look_at, or on the
+// first goal of a limb where nothing else is said.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
 
 // The task with its goals' loads in the body's hands, standing on its contacts; fails as
