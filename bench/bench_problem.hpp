@@ -5,6 +5,8 @@
 #include <shigusa/core/random.hpp>
 #include <shigusa/person/human_body.hpp>
 #include <shigusa/rollout/parameters.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/task/make_problem.hpp>
 #include <shigusa/task/task.hpp>
 #include <span>
 #include <string>

@@ -10,6 +10,7 @@
 #include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <shigusa/shigusa.hpp>
+#include <shigusa/task/make_problem.hpp>
 #include <string>
 #include <vector>
 

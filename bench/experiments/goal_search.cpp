@@ -6,6 +6,7 @@
 #include <shigusa/rollout/detour.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <shigusa/rollout/rollout.hpp>
+#include <shigusa/task/make_problem.hpp>
 
 namespace shigusa::bench {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <shigusa/generate/parameter_space.hpp>
+#include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/search/problem.hpp>
 #include <shigusa/task/task.hpp>
 

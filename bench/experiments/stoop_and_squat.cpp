@@ -3,6 +3,7 @@
 
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/generate/generator.hpp>
+#include <shigusa/generate/posture_meter.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <shigusa/search/cma_es.hpp>
 

@@ -3,8 +3,10 @@
 
 #include <shigusa/core/check.hpp>
 #include <shigusa/document/result_file.hpp>
+#include <shigusa/rollout/held_input.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <shigusa/search/cma_es.hpp>
+#include <shigusa/task/make_problem.hpp>
 
 #include "measures.hpp"
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <shigusa/core/parallel.hpp>
 #include <shigusa/document/clip_score.hpp>
+#include <shigusa/task/make_problem.hpp>
 
 #include "page.hpp"
 

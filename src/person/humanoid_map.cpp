@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 
 #include "bone_finder.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The preset layers from the command line: results, the library's cache, edits, what is refused.
+
 #include "app/result_checks.hpp"
 
 namespace shigusa {

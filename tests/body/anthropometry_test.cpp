@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <shigusa/body/anthropometry.hpp>
+#include <shigusa/math/vec3.hpp>
+#include <shigusa/person/landmarks.hpp>
 #include <vector>
 
 namespace shigusa {

@@ -6,6 +6,8 @@
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/person/at_ease.hpp>
+#include <shigusa/person/find_humanoid.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 #include "support/exported.hpp"
 #include "support/gltf_file.hpp"

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/generate/generator.hpp>
 #include <shigusa/io/gltf.hpp>

@@ -7,9 +7,11 @@
 #include <project/character_export.hpp>
 #include <project/landmarks_json.hpp>
 #include <shigusa/character/character_description.hpp>
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_skin.hpp>
+#include <shigusa/io/gltf_write.hpp>
 
 #include "support/mesh_file.hpp"
 

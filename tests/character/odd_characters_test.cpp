@@ -5,7 +5,10 @@
 
 #include <functional>
 #include <project/character_export.hpp>
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
+#include <shigusa/io/gltf_write.hpp>
+#include <shigusa/kinematics/rig.hpp>
 
 #include "support/convention.hpp"
 #include "support/exported_glb.hpp"

@@ -5,7 +5,9 @@
 #include <bit>
 #include <body/stick_figure.hpp>
 #include <project/character_export.hpp>
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
+#include <shigusa/io/gltf_write.hpp>
 #include <shigusa/person/at_ease.hpp>
 
 #include "support/exported_glb.hpp"

@@ -133,6 +133,17 @@ if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts a wide pa
 ar d "$tree/libscorers.a" pack_scorer_avx2.cpp.o
 if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts a library without scorers"; fi
 
+# comments of public headers
+if command -v doxygen >/dev/null; then
+  fresh
+  write include/shigusa/face.hpp 'namespace shigusa {' '/// Gives x.' 'double f(double x);' '}'
+  accepts check_docs.sh
+  write include/shigusa/face.hpp 'namespace shigusa {' 'double f(double x);' '}'
+  if sh "$scripts/check_docs.sh" "$tree" >/dev/null 2>&1; then
+    report "check_docs.sh accepts a declaration without a comment"
+  fi
+fi
+
 # licences
 fresh
 write scripts/tool '#!/bin/sh' '# SPDX-License-Identifier: MIT'

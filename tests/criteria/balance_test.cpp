@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/criteria/balance.hpp>
 
 #include "support/motions.hpp"

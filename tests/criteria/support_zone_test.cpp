@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/person/human_body.hpp>
 #include <shigusa/simd/pack.hpp>

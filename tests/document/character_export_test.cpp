@@ -2,7 +2,9 @@
 // Motions on the character's own skeleton, judged by the files' own forward kinematics.
 #include <gmock/gmock.h>
 
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 #include "document/schema_check.hpp"
 #include "support/exported.hpp"

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <shigusa/criteria/criteria.hpp>
 #include <shigusa/document/task_file.hpp>
 
 #include "support/bodies.hpp"

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <functional>
 #include <project/character_export.hpp>
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/io/gltf_write.hpp>
 #include <shigusa/kinematics/fit_clip.hpp>
 
 #include "support/exported_glb.hpp"
@@ -128,7 +130,9 @@ Played play(const Figure& figure, int frames, const Pose& pose) {
     return ExportedGlb(exporter.glb(std::span(&animation, 1)).value());
   };
   CharacterSpec plain = spec;
-  plain.rig->rig.twists.clear();
+  CharacterRig untwisted = *spec.rig;
+  untwisted.rig.twists.clear();
+  plain.rig = std::make_shared<const CharacterRig>(std::move(untwisted));
   ExportedGlb with = file(spec);
   ExportedGlb without = file(plain);
   return {std::move(spec), std::move(body), std::move(clip), std::move(with), std::move(without)};

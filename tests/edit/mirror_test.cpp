@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/edit/mirror.hpp>
 #include <shigusa/edit/replay.hpp>
 #include <shigusa/generate/generator.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
 
 #include "support/exported.hpp"
 

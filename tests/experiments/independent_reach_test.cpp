@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/rollout/reachability.hpp>
+#include <shigusa/task/make_problem.hpp>
 #include <shigusa/task/task.hpp>
 
 #include "experiments/subjects.hpp"

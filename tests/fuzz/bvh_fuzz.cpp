@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -8,7 +8,9 @@
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/io/gltf_write.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 #include <span>
 #include <string_view>
 

@@ -9,6 +9,7 @@
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
 #include <shigusa/rollout/rollout.hpp>
+#include <shigusa/task/make_problem.hpp>
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

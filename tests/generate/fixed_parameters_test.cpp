@@ -6,6 +6,7 @@
 #include <shigusa/document/result_file.hpp>
 #include <shigusa/generate/parameter_space.hpp>
 #include <shigusa/shigusa.hpp>
+#include <shigusa/task/make_problem.hpp>
 
 namespace shigusa {
 namespace {

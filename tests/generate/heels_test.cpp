@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/criteria/support_zone.hpp>
 #include <shigusa/dynamics/centre_of_mass.hpp>
 #include <shigusa/generate/generator.hpp>
+#include <shigusa/task/make_problem.hpp>
 
 #include "support/lanes.hpp"
 #include "support/problems.hpp"

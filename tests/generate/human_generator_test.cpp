@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <shigusa/task/make_problem.hpp>
 
 #include "support/layered.hpp"
 

@@ -9,6 +9,7 @@
 #include <shigusa/layers/arm_feedback.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <shigusa/search/searches.hpp>
+#include <shigusa/task/make_problem.hpp>
 #include <thread>
 
 #include "support/layered.hpp"

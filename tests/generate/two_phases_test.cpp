@@ -9,6 +9,8 @@
 #include <shigusa/generate/generator.hpp>
 #include <shigusa/generate/parameter_space.hpp>
 #include <shigusa/person/human_body.hpp>
+#include <shigusa/rollout/held_input.hpp>
+#include <shigusa/task/make_problem.hpp>
 
 #include "support/problems.hpp"
 

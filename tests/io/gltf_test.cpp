@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/io/gltf.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 #include "support/gltf_file.hpp"
 

@@ -3,6 +3,8 @@
 
 #include <set>
 #include <shigusa/generate/generator.hpp>
+#include <shigusa/layers/layer.hpp>
+#include <shigusa/layers/layered_parameters.hpp>
 
 #include "support/problems.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <shigusa/generate/generator.hpp>
 #include <shigusa/rollout/reachability.hpp>
+#include <shigusa/task/make_problem.hpp>
 
 #include "support/independent_reach.hpp"
 #include "support/problems.hpp"

@@ -3,8 +3,12 @@
 // understood with nothing said.
 #include <gmock/gmock.h>
 
+#include <shigusa/body/skeleton.hpp>
+#include <shigusa/core/result.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/human_body.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 #include "support/convention.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/core/check.hpp>
 #include <shigusa/dynamics/centre_of_mass.hpp>
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/dynamics/centre_of_mass.hpp>
 
 #include "support/bodies.hpp"

@@ -8,8 +8,10 @@
 #include <body/stick_figure.hpp>
 #include <filesystem>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 namespace shigusa {
 namespace {

@@ -8,8 +8,11 @@
 #include <body/stick_figure.hpp>
 #include <cmath>
 #include <filesystem>
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/landmarks.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 namespace shigusa {
 namespace {

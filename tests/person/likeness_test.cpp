@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include <shigusa/body/skeleton.hpp>
+#include <shigusa/math/transform.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/likeness.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 #include "support/convention.hpp"
 

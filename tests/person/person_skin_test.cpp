@@ -2,7 +2,10 @@
 // What a mesh tells of a person, on a figure whose flesh is drawn around its joints.
 #include <gmock/gmock.h>
 
+#include <shigusa/body/skin.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/human_body.hpp>
+#include <shigusa/person/measure_person.hpp>
 
 #include "person/stick_figure.hpp"
 

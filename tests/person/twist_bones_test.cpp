@@ -3,6 +3,7 @@
 
 #include <body/humanoid_names.hpp>
 #include <body/stick_figure.hpp>
+#include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/twist_bones.hpp>
 
 namespace shigusa {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/body/posture_modes.hpp>
 
 #include "support/bodies.hpp"

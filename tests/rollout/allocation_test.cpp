@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 #include <shigusa/rollout/batch_rollout.hpp>
+#include <shigusa/rollout/held_input.hpp>
 #include <shigusa/rollout/rollout.hpp>
 
 #include "support/problems.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <shigusa/body/anthropometry.hpp>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/criteria/joint_range.hpp>
 #include <shigusa/person/human_body.hpp>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <shigusa/body/posture_modes.hpp>
 #include <shigusa/nlp/nlp_rollout.hpp>
+#include <shigusa/rollout/held_input.hpp>
 
 #include "support/lanes.hpp"
 #include "support/problems.hpp"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <shigusa/math/vec3.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <sstream>
 #include <stdexcept>

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <shigusa/math/mat3.hpp>
+#include <shigusa/math/vec3.hpp>
 #include <string>
 #include <variant>
 #include <vector>

@@ -10,6 +10,7 @@
 #include <shigusa/core/random.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/document/task_file.hpp>
+#include <shigusa/rollout/reach_problem.hpp>
 #include <string>
 #include <vector>
 

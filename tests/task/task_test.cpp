@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <shigusa/task/make_problem.hpp>
 #include <shigusa/task/task.hpp>
 
 #include "support/problems.hpp"
