@@ -136,9 +136,9 @@ if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts a library
 # comments of public headers
 if command -v doxygen >/dev/null; then
   fresh
-  write include/shigusa/face.hpp 'namespace shigusa {' '/// Gives x.' 'double f(double x);' '}'
+  write include/shigusa/face.hpp '/// All.' 'namespace shigusa {' '/// Gives x.' 'double f(double x);' '}'
   accepts check_docs.sh
-  write include/shigusa/face.hpp 'namespace shigusa {' 'double f(double x);' '}'
+  write include/shigusa/more.hpp 'namespace shigusa {' 'double g(double x);' '}'
   if sh "$scripts/check_docs.sh" "$tree" >/dev/null 2>&1; then
     report "check_docs.sh accepts a declaration without a comment"
   fi

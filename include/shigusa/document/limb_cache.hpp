@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <shigusa/layers/limb_library.hpp>
+#include <shigusa/layers/layered_settings.hpp>
 
 namespace shigusa {
 
