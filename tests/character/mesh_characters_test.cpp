@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 
 #include <functional>
-#include <project/character_export.hpp>
-#include <project/landmarks_json.hpp>
 #include <shigusa/character/character_description.hpp>
 #include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
@@ -13,6 +11,8 @@
 #include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/io/gltf_write.hpp>
 
+#include "character/landmarks_json.hpp"
+#include "document/character_export.hpp"
 #include "support/mesh_file.hpp"
 
 namespace shigusa {

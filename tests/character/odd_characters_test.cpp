@@ -4,12 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <functional>
-#include <project/character_export.hpp>
 #include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_write.hpp>
 #include <shigusa/kinematics/rig.hpp>
 
+#include "document/character_export.hpp"
 #include "support/convention.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

@@ -5,7 +5,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <body/stick_figure.hpp>
 #include <cmath>
 #include <filesystem>
 #include <shigusa/body/anthropometry.hpp>
@@ -13,6 +12,8 @@
 #include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/landmarks.hpp>
 #include <shigusa/person/measure_person.hpp>
+
+#include "person/stick_figure.hpp"
 
 namespace shigusa {
 namespace {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <body/stick_figure.hpp>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -13,6 +12,8 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "person/stick_figure.hpp"
 
 namespace shigusa::testing_support {
 
