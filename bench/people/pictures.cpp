@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/figure/strip_figure.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <shigusa/character/character_rig.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/kinematics/forward_kinematics.hpp>

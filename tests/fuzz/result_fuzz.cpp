@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <shigusa/document/result_file.hpp>
+#include <shigusa/generate/layered_problem.hpp>
 #include <shigusa/layers/layered_parameters.hpp>
 #include <string>
 #include <string_view>
