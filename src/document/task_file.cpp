@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/document/result_file.hpp>
 #include <shigusa/document/task_file.hpp>
 #include <shigusa/io/file.hpp>
+#include <shigusa/layers/assignment.hpp>
 
 #include "character/character_places.hpp"
 #include "character/humanoid_request.hpp"
@@ -320,9 +320,10 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
   task.pareto = file.pareto;
   task.generator = file.generator;
   task.phases = file.phases;
+  const Plan plan = whole_body_plan(task.body);
   for (const std::string& assignment : file.fixed) {
     if (!task.fixed) task.fixed = no_fixed_parameters(task.body);
-    if (const auto done = fix_parameter(task.body, assignment, *task.fixed); !done) {
+    if (const auto done = fix_parameter(plan, assignment, *task.fixed); !done) {
       return fail(done.error().code, done.error().message,
                   "fixed parameter " + assignment.substr(0, 80));
     }

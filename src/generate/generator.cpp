@@ -63,59 +63,6 @@ void finish(const ClosestReach& reach, Generation& generation) {
   generation.remaining_distance = sqrt(squares);
 }
 
-// No modes, or all of the body's.
-Result<void> check_modes(const BodyModel& body, std::size_t given) {
-  const std::size_t modes = posture_modes(body).size();
-  if (given == 0 || given == modes) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("{} posture values for a body of {} posture modes", given, modes));
-}
-
-Result<void> check_posture(const BodyModel& body, Parameters parameters) {
-  const std::optional<LaterPhase>& later = parameters.later;
-  for (const std::size_t given :
-       {parameters.posture.modes.size(), later ? later->modes.size() : std::size_t{0}}) {
-    if (const auto checked = check_modes(body, given); !checked) return checked;
-  }
-  if (parameters.posture.modes.empty() && !later) return {};
-  const std::vector<PostureMember> members = posture_members(body, parameters);
-  for (const PostureMember& member : members) {
-    if (*member.value >= member.low && *member.value <= member.high) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("value is {}; allowed are {:g} to {:g}", *member.value, member.low,
-                            member.high),
-                member.name);
-  }
-  return {};
-}
-
-Result<void> check_weights(const BodyModel& body, std::span<const JointWeight> joints,
-                           std::string_view prefix) {
-  if (joints.size() != body.dofs().size()) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} {}joint weights for a body of {} dof", joints.size(),
-                            prefix.empty() ? "" : "later ", body.dof_count()));
-  }
-  for (std::size_t d = 0; d < joints.size(); ++d) {
-    const double weight = joints[d].weight;
-    if (weight >= kWeightMin && weight <= kWeightMax) continue;
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("weight is {}; allowed are {:g} to {:g}", weight, kWeightMin, kWeightMax),
-        std::string(prefix) + body.dofs()[d].name);
-  }
-  return {};
-}
-
-Result<void> check_parameters(const BodyModel& body, const Parameters& parameters) {
-  if (const auto checked = check_weights(body, parameters.joints, ""); !checked) return checked;
-  if (parameters.later) {
-    const auto checked = check_weights(body, parameters.later->joints, kLaterPrefix);
-    if (!checked) return checked;
-  }
-  return check_posture(body, parameters);
-}
-
 // What belongs to one preset is not passed over in silence by another.
 Result<void> check_choices(const Task& task) {
   const auto wrong = [&](const char* what) {
@@ -137,12 +84,10 @@ Result<void> check_choices(const Task& task) {
 
 Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
   if (!task.fixed) return {};
+  const Plan plan = whole_body_plan(task.body);
   Parameters values = task.fixed->values;
-  if (const auto checked = check_parameters(task.body, values); !checked) return checked;
-  const std::size_t members = posture_members(task.body, values).size();
-  const std::size_t later_joints = values.later ? values.joints.size() : 0;
-  if (task.fixed->joints.size() != values.joints.size() || task.fixed->posture.size() != members ||
-      task.fixed->later_joints.size() != later_joints) {
+  if (const auto checked = check_parameters(plan, values); !checked) return checked;
+  if (task.fixed->set.size() != parameters_of(plan, values).size()) {
     return fail(ErrorCode::invalid_argument, "fixed parameters are of another body");
   }
   const ParameterSpace space(problem, gene_code(task), task.fixed, task.phases);
@@ -228,8 +173,7 @@ Result<Generation> played_anew(const Task& task, const Generation& generation) {
   again.duration = *task.duration;
   again.candidates.clear();
   for (const Candidate& candidate : generation.candidates) {
-    Result<Generation> one = candidate.layered ? regenerate(task, *candidate.layered)
-                                               : regenerate(task, candidate.parameters);
+    Result<Generation> one = regenerate(task, candidate.parameters);
     if (!one) return one;
     again.candidates.push_back(std::move(one.value().candidates.front()));
   }
@@ -290,7 +234,7 @@ Result<void> check_task(const Task& task) {
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
   if (!traits_of(task.preset).layers) return check_fixed(task, *problem);
-  const Result<std::vector<Layer>> layers = layers_of(task);
+  const Result<Plan> layers = layers_of(task);
   return layers ? Result<void>{} : tl::unexpected(layers.error());
 }
 
@@ -314,15 +258,10 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
     const Result<Task> ready = prepared(task);
     return ready ? regenerate(*ready, parameters) : tl::unexpected(ready.error());
   }
-  if (traits_of(task.preset).layers) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("the preset {} goes by layered parameters, not by weights of the whole "
-                            "body",
-                            word_of(task.preset)));
-  }
+  if (traits_of(task.preset).layers) return regenerate_layered(task, parameters);
   const Result<ReachProblem> problem = make_problem(task);
   if (!problem) return tl::unexpected(problem.error());
-  if (const auto checked = check_parameters(task.body, parameters); !checked) {
+  if (const auto checked = check_parameters(whole_body_plan(task.body), parameters); !checked) {
     return tl::unexpected(checked.error());
   }
   const ClosestReach reach = closest_reach(*problem);
@@ -339,14 +278,6 @@ Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
   }
   finish(reach, generation);
   return generation;
-}
-
-Result<Generation> regenerate(const Task& task, const LayeredParameters& parameters) {
-  if (needs_preparing(task)) {
-    const Result<Task> ready = prepared(task);
-    return ready ? regenerate(*ready, parameters) : tl::unexpected(ready.error());
-  }
-  return regenerate_layered(task, parameters);
 }
 
 }  // namespace shigusa

@@ -21,17 +21,16 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool searches_paper_code(const Task& task) { return info_of(search_of(task)).paper_code; }
 
-Candidate make_layered(const Task& task, const LayeredParameters& parameters,
-                       LayeredArrival arrival) {
-  Candidate candidate = make_candidate(task, arrival.way, {}, std::move(arrival.rolled));
-  candidate.layered = parameters;
-  candidate.collision = -std::numeric_limits<double>::infinity();
+Candidate make_layered(const Task& task, const Parameters& parameters, LayeredArrival arrival) {
+  Candidate candidate = make_candidate(task, arrival.way, parameters, std::move(arrival.rolled));
+  ArmCollision collision{.depth = -std::numeric_limits<double>::infinity()};
   for (const ReachGoal& goal : arrival.way.goals) {
     const Effector& hand = task.body.effectors()[index(goal.effector)];
     const double depth = collision_depth(task.body, candidate.motion.clip, hand);
-    candidate.collision = max(candidate.collision, depth);
+    collision.depth = max(collision.depth, depth);
   }
-  candidate.collision_left = candidate.collision > kCollisionDepth;
+  collision.left = collision.depth > kCollisionDepth;
+  candidate.arm_collision = collision;
   return candidate;
 }
 
@@ -50,7 +49,7 @@ class UpperSearch {
                 [&libraries](std::span<const HandPath> paths) { return libraries.choose(paths); }) {
     if (layers_) return;
     std::erase_if(genes_, [&problem](std::size_t gene) {
-      return problem.layers[0].genes[gene].kind == LayerGeneKind::contraction;
+      return problem.layers[0].parameters[gene].kind == ParameterKind::contraction;
     });
   }
 
@@ -58,7 +57,7 @@ class UpperSearch {
     SearchProblem searched;
     searched.genes = static_cast<int>(genes_.size());
     searched.evaluate = [this](std::span<const double> points, std::span<double> scores) {
-      std::vector<LayerParameters> parameters;
+      std::vector<Parameters> parameters;
       for (std::size_t i = 0; i < scores.size(); ++i) {
         parameters.push_back(decoded(points.subspan(i * genes_.size(), genes_.size())));
       }
@@ -90,26 +89,23 @@ class UpperSearch {
                                          .search = task_.layers.limb_search,
                                          .seed = task_.seed});
   }
-  LayeredParameters as_searched(std::span<const double> point) {
+  Parameters as_searched(std::span<const double> point) {
     if (!layers_) return whole(decoded(point));
     return scorer_.play(decoded(point), {.rounds = 0, .glance = true}).parameters;
   }
 
  private:
   [[nodiscard]] bool keeps_ends() const { return traits_of(task_.preset).natural; }
-  [[nodiscard]] LayerParameters decoded(std::span<const double> point) const {
+  [[nodiscard]] Parameters decoded(std::span<const double> point) const {
     return decode_searched(problem_, genes_, point, searches_paper_code(task_));
   }
 
   // with what the layers below have before any search
-  [[nodiscard]] LayeredParameters whole(const LayerParameters& upper) const {
-    LayeredParameters parameters;
-    (void)layered_members(problem_.layers, parameters);
-    parameters.upper = upper;
-    return parameters;
+  [[nodiscard]] Parameters whole(const Parameters& upper) const {
+    return below_upper(start_values(problem_.layers), upper);
   }
 
-  void score_bodies(std::span<const LayerParameters> parameters, std::span<double> scores) {
+  void score_bodies(std::span<const Parameters> parameters, std::span<double> scores) {
     const CriteriaSettings& criteria = problem_.layers[0].criteria;
     const std::size_t dofs = postures_.size() / scores.size();
     const auto score = [&](int i, int) {
@@ -195,7 +191,7 @@ class LayeredDelivery {
     if (copy) ++generation_.near_copies;
     if (copy && copies == nullptr) return;
     Candidate candidate = make_layered(task_, played.parameters, std::move(*arrival));
-    candidate.feedback_rounds = played.feedback_rounds;
+    candidate.arm_collision->searches = played.feedback_rounds;
     (copy ? *copies : all()).push_back(std::move(candidate));
   }
 
@@ -226,7 +222,7 @@ void search_way(const Task& task, const LayeredProblem& problem, const LayeredWa
   generation.generations = found.generations;
   generation.rejected_nan += found.rejected_nan;
   generation.end = found.end;
-  generation.best_seen_layered = search.as_searched(found.best_seen.point);
+  generation.best_seen = search.as_searched(found.best_seen.point);
   generation.best_seen_score = found.best_seen.score;
   generation.missed = generation.over_limit = 0;
   Choice choice = search.choice(found);
@@ -259,8 +255,7 @@ Result<Generation> generate_layered(const Task& task, const Progress& progress) 
     if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) break;
   }
   if (generation.candidates.empty()) {
-    LayeredParameters nearest;
-    (void)layered_members(problem->layers, nearest);
+    const Parameters nearest = start_values(problem->layers);
     generation.candidates.push_back(make_layered(task, nearest, ways.any_arrival(nearest)));
   }
   finish(*problem, generation);
@@ -269,10 +264,10 @@ Result<Generation> generate_layered(const Task& task, const Progress& progress) 
   return generation;
 }
 
-Result<Generation> regenerate_layered(const Task& task, const LayeredParameters& parameters) {
+Result<Generation> regenerate_layered(const Task& task, const Parameters& parameters) {
   const Result<LayeredProblem> problem = make_layered_problem(task);
   if (!problem) return tl::unexpected(problem.error());
-  if (const auto checked = check_layered(problem->layers, parameters); !checked) {
+  if (const auto checked = check_parameters(problem->layers, parameters); !checked) {
     return tl::unexpected(checked.error());
   }
   Generation generation;

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <shigusa/generate/layered_problem.hpp>
-#include <shigusa/layers/layered_parameters.hpp>
+#include <shigusa/layers/plan.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <utility>
 
@@ -10,14 +10,8 @@
 
 namespace shigusa {
 
-Result<std::vector<Layer>> layers_to_goals(const Task& task) {
-  const LayerChoice choice{traits_of(task.preset).layers.value_or(LayerStack::paper),
-                           task.layers.reading};
-  return layers_to_goals(task.body, task.goals, choice, task_criteria(task));
-}
-
-Result<std::vector<Layer>> layers_of(const Task& task) {
-  if (!task.fixed) return layers_to_goals(task);
+Result<Plan> layers_of(const Task& task) {
+  if (!task.fixed) return plan_of(task);
   return fail(
       ErrorCode::invalid_argument,
       fmt::format("parameters can be fixed with the other presets; edit a result of the preset {}",
@@ -27,7 +21,7 @@ Result<std::vector<Layer>> layers_of(const Task& task) {
 Result<LayeredProblem> make_layered_problem(const Task& task) {
   Result<ReachProblem> reach = make_problem(task);
   if (!reach) return tl::unexpected(reach.error());
-  Result<std::vector<Layer>> layers = layers_of(task);
+  Result<Plan> layers = layers_of(task);
   if (!layers) return tl::unexpected(layers.error());
   LayeredProblem problem{.reach = std::move(*reach),
                          .in_reach = true,

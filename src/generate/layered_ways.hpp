@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/layers/layered_parameters.hpp>
 #include <shigusa/layers/layered_player.hpp>
+#include <shigusa/layers/plan.hpp>
 
 namespace shigusa {
 
@@ -27,13 +27,12 @@ class LayeredWays {
 
   // The motion on the first way on which the parameters arrive, as long as that is not after
   // `last`. The same parameters always give the same motion.
-  [[nodiscard]] std::optional<LayeredArrival> arrival(const LayeredParameters& parameters,
+  [[nodiscard]] std::optional<LayeredArrival> arrival(const Parameters& parameters,
                                                       LayeredWay last) const;
   // The same by the whole body alone.
-  [[nodiscard]] std::optional<LayeredArrival> body_arrival(
-      const LayeredParameters& parameters) const;
+  [[nodiscard]] std::optional<LayeredArrival> body_arrival(const Parameters& parameters) const;
   // The same of all ways; where the parameters arrive on none, the nearest motion.
-  [[nodiscard]] LayeredArrival any_arrival(const LayeredParameters& parameters) const;
+  [[nodiscard]] LayeredArrival any_arrival(const Parameters& parameters) const;
 
  private:
   const LayeredProblem* problem_;

@@ -177,4 +177,15 @@ Result<ReachProblem> make_problem(const Task& task) {
   return problem;
 }
 
+Result<Plan> plan_of(const BodyModel& body, std::span<const Goal> goals, Preset preset,
+                     LayerReading reading, const CriteriaSettings& criteria) {
+  const std::optional<LayerStack> stack = traits_of(preset).layers;
+  if (!stack) return whole_body_plan(body);
+  return layers_to_goals(body, goals, {*stack, reading}, criteria);
+}
+
+Result<Plan> plan_of(const Task& task) {
+  return plan_of(task.body, task.goals, task.preset, task.layers.reading, task_criteria(task));
+}
+
 }  // namespace shigusa

@@ -56,9 +56,9 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
   EXPECT_EQ(other.goals[0].position, (Vec3d{0.25, 0.5, 0.45}));
   const Task image = make_task(other, {}).value();
   const Candidate& best = generation.candidates.front();
-  const Generation again =
-      best.layered ? regenerate(image, mirrored(image, *best.layered).value()).value()
-                   : regenerate(image, mirrored(task.body, image.body, best.parameters)).value();
+  const Parameters across =
+      mirrored(plan_of(task).value(), plan_of(image).value(), best.parameters);
+  const Generation again = regenerate(image, across).value();
   EXPECT_TRUE(again.meets_goals());
   EXPECT_LE(again.candidates[0].goals[0].error, kReachTolerance);
   expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
@@ -76,12 +76,13 @@ TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {
   TaskFile other = mirrored(file).value();
   EXPECT_EQ(other.phases, 2);
   const Task image = make_task(other, {}).value();
-  const Parameters across = mirrored(task.body, image.body, best.parameters);
+  const Parameters across =
+      mirrored(plan_of(task).value(), plan_of(image).value(), best.parameters);
   const auto right = static_cast<std::size_t>(*task.body.find_dof("right_elbow.flexion"));
   const auto left = static_cast<std::size_t>(*task.body.find_dof("left_elbow.flexion"));
   EXPECT_EQ(across.later->joints[left], best.parameters.later->joints[right]);
   EXPECT_EQ(across.later->switch_at, best.parameters.later->switch_at);
-  EXPECT_EQ(mirrored(image.body, task.body, across), best.parameters);
+  EXPECT_EQ(mirrored(plan_of(image).value(), plan_of(task).value(), across), best.parameters);
   const Generation again = regenerate(image, across).value();
   expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
 }

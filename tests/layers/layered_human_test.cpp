@@ -29,20 +29,22 @@ Task human_task(const BodyModel& body, const Vec3d& goal) {
 
 // A motion of the upper layer by random weights and lengths, with all that it leads.
 struct Played {
-  LayeredParameters parameters;
+  Parameters parameters;
   ReducedClip clip;
   RolledOut whole;
 };
 
 Played play_random(const LayeredProblem& problem, LayeredPlayer& player, Random& random) {
   Played played;
-  (void)layered_members(problem.layers, played.parameters);
   std::vector<double> point;
-  for (std::size_t g = 0; g < problem.layers[0].genes.size(); ++g) {
+  for (std::size_t g = 0; g < problem.layers[0].parameters.size(); ++g) {
     point.push_back(random.uniform(0.2, 0.8));
   }
-  played.parameters.upper = decode_layer_point(problem.layers[0], point);
-  player.run_upper(played.parameters.upper, played.clip);
+  const Parameters upper = decode_layer_point(problem.layers[0], point);
+  played.parameters = start_values(problem.layers);
+  played.parameters.joints = upper.joints;
+  played.parameters.contractions = upper.contractions;
+  player.run_upper(upper, played.clip);
   played.whole = player.expand(played.clip, played.parameters);
   return played;
 }
@@ -76,7 +78,7 @@ TEST(FindLimbs, RefuseHeelsThatLiftAndPeopleWhoSit) {
 TEST(LayeredHuman, LegsShareWeightsSpineGoesByOneAWayAndClaviclesByNone) {
   const Layer upper = human_layers(human_body()).value()[0];
   std::vector<std::string> genes;
-  for (const LayerGene& gene : upper.genes) genes.push_back(gene.name);
+  for (const ParameterInfo& gene : upper.parameters) genes.push_back(gene.name);
   for (const char* name : {"spine.flexion", "spine.lateral", "spine.rotation", "ankle.inversion",
                            "ankle.flexion", "hip.rotation", "legs.contraction"}) {
     EXPECT_THAT(genes, Contains(name));

@@ -37,7 +37,7 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
     int outside = 0;
     for (int i = 0; i < 200; ++i) {
       std::vector<std::uint16_t> genes;
-      for (std::size_t g = 0; g < problem.layers[0].genes.size(); ++g) {
+      for (std::size_t g = 0; g < problem.layers[0].parameters.size(); ++g) {
         genes.push_back(static_cast<std::uint16_t>(1 + random.below(15)));
       }
       ReducedClip clip;
@@ -63,7 +63,7 @@ TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
       Preset::layers);
   const LayeredProblem problem = make_layered_problem(task).value();
   LayeredPlayer player(problem);
-  std::vector<std::uint16_t> genes(problem.layers[0].genes.size(), 2);
+  std::vector<std::uint16_t> genes(problem.layers[0].parameters.size(), 2);
   ReducedClip clip;
   player.run_upper(decode_layer_genes(problem.layers[0], genes), clip);
   ASSERT_LT(clip.path_error, 1e-4);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <shigusa/kinematics/weighted_ik.hpp>
 #include <shigusa/layers/body_limbs.hpp>
 #include <shigusa/rollout/parameters.hpp>
@@ -10,12 +9,8 @@
 
 namespace shigusa {
 
-inline constexpr int kArmDofs = 4;
-// … and with forearm and wrist, for a hand that turns.
+// Freedoms of an arm with forearm and wrist, for a hand that turns; without them it has kArmDofs.
 inline constexpr int kTurningArmDofs = 7;
-
-// Of shoulder flexion, abduction and rotation, and elbow flexion.
-using ArmWeights = std::array<JointWeight, kArmDofs>;
 
 // An arm alone, on a trunk that stands upright and does not move: the body of the layer below. The
 // base's frame is that of the link that carries it with the origin in the shoulder; the arm starts

@@ -7,6 +7,7 @@
 #include <shigusa/core/result.hpp>
 #include <shigusa/criteria/criteria.hpp>
 #include <shigusa/layers/layered_settings.hpp>
+#include <shigusa/layers/plan.hpp>
 #include <shigusa/rollout/batch_rollout.hpp>
 #include <shigusa/rollout/goal.hpp>
 #include <shigusa/rollout/parameters.hpp>
@@ -148,6 +149,13 @@ struct Task {
 // What the task's motions are scored by: its criteria, with the eyes on look_at, or on the first
 // goal of a limb where nothing else is said.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
+
+// The plan that a preset has for a body's goals; `criteria` are those of its layers. Fails where a
+// preset of several layers does not know the body or a goal (layers_to_goals).
+[[nodiscard]] Result<Plan> plan_of(const BodyModel& body, std::span<const Goal> goals,
+                                   Preset preset, LayerReading reading,
+                                   const CriteriaSettings& criteria = {});
+[[nodiscard]] Result<Plan> plan_of(const Task& task);
 
 // The task with its goals' loads in the body's hands, standing on its contacts; fails as
 // make_problem does, and where a foot has no way to be what is asked of it.
