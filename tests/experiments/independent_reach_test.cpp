@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/independent_reach.hpp"
+#include "support/independent_reach.hpp"
 
 #include <gtest/gtest.h>
 
