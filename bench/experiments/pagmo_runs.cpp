@@ -14,11 +14,11 @@
 #include <pagmo/algorithms/de.hpp>
 #include <pagmo/algorithms/sade.hpp>
 #include <pagmo/algorithms/sga.hpp>
+#include <pagmo/population.hpp>
 #include <pagmo/problem.hpp>
 #include <thread>
 
 #include "goal_search.hpp"
-#include "search/population.hpp"
 
 namespace shigusa::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/independent_reach.hpp"
+#include "experiments/independent_reach.hpp"
 
 #include <gtest/gtest.h>
 
