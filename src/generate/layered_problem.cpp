@@ -6,22 +6,27 @@
 #include <shigusa/rollout/reachability.hpp>
 #include <utility>
 
+#include "planner.hpp"
 #include "ways.hpp"
 
 namespace shigusa {
 
-Result<Plan> layers_of(const Task& task) {
-  if (!task.fixed) return plan_of(task);
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("parameters can be fixed with the other presets; edit a result of the preset {}",
-                  word_of(task.preset)));
+Result<void> check_layers(const Task& task) {
+  if (task.fixed) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format(
+            "parameters can be fixed with the other presets; edit a result of the preset {}",
+            word_of(task.preset)));
+  }
+  const Result<Plan> plan = plan_of(task);
+  return plan ? Result<void>{} : tl::unexpected(plan.error());
 }
 
 Result<LayeredProblem> make_layered_problem(const Task& task) {
   Result<ReachProblem> reach = make_problem(task);
   if (!reach) return tl::unexpected(reach.error());
-  Result<Plan> layers = layers_of(task);
+  Result<Plan> layers = plan_of(task);
   if (!layers) return tl::unexpected(layers.error());
   LayeredProblem problem{.reach = std::move(*reach),
                          .in_reach = true,

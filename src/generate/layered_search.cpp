@@ -188,45 +188,45 @@ void LayeredScorer::score(std::span<const Parameters> parameters, std::span<doub
   });
 }
 
-LayeredScorer::Played LayeredScorer::play(const Parameters& upper, const Feedback& feedback) {
+Expanded LayeredScorer::play(const Parameters& upper, const Feedback& feedback) {
   LayeredPlayer& player = worker(0).player;
   ReducedClip clip;
   player.run_upper(upper, clip);
   const std::vector<HandPath> paths = player.hand_paths(clip);
-  Played played{.parameters = below_upper(start_, upper)};
-  if (choose_) played.parameters.arms = choose_(paths);
+  Expanded played{.values = below_upper(start_, upper)};
+  if (choose_) played.values.arms = choose_(paths);
   for (std::size_t g = 0; g < swivel_goals(); ++g) {
-    played.parameters.swivels[g] = worker(0).swivels[g].glance(bare(g, clip, paths[g]));
+    played.values.swivels[g] = worker(0).swivels[g].glance(bare(g, clip, paths[g]));
   }
-  if (!player.expand_freeing(clip, played.parameters).outcome.met(problem_->reach.tolerance)) {
+  if (!player.expand_freeing(clip, played.values).outcome.met(problem_->reach.tolerance)) {
     return played;
   }
   retake_weights(clip, feedback, played);
   if (feedback.glance) return played;
-  refine_swivels(clip, played.parameters);
-  settle_rest(clip, feedback, played.parameters);
+  refine_swivels(clip, played.values);
+  settle_rest(clip, feedback, played.values);
   return played;
 }
 
 void LayeredScorer::retake_weights(const ReducedClip& clip, const Feedback& feedback,
-                                   Played& played) {
+                                   Expanded& played) {
   LayeredPlayer& player = worker(0).player;
   const std::vector<HandPath> paths = player.hand_paths(clip);
   const BodyModel& body = *problem_->reach.body;
-  RolledOut motion = player.expand(clip, played.parameters);
-  for (std::size_t g = 0; g < played.parameters.arms.size(); ++g) {
+  RolledOut motion = player.expand(clip, played.values);
+  for (std::size_t g = 0; g < played.values.arms.size(); ++g) {
     const Effector& hand = body.effectors()[index(problem_->reach.goals[g].effector)];
     double weight = kCollisionWeight;
     for (int round = 0; round < feedback.rounds; ++round) {
       if (collision_depth(body, motion.motion.clip, hand) <= kCollisionDepth) break;
       const ArmFeedback report = arm_feedback(*problem_, g, paths[g], motion.motion.clip);
       if (unavoidable_depth(report) > kCollisionDepth) break;
-      ++played.feedback_rounds;
+      ++played.searches;
       const std::optional<FoundArm> found = search_free_arm(
           report, problem_->layers[1 + g].criteria, weight, feedback.search, threads_);
       if (!found) break;
-      played.parameters.arms[g] = arm_weights(found->genes);
-      motion = player.expand_freeing(clip, played.parameters);
+      played.values.arms[g] = arm_weights(found->genes);
+      motion = player.expand_freeing(clip, played.values);
       weight *= kCollisionGrowth;
     }
   }

@@ -6,6 +6,7 @@
 #include <shigusa/layers/layered_settings.hpp>
 
 #include "layers/swivel_search.hpp"
+#include "planner.hpp"
 
 namespace shigusa {
 
@@ -43,10 +44,6 @@ class LayeredScorer {
              std::span<float> postures = {});
 
   // One motion in full, with all that the layers below find for it.
-  struct Played {
-    Parameters parameters;
-    int feedback_rounds = 0;
-  };
   // How much is searched for it. What the upper layer reports to the lower one (rule R11): arms
   // that pass through the body are searched again for this motion alone, up to `rounds` times each.
   // The upper motion stays. Arms that go by their swivel are given the best of all, then what no
@@ -57,7 +54,7 @@ class LayeredScorer {
     bool glance = false;
     std::uint64_t seed = 0;  // of the search for final angles
   };
-  [[nodiscard]] Played play(const Parameters& upper, const Feedback& feedback);
+  [[nodiscard]] Expanded play(const Parameters& upper, const Feedback& feedback);
 
  private:
   // What one thread plays with.
@@ -70,7 +67,7 @@ class LayeredScorer {
   // a path of an upper motion as the lower layer is told of it, without obstacles
   [[nodiscard]] ArmFeedback bare(std::size_t goal, const ReducedClip& clip, HandPath path) const;
   [[nodiscard]] double judged(const RolledOut& played) const;
-  void retake_weights(const ReducedClip& clip, const Feedback& feedback, Played& played);
+  void retake_weights(const ReducedClip& clip, const Feedback& feedback, Expanded& played);
   void refine_swivels(const ReducedClip& clip, Parameters& parameters);
   void settle_rest(const ReducedClip& clip, const Feedback& feedback, Parameters& parameters);
 

@@ -46,27 +46,23 @@ Parameters body_parameters(const LayeredProblem& problem, const Parameters& laye
 
 }  // namespace
 
-std::optional<LayeredArrival> LayeredWays::body_arrival(const Parameters& parameters) const {
-  auto arrival = first_arrival(problem_->body_ways, body_parameters(*problem_, parameters));
-  if (!arrival) return std::nullopt;
-  return LayeredArrival{*arrival->way, std::move(arrival->rolled)};
+std::optional<Arrival> LayeredWays::body_arrival(const Parameters& parameters) const {
+  return first_arrival(problem_->body_ways, body_parameters(*problem_, parameters));
 }
 
-std::optional<LayeredArrival> LayeredWays::arrival(const Parameters& parameters,
-                                                   LayeredWay last) const {
+std::optional<Arrival> LayeredWays::arrival(const Parameters& parameters, LayeredWay last) const {
   if (problem_->in_reach) {
     RolledOut rolled = play_layers(*problem_, parameters);
     if (rolled.outcome.met(problem_->reach.tolerance)) {
-      return LayeredArrival{problem_->reach, std::move(rolled)};
+      return Arrival{&problem_->reach, std::move(rolled)};
     }
   }
   return last == LayeredWay::layers ? std::nullopt : body_arrival(parameters);
 }
 
-LayeredArrival LayeredWays::any_arrival(const Parameters& parameters) const {
+Arrival LayeredWays::any_arrival(const Parameters& parameters) const {
   if (auto arrived = arrival(parameters, LayeredWay::body)) return std::move(*arrived);
-  Arrival nearest = nearest_arrival(problem_->body_ways, body_parameters(*problem_, parameters));
-  return {*nearest.way, std::move(nearest.rolled)};
+  return nearest_arrival(problem_->body_ways, body_parameters(*problem_, parameters));
 }
 
 }  // namespace shigusa

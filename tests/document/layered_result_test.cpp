@@ -6,6 +6,7 @@
 
 #include "document/schema_check.hpp"
 #include "shigusa/document/result_file.hpp"
+#include "shigusa/layers/assignment.hpp"
 #include "support/layered.hpp"
 
 namespace shigusa {

@@ -6,6 +6,7 @@
 
 #include "document/task_samples.hpp"
 #include "shigusa/document/export.hpp"
+#include "shigusa/layers/assignment.hpp"
 #include "support/person_file.hpp"
 #include "support/work_folder.hpp"
 
