@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "document/task_samples.hpp"
+#include "shigusa/body/posture_modes.hpp"
 #include "shigusa/document/export.hpp"
 #include "shigusa/layers/assignment.hpp"
 #include "support/person_file.hpp"

@@ -45,7 +45,7 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
       const LayeredPlayer::PelvisCheck check = player.check_pelvis(clip);
       if (clip.path_error > 1e-4 || clip.foot_error > 1e-4 || !check.in_reach) continue;
       const RolledOut played =
-          player.expand(clip, {.upper = {}, .arms = std::vector<ArmWeights>(1)});
+          player.expand(clip, {.joints = {}, .arms = std::vector<ArmWeights>(1)});
       EXPECT_NEAR(leg_excess(problem, played.motion.clip), check.excess, 1e-9);
       EXPECT_LT(played.outcome.path_error, kReachTolerance);
       if (check.excess < radians(2.0)) continue;
@@ -68,7 +68,7 @@ TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
   player.run_upper(decode_layer_genes(problem.layers[0], genes), clip);
   ASSERT_LT(clip.path_error, 1e-4);
   const std::vector<HandPath> paths = player.hand_paths(clip);
-  const RolledOut played = player.expand(clip, {.upper = {}, .arms = std::vector<ArmWeights>(2)});
+  const RolledOut played = player.expand(clip, {.joints = {}, .arms = std::vector<ArmWeights>(2)});
   for (const int f : {0, 20, 60}) {
     const Kinematics<double> at = placed(body, played.motion.clip.frame(f));
     for (std::size_t g = 0; g < 2; ++g) {
