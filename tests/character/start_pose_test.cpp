@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <bit>
-#include <body/stick_figure.hpp>
+#include <person/stick_figure.hpp>
 #include <project/character_export.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/person/at_ease.hpp>

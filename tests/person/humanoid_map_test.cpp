@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <body/humanoid_names.hpp>
-#include <body/stick_figure.hpp>
 #include <filesystem>
+#include <person/stick_figure.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <shigusa/person/landmarks.hpp>

@@ -5,9 +5,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <body/stick_figure.hpp>
 #include <cmath>
 #include <filesystem>
+#include <person/stick_figure.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/person/landmarks.hpp>
 

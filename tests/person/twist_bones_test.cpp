@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <body/humanoid_names.hpp>
-#include <body/stick_figure.hpp>
+#include <person/stick_figure.hpp>
 #include <shigusa/person/twist_bones.hpp>
 
 namespace shigusa {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <body/stick_figure.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <person/stick_figure.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <sstream>
 #include <stdexcept>

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <body/stick_figure.hpp>
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <person/stick_figure.hpp>
 #include <string>
 #include <variant>
 #include <vector>
