@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <shigusa/core/result.hpp>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <shigusa/io/gltf.hpp>
 #include <shigusa/kinematics/rig.hpp>
 #include <shigusa/person/human_body.hpp>
@@ -16,16 +18,14 @@
 
 namespace shigusa {
 
-enum class CharacterFormat { bvh, gltf, vrm };
-
 // A character's own skeleton, for motions to leave on it.
 struct CharacterRig {
   std::filesystem::path file;                // its name
   std::shared_ptr<const std::string> bytes;  // of glTF: all of it, for motions to be added to
-  CharacterFormat format = CharacterFormat::bvh;
-  Skeleton skeleton;                  // names; offsets in the file's units
-  Rig rig;                            // its nodes as the file has them in the frame measured
-  std::vector<GltfPlace> places;      // of glTF: (nodes) at rest …
+  FileFormat format = FileFormat::bvh;       // bvh, glb or vrm, by what it holds
+  Skeleton skeleton;                         // names; offsets in the file's units
+  Rig rig;                                   // its nodes as the file has them in the frame measured
+  std::vector<GltfPlace> places;             // of glTF: (nodes) at rest …
   std::vector<LocalTransform> posed;  // … and the skeleton in the frame measured, turned from rest
   BvhChannels channels;               // of BVH
   Vec3d ahead{0, 0, 1};               // of glTF: the way it faces at rest, its axes
@@ -47,6 +47,20 @@ using BoneRequest = std::vector<std::pair<std::string, std::string>>;
 // the OFFSETs; of glTF that of the nodes, or where they rest in the middle of a motion that in
 // which the mesh was bound.
 inline constexpr int kRestPose = -1;
+
+/// The bodies that need no file.
+inline constexpr std::array<std::string_view, 3> kBuiltInCharacters{"half_body", "full_body",
+                                                                    "human"};
+
+// Numbers of a person that a task may set, and what is allowed.
+struct PersonRange {
+  const char* name;  // in files
+  double low;
+  double high;
+};
+inline constexpr PersonRange kStatureRange{"stature_m", 0.5, 2.5};
+inline constexpr PersonRange kMassRange{"mass_kg", 2.0, 300.0};
+inline constexpr PersonRange kSeatRange{"seat_m", 0.1, 1.2};
 
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
