@@ -17,9 +17,8 @@
 namespace shigusa {
 namespace {
 
-Result<void> check_range(const char* what, const std::optional<double>& value,
-                         const PersonRange& range, const char* unit) {
-  const auto& [name, low, high] = range;
+Result<void> check_range(const char* what, const std::optional<double>& value, double low,
+                         double high, const char* unit) {
   if (!value || (*value >= low && *value <= high)) return {};
   return fail(
       ErrorCode::invalid_argument,
@@ -67,10 +66,10 @@ double apart(const Landmarks& a, const Landmarks& b) {
 
 // What is said of the person, before the file is read.
 Result<void> check_person(const CharacterSpec& spec) {
-  if (const auto ok = check_range("stature", spec.stature, kStatureRange, "m"); !ok) {
+  if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
     return ok;
   }
-  if (const auto ok = check_range("seat", spec.seat, kSeatRange, "m"); !ok) return ok;
+  if (const auto ok = check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"); !ok) return ok;
   return is_robot(spec) ? check_robot_options(spec) : Result<void>{};
 }
 
@@ -197,9 +196,9 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
 
 Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {
   if (spec.urdf) return build_robot_character(spec);
-  for (const auto& checked : {check_range("stature", spec.stature, kStatureRange, "m"),
-                              check_range("mass", spec.mass, kMassRange, "kg"),
-                              check_range("seat", spec.seat, kSeatRange, "m")}) {
+  for (const auto& checked : {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
+                              check_range("mass", spec.mass, kMassMin, kMassMax, "kg"),
+                              check_range("seat", spec.seat, kSeatMin, kSeatMax, "m")}) {
     if (!checked) return tl::unexpected(checked.error());
   }
   const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);
