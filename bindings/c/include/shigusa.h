@@ -66,11 +66,12 @@ SHIGUSA_API void shigusa_bytes_free(shigusa_bytes* bytes); /* null is allowed */
  * {"criteria": [{"name", "scale" (the key of its scale)}], "mixtures": {name: {criterion: weight}},
  * "presets": [{"name", "mixture" (that it ranks by), "search", "candidates", "evaluations",
  * "layered", "natural"}], "pareto_mixture" (that a task with "pareto" ranks by, whatever its
- * preset), "default_preset" and "default_body" (of a task that names none), "searches", "generators", "layer_readings", "sexes", "extents" and "bones" (words),
- * "bodies": [{"name", "dof"}], "ranges": {key in files: [least, most]}, "formats": [{"name",
- * "about", "endings" ([".glb", …]), "media_type", "person", "robot", "clip" (read from it),
- * "written", "rated" (it has frames at the rate asked for), "needs" (formats, of one of which the
- * character must be; none: any will do), "max_bytes" (that are read)}]}. */
+ * preset), "default_preset" and "default_body" (of a task that names none), "searches",
+ * "generators", "layer_readings", "sexes", "extents" and "bones" (words), "bodies": [{"name",
+ * "dof"}], "ranges": {key in files: [least, most]}, "formats": [{"name", "about", "endings"
+ * ([".glb", …]), "media_type", "person", "robot", "clip" (read from it), "written", "rated" (it has
+ * frames at the rate asked for), "needs" (formats, of one of which the character must be; none: any
+ * will do), "max_bytes" (that are read)}]}. */
 SHIGUSA_API shigusa_status shigusa_facts(shigusa_bytes** json);
 
 /* ---- Characters ------------------------------------------------------------------------------ */

@@ -27,8 +27,8 @@ test('the engine tells its tables', () => {
   for (const { mixture } of facts.presets) assert.ok(mixture in facts.mixtures, mixture);
   assert.ok(facts.pareto_mixture in facts.mixtures);
   assert.ok(facts.presets.some(({ name }) => name === facts.default_preset));
-  const written = facts.formats.filter((format) => format.written).map(({ name }) => name);
-  assert.deepEqual(written, ['bvh', 'csv', 'svg', 'glb', 'vrma'], 'there is no cairo here');
+  const written = new Set(facts.formats.filter((format) => format.written).map(({ name }) => name));
+  assert.ok(written.has('svg') && !written.has('png') && !written.has('pdf'), 'there is no cairo here');
   assert.deepEqual(facts.formats.filter((format) => format.robot), [], 'and no urdfdom');
   const [, heaviest] = facts.ranges.load_kg;
   const task = (load_kg) => ({ ...smallTask, goals: [{ ...smallTask.goals[0], load_kg }], evaluations: 8 });
