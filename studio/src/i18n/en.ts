@@ -61,7 +61,7 @@ export const en = {
   // take away
   takeIntro: 'Of the chosen motion, unless something else is said.', animation: 'Animation', figure: 'Figure', again: 'To go on later',
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
-  fps: 'Frames a second', fpsOf: 'of GLB, VRMA and BVH; CSV has the motion’s own frames', saved: '{name} is saved.', onlyFor: 'for characters from {formats} files',
+  fps: 'Frames a second', fpsOf: 'of {formats}; the others have the motion’s own frames', saved: '{name} is saved.', onlyFor: 'for characters from {formats} files',
   // failures
   badSeed: 'A seed is a whole number from 0 to {most}, not “{value}”.',
   failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged: its task cannot be read.',
@@ -75,7 +75,7 @@ export const en = {
   helpTitle: 'How to use it',
   help1: 'Drag the orange ball to where the hand shall be. The body follows while you drag; when you let go, five different motions are searched.',
   help2: 'Choose one on the left. Compare it with another, change how it goes under Adjust, and weigh what counts under Criteria.',
-  help3: 'Save takes it away as GLB, VRMA, BVH or CSV, as a figure, or as a link.',
+  help3: 'Save takes it away as an animation, as a figure or as a link.',
   help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',
   keys: 'Keys',
   keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal, in the view', keyBrackets: 'next goal, in the view',

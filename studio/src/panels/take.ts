@@ -33,7 +33,8 @@ export class TakePanel implements Panel {
       }))));
     const rate = select(t('fps'), kRates.map((value) => [value, value] as const), String(studio.store.state.fps),
       (value) => studio.store.set({ fps: Number(value) }));
-    rate.title = t('fpsOf');
+    const rated = studio.facts.formats.filter((format) => format.rated).map(({ name }) => name.toUpperCase());
+    rate.title = t('fpsOf', { formats: rated.join(', ') });
     groups[0]?.append(h('div', { class: 'fields' }, h('label', {}, h('span', {}, t('fps')), rate)));
     groups[2]?.append(h('div', { class: 'take' }, button(t('link'), () => void this.copyLink(), { 'data-format': 'link' }),
       button(t('openResult'), () => input.click()), input), this.shown);
