@@ -3,9 +3,9 @@
 // told.
 #include <gmock/gmock.h>
 
+#include <character/landmarks_json.hpp>
+#include <document/character_export.hpp>
 #include <functional>
-#include <project/character_export.hpp>
-#include <project/landmarks_json.hpp>
 #include <shigusa/character/character_description.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_animation.hpp>

@@ -3,8 +3,8 @@
 // moved, and judged by the exported file's own forward kinematics.
 #include <gmock/gmock.h>
 
+#include <document/character_export.hpp>
 #include <functional>
-#include <project/character_export.hpp>
 #include <shigusa/document/export.hpp>
 
 #include "support/convention.hpp"

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <bit>
+#include <document/character_export.hpp>
 #include <person/stick_figure.hpp>
-#include <project/character_export.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/person/at_ease.hpp>
 

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <document/character_export.hpp>
 #include <functional>
-#include <project/character_export.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/kinematics/clip_fit.hpp>

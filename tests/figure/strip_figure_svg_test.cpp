@@ -2,7 +2,7 @@
 // The drawing of builds without cairo; those with it have it too, and compare.
 #include <gtest/gtest.h>
 
-#include <io/strip_figure_svg.hpp>
+#include <figure/strip_figure_svg.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <string>
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <body/humanoid_names.hpp>
 #include <filesystem>
+#include <person/humanoid_names.hpp>
 #include <person/stick_figure.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/person/humanoid_map.hpp>
