@@ -3,10 +3,10 @@
 // moved, and judged by the exported file's own forward kinematics.
 #include <gmock/gmock.h>
 
-#include <document/character_export.hpp>
 #include <functional>
 #include <shigusa/document/export.hpp>
 
+#include "document/character_export.hpp"
 #include "support/convention.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

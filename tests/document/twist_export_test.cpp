@@ -4,12 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <document/character_export.hpp>
 #include <functional>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/kinematics/clip_fit.hpp>
 
+#include "document/character_export.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
 

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <person/humanoid_names.hpp>
-#include <person/stick_figure.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <shigusa/person/landmarks.hpp>
+
+#include "person/humanoid_names.hpp"
+#include "person/stick_figure.hpp"
 
 namespace shigusa {
 namespace {

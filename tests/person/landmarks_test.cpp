@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <person/stick_figure.hpp>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/person/landmarks.hpp>
+
+#include "person/stick_figure.hpp"
 
 namespace shigusa {
 namespace {

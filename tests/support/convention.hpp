@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <person/stick_figure.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "person/stick_figure.hpp"
 
 namespace shigusa::testing_support {
 

@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
-#include <person/stick_figure.hpp>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "person/stick_figure.hpp"
 
 namespace shigusa::testing_support {
 
