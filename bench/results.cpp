@@ -107,7 +107,7 @@ void candidate_table(const Generation& generation, std::string& page) {
 
 void picture(const std::filesystem::path& docs, const Task& task, const Candidate& candidate,
              const std::string& name, const std::string& words, std::string& page) {
-  const std::string png = export_candidate(task, candidate, ExportFormat::png).value();
+  const std::string png = export_candidate(task, candidate, FileFormat::png).value();
   std::ofstream(docs / "images" / name, std::ios::binary) << png;
   page += fmt::format("\n![{}](images/{})\n", words, name);
 }

@@ -82,7 +82,7 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
   usual.one_file = options.one_file;
   usual.rate = options.fps.value_or(usual.rate);
   if (!options.formats) return usual;
-  Result<std::vector<ExportFormat>> asked = parse_formats(*options.formats);
+  Result<std::vector<FileFormat>> asked = parse_formats(*options.formats);
   if (!asked) return tl::unexpected(asked.error());
   if (const auto can = check_formats(spec, *asked); !can) return tl::unexpected(can.error());
   usual.formats = std::move(*asked);

@@ -13,6 +13,18 @@
 namespace {
 
 using namespace shigusa::app;
+using shigusa::FormatInfo;
+
+bool needs_file(const FormatInfo& info) { return info.needs != shigusa::NeededFile::none; }
+
+std::string character_help() {
+  std::string text;
+  for (const std::string_view name : shigusa::kBuiltInCharacters) text += std::string(name) + ", ";
+  return text + "a person's file (" +
+         shigusa::format_endings([](const FormatInfo& info) { return info.person; }) +
+         "), or a robot's (" +
+         shigusa::format_endings([](const FormatInfo& info) { return info.robot; }) + ")";
+}
 
 void add_character_options(CLI::App& c, CharacterOptions& o) {
   c.add_option("--extent", o.extent,
@@ -49,10 +61,13 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
 void add_file_options(CLI::App* c, FileOptions& o, const std::string& usual,
                       const std::string& rate) {
   c->add_option("--formats", o.formats,
-                "Of bvh, csv, svg, png, pdf, glb and vrma (default: " + usual + ")");
+                "Of " + shigusa::format_words([](const FormatInfo& info) { return info.written; }) +
+                    " (default: " + usual + ")");
   c->add_option("--fps", o.fps,
-                "Frames a second of bvh, glb and vrma, 1 to 240, such as 24 or 29.97 (default: " +
-                    rate + "); csv has the motion's own frames with their times")
+                "Frames a second of " +
+                    shigusa::format_words([](const FormatInfo& info) { return info.rated; }) +
+                    ", 1 to 240, such as 24 or 29.97 (default: " + rate +
+                    "); the others have the motion's own frames")
       ->check(CLI::Range(shigusa::kRateMin, shigusa::kRateMax));
   c->add_flag("--one-file", o.one_file,
               "All candidates in one candidates.glb in place of a GLB for each");
@@ -97,10 +112,7 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand(
       "reach", "Find natural motions that bring hands, feet or other joints to their goals");
   c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
-  c->add_option(
-      "--character", o.character,
-      "half_body, full_body, human, a person's BVH, GLB, glTF, VRM or FBX file, or a robot's URDF "
-      "or MJCF (.xml)");
+  c->add_option("--character", o.character, character_help());
   add_character_options(*c, o.person);
   add_goal_options(*c, o.goals);
   c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
@@ -145,8 +157,11 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
                 "Instructions of the search (default: the widest of the machine)");
   c->add_option("--out", o.out, "Folder for the result")->capture_default_str();
   add_file_options(c, o.files,
-                   "bvh,csv,svg,png, for a character from a glTF or VRM file also glb, from VRM "
-                   "also vrma",
+                   shigusa::format_words([](const FormatInfo& info) {
+                     return info.usual && !needs_file(info);
+                   }) + "; for characters whose file can hold them also " +
+                       shigusa::format_words(
+                           [](const FormatInfo& info) { return info.usual && needs_file(info); }),
                    "60");
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
   c->callback([&] { exit_code = reach(o); });
@@ -157,8 +172,8 @@ void add_result_options(CLI::App* c, EditOptions& o, int& exit_code) {
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
   c->add_option(
       "--character", o.character,
-      "The person's file, which glb, vrma and a BVH of the file's own nodes need (default: "
-      "where the result says it is)");
+      "The person's file, which " + shigusa::format_words(needs_file, "or") +
+          " and a BVH of the file's own nodes need (default: where the result says it is)");
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
   c->add_option(
       "--out", o.out,
@@ -201,7 +216,10 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
 
 void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("score", "Score a motion, recorded or made, by the criteria");
-  c->add_option("clip", o.clip, "BVH file, or an animated GLB, glTF, VRM or VRMA file")->required();
+  c->add_option(
+       "clip", o.clip,
+       "Motion file: " + shigusa::format_endings([](const FormatInfo& info) { return info.clip; }))
+      ->required();
   c->add_option("--character", o.character,
                 "Whose body moves so: half_body, full_body, human or a person's file (default: the "
                 "clip's own person, extent human, as the first frame shows them)");
@@ -226,9 +244,7 @@ void add_studio(CLI::App& app, StudioOptions& o, int& exit_code) {
 
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
-  c->add_option("source", o.source,
-                "half_body, full_body, human, or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF file")
-      ->required();
+  c->add_option("source", o.source, character_help())->required();
   add_character_options(*c, o.person);
   c->add_flag("--json", o.json, "Print JSON");
   c->callback([&] { exit_code = body(o); });

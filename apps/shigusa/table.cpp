@@ -164,7 +164,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
     print_out("{}{}", headline(task, generation, info), candidate_table(task.body, generation));
     for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
       const auto& formats = settings.formats;
-      if (std::find(formats.begin(), formats.end(), ExportFormat::png) == formats.end()) break;
+      if (std::find(formats.begin(), formats.end(), FileFormat::png) == formats.end()) break;
       print_out("{}\n", (folder / fmt::format("candidate-{}.png", i + 1)).string());
     }
     print_out("{}\n", (folder / kSummaryName).string());

@@ -35,8 +35,8 @@ int main(int argc, char** argv) {
   const auto result = shigusa::generate(task);
   if (!result) return fail(result.error());
 
-  for (const auto& [format, name] : {std::pair{shigusa::ExportFormat::glb, "reach.glb"},
-                                     {shigusa::ExportFormat::bvh, "reach.bvh"}}) {
+  for (const auto& [format, name] : {std::pair{shigusa::FileFormat::glb, "reach.glb"},
+                                     {shigusa::FileFormat::bvh, "reach.bvh"}}) {
     if (!shigusa::check_formats(hero, {format})) continue;  // a BVH has no mesh
     const auto file = shigusa::export_candidate(hero, task, result->candidates[0], format);
     if (!file) return fail(file.error());

@@ -15,7 +15,6 @@ int main() {
     std::printf("score %.4f, hand %.3f mm from its goal\n", candidate.score.total,
                 1e3 * candidate.goals[0].error);
   }
-  const auto bvh =
-      shigusa::export_candidate(task, result->candidates[0], shigusa::ExportFormat::bvh);
+  const auto bvh = shigusa::export_candidate(task, result->candidates[0], shigusa::FileFormat::bvh);
   return bvh && shigusa::write_file("reach.bvh", *bvh) ? 0 : 1;
 }

@@ -125,7 +125,7 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
   EXPECT_TRUE(mirrored.meets_goals());
   for (const Candidate& candidate : mirrored.candidates) {
     const std::string bvh =
-        export_candidate(stored.task.character, image, candidate, ExportFormat::bvh).value();
+        export_candidate(stored.task.character, image, candidate, FileFormat::bvh).value();
     const testing_support::ExportedMotion motion(bvh, 0.01);
     const int hand = rig_node(stored.task.character, candidate.goals[0].node);
     const std::string& node =

@@ -2,9 +2,8 @@
 // What a mesh tells of a person, on a figure whose flesh is drawn around its joints.
 #include <gmock/gmock.h>
 
+#include <person/stick_figure.hpp>
 #include <shigusa/person/human_body.hpp>
-
-#include "person/stick_figure.hpp"
 
 namespace shigusa {
 namespace {

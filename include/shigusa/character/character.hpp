@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <shigusa/core/result.hpp>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <shigusa/io/gltf.hpp>
 #include <shigusa/kinematics/rig.hpp>
 #include <shigusa/person/human_body.hpp>
@@ -16,16 +18,14 @@
 
 namespace shigusa {
 
-enum class CharacterFormat { bvh, gltf, vrm };
-
 // A character's own skeleton, for motions to leave on it.
 struct CharacterRig {
   std::filesystem::path file;                // its name
   std::shared_ptr<const std::string> bytes;  // of glTF: all of it, for motions to be added to
-  CharacterFormat format = CharacterFormat::bvh;
-  Skeleton skeleton;                  // names; offsets in the file's units
-  Rig rig;                            // its nodes as the file has them in the frame measured
-  std::vector<GltfPlace> places;      // of glTF: (nodes) at rest …
+  FileFormat format = FileFormat::bvh;       // bvh, glb or vrm, by what it holds
+  Skeleton skeleton;                         // names; offsets in the file's units
+  Rig rig;                                   // its nodes as the file has them in the frame measured
+  std::vector<GltfPlace> places;             // of glTF: (nodes) at rest …
   std::vector<LocalTransform> posed;  // … and the skeleton in the frame measured, turned from rest
   BvhChannels channels;               // of BVH
   Vec3d ahead{0, 0, 1};               // of glTF: the way it faces at rest, its axes
@@ -48,13 +48,24 @@ using BoneRequest = std::vector<std::pair<std::string, std::string>>;
 // which the mesh was bound.
 inline constexpr int kRestPose = -1;
 
+inline constexpr double kStatureMin = 0.5;  // m
+inline constexpr double kStatureMax = 2.5;
+inline constexpr double kMassMin = 2.0;  // kg
+inline constexpr double kMassMax = 300.0;
+inline constexpr double kSeatMin = 0.1;  // m
+inline constexpr double kSeatMax = 1.2;
+
+/// The bodies that need no file.
+inline constexpr std::array<std::string_view, 3> kBuiltInCharacters{"half_body", "full_body",
+                                                                    "human"};
+
 // Who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
   // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, FBX, URDF or MJCF file;
   // for a person or a robot read before (landmarks, urdf below), only a name
   std::string source = "full_body";
-  std::optional<double> stature{};  // m, 0.5..2.5
-  std::optional<double> mass{};     // kg, 2..300; from stature and sex when not given
+  std::optional<double> stature{};  // m, kStatureMin..kStatureMax
+  std::optional<double> mass{};     // kg, kMassMin..kMassMax; from stature and sex when not given
   Sex sex = Sex::male;
   std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
   // of the file's motion: the start posture, exactly as that frame has it, or kRestPose. Of glTF it
@@ -62,10 +73,11 @@ struct CharacterSpec {
   // the rest pose, of BVH frame 0, where that is no T- or A-pose; in these people stand at ease
   std::optional<int> frame{};
   std::optional<std::string>
-      animation{};               // of glTF: its name or index; the first for a frame alone
-  std::optional<double> seat{};  // m, 0.1..1.2: height of the seat that the person sits on
-  bool heels = false;            // they may lift; of the body human, standing, of a file with toes
-  BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
+      animation{};  // of glTF: its name or index; the first for a frame alone
+  std::optional<double>
+      seat{};          // m, kSeatMin..kSeatMax: height of the seat that the person sits on
+  bool heels = false;  // they may lift; of the body human, standing, of a file with toes
+  BoneRequest map{};   // of the file's bones; goes before what the file and its names tell
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
   // the robot as read (reduced_urdf; of MJCF write_urdf), in landmarks' place

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <shigusa/body/skeleton.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@
 namespace shigusa {
 
 // What a BVH file may hold at most; more is refused before memory is taken.
-inline constexpr std::size_t kBvhMaxBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kBvhMaxBytes = info_of(FileFormat::bvh).max_bytes;
 inline constexpr int kBvhMaxNodes = 4096;
 inline constexpr int kBvhMaxFrames = 200'000;
 inline constexpr std::size_t kBvhMaxTransforms = 8'000'000;  // frames × nodes: 450 MB

@@ -12,7 +12,7 @@ export interface Edit {
 
 /** What is asked of the search beside the goals. */
 export interface SearchSettings {
-  readonly preset: 'flat' | 'human' | 'layers' | 'paper';
+  readonly preset: string;
   readonly seed: number;
   readonly evaluations: number | null; // null: the preset's own
   readonly duration_s: number | null; // null: from the distance
