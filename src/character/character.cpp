@@ -18,12 +18,6 @@ namespace shigusa {
 namespace {
 
 constexpr std::array<std::string_view, 3> kBuiltIn{"half_body", "full_body", "human"};
-constexpr double kStatureMin = 0.5;  // m
-constexpr double kStatureMax = 2.5;
-constexpr double kSeatMin = 0.1;  // m
-constexpr double kSeatMax = 1.2;
-constexpr double kMassMin = 2.0;  // kg
-constexpr double kMassMax = 300.0;
 
 Result<void> check_range(const char* what, const std::optional<double>& value, double low,
                          double high, const char* unit) {

@@ -12,7 +12,7 @@ namespace shigusa {
 
 Result<std::vector<Layer>> layers_to_goals(const Task& task) {
   const LayerChoice choice{traits_of(task.preset).layers.value_or(LayerStack::paper),
-                           task.layers.reading};
+                           task.layer_reading};
   return layers_to_goals(task.body, task.goals, choice, task_criteria(task));
 }
 

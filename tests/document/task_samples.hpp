@@ -90,7 +90,7 @@ inline TaskFile any_task() {
   task.seed =
       *rc::gen::element<std::uint64_t>(0, 1, UINT64_MAX, *rc::gen::arbitrary<std::uint64_t>());
   task.candidates = *rc::gen::inRange(1, 1001);
-  if (*rc::gen::arbitrary<bool>()) task.fixed = {"squat_deg=60", "目", ""};
+  if (*rc::gen::arbitrary<bool>()) task.fixed_assignments = {"squat_deg=60", "目", ""};
   task.pareto = *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>()) task.generator = MotionGenerator::nlp_ik;
   task.phases = *rc::gen::inRange(1, kPhasesMax + 1);
@@ -147,7 +147,7 @@ inline std::vector<std::string> words(const TaskFile& task) {
   all.push_back(task.character.animation.value_or("none"));
   for (const auto& [bone, node] : task.character.map) all.insert(all.end(), {bone, node});
   for (const Goal& goal : task.goals) all.push_back(goal.effector);
-  all.insert(all.end(), task.fixed.begin(), task.fixed.end());
+  all.insert(all.end(), task.fixed_assignments.begin(), task.fixed_assignments.end());
   if (task.contacts) {
     all.emplace_back("contacts");
     all.insert(all.end(), task.contacts->begin(), task.contacts->end());

@@ -4,12 +4,16 @@
 #include <array>
 #include <optional>
 #include <shigusa/body/side.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <string_view>
 
 namespace shigusa {
 
 enum class Sex { male, female };
+template <>
+inline constexpr std::array kEnumWords<Sex>{EnumWord{Sex::male, "male"},
+                                            EnumWord{Sex::female, "female"}};
 
 // Mass and mass distribution of one body segment. Source: P. de Leva, Adjustments to
 // Zatsiorsky-Seluyanov's segment inertia parameters, J. Biomechanics 29 (1996) 1223-1230, table 4.
