@@ -8,14 +8,16 @@ const kTuples = new Map([[3, 'Vec3'], [4, 'Quat']]);
 /** "GoalAxis" of "goal_axis". */
 const typeName = (definition) => definition.replaceAll(/(?:^|_)(.)/g, (_, letter) => letter.toUpperCase());
 
+const literal = (value) => (typeof value === 'string' ? `'${value}'` : String(value));
+
 function comment(text, indent) {
+  if (!text) return '';
   const lines = [''];
-  for (const word of (text ?? '').split(' ')) {
+  for (const word of text.split(' ')) {
     if (lines.at(-1).length + word.length > kWidth) lines.push('');
     lines.push(`${lines.pop()} ${word}`);
   }
-  if (!text) return '';
-  return `${indent}/**${lines.join(`\n${indent} * `.replace(/ $/, ''))} */\n`;
+  return `${indent}/**${lines.join(`\n${indent} *`)} */\n`;
 }
 
 class Types {
@@ -25,8 +27,8 @@ class Types {
 
   of(rule, indent) {
     if (rule.$ref) return this.reference(rule.$ref);
-    if ('const' in rule) return JSON.stringify(rule.const);
-    if (rule.enum) return rule.enum.map((word) => `'${word}'`).join(' | ');
+    if ('const' in rule) return literal(rule.const);
+    if (rule.enum) return rule.enum.map(literal).join(' | ');
     if (rule.anyOf) return rule.anyOf.map((choice) => this.of(choice, indent)).join(' | ');
     if (rule.type === 'array') return this.list(rule, indent);
     if (rule.type === 'integer') return 'number';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files and links that come in: characters, results, tasks.
-import type { CharacterSpec, Generated, Goal, Summary, Task } from '../../../bindings/wasm/src/types';
+import type { CharacterSpec, Generated, Summary, Task } from '../../../bindings/wasm/src/types';
 import { weightsOf } from './criteria';
 import type { Document, SearchSettings } from './model';
 import { newDocument } from './start';
@@ -80,13 +80,13 @@ async function changedFile(summary: Summary, beside: readonly File[]): Promise<s
 }
 
 export async function openResult(studio: Studio, summary: Summary, beside: readonly File[] = []): Promise<void> {
-  const task = summary['task'] as Task & { character?: CharacterSpec | string };
+  const task = summary['task'] as Task;
   const character = (await characterBeside(studio, task.character, beside)) ?? (await characterOf(studio, task.character));
   const result: Generated = await studio.restore(character, summary);
   await studio.begin({ ...documentOf(newDocument(character, task.goals), task), result });
 }
 
-export async function openTask(studio: Studio, task: Task & { character?: CharacterSpec | string }): Promise<void> {
+export async function openTask(studio: Studio, task: Task): Promise<void> {
   const character = await characterOf(studio, task.character);
   await studio.begin(documentOf(newDocument(character, task.goals), task));
 }
@@ -114,11 +114,11 @@ async function characterOf(studio: Studio, named: CharacterSpec | string | undef
 
 function documentOf(document: Document, task: Task): Document {
   const settings: SearchSettings = {
-    preset: (task.preset ?? 'flat') as SearchSettings['preset'],
+    preset: task.preset ?? 'flat',
     seed: task.seed ?? 0,
     evaluations: task.evaluations ?? null,
     duration_s: task.duration_s ?? null,
     more: moreOf(task),
   };
-  return { ...document, goals: task.goals.map((goal: Goal) => ({ ...goal })), settings, weights: weightsOf(task), fixed: task.fixed ?? [] };
+  return { ...document, goals: (task.goals ?? []).map((goal) => ({ ...goal })), settings, weights: weightsOf(task), fixed: task.fixed ?? [] };
 }
