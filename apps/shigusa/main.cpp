@@ -58,7 +58,7 @@ void add_file_options(CLI::App* c, FileOptions& o, const std::string& usual,
               "All candidates in one candidates.glb in place of a GLB for each");
 }
 
-// The words of an enum as --help shows them: "paper|flat".
+// The words of an enum as --help shows them, "paper|flat"; of other values the form of their text.
 template <class Value>
 std::string words_or(const char* form) {
   if constexpr (std::is_enum_v<Value>) {
@@ -82,15 +82,16 @@ void add_field_options(CLI::App& c, FieldOptions<Holder>& o) {
   for_each_option<Holder>(o, [&c](const auto& field, auto& typed) {
     using Typed = std::remove_cvref_t<decltype(typed)>;
     const auto& traits = field.traits;
+    const std::string form = form_of(field);
     if constexpr (std::same_as<Typed, bool>) {
       c.add_flag(traits.option, typed, field.says);
     } else if constexpr (std::same_as<Typed, std::vector<std::string>>) {
       c.add_option(traits.option, typed, std::string(field.says) + " Repeatable.")
           ->allow_extra_args(false)
-          ->type_name(traits.form);
+          ->type_name(form);
     } else {
       CLI::Option* option = c.add_option(traits.option, typed, field.says);
-      if (const std::string form = form_of(field); !form.empty()) option->type_name(form);
+      if (!form.empty()) option->type_name(form);
       if constexpr (std::integral<decltype(traits.low)>) {
         if (traits.high > 0) option->check(whole_number(traits.low, traits.high));
       }

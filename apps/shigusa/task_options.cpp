@@ -105,6 +105,7 @@ double from_numbers(const std::vector<double>& n, double) { return n[0]; }
 template <class Value>
 Result<void> apply_to_goals(const Field<Goal, Value>& field, const Texts& texts, Request& request) {
   for (const std::string& text : texts) {
+    // numbers, points and rotations are so many doubles
     const auto named = parse_named(text, sizeof(Plain<Value>) / sizeof(double));
     if (!named) return misread(field, text);
     const Result<Goal*> goal = goal_of(field.traits.option, named->name, request);

@@ -130,7 +130,7 @@ TEST_F(Streams, HelpAndVersionAreResults) {
 std::vector<std::string> printing_calls() {
   std::vector<std::string> calls;
   for (const char* arguments :
-       {"body half_body", "body human --json", "--help", "reach --help", "--version",
+       {"body half_body", "body human --json", "--help", "reach --help", "--version", "schema",
         "reach --goal right_hand=-0.2,1.1,0.4 --out one", "edit result", "edit result --json",
         "mirror result", "render clip.bvh", "score clip.bvh", "score clip.bvh --json"}) {
     calls.push_back("'" + shigusa_program() + "' " + arguments);
