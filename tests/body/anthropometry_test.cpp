@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <shigusa/body/anthropometry.hpp>
+#include <shigusa/person/landmarks.hpp>
 #include <vector>
 
 namespace shigusa {

@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 
 #include <functional>
-#include <project/character_export.hpp>
-#include <project/landmarks_json.hpp>
 #include <shigusa/character/character_description.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_skin.hpp>
 
+#include "character/landmarks_json.hpp"
+#include "document/character_export.hpp"
 #include "support/mesh_file.hpp"
 
 namespace shigusa {

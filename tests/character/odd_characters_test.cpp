@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <functional>
-#include <project/character_export.hpp>
 #include <shigusa/document/export.hpp>
 
+#include "document/character_export.hpp"
 #include "support/convention.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <bit>
-#include <body/stick_figure.hpp>
-#include <project/character_export.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/person/at_ease.hpp>
 
+#include "document/character_export.hpp"
+#include "person/stick_figure.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
 

@@ -5,11 +5,11 @@
 
 #include <cmath>
 #include <functional>
-#include <project/character_export.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/kinematics/clip_fit.hpp>
 
+#include "document/character_export.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
 

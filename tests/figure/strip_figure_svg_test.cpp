@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The drawing of builds without cairo; those with it have it too, and compare.
+#include "figure/strip_figure_svg.hpp"
+
 #include <gtest/gtest.h>
 
-#include <io/strip_figure_svg.hpp>
 #include <shigusa/math/scalar.hpp>
 #include <string>
 

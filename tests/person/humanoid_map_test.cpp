@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <body/humanoid_names.hpp>
-#include <body/stick_figure.hpp>
 #include <filesystem>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <shigusa/person/landmarks.hpp>
+
+#include "person/humanoid_names.hpp"
+#include "person/stick_figure.hpp"
 
 namespace shigusa {
 namespace {

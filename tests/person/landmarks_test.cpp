@@ -5,11 +5,12 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <body/stick_figure.hpp>
 #include <cmath>
 #include <filesystem>
 #include <shigusa/io/bvh.hpp>
 #include <shigusa/person/landmarks.hpp>
+
+#include "person/stick_figure.hpp"
 
 namespace shigusa {
 namespace {

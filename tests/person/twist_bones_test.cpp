@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
-#include <body/humanoid_names.hpp>
-#include <body/stick_figure.hpp>
 #include <shigusa/person/twist_bones.hpp>
+
+#include "person/humanoid_names.hpp"
+#include "person/stick_figure.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <body/stick_figure.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -12,6 +11,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "person/stick_figure.hpp"
 
 namespace shigusa::testing_support {
 

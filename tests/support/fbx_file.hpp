@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <body/stick_figure.hpp>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "person/stick_figure.hpp"
 
 namespace shigusa::testing_support {
 
