@@ -33,7 +33,7 @@ constexpr int kLongBudget = 5000;
 constexpr std::uint64_t kShownSeed = 1;
 
 Task make(const BodyModel& body, const Vec3d& goal, std::uint64_t seed) {
-  Task task = with_preset({.body = body}, Preset::paper);
+  Task task = with_preset(Task(body), Preset::paper);
   task.goals = {{"right_hand", goal}};
   task.seed = seed;
   task.batch.threads = 1;

@@ -55,17 +55,13 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
                   option.name);
     }
   }
-  if (options.extent) {
-    spec.extent = *options.extent == "half"   ? BodyExtent::half
-                  : *options.extent == "full" ? BodyExtent::full
-                                              : BodyExtent::human;
-  }
+  if (options.extent) spec.extent = *value_of<BodyExtent>(*options.extent, "extent");
   if (options.frame) spec.frame = *options.frame;
   spec.animation = options.animation ? options.animation : spec.animation;
   if (options.mass) spec.mass = *options.mass;
   if (options.seat) spec.seat = *options.seat;
   spec.heels = spec.heels || options.heels;
-  if (options.sex) spec.sex = *options.sex == "female" ? Sex::female : Sex::male;
+  if (options.sex) spec.sex = *value_of<Sex>(*options.sex, "sex");
   if (options.stature) {
     const Result<double> stature = parse_stature(*options.stature, spec.sex);
     if (!stature) return tl::unexpected(stature.error());

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   auto body = shigusa::build_character(hero);
   if (!body) return fail(body.error());
   const double stature = body->stature();
-  shigusa::Task task{.body = std::move(*body)};
+  shigusa::Task task(std::move(*body));
   task.goals = {{"right_hand", {-0.15 * stature, 0.4 * stature, 0.3 * stature}}};
   const auto result = shigusa::generate(task);
   if (!result) return fail(result.error());

@@ -5,7 +5,7 @@
 #include <shigusa/shigusa.hpp>
 
 int main() {
-  shigusa::Task task{.body = shigusa::full_body({.stature = 1.70, .mass = 65.0})};
+  shigusa::Task task(shigusa::full_body({.stature = 1.70, .mass = 65.0}));
   task.goals = {{"right_hand", {0.25, 0.55, 0.50}}};  // metres; +Y up, facing +Z, left is +X
   task.evaluations = 2000;
 

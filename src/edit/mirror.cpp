@@ -25,6 +25,38 @@ std::string mirrored_assignment(const std::string& assignment) {
   return negative ? text.erase(equals + 1, 1) : text.insert(equals + 1, "-");
 }
 
+template <class Holder>
+void mirror_fields(Holder& holder);
+
+// Numbers and choices have no side.
+template <class Value>
+void mirror_value(Value&, Mirroring) {}
+void mirror_value(Vec3d& point, Mirroring) { point = across(point); }
+void mirror_value(Quatd& rotation, Mirroring) { rotation = across(rotation); }
+void mirror_value(std::string& text, Mirroring how) {
+  text = how == Mirroring::assignments ? mirrored_assignment(text) : mirrored_name(text);
+}
+template <Tabled Holder>
+void mirror_value(Holder& holder, Mirroring) {
+  mirror_fields(holder);
+}
+template <class Item>
+void mirror_value(std::vector<Item>& list, Mirroring how) {
+  for (Item& item : list) mirror_value(item, how);
+}
+template <class Value>
+void mirror_value(std::optional<Value>& value, Mirroring how) {
+  if (value) mirror_value(*value, how);
+}
+
+template <class Holder>
+void mirror_fields(Holder& holder) {
+  for_each_field<Holder>([&](const auto& field) {
+    if (field.traits.mirroring == Mirroring::same) return;
+    mirror_value(holder.*field.member, field.traits.mirroring);
+  });
+}
+
 }  // namespace
 
 std::string mirrored_name(std::string_view name) {
@@ -45,21 +77,7 @@ Result<TaskFile> mirrored(TaskFile task) {
                 fmt::format("{} has one side only: it has {} and no {}", body->name(), dof.name,
                             mirrored_name(dof.name)));
   }
-  for (Goal& goal : task.goals) {
-    goal.effector = mirrored_name(goal.effector);
-    goal.position = across(goal.position);
-    if (goal.rotation) *goal.rotation = across(*goal.rotation);
-    if (goal.axis) goal.axis = {across(goal.axis->axis), across(goal.axis->direction)};
-  }
-  if (task.look_at) task.look_at = across(*task.look_at);
-  if (task.contacts) {
-    for (std::string& foot : *task.contacts) foot = mirrored_name(foot);
-  }
-  for (Obstacle& obstacle : task.obstacles) {
-    obstacle.position = across(obstacle.position);
-    obstacle.rotation = across(obstacle.rotation);
-  }
-  for (std::string& assignment : task.fixed) assignment = mirrored_assignment(assignment);
+  mirror_fields<Request>(task);
   return task;
 }
 

@@ -74,7 +74,7 @@ Result<void> mirror_result(StoredResult& stored) {
   if (!image) return tl::unexpected(image.error());
   const Result<Task> task = make_task(*image, {});
   if (!task) return tl::unexpected(task.error());
-  const Result<Plan> from = plan_of(*body, stored.task.goals, task->preset, task->layers.reading);
+  const Result<Plan> from = plan_of(*body, stored.task.goals, task->preset, task->layer_reading);
   const Result<Plan> to = plan_of(*task);
   if (!from) return tl::unexpected(from.error());
   if (!to) return tl::unexpected(to.error());

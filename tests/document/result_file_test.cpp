@@ -98,7 +98,7 @@ TEST(ResultFile, NamesOfFilesLeadNowhereElse) {
 TEST(ResultFile, TaskAndParametersAreReadBackBitForBit) {
   const StoredResult stored = parse_result(sample().text(), "summary.json").value();
   EXPECT_EQ(bits(stored.task), bits(sample().file));
-  EXPECT_EQ(words(stored.task), words(sample().file));
+  EXPECT_EQ(words(stored.task.character), words(sample().file.character));
   ASSERT_EQ(stored.candidates.size(), sample().generation.candidates.size());
   for (std::size_t i = 0; i < stored.candidates.size(); ++i) {
     EXPECT_EQ(stored.candidates[i], sample().generation.candidates[i].parameters);

@@ -141,11 +141,11 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
 
 TEST(Mirror, TwiceIsTheTaskAgain) {
   TaskFile file = asked(Preset::flat);
-  file.fixed = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1",
-                "squat_deg=40",         "nothing",      "later.right_elbow.locked=true",
-                "later.twist_deg=5",    "switch=0.3"};
+  file.fixed_assignments = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1",
+                            "squat_deg=40",         "nothing",      "later.right_elbow.locked=true",
+                            "later.twist_deg=5",    "switch=0.3"};
   const TaskFile once = mirrored(file).value();
-  EXPECT_THAT(once.fixed,
+  EXPECT_THAT(once.fixed_assignments,
               testing::ElementsAre("left_elbow.weight=3", "twist_deg=-20", "twist_rad=0.1",
                                    "squat_deg=40", "nothing", "later.left_elbow.locked=true",
                                    "later.twist_deg=-5", "switch=0.3"));

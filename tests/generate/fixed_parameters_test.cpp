@@ -16,7 +16,7 @@ namespace {
 const Vec3d kAtTheFeet{-0.05, 0.1, 0.3};
 
 Task fixed_task(Preset preset, const std::vector<const char*>& assignments) {
-  Task task = with_preset({.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}}, preset);
+  Task task = with_preset(Task(full_body(), {.goals = {{"right_hand", kAtTheFeet}}}), preset);
   task.evaluations = 600;
   task.fixed = no_fixed_parameters(task.body);
   for (const char* assignment : assignments) {

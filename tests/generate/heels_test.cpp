@@ -23,7 +23,7 @@ constexpr double kFlatReach = 2.255;  // m, as high as flat feet reach at …
 constexpr Vec3d kAbove{-0.25, 0.0, 0.15};
 
 Task task_for(const Vec3d& goal, bool heels = true) {
-  Task task{.body = human_body({.heels = heels})};
+  Task task(human_body({.heels = heels}));
   task.goals = {{"right_hand", goal}};
   task.seed = 1;
   task.evaluations = 1500;

@@ -17,7 +17,7 @@ constexpr Vec3d kAtTheFeet{-0.05, 0.1, 0.3};
 constexpr Vec3d kHigh{-0.45, 1.75, 0.35};
 
 Task task_for(const BodyModel& body, const Vec3d& goal, const char* hand = "right_hand") {
-  Task task = with_preset({.body = body, .goals = {{hand, goal}}}, Preset::human);
+  Task task = with_preset(Task(body, {.goals = {{hand, goal}}}), Preset::human);
   task.seed = 1;
   task.evaluations = 160;
   return task;

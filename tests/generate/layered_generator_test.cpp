@@ -23,7 +23,7 @@ constexpr Vec3d kFront{-0.3, 1.2, 0.35};
 constexpr Vec3d kOutOfReach{-1.5, 1.5, 1.2};
 
 Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) {
-  Task task = with_preset({.body = body, .goals = {{"right_hand", goal}}}, Preset::layers);
+  Task task = with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::layers);
   task.seed = seed;
   return task;
 }
@@ -74,8 +74,8 @@ TEST(GenerateLayers, PeopleOfAllSizesAndShapesReach) {
 }
 
 TEST(GenerateLayers, EitherHandAndBothTogetherReach) {
-  Task task = with_preset({.body = full_body(), .goals = {{"left_hand", {0.3, 1.2, 0.35}}}},
-                          Preset::layers);
+  Task task =
+      with_preset(Task(full_body(), {.goals = {{"left_hand", {0.3, 1.2, 0.35}}}}), Preset::layers);
   expect_layers_kept(task, generated(task));
   task.goals.push_back({"right_hand", {-0.2, 1.1, 0.4}});
   expect_layers_kept(task, generated(task));
@@ -85,7 +85,7 @@ TEST(GenerateLayers, BothReadingsReach) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     Task task = task_for(body, kFront);
     const Generation shared = generated(task);
-    task.layers.reading = LayerReading::contraction_a_limb;
+    task.layer_reading = LayerReading::contraction_a_limb;
     const Generation each = generated(task);
     expect_layers_kept(task, each);
     EXPECT_NE(numbers(each), numbers(shared));
@@ -252,8 +252,8 @@ TEST(GenerateLayers, WrongTasksAndBodiesAreErrors) {
   Task task = task_for(half_body(), kFront);
   task.goals[0].effector = "left_hand";
   EXPECT_EQ(generate(task).error().code, ErrorCode::not_found);
-  const Task rods = with_preset({.body = chain({{}, {}, {}}), .goals = {{"tip", {0.1, 1.0, 0.1}}}},
-                                Preset::layers);
+  const Task rods =
+      with_preset(Task(chain({{}, {}, {}}), {.goals = {{"tip", {0.1, 1.0, 0.1}}}}), Preset::layers);
   EXPECT_EQ(generate(rods).error().code, ErrorCode::unsupported);
 }
 

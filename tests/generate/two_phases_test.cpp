@@ -24,7 +24,7 @@ using testing::HasSubstr;
 constexpr Vec3d kAtTheFeet{-0.15, 0.05, 0.45};
 
 Task two_phases(const std::vector<const char*>& fixed = {}) {
-  Task task{.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}};
+  Task task(full_body(), {.goals = {{"right_hand", kAtTheFeet}}});
   task.phases = 2;
   if (fixed.empty()) return task;
   task.fixed = no_fixed_parameters(task.body);

@@ -24,7 +24,7 @@ BodyModel crooked_human() {
 std::string link_name(const BodyModel& body, int link) { return body.dof(link).name; }
 
 Task human_task(const BodyModel& body, const Vec3d& goal) {
-  return with_preset({.body = body, .goals = {{"right_hand", goal}}}, Preset::human);
+  return with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::human);
 }
 
 // A motion of the upper layer by random weights and lengths, with all that it leads.
@@ -276,7 +276,7 @@ TEST(LayeredHuman, HandsAreTurnedAsTheirGoalsSay) {
   const Quatd palm_left_thumb_up = to_quat(rotation(Axis::x, -0.5 * kPi));
   for (const Goal& goal : {Goal{.position = {-0.2, 1.1, 0.4}, .axis = palm_up},
                            Goal{.position = {-0.25, 1.3, 0.35}, .rotation = palm_left_thumb_up}}) {
-    Task task = with_preset({.body = human_body(), .goals = {goal}}, Preset::human);
+    Task task = with_preset(Task(human_body(), {.goals = {goal}}), Preset::human);
     task.evaluations = 120;
     const Generation generation = generate(task).value();
     EXPECT_TRUE(generation.meets_goals());
@@ -293,7 +293,7 @@ TEST(LayeredHuman, RotationsAreForHandsWithAWristAndThePresetHuman) {
   Goal goal{.position = {-0.2, 1.1, 0.4}, .axis = GoalAxis{}};
   for (const auto& [body, preset] :
        {std::pair{full_body(), Preset::human}, std::pair{human_body(), Preset::layers}}) {
-    const auto refused = generate(with_preset({.body = body, .goals = {goal}}, preset));
+    const auto refused = generate(with_preset(Task(body, {.goals = {goal}}), preset));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
   }
@@ -307,7 +307,7 @@ TEST(LayeredHuman, GoalsHighLowAcrossAndOfBothHandsAreMet) {
       {{"left_hand", {-0.25, 1.1, 0.4}}},
       {{"right_hand", {-0.2, 0.9, 0.4}}, {"left_hand", {0.2, 1.1, 0.4}}}};
   for (const std::vector<Goal>& goals : tasks) {
-    Task task = with_preset({.body = human_body(), .goals = goals}, Preset::human);
+    Task task = with_preset(Task(human_body(), {.goals = goals}), Preset::human);
     task.evaluations = 120;
     const Generation generation = generate(task).value();
     EXPECT_TRUE(generation.meets_goals());

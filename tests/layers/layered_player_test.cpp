@@ -30,7 +30,7 @@ double leg_excess(const LayeredProblem& problem, const Clip& clip) {
 TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task =
-        with_preset({.body = body, .goals = {{"right_hand", {0.0, 0.3, 0.5}}}}, Preset::layers);
+        with_preset(Task(body, {.goals = {{"right_hand", {0.0, 0.3, 0.5}}}}), Preset::layers);
     const LayeredProblem problem = make_layered_problem(task).value();
     LayeredPlayer player(problem);
     Random random(3);
@@ -59,7 +59,7 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
 TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
   const BodyModel body = full_body();
   const Task task = with_preset(
-      {.body = body, .goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}},
+      Task(body, {.goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}}),
       Preset::layers);
   const LayeredProblem problem = make_layered_problem(task).value();
   LayeredPlayer player(problem);

@@ -79,7 +79,7 @@ TEST(CheckLayered, RefusesWhatNoNameTells) {
 }
 
 TEST(Regenerate, TakesTheParametersOfThePreset) {
-  Task task = with_preset({.body = full_body(), .goals = kGoals}, Preset::layers);
+  Task task = with_preset(Task(full_body(), {.goals = kGoals}), Preset::layers);
   EXPECT_EQ(regenerate(task, uniform_parameters(task.body)).error().code,
             ErrorCode::invalid_argument);
   Parameters parameters = start_values(layers_of(LayerReading::shared_contractions));

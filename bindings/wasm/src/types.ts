@@ -3,22 +3,11 @@
 // docs/result.schema.json); units are metres, kilograms, seconds, radians; +Y is up, a body faces +Z, its left
 // is +X; quaternions are [x, y, z, w].
 
-export type Vec3 = [number, number, number];
-export type Quat = [number, number, number, number];
+import type { CharacterSpec, Quat, Task, Vec3 } from './task_types.js';
 
-/** The `character` of a task file. A file's bytes go beside it, its name is `source`. */
-export interface CharacterSpec {
-  source: string;
-  stature_m?: number;
-  mass_kg?: number;
-  sex?: 'male' | 'female';
-  extent?: 'human' | 'full' | 'half';
-  frame?: number | 'rest';
-  animation?: string;
-  seat_m?: number;
-  heels?: boolean;
-  map?: Record<string, string>;
-}
+/** A task's file and its parts. The `character` of an engine is opened before: its file's bytes go beside the spec,
+ *  its name is `source`. */
+export type { CharacterSpec, Criteria, Goal, GoalAxis, Obstacle, Quat, Task, Vec3 } from './task_types.js';
 
 export interface JointDescription {
   name: string; // "right_shoulder.flexion"
@@ -57,28 +46,6 @@ export interface CharacterDescription {
   /** What of the body nothing should pass through, in the start posture: lines with a thickness. */
   capsules: { name: string; from_m: Vec3; to_m: Vec3; radius_m: number }[];
   placement?: { unit_m: number; origin: Vec3; left: Vec3; up: Vec3; ahead: Vec3 };
-}
-
-export interface Goal {
-  effector: string;
-  position_m: Vec3;
-  rotation_xyzw?: Quat;
-  load_kg?: number;
-  tolerance_m?: Vec3;
-}
-
-/** A task file; keys that are not named here are in docs/task.schema.json. */
-export interface Task {
-  version?: 1;
-  goals: Goal[];
-  preset?: string;
-  criteria?: string | Record<string, unknown>;
-  seed?: number;
-  candidates?: number;
-  evaluations?: number;
-  fixed?: string[];
-  duration_s?: number;
-  [key: string]: unknown;
 }
 
 /** Why a motion is not possible: numbers of its kind, and the sentence that says them in English. */

@@ -15,27 +15,9 @@ namespace shigusa {
 inline constexpr int kTaskVersion = 1;
 inline constexpr std::size_t kTaskMaxBytes = std::size_t{1} << 20;
 
-// A task as its JSON file holds it; docs/task.schema.json is its schema. Criteria and candidates
-// are the preset's own where a file does not say.
-struct TaskFile {
-  CharacterSpec character;
-  std::vector<Goal> goals;
-  std::vector<Obstacle> obstacles{};
-  std::optional<double> duration;  // s
-  Preset preset = Preset::flat;
-  LayerReading layer_reading = LayerReading::shared_contractions;  // of layered presets
-  std::optional<SearchMethod> search;  // the preset's own when not given
-  // the built-in ones: functions do not go into files
-  CriteriaSettings criteria = traits_of(Preset::flat).criteria();
-  std::vector<std::string> fixed;  // parameters that are not searched, as assignments
-  bool pareto = false;             // see Task
-  MotionGenerator generator = MotionGenerator::weighted_ik;
-  int phases = 1;  // 1..kPhasesMax
-  std::uint64_t seed = 0;
-  int candidates = traits_of(Preset::flat).candidates;  // 1..1000
-  std::optional<int> evaluations;  // motions the search may score, 8..1e9; see Task
-  std::optional<Vec3d> look_at{};  // m, world; see Task
-  std::optional<std::vector<std::string>> contacts{};  // see Task
+/// A task as its JSON file holds it; docs/task.schema.json is its schema.
+struct TaskFile : Request {
+  CharacterSpec character{};
 };
 
 // Parses what stands under "character" in a task: an object, or a source alone as a JSON text.
@@ -50,6 +32,9 @@ struct TaskFile {
 // The task as JSON text: parse_task of it gives the same task, bit for bit (names that are not
 // UTF-8 and what a built-in body does not use excepted).
 [[nodiscard]] std::string format_task(const TaskFile& task);
+
+/// The JSON schema of task files, as docs/task.schema.json has it.
+[[nodiscard]] std::string task_schema();
 
 // The task's body, standing on a foot that no goal moves where its character has two to stand on.
 // The character must have been measured; fails as build_character.

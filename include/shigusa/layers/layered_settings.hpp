@@ -12,7 +12,6 @@ inline constexpr int kCollisionRounds = 3;
 
 // What layered presets are asked beside what every task says.
 struct LayeredSettings {
-  LayerReading reading = LayerReading::shared_contractions;
   // How the arms' layers are searched; threads and SIMD set are the task's.
   LimbSearch limb_search = LimbSearch::ladder;
   // Where the arms' libraries are kept; without it they are searched anew, with the same result.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files and links that come in: characters, results, tasks.
-import type { Character, CharacterSpec, Facts, Generated, Goal, Summary, Task } from '../../../bindings/wasm/src/types';
+import type { Character, CharacterSpec, Facts, Generated, Summary, Task } from '../../../bindings/wasm/src/types';
 import { weightsOf } from './criteria';
 import { characterFormat, characterFormats, endingOf } from './formats';
 import type { Document, SearchSettings } from './model';
@@ -81,13 +81,13 @@ async function changedFile(summary: Summary, beside: readonly File[]): Promise<s
 }
 
 export async function openResult(studio: Studio, summary: Summary, beside: readonly File[] = []): Promise<void> {
-  const task = summary['task'] as Task & { character?: CharacterSpec | string };
+  const task = summary['task'] as Task;
   const character = (await characterBeside(studio, task.character, beside)) ?? (await characterOf(studio, task.character));
   const result: Generated = await studio.restore(character, summary);
   await studio.begin({ ...documentOf(studio.facts, character, task), result });
 }
 
-export async function openTask(studio: Studio, task: Task & { character?: CharacterSpec | string }): Promise<void> {
+export async function openTask(studio: Studio, task: Task): Promise<void> {
   const character = await characterOf(studio, task.character);
   await studio.begin(documentOf(studio.facts, character, task));
 }
@@ -121,6 +121,6 @@ function documentOf(facts: Facts, character: Character, task: Task): Document {
     duration_s: task.duration_s ?? null,
     more: moreOf(task),
   };
-  const goals = task.goals.map((goal: Goal) => ({ ...goal }));
+  const goals = (task.goals ?? []).map((goal) => ({ ...goal }));
   return { ...newDocument(facts, character, goals), settings, weights: weightsOf(facts, task), fixed: task.fixed ?? [] };
 }

@@ -273,7 +273,7 @@ export class Studio extends Workbench {
     }
     const task = result.summary['task'] as Task;
     const settings = { ...document.settings, more: moreOf(task) };
-    return { ...document, result, edits, settings, goals: task.goals, fixed: task.fixed ?? [] };
+    return { ...document, result, edits, settings, goals: task.goals ?? [], fixed: task.fixed ?? [] };
   }
 
   /** Keeps what is locked or given and searches the rest. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A document as a task file, and the link that carries one.
-import type { CharacterSpec, Facts, Task } from '../../../bindings/wasm/src/types';
+import type { Facts, Task } from '../../../bindings/wasm/src/types';
 import { ownMixture, sameWeights } from './criteria';
 import type { Document, SearchSettings } from './model';
 
@@ -19,7 +19,7 @@ export function withPreset(settings: SearchSettings, preset: SearchSettings['pre
 const kKnown = new Set(['version', 'character', 'goals', 'preset', 'seed', 'evaluations', 'duration_s', 'fixed']);
 
 /** All else that a task says, which is carried along. */
-export function moreOf(task: Task): Record<string, unknown> {
+export function moreOf(task: Task): Partial<Task> {
   return Object.fromEntries(Object.entries(task).filter(([key]) => !kKnown.has(key)));
 }
 
@@ -31,7 +31,7 @@ export function taskOf(facts: Facts, document: Document): Task {
   if (document.settings.duration_s !== null) task.duration_s = document.settings.duration_s;
   if (document.fixed.length > 0) task.fixed = [...document.fixed];
   if (typeof criteria === 'object' || !sameWeights(document.weights, ownMixture(facts, document))) {
-    const told = typeof criteria === 'object' ? (criteria as Record<string, object>) : {};
+    const told: Record<string, object | undefined> = typeof criteria === 'object' ? { ...criteria } : {};
     task.criteria = Object.fromEntries(Object.entries(document.weights).map(([name, weight]) => [name, { ...told[name], weight }]));
   }
   return task;
@@ -59,7 +59,7 @@ export function linkOf(facts: Facts, document: Document, page: string): string {
 }
 
 /** The task of a link; null where there is none. Throws a SyntaxError where it is damaged. */
-export function taskOfLink(fragment: string): (Task & { character?: CharacterSpec | string }) | null {
+export function taskOfLink(fragment: string): Task | null {
   if (!fragment.startsWith(kFragment)) return null;
   let text: string;
   try {
