@@ -26,7 +26,7 @@ struct Measured {
   std::vector<float> inverse_weights;  // (motions × dofs), of the same motions
 
   Measured(const char* character, int motions)
-      : task(with_preset({.body = build(character)}, Preset::paper)) {
+      : task(with_preset(Task(build(character)), Preset::paper)) {
     task.goals = {{"right_hand", kLowFrontLeft}};
     problem = make_problem(task).value();
     Random random(7);

@@ -27,7 +27,7 @@ long peak_kibibytes() {
 }
 
 Task default_task() {
-  Task task{.body = full_body()};
+  Task task(full_body());
   task.goals = {{"right_hand", {0.25, 0.55, 0.50}}};
   task.batch.threads = 1;
   return task;

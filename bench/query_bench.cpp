@@ -18,7 +18,7 @@ constexpr std::size_t kVrmBytes = 5'000'000;
 
 // generate() with nothing said but the goal, low front-left.
 void query(benchmark::State& state, const BodyModel& body, SimdSet simd, int threads) {
-  Task task{.body = body, .goals = {{"right_hand", {0.25, 0.55, 0.50}}}};
+  Task task(body, {.goals = {{"right_hand", {0.25, 0.55, 0.50}}}});
   task.batch = {simd, threads};
   for (auto _ : state) {
     const Generation generation = generate(task).value();

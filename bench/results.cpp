@@ -34,7 +34,7 @@ constexpr int kLongBudget = 5000;
 constexpr std::uint64_t kShownSeed = 1;
 
 Task make(const BodyModel& body, const Vec3d& goal, std::uint64_t seed) {
-  Task task = with_preset({.body = body}, Preset::paper);
+  Task task = with_preset(Task(body), Preset::paper);
   task.goals = {{"right_hand", goal}};
   task.seed = seed;
   task.batch.threads = 1;
@@ -108,7 +108,7 @@ void candidate_table(const Generation& generation, std::string& page) {
 
 void picture(const std::filesystem::path& docs, const Task& task, const Candidate& candidate,
              const std::string& name, const std::string& words, std::string& page) {
-  const std::string png = export_candidate(task, candidate, ExportFormat::png).value();
+  const std::string png = export_candidate(task, candidate, FileFormat::png).value();
   std::ofstream(docs / "images" / name, std::ios::binary) << png;
   page += fmt::format("\n![{}](images/{})\n", words, name);
 }

@@ -55,17 +55,13 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
                   option.name);
     }
   }
-  if (options.extent) {
-    spec.extent = *options.extent == "half"   ? BodyExtent::half
-                  : *options.extent == "full" ? BodyExtent::full
-                                              : BodyExtent::human;
-  }
+  if (options.extent) spec.extent = *value_of<BodyExtent>(*options.extent, "extent");
   if (options.frame) spec.frame = *options.frame;
   spec.animation = options.animation ? options.animation : spec.animation;
   if (options.mass) spec.mass = *options.mass;
   if (options.seat) spec.seat = *options.seat;
   spec.heels = spec.heels || options.heels;
-  if (options.sex) spec.sex = *options.sex == "female" ? Sex::female : Sex::male;
+  if (options.sex) spec.sex = *value_of<Sex>(*options.sex, "sex");
   if (options.stature) {
     const Result<double> stature = parse_stature(*options.stature, spec.sex);
     if (!stature) return tl::unexpected(stature.error());
@@ -82,7 +78,7 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
   usual.one_file = options.one_file;
   usual.rate = options.fps.value_or(usual.rate);
   if (!options.formats) return usual;
-  Result<std::vector<ExportFormat>> asked = parse_formats(*options.formats);
+  Result<std::vector<FileFormat>> asked = parse_formats(*options.formats);
   if (!asked) return tl::unexpected(asked.error());
   if (const auto can = check_formats(spec, *asked); !can) return tl::unexpected(can.error());
   usual.formats = std::move(*asked);

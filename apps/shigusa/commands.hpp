@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <optional>
 #include <shigusa/core/progress.hpp>
 #include <shigusa/core/result.hpp>
@@ -11,6 +10,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "task_options.hpp"
 
 namespace shigusa::app {
 
@@ -34,20 +35,6 @@ struct CharacterOptions {
   std::vector<std::string> map;  // BONE=NODE, or a JSON file of them
 };
 
-// What is asked of the body, as it is typed.
-struct GoalOptions {
-  std::vector<std::string> goals;      // EFFECTOR=X,Y,Z
-  std::vector<std::string> loads;      // EFFECTOR=KG
-  std::vector<std::string> rotations;  // EFFECTOR=X,Y,Z,W
-  std::vector<std::string> palms;      // HAND=DIRECTION, and so …
-  std::vector<std::string> thumbs;     // … these
-  std::vector<std::string> fingers;
-  std::vector<std::string> tolerances;  // EFFECTOR=X,Y,Z
-  std::optional<std::string> look_at;   // X,Y,Z
-  std::optional<std::string> contacts;  // FOOT,FOOT
-  std::vector<std::string> obstacles;   // NAME=X,Y,Z,SX,SY,SZ
-};
-
 // What is written of a result.
 struct FileOptions {
   std::optional<std::string> formats;
@@ -59,21 +46,9 @@ struct ReachOptions {
   std::string task;  // file, or empty
   std::optional<std::string> character;
   CharacterOptions person;
-  GoalOptions goals;
-  std::optional<double> duration;  // s
-  std::optional<std::string> preset;
-  std::optional<std::string> layer_reading;
-  std::optional<std::string> criteria;
-  std::optional<std::string> search;
-  std::vector<std::string> fixed;  // NAME=VALUE
-  bool pareto = false;
-  std::optional<std::string> generator;
-  std::optional<int> phases;
-  std::optional<int> evaluations;
-  std::optional<double> seconds;
-  std::optional<int> candidates;
-  std::optional<std::uint64_t> seed;
-  int threads = 0;  // 0: one for each core
+  TaskOptions asked;
+  std::optional<double> seconds;  // of the search at most
+  int threads = 0;                // 0: one for each core
   std::optional<std::string> simd;
   std::string out = "out";
   FileOptions files;
@@ -138,10 +113,6 @@ struct FrameRange {
 // Fails on what a built-in body, or a person who was measured before, cannot be told.
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,
                                                    CharacterSpec& spec);
-
-// Puts goals, and what is said of them, into the task; goals take the place of those there. Fails
-// on what cannot be read and on what is of an effector without a goal.
-[[nodiscard]] Result<void> apply_goal_options(const GoalOptions& options, TaskFile& file);
 
 // What to write: what is asked for, and else as in `usual`. Fails on formats that this character
 // cannot leave in.

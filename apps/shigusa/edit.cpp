@@ -65,9 +65,10 @@ Result<fs::path> attach_character(const EditOptions& options, StoredResult& stor
     why = attached.error().to_string();
   }
   note(person.source,
-       "without the file the motion leaves on the measured body's own skeleton, and not as glb or "
-       "vrma: give it by --character FILE (" +
-           why + ")");
+       "without the file the motion leaves on the measured body's own skeleton, and not as " +
+           format_words([](const FormatInfo& info) { return info.needs != NeededFile::none; },
+                        "or") +
+           ": give it by --character FILE (" + why + ")");
   return file;
 }
 

@@ -13,11 +13,23 @@
 namespace {
 
 using namespace shigusa::app;
+using shigusa::FormatInfo;
+
+bool needs_file(const FormatInfo& info) { return info.needs != shigusa::NeededFile::none; }
+
+std::string character_help() {
+  std::string text;
+  for (const std::string_view name : shigusa::kBuiltInCharacters) text += std::string(name) + ", ";
+  return text + "a person's file (" +
+         shigusa::format_endings([](const FormatInfo& info) { return info.person; }) +
+         "), or a robot's (" +
+         shigusa::format_endings([](const FormatInfo& info) { return info.robot; }) + ")";
+}
 
 void add_character_options(CLI::App& c, CharacterOptions& o) {
   c.add_option("--extent", o.extent,
                "Of a person from a file: human (spine, neck, wrists, …), full (18 dof) or half (9)")
-      ->check(CLI::IsMember({"human", "full", "half"}));
+      ->check(CLI::IsMember(shigusa::all_words<shigusa::BodyExtent>()));
   c.add_option(
        "--frame", o.frame,
        "Frame of the file that is the start posture, exactly (from 0; of glTF of an animation, "
@@ -31,7 +43,7 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
       "sex at most");
   c.add_option("--mass", o.mass, "Mass in kilograms");
   c.add_option("--sex", o.sex, "male or female: mass distribution and strength")
-      ->check(CLI::IsMember({"male", "female"}));
+      ->check(CLI::IsMember(shigusa::all_words<shigusa::Sex>()));
   c.add_option("--seat", o.seat,
                "Sits on a seat of this height in metres, with the feet where they stand");
   c.add_flag(
@@ -49,104 +61,96 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
 void add_file_options(CLI::App* c, FileOptions& o, const std::string& usual,
                       const std::string& rate) {
   c->add_option("--formats", o.formats,
-                "Of bvh, csv, svg, png, pdf, glb and vrma (default: " + usual + ")");
+                "Of " + shigusa::format_words([](const FormatInfo& info) { return info.written; }) +
+                    " (default: " + usual + ")");
   c->add_option("--fps", o.fps,
-                "Frames a second of bvh, glb and vrma, 1 to 240, such as 24 or 29.97 (default: " +
-                    rate + "); csv has the motion's own frames with their times")
+                "Frames a second of " +
+                    shigusa::format_words([](const FormatInfo& info) { return info.rated; }) +
+                    ", 1 to 240, such as 24 or 29.97 (default: " + rate +
+                    "); the others have the motion's own frames")
       ->check(CLI::Range(shigusa::kRateMin, shigusa::kRateMax));
   c->add_flag("--one-file", o.one_file,
               "All candidates in one candidates.glb in place of a GLB for each");
 }
 
-void add_goal_options(CLI::App& c, GoalOptions& o) {
-  const auto repeatable = [&](const char* name, std::vector<std::string>& into, const char* help) {
-    c.add_option(name, into, std::string(help) + "; repeatable")->allow_extra_args(false);
+// The words of an enum as --help shows them, "paper|flat"; of other values the form of their text.
+template <class Value>
+std::string words_or(const char* form) {
+  if constexpr (std::is_enum_v<Value>) {
+    return fmt::format("{}", fmt::join(shigusa::all_words<Value>(), "|"));
+  } else {
+    return form == nullptr ? "" : form;
+  }
+}
+template <class Holder, class Value>
+std::string form_of(const shigusa::Field<Holder, Value>& field) {
+  return words_or<Value>(field.traits.form);
+}
+template <class Holder, class Value>
+std::string form_of(const shigusa::Field<Holder, std::optional<Value>>& field) {
+  return words_or<Value>(field.traits.form);
+}
+
+// Adds the option of each field, with the field's sentence and its bounds of whole numbers.
+template <class Holder>
+void add_field_options(CLI::App& c, FieldOptions<Holder>& o) {
+  for_each_option<Holder>(o, [&c](const auto& field, auto& typed) {
+    using Typed = std::remove_cvref_t<decltype(typed)>;
+    const auto& traits = field.traits;
+    const std::string form = form_of(field);
+    if constexpr (std::same_as<Typed, bool>) {
+      c.add_flag(traits.option, typed, field.says);
+    } else if constexpr (std::same_as<Typed, std::vector<std::string>>) {
+      c.add_option(traits.option, typed, std::string(field.says) + " Repeatable.")
+          ->allow_extra_args(false)
+          ->type_name(form);
+    } else {
+      CLI::Option* option = c.add_option(traits.option, typed, field.says);
+      if (!form.empty()) option->type_name(form);
+      if constexpr (std::integral<decltype(traits.low)>) {
+        if (traits.high > 0) option->check(whole_number(traits.low, traits.high));
+      }
+    }
+  });
+}
+
+void add_task_options(CLI::App& c, TaskOptions& o) {
+  add_field_options<shigusa::Request>(c, o.request);
+  add_field_options<shigusa::Goal>(c, o.goal);
+  const auto add = [&](const char* name, std::vector<std::string>& into, const char* help) {
+    c.add_option(name, into, std::string(help) + " Repeatable.")
+        ->allow_extra_args(false)
+        ->type_name("HAND=DIRECTION");
   };
-  repeatable(
-      "--goal", o.goals,
-      "EFFECTOR=X,Y,Z in metres; +Y up, the body faces +Z, its left is +X. Effectors: "
-      "right_hand, head, hips, left_elbow, right_knee, left_foot, or any joint that `shigusa "
-      "body` names");
-  repeatable("--load", o.loads, "EFFECTOR=KG held all the way by a hand with a goal");
-  repeatable("--rotation", o.rotations,
-             "EFFECTOR=X,Y,Z,W: how it is turned at the end, from standing upright with arms "
-             "hanging and thumbs ahead");
-  repeatable("--palm", o.palms,
-             "HAND=DIRECTION the palm faces at the end: up, down, left, right, ahead, back, or "
-             "X,Y,Z; the hand may turn about it");
-  repeatable(
-      "--thumb", o.thumbs,
-      "The same of the thumb's side, along what the hand grips; with --palm or --fingers the "
-      "whole rotation");
-  repeatable("--fingers", o.fingers, "The same of where the fingers point");
-  repeatable(
-      "--tolerance", o.tolerances,
-      "EFFECTOR=X,Y,Z: anywhere within so many metres of its goal will do, to either side of "
-      "each axis");
-  c.add_option("--look-at", o.look_at, "X,Y,Z that the eyes are on (default: the first goal)");
-  c.add_option(
-      "--contacts", o.contacts,
-      "Feet that stay on the floor, as left_foot,right_foot (default: all without a goal); "
-      "another lifts");
-  repeatable("--obstacle", o.obstacles,
-             "NAME=X,Y,Z,SX,SY,SZ: a box, its middle and size in metres; task files know turned "
-             "boxes, spheres and capsules too");
+  add("--palm", o.palms,
+      "The direction that the palm faces at the end: up, down, left, right, ahead, back, or X,Y,Z; "
+      "the hand may turn about it.");
+  add("--thumb", o.thumbs,
+      "The same of the thumb's side, along what the hand grips; with --palm or --fingers the whole "
+      "rotation.");
+  add("--fingers", o.fingers, "The same of the way that the fingers point.");
 }
 
 void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand(
       "reach", "Find natural motions that bring hands, feet or other joints to their goals");
   c->add_option("task", o.task, "Task file (JSON); options below take precedence over it");
-  c->add_option(
-      "--character", o.character,
-      "half_body, full_body, human, a person's BVH, GLB, glTF, VRM or FBX file, or a robot's URDF "
-      "or MJCF (.xml)");
+  c->add_option("--character", o.character, character_help());
   add_character_options(*c, o.person);
-  add_goal_options(*c, o.goals);
-  c->add_option("--duration", o.duration, "Seconds; from the distance when not given");
-  c->add_option(
-      "--preset", o.preset,
-      "paper, as published; flat: all parameters at once, within joint limits; layers: "
-      "the paper's hierarchy, first trunk and limb lengths, then arms; or human: trunk and limb "
-      "lengths, then the elbows' swivel, then free arms; with its own criteria and number of "
-      "candidates");
-  c->add_option(
-      "--layer-reading", o.layer_reading,
-      "Of the presets layers and human: shared_contractions (12 weights and 2 contractions) or "
-      "contraction_a_limb (10 and 4)");
-  c->add_option(
-      "--criteria", o.criteria,
-      "paper, default or pareto: what motions are scored by, whatever the task file says");
-  c->add_option("--search", o.search,
-                "paper_ga, log_ga, annealing, cma_es, de or random (default: the preset's)");
-  c->add_option("--fix", o.fixed,
-                "Leave a parameter as given and search the rest: as --set of edit; repeatable")
-      ->allow_extra_args(false);
-  c->add_flag("--pareto", o.pareto,
-              "Deliver a front of the criteria (--criteria pareto where none are given): motions "
-              "that none is better than by all of them");
-  c->add_option("--generator", o.generator,
-                "weighted_ik, or nlp_ik: constrained minimisation in each frame, ten times slower");
-  c->add_option("--phases", o.phases,
-                "Of the preset flat: 2, weights and postures that change once during the motion "
-                "(default 1)")
-      ->check(whole_number(1, shigusa::kPhasesMax));
-  c->add_option("--evaluations", o.evaluations, "Motions to score; searches again until used up")
-      ->check(whole_number(8, 1'000'000'000));
+  add_task_options(*c, o.asked);
   c->add_option("--seconds", o.seconds, "Time limit of the search; what is found depends on speed")
       ->check(CLI::Range(1e-3, 1e6));
-  c->add_option("--candidates", o.candidates, "Candidates to deliver, at most")
-      ->check(whole_number(1, 1000));
-  c->add_option("--seed", o.seed, "Same seed, same bytes (default 0)")
-      ->check(whole_number(0, UINT64_MAX));
   c->add_option("--threads", o.threads, "Threads of the search (default 0: one for each core)")
       ->check(whole_number(0, shigusa::kMaxThreads));
   c->add_option("--simd", o.simd,
                 "Instructions of the search (default: the widest of the machine)");
   c->add_option("--out", o.out, "Folder for the result")->capture_default_str();
   add_file_options(c, o.files,
-                   "bvh,csv,svg,png, for a character from a glTF or VRM file also glb, from VRM "
-                   "also vrma",
+                   shigusa::format_words([](const FormatInfo& info) {
+                     return info.usual && !needs_file(info);
+                   }) + "; for characters whose file can hold them also " +
+                       shigusa::format_words(
+                           [](const FormatInfo& info) { return info.usual && needs_file(info); }),
                    "60");
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
   c->callback([&] { exit_code = reach(o); });
@@ -157,8 +161,8 @@ void add_result_options(CLI::App* c, EditOptions& o, int& exit_code) {
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
   c->add_option(
       "--character", o.character,
-      "The person's file, which glb, vrma and a BVH of the file's own nodes need (default: "
-      "where the result says it is)");
+      "The person's file, which " + shigusa::format_words(needs_file, "or") +
+          " and a BVH of the file's own nodes need (default: where the result says it is)");
   c->add_option("--candidate", o.candidate, "Rank of the candidate")->capture_default_str();
   c->add_option(
       "--out", o.out,
@@ -201,7 +205,10 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
 
 void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("score", "Score a motion, recorded or made, by the criteria");
-  c->add_option("clip", o.clip, "BVH file, or an animated GLB, glTF, VRM or VRMA file")->required();
+  c->add_option(
+       "clip", o.clip,
+       "Motion file: " + shigusa::format_endings([](const FormatInfo& info) { return info.clip; }))
+      ->required();
   c->add_option("--character", o.character,
                 "Whose body moves so: half_body, full_body, human or a person's file (default: the "
                 "clip's own person, extent human, as the first frame shows them)");
@@ -212,6 +219,12 @@ void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
                 "Hz: what is faster is taken for noise of the record (default 6; 0: nothing is)");
   c->add_flag("--json", o.json, "Print JSON");
   c->callback([&] { exit_code = score(o); });
+}
+
+void add_schema(CLI::App& app) {
+  app.add_subcommand("schema", "Print the JSON schema of task files")->callback([] {
+    write_out(shigusa::task_schema());
+  });
 }
 
 void add_studio(CLI::App& app, StudioOptions& o, int& exit_code) {
@@ -226,9 +239,7 @@ void add_studio(CLI::App& app, StudioOptions& o, int& exit_code) {
 
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand("body", "Show what was understood of a body");
-  c->add_option("source", o.source,
-                "half_body, full_body, human, or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF file")
-      ->required();
+  c->add_option("source", o.source, character_help())->required();
   add_character_options(*c, o.person);
   c->add_flag("--json", o.json, "Print JSON");
   c->callback([&] { exit_code = body(o); });
@@ -256,6 +267,7 @@ int main(int argc, char** argv) {
   add_render(app, render_options, exit_code);
   add_score(app, score_options, exit_code);
   add_body(app, body_options, exit_code);
+  add_schema(app);
   add_studio(app, studio_options, exit_code);
   try {
     app.parse(argc, argv);

@@ -12,75 +12,19 @@
 namespace shigusa::app {
 namespace {
 
-// One of the words that are allowed, or an error that names them.
-Result<std::size_t> pick(const char* what, const std::string& word,
-                         const std::vector<std::string>& allowed) {
-  for (std::size_t i = 0; i < allowed.size(); ++i) {
-    if (allowed[i] == word) return i;
-  }
-  return fail(ErrorCode::invalid_argument, unknown_name(what, word, allowed));
-}
-
 // How the search is computed; changes no result.
 Result<BatchSettings> batch_settings(const ReachOptions& options) {
   BatchSettings batch;
   batch.threads = options.threads;
   if (!options.simd) return batch;
   std::vector<std::string> names;
-  for (const SimdSet set : usable_simd_sets()) names.emplace_back(simd_name(set));
-  const Result<std::size_t> picked =
-      pick("SIMD set, or one that this machine lacks,", *options.simd, names);
-  if (!picked) return tl::unexpected(picked.error());
-  batch.simd = usable_simd_sets()[*picked];
-  return batch;
-}
-
-// Puts what an option's word means in its place, if the option is given.
-template <class Enum>
-Result<void> apply_word(const char* kind, const std::optional<std::string>& word, Enum& into) {
-  if (!word) return {};
-  const Result<Enum> value = value_of<Enum>(*word, kind);
-  if (!value) return tl::unexpected(value.error());
-  into = *value;
-  return {};
-}
-
-Result<void> apply_preset(const ReachOptions& options, TaskFile& file) {
-  Preset preset = file.preset;
-  const auto applied = apply_word("preset", options.preset, preset);
-  if (!applied || preset == file.preset) return applied;
-  // with its own criteria and number of candidates
-  file.preset = preset;
-  file.criteria = traits_of(preset).criteria();
-  if (!options.candidates) file.candidates = traits_of(preset).candidates;
-  return {};
-}
-
-Result<void> apply_criteria(const ReachOptions& options, TaskFile& file) {
-  if (options.pareto) file.criteria = pareto_criteria();
-  file.pareto = file.pareto || options.pareto;
-  if (!options.criteria) return {};
-  std::vector<std::string> mixtures;
-  for (const CriteriaPreset& known : criteria_presets()) mixtures.emplace_back(known.name);
-  const Result<std::size_t> mixture = pick("criteria", *options.criteria, mixtures);
-  if (!mixture) return tl::unexpected(mixture.error());
-  file.criteria = criteria_presets()[*mixture].settings();
-  return {};
-}
-
-Result<void> apply_words(const ReachOptions& options, TaskFile& file) {
-  if (const auto applied = apply_preset(options, file); !applied) return applied;
-  auto applied = apply_word("layer reading", options.layer_reading, file.layer_reading);
-  if (applied) applied = apply_criteria(options, file);
-  if (applied && options.search) {
-    applied = apply_word("search", options.search, file.search.emplace());
+  for (const SimdSet set : usable_simd_sets()) {
+    batch.simd = set;
+    if (*options.simd == simd_name(set)) return batch;
+    names.emplace_back(simd_name(set));
   }
-  if (applied) applied = apply_word("generator", options.generator, file.generator);
-  if (!applied || !options.layer_reading || traits_of(file.preset).layers) return applied;
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("is of the presets layers and human, and the preset is {}", word_of(file.preset)),
-      "--layer-reading");
+  return fail(ErrorCode::invalid_argument,
+              unknown_name("SIMD set, or one that this machine lacks,", *options.simd, names));
 }
 
 Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
@@ -91,19 +35,19 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
   if (const auto applied = apply_character_options(options.person, file.character); !applied) {
     return applied;
   }
-  if (options.duration) file.duration = *options.duration;
-  if (options.seed) file.seed = *options.seed;
-  if (options.candidates) file.candidates = *options.candidates;
-  if (options.phases) file.phases = *options.phases;
-  if (options.evaluations) file.evaluations = *options.evaluations;
-  for (const std::string& assignment : options.fixed) file.fixed.push_back(assignment);
-  if (const auto applied = apply_goal_options(options.goals, file); !applied) return applied;
-  return apply_words(options, file);
+  auto applied = apply_task_options(options.asked, file);
+  if (!applied || !options.asked.has("--layer-reading") || traits_of(file.preset).layers) {
+    return applied;
+  }
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("is of the presets layers and human, and the preset is {}", word_of(file.preset)),
+      "--layer-reading");
 }
 
 // Where the goals stand in the task file, an error about them names it.
 Error in_task(const Error& error, const ReachOptions& options) {
-  if (options.task.empty() || !options.goals.goals.empty()) return error;
+  if (options.task.empty() || options.asked.has("--goal")) return error;
   return {error.code, error.to_string(), std::filesystem::path(options.task).filename().string()};
 }
 

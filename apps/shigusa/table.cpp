@@ -73,7 +73,7 @@ std::string candidate_table(const BodyModel& body, const Generation& generation)
   for (const ScoreTerm& term : generation.candidates.front().score.terms) {
     text += fmt::format("  {:>{}}", term.name, column_width(term));
   }
-  const bool layered = generation.candidates.front().layered.has_value();
+  const bool layered = generation.candidates.front().arm_collision.has_value();
   if (layered) text += fmt::format("  {:>14}", "arm in body mm");
   const auto& contacts = generation.candidates.front().contacts;
   const bool heels = std::any_of(contacts.begin(), contacts.end(),
@@ -88,7 +88,9 @@ std::string candidate_table(const BodyModel& body, const Generation& generation)
     for (const ScoreTerm& term : candidate.score.terms) {
       text += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
     }
-    if (layered) text += fmt::format("  {:>14.1f}", 1e3 * std::max(candidate.collision, 0.0));
+    if (candidate.arm_collision) {
+      text += fmt::format("  {:>14.1f}", 1e3 * std::max(candidate.arm_collision->depth, 0.0));
+    }
     double error = 0.0;
     double slide = 0.0;
     for (const GoalResult& goal : candidate.goals) error = std::max(error, goal.error);
@@ -162,7 +164,7 @@ int deliver(const std::filesystem::path& folder, const TaskFile& file, const Tas
     print_out("{}{}", headline(task, generation, info), candidate_table(task.body, generation));
     for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
       const auto& formats = settings.formats;
-      if (std::find(formats.begin(), formats.end(), ExportFormat::png) == formats.end()) break;
+      if (std::find(formats.begin(), formats.end(), FileFormat::png) == formats.end()) break;
       print_out("{}\n", (folder / fmt::format("candidate-{}.png", i + 1)).string());
     }
     print_out("{}\n", (folder / kSummaryName).string());

@@ -48,7 +48,7 @@ std::string usage_message(const CLI::App& app, const CLI::App& command,
 
 CLI::Validator frame_or_rest() {
   const auto accept = [](std::string& text) {
-    if (text != "rest") return whole_number(0, 1'000'000)(text);
+    if (text != "rest") return whole_number(0, kFrameMax)(text);
     text = std::to_string(kRestPose);
     return std::string();
   };

@@ -17,7 +17,7 @@ constexpr int kProbed = 256;
 
 Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
                const CriteriaSettings& criteria) {
-  Task task = with_preset({.body = body, .goals = {{"right_hand", goal}}}, preset);
+  Task task = with_preset(Task(body, {.goals = {{"right_hand", goal}}}), preset);
   task.criteria = criteria;
   task.batch.threads = 1;
   return task;

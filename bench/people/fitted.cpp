@@ -3,6 +3,7 @@
 
 #include <shigusa/core/check.hpp>
 #include <shigusa/document/result_file.hpp>
+#include <shigusa/layers/assignment.hpp>
 #include <shigusa/rollout/held_input.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <shigusa/search/cma_es.hpp>
@@ -39,7 +40,8 @@ FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluat
   FixedParameters fixed = no_fixed_parameters(task.body);
   if (kind.straight && kind.code != GeneCode::logarithmic) {
     for (const char* none : {"bow=0", "sway=0"}) {
-      SHG_CHECK(fix_parameter(task.body, none, fixed).has_value(), "a parameter of the preset");
+      SHG_CHECK(fix_parameter(whole_body_plan(task.body), none, fixed).has_value(),
+                "a parameter of the preset");
     }
   }
   const ParameterSpace space(problem, kind.code, fixed, kind.phases);

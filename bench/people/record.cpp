@@ -100,7 +100,7 @@ Result<std::vector<Segment>> downward_segments(const std::filesystem::path& mani
 }
 
 Task Recorded::task() const {
-  Task task{.body = body};
+  Task task(body);
   task.goals = {{"right_hand", track.joints.back()[right_grip]}};
   task.duration = track.duration();
   return task;

@@ -32,7 +32,7 @@ double best_sinking(const shigusa::Task& task) {
 }  // namespace
 
 int main() {
-  shigusa::Task task{.body = shigusa::full_body()};
+  shigusa::Task task(shigusa::full_body());
   task.goals = {{"right_hand", {-0.20, 0.60, 0.55}}};
   task.evaluations = 1000;
 

@@ -47,7 +47,7 @@ SearchResult one_plus_lambda(const SearchProblem& problem, int evaluations, std:
 }  // namespace
 
 int main() {
-  shigusa::Task task{.body = shigusa::full_body()};
+  shigusa::Task task(shigusa::full_body());
   task.goals = {{"right_hand", {-0.20, 0.60, 0.55}}};
   task.evaluations = 1000;
   for (const shigusa::SearchInfo& known : shigusa::kSearches) {

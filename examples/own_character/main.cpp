@@ -30,13 +30,13 @@ int main(int argc, char** argv) {
   auto body = shigusa::build_character(hero);
   if (!body) return fail(body.error());
   const double stature = body->stature();
-  shigusa::Task task{.body = std::move(*body)};
+  shigusa::Task task(std::move(*body));
   task.goals = {{"right_hand", {-0.15 * stature, 0.4 * stature, 0.3 * stature}}};
   const auto result = shigusa::generate(task);
   if (!result) return fail(result.error());
 
-  for (const auto& [format, name] : {std::pair{shigusa::ExportFormat::glb, "reach.glb"},
-                                     {shigusa::ExportFormat::bvh, "reach.bvh"}}) {
+  for (const auto& [format, name] : {std::pair{shigusa::FileFormat::glb, "reach.glb"},
+                                     {shigusa::FileFormat::bvh, "reach.bvh"}}) {
     if (!shigusa::check_formats(hero, {format})) continue;  // a BVH has no mesh
     const auto file = shigusa::export_candidate(hero, task, result->candidates[0], format);
     if (!file) return fail(file.error());

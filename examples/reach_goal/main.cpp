@@ -5,7 +5,7 @@
 #include <shigusa/shigusa.hpp>
 
 int main() {
-  shigusa::Task task{.body = shigusa::full_body({.stature = 1.70, .mass = 65.0})};
+  shigusa::Task task(shigusa::full_body({.stature = 1.70, .mass = 65.0}));
   task.goals = {{"right_hand", {0.25, 0.55, 0.50}}};  // metres; +Y up, facing +Z, left is +X
   task.evaluations = 2000;
 
@@ -15,7 +15,6 @@ int main() {
     std::printf("score %.4f, hand %.3f mm from its goal\n", candidate.score.total,
                 1e3 * candidate.goals[0].error);
   }
-  const auto bvh =
-      shigusa::export_candidate(task, result->candidates[0], shigusa::ExportFormat::bvh);
+  const auto bvh = shigusa::export_candidate(task, result->candidates[0], shigusa::FileFormat::bvh);
   return bvh && shigusa::write_file("reach.bvh", *bvh) ? 0 : 1;
 }

@@ -18,14 +18,6 @@
 namespace shigusa {
 namespace {
 
-constexpr std::array<std::string_view, 3> kBuiltIn{"half_body", "full_body", "human"};
-constexpr double kStatureMin = 0.5;  // m
-constexpr double kStatureMax = 2.5;
-constexpr double kSeatMin = 0.1;  // m
-constexpr double kSeatMax = 1.2;
-constexpr double kMassMin = 2.0;  // kg
-constexpr double kMassMax = 300.0;
-
 Result<void> check_range(const char* what, const std::optional<double>& value, double low,
                          double high, const char* unit) {
   if (!value || (*value >= low && *value <= high)) return {};
@@ -45,7 +37,7 @@ CharacterRig make_rig(CharacterFile&& file, const PersonStart& found, const Land
   result.ahead = found.person.placement.ahead;
   for (std::size_t i = 0; i < file.skeleton.nodes.size(); ++i) {
     const int parent = file.skeleton.nodes[i].parent;
-    if (result.format == CharacterFormat::bvh) {
+    if (result.format == FileFormat::bvh) {
       const LocalTransform& posed = result.posed[i];
       result.rig.nodes.push_back({parent, posed.translation, posed.rotation});
     } else {
@@ -89,21 +81,21 @@ bool is_complete(const CharacterSpec& spec) {
 }
 
 bool is_robot(const CharacterSpec& spec) {
-  const FileKind kind = file_kind(spec.source);
-  return spec.urdf || (!spec.landmarks && (kind == FileKind::urdf || kind == FileKind::mjcf));
+  const FormatInfo* file = character_format(spec.source);
+  return spec.urdf || (!spec.landmarks && file != nullptr && file->robot);
 }
 
 bool is_built_in(const CharacterSpec& spec) {
-  return std::find(kBuiltIn.begin(), kBuiltIn.end(), spec.source) != kBuiltIn.end();
+  return std::find(kBuiltInCharacters.begin(), kBuiltInCharacters.end(), spec.source) !=
+         kBuiltInCharacters.end();
 }
 
 Result<void> check_source(const CharacterSpec& spec) {
-  const bool file = file_kind(spec.source) != FileKind::none;
-  if (is_complete(spec) || file) return {};
-  const std::vector<std::string> names(kBuiltIn.begin(), kBuiltIn.end());
+  if (is_complete(spec) || character_format(spec.source) != nullptr) return {};
+  const std::vector<std::string> names(kBuiltInCharacters.begin(), kBuiltInCharacters.end());
   return fail(ErrorCode::invalid_argument,
-              unknown_name("character", spec.source, names) +
-                  ", or a file that ends in .bvh, .glb, .gltf, .vrm, .fbx, .urdf or .xml",
+              unknown_name("character", spec.source, names) + ", or a file that ends in " +
+                  format_endings([](const FormatInfo& info) { return info.person || info.robot; }),
               "character");
 }
 

@@ -3,13 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <shigusa/core/check.hpp>
 #include <shigusa/io/fbx.hpp>
 #include <shigusa/io/file.hpp>
 #include <shigusa/io/gltf_animation.hpp>
 #include <shigusa/io/gltf_skin.hpp>
 #include <shigusa/io/gltf_write.hpp>
-#include <shigusa/robot/mjcf.hpp>
-#include <shigusa/robot/urdf.hpp>
+
+#include "io/by_format.hpp"
 
 namespace shigusa {
 namespace {
@@ -23,8 +24,7 @@ void take(GltfCharacter&& file, CharacterFile& character) {
   character.given = std::move(file.humanoid);
   character.doubts = std::move(file.doubts);
   character.rig.places = std::move(file.places);
-  character.rig.format =
-      file.vrm == VrmVersion::none ? CharacterFormat::gltf : CharacterFormat::vrm;
+  character.rig.format = file.vrm == VrmVersion::none ? FileFormat::glb : FileFormat::vrm;
   character.rig.file_node = std::move(file.file_node);
   character.rig.vrm_bones = std::move(file.vrm_bones);
 }
@@ -88,56 +88,28 @@ Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec&
 
 }  // namespace
 
-std::string file_ending(const std::string& name) {
-  std::string ending = std::filesystem::path(name).extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return ending;
-}
-
 tl::unexpected<Error> holds_one_motion(const std::string& name) {
   return fail(ErrorCode::invalid_argument,
               "holds one motion without a name: leave the animation out", name);
 }
 
-FileKind file_kind(const std::string& name) {
-  const std::string ending = file_ending(name);
-  if (ending == ".bvh") return FileKind::bvh;
-  if (ending == ".fbx") return FileKind::fbx;
-  if (ending == ".urdf") return FileKind::urdf;
-  if (ending == ".xml" || ending == ".mjcf") return FileKind::mjcf;
-  for (const char* each : {".glb", ".gltf", ".vrm"}) {
-    if (ending == each) return FileKind::gltf;
-  }
-  return FileKind::none;
+const FormatInfo* character_format(const std::string& name) {
+  const std::optional<FileFormat> format = format_of_file(name);
+  const FormatInfo* info = format ? &info_of(*format) : nullptr;
+  return info != nullptr && (info->person || info->robot) ? info : nullptr;
 }
 
 Result<std::string> read_character_bytes(const std::filesystem::path& path) {
-  const FileKind kind = file_kind(path.string());
-  return read_text_file(path, kind == FileKind::bvh    ? kBvhMaxBytes
-                              : kind == FileKind::fbx  ? kFbxMaxBytes
-                              : kind == FileKind::urdf ? kUrdfMaxBytes
-                              : kind == FileKind::mjcf ? kMjcfMaxBytes
-                                                       : kGltfMaxBytes);
+  const std::optional<FileFormat> format = format_of_file(path.string());
+  SHG_CHECK(format, "a file that is read");
+  return read_text_file(path, info_of(*format).max_bytes);
 }
 
-Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec) {
-  const std::string& name = spec.source;
-  CharacterFile character;
-  character.rig.file = name;
-  const FileKind kind = file_kind(name);
-  if (kind == FileKind::fbx) {
-    Result<std::string> glb = glb_of_fbx(bytes, name);
-    if (!glb) return tl::unexpected(glb.error());
-    bytes = std::move(*glb);
-  }
-  if (kind == FileKind::gltf || kind == FileKind::fbx) {
-    const auto parsed = parse_gltf_character(bytes, spec, character);
-    if (!parsed) return tl::unexpected(parsed.error());
-    character.rig.bytes = std::make_shared<const std::string>(std::move(bytes));
-    return character;
-  }
-  if (spec.animation) return holds_one_motion(name);
-  Result<BvhFile> file = parse_bvh_file(bytes, name);
+template <>
+Result<void> read_person<FileFormat::bvh>(std::string bytes, const CharacterSpec& spec,
+                                          CharacterFile& character) {
+  if (spec.animation) return holds_one_motion(spec.source);
+  Result<BvhFile> file = parse_bvh_file(bytes, spec.source);
   if (!file) return tl::unexpected(file.error());
   character.skeleton = std::move(file->motion.skeleton);
   character.motion = std::move(file->motion.clip);
@@ -145,6 +117,43 @@ Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& sp
   for (const SkeletonNode& node : character.skeleton.nodes) {
     character.rest.local.push_back({node.offset, {}});
   }
+  return {};
+}
+
+template <>
+Result<void> read_person<FileFormat::glb>(std::string bytes, const CharacterSpec& spec,
+                                          CharacterFile& character) {
+  const auto parsed = parse_gltf_character(bytes, spec, character);
+  character.rig.bytes = std::make_shared<const std::string>(std::move(bytes));
+  return parsed;
+}
+
+template <>
+Result<void> read_person<FileFormat::vrm>(std::string bytes, const CharacterSpec& spec,
+                                          CharacterFile& character) {
+  return read_person<FileFormat::glb>(std::move(bytes), spec, character);
+}
+
+// An FBX file is taken as the glTF file of its skeleton.
+template <>
+Result<void> read_person<FileFormat::fbx>(std::string bytes, const CharacterSpec& spec,
+                                          CharacterFile& character) {
+  Result<std::string> glb = glb_of_fbx(bytes, spec.source);
+  if (!glb) return tl::unexpected(glb.error());
+  return read_person<FileFormat::glb>(std::move(*glb), spec, character);
+}
+
+Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec) {
+  static constexpr auto kReaders =
+      by_format<Result<void>(std::string, const CharacterSpec&, CharacterFile&),
+                &FormatInfo::person>([]<FileFormat format>() { return &read_person<format>; });
+  const FormatInfo* info = character_format(spec.source);
+  SHG_CHECK(info != nullptr && info->person, "a person's file");
+  CharacterFile character;
+  character.rig.file = spec.source;
+  const auto read =
+      kReaders[static_cast<std::size_t>(info->format)](std::move(bytes), spec, character);
+  if (!read) return tl::unexpected(read.error());
   return character;
 }
 

@@ -7,18 +7,14 @@
 
 namespace shigusa {
 
-// The ending of a file's name in lower case: ".bvh".
-[[nodiscard]] std::string file_ending(const std::string& name);
-
 // The error of an animation that is asked for in a BVH file.
 [[nodiscard]] tl::unexpected<Error> holds_one_motion(const std::string& name);
 
-enum class FileKind { none, bvh, gltf, fbx, urdf, mjcf };
+// What is said of the format of a character's file, by the name's ending; null where characters are
+// read from no such file.
+[[nodiscard]] const FormatInfo* character_format(const std::string& name);
 
-// By the name's ending, in any case.
-[[nodiscard]] FileKind file_kind(const std::string& name);
-
-// The whole of a character's file, of any kind but `none`.
+// The whole of a file that is read, as far as its format allows.
 [[nodiscard]] Result<std::string> read_character_bytes(const std::filesystem::path& path);
 
 // One pose of a file's nodes.
@@ -44,9 +40,13 @@ struct CharacterFile {
   std::vector<SkinVertex> posed_skin;  // and in the frame asked for
 };
 
-// Parses the bytes of such a file; an FBX file is taken as the glTF file of its skeleton. Of glTF
-// with the animation that the spec asks for, by its name, its index or as the first for a frame
-// alone.
+// Parses the bytes of such a file. Of glTF with the animation that the spec asks for, by its name,
+// its index or as the first for a frame alone.
 [[nodiscard]] Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec);
+
+// The same of one format; each that people are read from (FormatInfo::person) has one.
+template <FileFormat format>
+[[nodiscard]] Result<void> read_person(std::string bytes, const CharacterSpec& spec,
+                                       CharacterFile& character);
 
 }  // namespace shigusa

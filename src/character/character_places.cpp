@@ -66,23 +66,18 @@ BodyModel placed_body(const CharacterSpec& spec, const BodyModel& body) {
   return with_places(body, std::move(places));
 }
 
-void add_places(const CharacterSpec& spec, Json& character) {
-  for (const auto& [node, at] : spec.places) character["places_m"][node] = to_json(at);
-}
-
-void read_places(JsonReader& character, CharacterSpec& spec) {
-  if (!character.has("places_m")) return;
-  JsonReader places = character.object("places_m");
+void read_places(JsonReader& character, std::vector<std::pair<std::string, Vec3d>>& places) {
+  JsonReader reader = character.object("places_m");
   const Json& points = character.value("places_m");
   if (!points.is_object() || points.size() > kPlacesMax) {
     return character.wrong(
         "places_m", fmt::format("must be an object {{ … }} of at most {} points", kPlacesMax));
   }
   for (const auto& item : points.items()) {
-    auto& place = spec.places.emplace_back(item.key(), Vec3d{});
-    places.vector(item.key().c_str(), place.second, kPlaceRange);
+    auto& place = places.emplace_back(item.key(), Vec3d{});
+    reader.vector(item.key().c_str(), place.second, kPlaceRange);
   }
-  character.absorb(places.finish());
+  character.absorb(reader.finish());
 }
 
 }  // namespace shigusa

@@ -17,8 +17,7 @@ void find_places(const BodyModel& body, CharacterSpec& spec);
 // The body with the spec's places.
 [[nodiscard]] BodyModel placed_body(const CharacterSpec& spec, const BodyModel& body);
 
-// The object `places_m` of a character, where it has one.
-void add_places(const CharacterSpec& spec, Json& character);
-void read_places(JsonReader& character, CharacterSpec& spec);
+// The object `places_m` of a character that has one.
+void read_places(JsonReader& character, std::vector<std::pair<std::string, Vec3d>>& places);
 
 }  // namespace shigusa

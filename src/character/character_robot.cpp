@@ -74,7 +74,7 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
 
 Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
                         const std::optional<std::filesystem::path>& folder) {
-  const bool mjcf = file_kind(spec.source) == FileKind::mjcf;
+  const bool mjcf = format_of_file(spec.source) == FileFormat::mjcf;
   Result<std::string> text =
       mjcf ? urdf_of_mjcf(bytes, spec, folder) : reduced_urdf(bytes, spec.source);
   if (!text) return tl::unexpected(text.error());

@@ -160,8 +160,7 @@ Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& 
 }  // namespace
 
 Result<PersonStart> find_person(const CharacterFile& file, const CharacterSpec& spec) {
-  return file.rig.format == CharacterFormat::bvh ? find_in_bvh(file, spec)
-                                                 : find_in_gltf(file, spec);
+  return file.rig.format == FileFormat::bvh ? find_in_bvh(file, spec) : find_in_gltf(file, spec);
 }
 
 }  // namespace shigusa

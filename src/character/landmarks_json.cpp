@@ -45,6 +45,7 @@ Json landmarks_to_json(const Landmarks& person) {
 namespace {
 
 constexpr double kLengthRange = 100.0;  // m, of landmarks
+constexpr double kThinnest = 1e-4;      // m, of parts
 
 // Coinciding joints would leave a body without lengths.
 void check_segments(JsonReader& reader, const Landmarks& p) {
@@ -81,7 +82,6 @@ void read_sole(JsonReader& landmarks, const char* name, std::optional<SoleOutlin
 
 void read_part(JsonReader& parts, const char* name, std::optional<PartShape>& shape) {
   if (!parts.has(name)) return;
-  constexpr double kThinnest = 1e-4;  // m
   JsonReader reader = parts.object(name);
   PartShape& read = shape.emplace();
   for (const char* key : {"from_m", "to_m", "radius_m"}) reader.require(key);
@@ -102,6 +102,61 @@ void read_parts(JsonReader& landmarks, PartShapes& parts) {
 }
 
 }  // namespace
+
+Json landmarks_schema() {
+  const Json point{{"$ref", "#/$defs/point"}};
+  Json properties;
+  Json required;
+  const auto add = [&](const char* name, const auto&) { properties[name] = point; };
+  Landmarks person;
+  for_each_landmark(person, add);
+  for (const auto& [name, schema] : properties.items()) required.push_back(name);
+  properties["spine"] = {
+      {"description", "Joints between pelvis and shoulders, from below. Of the extent human."},
+      {"type", "array"},
+      {"items", point},
+      {"maxItems", kSpineJoints}};
+  for_each_further_landmark(person, add);
+  for (const auto& [name, leg] : legs_of(person)) properties[name] = {{"$ref", "#/$defs/sole"}};
+  Json parts;
+  for (int i = 0; i < kBodyPartCount; ++i) {
+    parts[std::string(body_part_name(static_cast<BodyPart>(i)))] = {{"$ref", "#/$defs/part"}};
+  }
+  properties["parts"] = {
+      {"description",
+       "Of a character with a mesh: what of it nothing should pass through. Each part is a line "
+       "with a thickness in its own frame: from the joint that it hangs on, y from its far end to "
+       "that joint, x to the left, z ahead. Parts that are absent are by stature."},
+      {"type", "object"},
+      {"properties", parts},
+      {"additionalProperties", false}};
+  return {{"description", "A person as measured, in the start posture."},
+          {"type", "object"},
+          {"properties", properties},
+          {"required", required},
+          {"additionalProperties", false}};
+}
+
+Json sole_schema() {
+  return {{"description",
+           "Corners of a sole, counter-clockwise from above: left of its tip, left of its heel, "
+           "right of the heel, right of the tip. By stature when not given."},
+          {"type", "array"},
+          {"items", {{"$ref", "#/$defs/point"}}},
+          {"minItems", std::tuple_size_v<SoleOutline>},
+          {"maxItems", std::tuple_size_v<SoleOutline>}};
+}
+
+Json part_schema() {
+  const Json point{{"$ref", "#/$defs/point"}};
+  return {{"type", "object"},
+          {"properties",
+           {{"from_m", point},
+            {"to_m", point},
+            {"radius_m", {{"type", "number"}, {"minimum", kThinnest}, {"maximum", kLengthRange}}}}},
+          {"required", {"from_m", "to_m", "radius_m"}},
+          {"additionalProperties", false}};
+}
 
 std::optional<Landmarks> read_landmarks(JsonReader& reader) {
   if (!reader.has("landmarks_m")) return std::nullopt;

@@ -141,7 +141,7 @@ std::string candidate_animation(const CharacterSpec& character, std::size_t rank
 }
 
 std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) const {
-  const bool own = character_.format == CharacterFormat::bvh;
+  const bool own = character_.format == FileFormat::bvh;
   const Rig rig = own ? character_.rig : unturned(character_);
   const RigMotion moved = rig_motion(body, clip, rig);
   const double unit = rig.placement.unit;
@@ -182,7 +182,7 @@ Result<std::string> CharacterExporter::vrma(const BodyModel& body, const Clip& c
 }
 
 double bvh_unit(const CharacterSpec& spec) {
-  const bool own = spec.rig && spec.rig->format == CharacterFormat::bvh;
+  const bool own = spec.rig && spec.rig->format == FileFormat::bvh;
   return own ? spec.rig->rig.placement.unit : BvhFormat{}.unit;
 }
 

@@ -36,7 +36,7 @@ struct MotionFile {
 
 Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
                                 const std::string& animation) {
-  if (file_kind(name) == FileKind::bvh) {
+  if (format_of_file(name) == FileFormat::bvh) {
     if (!animation.empty()) return holds_one_motion(name);
     Result<SkeletonMotion> motion = parse_bvh(bytes, name);
     if (!motion) return tl::unexpected(motion.error());
@@ -48,10 +48,12 @@ Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
 }
 
 Result<void> check_clip_name(const std::string& name) {
-  const FileKind kind = file_kind(name);
-  if (kind == FileKind::bvh || kind == FileKind::gltf || file_ending(name) == ".vrma") return {};
+  const std::optional<FileFormat> format = format_of_file(name);
+  if (format && info_of(*format).clip) return {};
   return fail(ErrorCode::invalid_argument,
-              "is no clip that can be scored; allowed are .bvh, .glb, .gltf, .vrm and .vrma", name);
+              "is no clip that can be scored; allowed are " +
+                  format_endings([](const FormatInfo& info) { return info.clip; }, "and"),
+              name);
 }
 
 struct MeasuredFile {

@@ -2,148 +2,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <shigusa/body/joint_name.hpp>
 #include <shigusa/character/character_rig.hpp>
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/core/names.hpp>
 #include <shigusa/document/export.hpp>
-#include <shigusa/figure/strip_figure.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/csv.hpp>
 #include <shigusa/kinematics/held_resample.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
-#include <utility>
 
-#include "character_export.hpp"
 #include "export_file.hpp"
+#include "io/by_format.hpp"
 #include "io/json_reader.hpp"
-#include "read_back.hpp"
-#include "robot_columns.hpp"
 
 namespace shigusa {
 namespace {
 
-constexpr std::array<std::pair<const char*, ExportFormat>, 7> kFormats{
-    {{"bvh", ExportFormat::bvh},
-     {"csv", ExportFormat::csv},
-     {"svg", ExportFormat::svg},
-     {"png", ExportFormat::png},
-     {"pdf", ExportFormat::pdf},
-     {"glb", ExportFormat::glb},
-     {"vrma", ExportFormat::vrma}}};
-
-void add_point_columns(const std::string& name, const std::vector<Vec3d>& points,
-                       std::vector<CsvColumn>& columns) {
-  for (int k = 0; k < 3; ++k) {
-    CsvColumn column{fmt::format("{}.{} [m]", name, "xyz"[k]), {}};
-    for (const Vec3d& point : points) column.values.push_back(point[k]);
-    columns.push_back(std::move(column));
-  }
-}
-
-Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
-  const Motion& motion = candidate.motion;
-  std::vector<CsvColumn> columns{{"time [s]", {}}};
-  for (int f = 0; f < motion.clip.frames; ++f) {
-    columns[0].values.push_back(f * motion.clip.frame_time);
-  }
-  if (task.body.robot()) {
-    add_robot_columns(task.body, motion, columns);
-    const auto turned = [](std::vector<Vec3d> points) {
-      for (Vec3d& point : points) point = in_robot_world(point);
-      return points;
-    };
-    add_point_columns("centre_of_mass", turned(motion.centre_of_mass), columns);
-    for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
-      add_point_columns(candidate.goals[g].effector, turned(motion.effectors[g]), columns);
-    }
-    return format_csv(columns);
-  }
-  const auto dofs = static_cast<std::size_t>(motion.clip.dofs);
-  const auto add = [&](std::size_t d, const char* unit, const std::vector<double>& values) {
-    CsvColumn column{fmt::format("{} {}", task.body.dofs()[d].name, unit), {}};
-    for (std::size_t i = d; i < values.size(); i += dofs) column.values.push_back(values[i]);
-    columns.push_back(std::move(column));
-  };
-  for (std::size_t d = 0; d < dofs; ++d) add(d, "[rad]", motion.clip.angles);
-  for (std::size_t d = 0; d < dofs; ++d) add(d, "torque [N m]", motion.torques);
-  add_point_columns("centre_of_mass", motion.centre_of_mass, columns);
-  for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
-    add_point_columns(candidate.goals[g].effector, motion.effectors[g], columns);
-  }
-  return format_csv(columns);
-}
-
-// The limb that a goal moves, by the effector's name; none of the trunk and the head.
-std::optional<Limb> limb_of(std::string_view effector) {
-  const JointName joint = parse_joint_name(effector);
-  if (!joint.side) return std::nullopt;
-  const bool left = joint.side == Side::left;
-  if (joint.limb() == LimbKind::leg) return left ? Limb::left_leg : Limb::right_leg;
-  return left ? Limb::left_arm : Limb::right_arm;
-}
-
-StripSettings strip_settings(const Task& task) {
-  StripSettings settings;
-  settings.floor = 0.0;
-  settings.facing = Vec3d{0, 0, 1};
-  settings.accented.clear();
-  for (const Goal& goal : task.goals) {
-    if (const auto limb = limb_of(goal.effector)) settings.accented.push_back(*limb);
-  }
-  return settings;
-}
-
-Result<std::string> motion_strip(const Task& task, const Candidate& candidate,
-                                 FigureFormat format) {
-  StripOverlay overlay;
-  for (const GoalResult& goal : candidate.goals) overlay.goals.push_back(goal.goal);
-  overlay.centre_of_mass = candidate.motion.centre_of_mass;
-  overlay.hand_path = candidate.motion.effectors.front();
-  return draw_strip(skeleton_motion(task.body, candidate.motion.clip), overlay,
-                    strip_settings(task), format);
-}
-
-Result<MadeFile> drawn(Result<std::string> bytes) {
-  if (!bytes) return tl::unexpected(bytes.error());
-  return MadeFile{std::move(*bytes), {}};
-}
-
-// The motion as files of it have it. Fails on more of it than a file may hold.
-Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
-                          const Candidate& candidate, double rate) {
-  const Clip& clip = candidate.motion.clip;
-  const std::size_t nodes =
-      character.rig ? character.rig->rig.nodes.size() : task.body.nodes().size();
-  const auto frames = static_cast<std::size_t>(frames_at(clip.duration(), rate));
-  if (frames * nodes <= kBvhMaxTransforms) return motion_at(task.body, candidate, rate);
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("{} frames of {} nodes are more than a file may hold, {}: ask for fewer "
-                          "frames a second by --fps",
-                          frames, nodes, kBvhMaxTransforms));
-}
-
-// Formats with the motion of nodes: BVH of any body, GLB and VRMA of characters that can.
-Result<std::string> moving_file(const CharacterSpec& character, const BodyModel& body,
-                                const Clip& clip, ExportFormat format, const std::string& name) {
-  if (!character.rig) return format_bvh(skeleton_motion(body, clip));
-  const CharacterExporter exporter(*character.rig);
-  if (format == ExportFormat::bvh) return exporter.bvh(body, clip);
-  if (format == ExportFormat::vrma) return exporter.vrma(body, clip, name);
-  return exporter.glb(std::vector{exporter.animation(body, clip, name)});
+// The endings of characters that a format is for.
+template <NeededFile needed>
+std::string endings_for() {
+  return format_endings(
+      [](const FormatInfo& info) { return info.person && is_file(info.format, needed); }, "and");
 }
 
 }  // namespace
 
-const char* format_name(ExportFormat format) {
-  for (const auto& [name, known] : kFormats) {
-    if (known == format) return name;
-  }
-  return "";
-}
-
-std::string candidate_file(std::size_t rank, ExportFormat format) {
-  return fmt::format("candidate-{}.{}", rank, format_name(format));
+std::string candidate_file(std::size_t rank, FileFormat format) {
+  return fmt::format("candidate-{}.{}", rank, word_of(format));
 }
 
 bool is_result_file(std::string_view name) {
@@ -153,63 +34,64 @@ bool is_result_file(std::string_view name) {
   if (!name.starts_with(kCandidate) || dot == name.npos) return false;
   const std::string_view rank = name.substr(kCandidate.size(), dot - kCandidate.size());
   const bool number = !rank.empty() && rank.find_first_not_of("0123456789") == rank.npos;
-  return number && std::any_of(kFormats.begin(), kFormats.end(), [&](const auto& format) {
-           return name.substr(dot + 1) == format.first;
+  return number &&
+         std::any_of(kFileFormats.begin(), kFileFormats.end(), [&](const FormatInfo& format) {
+           return format.written && name.substr(dot + 1) == format.word;
          });
 }
 
-Result<std::vector<ExportFormat>> parse_formats(std::string_view list) {
-  std::vector<ExportFormat> formats;
+Result<std::vector<FileFormat>> parse_formats(std::string_view list) {
+  std::vector<FileFormat> formats;
   std::vector<std::string> names;
-  for (const auto& [name, format] : kFormats) names.emplace_back(name);
+  for (const FormatInfo& info : kFileFormats) {
+    if (info.written) names.emplace_back(info.word);
+  }
   bool more = !list.empty();
   while (more) {
     const std::size_t comma = list.find(',');
     const std::string_view word = list.substr(0, comma);
     more = comma != list.npos;
     list = more ? list.substr(comma + 1) : std::string_view{};
-    bool found = false;
-    for (const auto& [name, format] : kFormats) {
-      if (word != name) continue;
-      found = true;
-      const bool again = std::find(formats.begin(), formats.end(), format) != formats.end();
-      if (!again) formats.push_back(format);
+    const auto format = value_of<FileFormat>(word, "format");
+    if (!format || !info_of(*format).written) {
+      return fail(ErrorCode::invalid_argument, unknown_name("format", word, names));
     }
-    if (!found) return fail(ErrorCode::invalid_argument, unknown_name("format", word, names));
+    const bool again = std::find(formats.begin(), formats.end(), *format) != formats.end();
+    if (!again) formats.push_back(*format);
   }
   return formats;
 }
 
-std::vector<ExportFormat> usual_formats(const CharacterSpec& character) {
-  std::vector<ExportFormat> formats{ExportFormat::bvh, ExportFormat::csv, ExportFormat::svg,
-                                    ExportFormat::png};
-  for (const ExportFormat more : {ExportFormat::glb, ExportFormat::vrma}) {
-    if (check_formats(character, {more})) formats.push_back(more);
+std::vector<FileFormat> usual_formats(const CharacterSpec& character) {
+  std::vector<FileFormat> formats;
+  for (const FormatInfo& info : kFileFormats) {
+    if (info.usual && check_formats(character, {info.format})) formats.push_back(info.format);
   }
   return formats;
 }
 
-Result<void> check_formats(const CharacterSpec& character,
-                           const std::vector<ExportFormat>& formats) {
-  for (const ExportFormat format : formats) {
-    if (format != ExportFormat::glb && format != ExportFormat::vrma) continue;
-    const std::string asked = std::string("the format ") + format_name(format);
+Result<void> check_formats(const CharacterSpec& character, const std::vector<FileFormat>& formats) {
+  for (const FileFormat format : formats) {
+    const FormatInfo& info = info_of(format);
+    const std::string asked = "the format " + std::string(info.word);
+    if (!info.written) return fail(ErrorCode::unsupported, "is read alone", asked);
+    if (info.needs == NeededFile::none) continue;
     if (!character.rig && character.landmarks) {
       return fail(ErrorCode::invalid_argument,
                   fmt::format("needs the character's file, {}: give it by --character FILE",
                               character.source),
                   asked);
     }
-    const bool gltf = character.rig && character.rig->format != CharacterFormat::bvh;
-    const bool vrm = gltf && character.rig->format == CharacterFormat::vrm;
-    if (format == ExportFormat::glb && gltf && !character.rig->not_glb.empty()) {
+    const bool can = character.rig && is_file(character.rig->format, info.needs);
+    if (can && format == FileFormat::glb && !character.rig->not_glb.empty()) {
       return fail(ErrorCode::unsupported, character.rig->not_glb, asked);
     }
-    if (format == ExportFormat::glb ? gltf : vrm) continue;
+    if (can) continue;
+    const std::string files = info.needs == NeededFile::vrm ? endings_for<NeededFile::vrm>()
+                                                            : endings_for<NeededFile::gltf>();
     return fail(
         ErrorCode::invalid_argument,
-        fmt::format("is for characters from {} files, and {} is none",
-                    format == ExportFormat::glb ? ".glb, .gltf and .vrm" : "VRM", character.source),
+        fmt::format("is for characters from {} files, and {} is none", files, character.source),
         asked);
   }
   return {};
@@ -252,76 +134,34 @@ Result<FileSettings> parse_file_settings(std::string_view text, std::string_view
   return settings;
 }
 
-Result<MadeFile> make_file(const CharacterSpec& character, const Task& task,
-                           const Candidate& candidate, ExportFormat format,
-                           const FileSettings& settings) {
-  if (const auto can = check_formats(character, {format}); !can) return tl::unexpected(can.error());
-  if (const auto can = check_rate(settings.rate, "rate"); !can) return tl::unexpected(can.error());
-  switch (format) {
-    case ExportFormat::csv:
-      return drawn(motion_csv(task, candidate));
-    case ExportFormat::svg:
-      return drawn(motion_strip(task, candidate, FigureFormat::svg));
-    case ExportFormat::png:
-      return drawn(motion_strip(task, candidate, FigureFormat::png));
-    case ExportFormat::pdf:
-      return drawn(motion_strip(task, candidate, FigureFormat::pdf));
-    case ExportFormat::bvh:
-    case ExportFormat::glb:
-    case ExportFormat::vrma:
-      break;
-  }
-  const Result<Clip> clip = clip_at_rate(character, task, candidate, settings.rate);
-  if (!clip) return tl::unexpected(clip.error());
-  const ReadBackCheck check(character, task, candidate, *clip);
-  const std::string& name = settings.animation;
-  Result<std::string> bytes = moving_file(character, task.body, *clip, format, name);
+Result<MadeFile> unread(Result<std::string> bytes) {
   if (!bytes) return tl::unexpected(bytes.error());
-  const Result<ReadBack> back = format == ExportFormat::bvh   ? check.bvh(*bytes)
-                                : format == ExportFormat::glb ? check.glb(*bytes, name)
-                                                              : check.vrma(*bytes);
-  if (!back) return tl::unexpected(back.error());
-  return MadeFile{std::move(*bytes), *back};
+  return MadeFile{std::move(*bytes), {}};
 }
 
-Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
-                             const std::vector<Candidate>& candidates, double rate) {
-  if (const auto can = check_formats(character, {ExportFormat::glb}); !can) {
+Result<MadeFile> make_file(const WriteRequest& request, FileFormat format) {
+  static constexpr auto kWriters =
+      by_format<Result<MadeFile>(const WriteRequest&), &FormatInfo::written>(
+          []<FileFormat written>() { return &write_as<written>; });
+  if (const auto can = check_formats(request.character, {format}); !can) {
     return tl::unexpected(can.error());
   }
-  if (const auto can = check_rate(rate, "rate"); !can) return tl::unexpected(can.error());
-  const CharacterExporter exporter(*character.rig);
-  std::vector<GltfAnimation> animations;
-  std::vector<Clip> clips;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    Result<Clip> clip = clip_at_rate(character, task, candidates[i], rate);
-    if (!clip) return tl::unexpected(clip.error());
-    clips.push_back(std::move(*clip));
-    animations.push_back(
-        exporter.animation(task.body, clips.back(), candidate_animation(character, i + 1)));
+  if (const auto can = check_rate(request.settings.rate, "rate"); !can) {
+    return tl::unexpected(can.error());
   }
-  Result<std::string> bytes = exporter.glb(animations);
-  if (!bytes) return tl::unexpected(bytes.error());
-  MadeGlb made{std::move(*bytes), {}};
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const ReadBackCheck check(character, task, candidates[i], clips[i]);
-    const Result<ReadBack> back = check.glb(made.bytes, animations[i].name);
-    if (!back) return tl::unexpected(back.error());
-    made.back.push_back(*back);
-  }
-  return made;
+  return kWriters[static_cast<std::size_t>(format)](request);
 }
 
 Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
-                                     const Candidate& candidate, ExportFormat format,
+                                     const Candidate& candidate, FileFormat format,
                                      const FileSettings& settings) {
-  Result<MadeFile> made = make_file(character, task, candidate, format, settings);
+  Result<MadeFile> made = make_file({character, task, candidate, settings}, format);
   if (!made) return tl::unexpected(made.error());
   return std::move(made->bytes);
 }
 
 Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
-                                     ExportFormat format, const FileSettings& settings) {
+                                     FileFormat format, const FileSettings& settings) {
   return export_candidate(CharacterSpec{}, task, candidate, format, settings);
 }
 

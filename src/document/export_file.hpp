@@ -9,11 +9,8 @@
 
 namespace shigusa {
 
-// The name that a format is asked for by: "bvh".
-[[nodiscard]] const char* format_name(ExportFormat format);
-
 // "candidate-1.bvh" of rank 1.
-[[nodiscard]] std::string candidate_file(std::size_t rank, ExportFormat format);
+[[nodiscard]] std::string candidate_file(std::size_t rank, FileFormat format);
 // All candidates in one GLB.
 inline constexpr const char* kOneFile = "candidates.glb";
 
@@ -25,9 +22,25 @@ struct MadeFile {
   std::string bytes;
   std::optional<ReadBack> back;
 };
-[[nodiscard]] Result<MadeFile> make_file(const CharacterSpec& character, const Task& task,
-                                         const Candidate& candidate, ExportFormat format,
-                                         const FileSettings& settings);
+
+// A motion that is to leave, and how.
+struct WriteRequest {
+  const CharacterSpec& character;
+  const Task& task;
+  const Candidate& candidate;
+  const FileSettings& settings;
+};
+
+// The motion in a format; each that is written (FormatInfo::written) has one. The character can
+// leave in it, and the rate is one that motions leave at.
+template <FileFormat format>
+[[nodiscard]] Result<MadeFile> write_as(const WriteRequest& request);
+
+// What write_as gives of bytes that hold no motion of nodes.
+[[nodiscard]] Result<MadeFile> unread(Result<std::string> bytes);
+
+// The motion in any format. Fails as check_formats and check_rate do, and where it is made.
+[[nodiscard]] Result<MadeFile> make_file(const WriteRequest& request, FileFormat format);
 
 // One GLB of all candidates, and what was read back of each.
 struct MadeGlb {

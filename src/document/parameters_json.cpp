@@ -2,149 +2,171 @@
 #include "parameters_json.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace shigusa {
 namespace {
 
-void read_contractions(JsonReader& reader, const std::vector<LayeredMember>& members) {
-  reader.require("contractions");
-  if (!reader.has("contractions")) return;
-  JsonReader contractions = reader.object("contractions");
-  for (const LayeredMember& member : members) {
-    if (member.kind != LayerGeneKind::contraction) continue;
-    double value = 0.0;
-    contractions.require(member.name.c_str());
-    contractions.number(member.name.c_str(), value, 0.0, kLayerGeneMax);
-    for (double* limb : member.contraction) *limb = value;
+constexpr const char* kWeights = "weights";
+constexpr const char* kLocked = "locked";
+constexpr const char* kContractions = "contractions";
+constexpr const char* kPosture = "posture";
+constexpr const char* kLater = "later";
+constexpr const char* kArms = "arms";
+
+// Where a parameter stands: {"later", "posture", "squat_rad"}.
+struct Placed {
+  std::vector<std::string> path;
+  Parameter parameter;
+};
+
+std::vector<std::string> path_of(const Parameter& parameter) {
+  const ParameterInfo& info = *parameter.info;
+  const std::string name(name_within_phase(info.name));
+  std::vector<std::string> path;
+  if (info.later) path.emplace_back(kLater);
+  switch (info.kind) {
+    case ParameterKind::weight:
+      if (parameter.below) path = {kArms, parameter.layer->name};
+      path.insert(path.end(), {kWeights, name});
+      break;
+    case ParameterKind::contraction:
+      path = {kContractions, name};
+      break;
+    case ParameterKind::swivel:
+      path = {kArms, name, "swivel_rad"};
+      break;
+    case ParameterKind::final_angle:
+      path = {parameter.layer->name, name + "_rad"};
+      break;
+    case ParameterKind::mode:
+      path.insert(path.end(), {kPosture, name + "_rad"});
+      break;
+    case ParameterKind::timing:
+      path = {kPosture, name};
+      break;
+    case ParameterKind::switch_at:
+      path.push_back(name);
+      break;
   }
-  reader.absorb(contractions.finish());
+  return path;
 }
 
-// "swivel_rad" of "right_arm.swivel", which stands under its arm; "left_elbow.flexion_rad"
-std::string key_of(const LayeredMember& member) {
-  const bool swivel = member.kind == LayerGeneKind::swivel;
-  return (swivel ? member.name.substr(member.name.rfind('.') + 1) : member.name) + "_rad";
+std::vector<Placed> placed(std::span<const Layer> plan, Parameters& values) {
+  std::vector<Placed> all;
+  for (Parameter& parameter : parameters_of(plan, values)) {
+    std::vector<std::string> path = path_of(parameter);
+    all.push_back({std::move(path), std::move(parameter)});
+  }
+  return all;
 }
 
-// The angle of each member of that kind and layer.
-void read_angles(JsonReader& reader, const std::vector<LayeredMember>& members, LayerGeneKind kind,
-                 const std::string& layer) {
-  for (const LayeredMember& member : members) {
-    if (member.kind != kind || member.layer != layer) continue;
-    reader.require(key_of(member).c_str());
-    reader.number(key_of(member).c_str(), *member.angle, member.low, member.high);
+Json empty_weights() { return {{kWeights, Json::object()}, {kLocked, Json::array()}}; }
+
+// Those of `all` whose path has `key` at `depth`.
+std::vector<Placed> below(std::span<const Placed> all, std::size_t depth, const std::string& key) {
+  std::vector<Placed> found;
+  for (const Placed& one : all) {
+    if (one.path[depth] == key) found.push_back(one);
   }
+  return found;
+}
+
+void read_locked(JsonReader& reader, std::span<const Placed> weights) {
+  for (const Placed& weight : weights) *weight.parameter.locked = false;
+  if (!reader.has(kLocked)) return;
+  if (!reader.value(kLocked).is_array()) reader.wrong(kLocked, "must be a list [ … ] of texts");
+  for (const Json& name : reader.value(kLocked)) {
+    const auto joint = std::find_if(weights.begin(), weights.end(), [&name](const Placed& known) {
+      return name.is_string() && known.path.back() == name.get<std::string>();
+    });
+    if (joint != weights.end()) {
+      *joint->parameter.locked = true;
+    } else {
+      reader.wrong(kLocked, "names a freedom that this body does not have");
+    }
+  }
+}
+
+// Reads what stands in one object. An angle or a share of a posture may be missing; it is 0 then.
+void read_object(JsonReader& reader, std::span<const Placed> all, std::size_t depth) {
+  std::vector<std::string> keys;
+  for (const Placed& one : all) {
+    const std::string& key = one.path[depth];
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  }
+  for (const std::string& key : keys) {
+    const std::vector<Placed> inner = below(all, depth, key);
+    const Placed& first = inner.front();
+    const bool optional = key == kPosture || (depth > 0 && first.path[depth - 1] == kPosture);
+    if (!optional) reader.require(key.c_str());
+    if (first.path.size() == depth + 1) {
+      const ParameterInfo& info = *first.parameter.info;
+      double value = first.parameter.value();
+      reader.number(key.c_str(), value, info.low, info.high);
+      first.parameter.set(value);
+    } else if (reader.has(key.c_str())) {
+      JsonReader object = reader.object(key.c_str());
+      read_object(object, inner, depth + 1);
+      reader.absorb(object.finish());
+    }
+    if (key == kWeights) read_locked(reader, inner);
+  }
+}
+
+// Whether a posture stands there; an empty one is weights alone.
+bool has_posture(const Json& parameters) {
+  const auto posture = parameters.find(kPosture);
+  return posture != parameters.end() && !(posture->is_object() && posture->empty());
 }
 
 }  // namespace
 
-Result<const Json*> parameters_of(const Json& candidate, const std::string& place) {
-  const auto member = candidate.is_object() ? candidate.find("parameters") : candidate.end();
-  if (candidate.is_object() && member != candidate.end()) return &*member;
-  return fail(ErrorCode::parse, "is missing", place + ".parameters");
-}
-
-void read_joints(JsonReader& reader, const NamedJoints& joints) {
-  reader.require("weights");
-  if (reader.has("weights")) {
-    JsonReader weights = reader.object("weights");
-    for (const auto& [name, joint] : joints) {
-      weights.require(name.c_str());
-      weights.number(name.c_str(), joint->weight, kWeightMin, kWeightMax);
-      joint->locked = false;
-    }
-    reader.absorb(weights.finish());
+Json parameters_to_json(std::span<const Layer> plan, Parameters values) {
+  Json json = empty_weights();
+  json[kContractions] = Json::object();
+  json[kPosture] = Json::object();
+  if (!moves_whole_body(plan)) json[kArms] = Json::object();
+  if (values.later) {
+    json[kLater] = empty_weights();
+    json[kLater][std::string(kSwitchName)] = values.later->switch_at;
+    json[kLater][kPosture] = Json::object();
   }
-  if (!reader.has("locked")) return;
-  if (!reader.value("locked").is_array()) reader.wrong("locked", "must be a list [ … ] of texts");
-  for (const Json& name : reader.value("locked")) {
-    const auto joint = std::find_if(joints.begin(), joints.end(), [&name](const auto& known) {
-      return name.is_string() && known.first == name.get<std::string>();
-    });
-    if (joint != joints.end()) {
-      joint->second->locked = true;
-    } else {
-      reader.wrong("locked", "names a freedom that this body does not have");
-    }
-  }
-}
-
-Json layered_to_json(std::span<const Layer> layers, LayeredParameters parameters) {
-  Json json;
-  for (const char* key : {"weights", "locked", "contractions", "posture", "arms"}) {
-    json[key] = Json::object();
-  }
-  json["locked"] = Json::array();
-  for (const LayeredMember& member : layered_members(layers, parameters)) {
-    switch (member.kind) {
-      case LayerGeneKind::contraction:
-        json["contractions"][member.name] = *member.contraction.front();
-        break;
-      case LayerGeneKind::swivel:
-        json["arms"][member.layer][key_of(member)] = *member.angle;
-        break;
-      case LayerGeneKind::final_angle:
-        json[member.layer][key_of(member)] = *member.angle;
-        break;
-      case LayerGeneKind::weight: {
-        Json& of = member.layer.empty() ? json : json["arms"][member.layer];
-        if (!of.contains("locked")) of = {{"weights", Json::object()}, {"locked", Json::array()}};
-        of["weights"][member.name] = member.joint->weight;
-        if (member.joint->locked) of["locked"].push_back(member.name);
-        break;
+  for (const Placed& one : placed(plan, values)) {
+    Json* object = &json;
+    for (std::size_t k = 0; k + 1 < one.path.size(); ++k) {
+      if (one.path[k] == kWeights && !object->contains(kLocked)) *object = empty_weights();
+      if (one.path[k] == kWeights && *one.parameter.locked) {
+        (*object)[kLocked].push_back(one.path.back());
       }
+      object = &(*object)[one.path[k]];
     }
+    (*object)[one.path.back()] = one.parameter.value();
   }
   return json;
 }
 
-Result<LayeredParameters> read_layered(std::span<const Layer> layers, const Json& candidate,
-                                       const std::string& place) {
-  const Result<const Json*> object = parameters_of(candidate, place);
-  if (!object) return tl::unexpected(object.error());
-  JsonReader reader(**object, place + ".parameters");
-  LayeredParameters parameters;
-  const std::vector<LayeredMember> members = layered_members(layers, parameters);
-  const auto joints_of = [&members](const std::string& layer) {
-    NamedJoints joints;
-    for (const LayeredMember& member : members) {
-      if (member.joint != nullptr && member.layer == layer) {
-        joints.emplace_back(member.name, member.joint);
-      }
-    }
-    return joints;
-  };
-  read_joints(reader, joints_of(""));
-  read_contractions(reader, members);
-  if (reader.has("posture")) reader.absorb(reader.object("posture").finish());
-  reader.require("arms");
-  if (reader.has("arms")) {
-    JsonReader arms = reader.object("arms");
-    for (const Layer& layer : layers.subspan(1)) {
-      const bool by_swivel = searches(layer, LayerGeneKind::swivel);
-      if (!by_swivel && !searches(layer, LayerGeneKind::weight)) continue;
-      arms.require(layer.name.c_str());
-      if (!arms.has(layer.name.c_str())) continue;
-      JsonReader arm = arms.object(layer.name.c_str());
-      if (by_swivel) {
-        read_angles(arm, members, LayerGeneKind::swivel, layer.name);
-      } else {
-        read_joints(arm, joints_of(layer.name));
-      }
-      arms.absorb(arm.finish());
-    }
-    reader.absorb(arms.finish());
+Result<Parameters> read_parameters(std::span<const Layer> plan, const Json& candidate,
+                                   const std::string& place) {
+  const auto member = candidate.is_object() ? candidate.find("parameters") : candidate.end();
+  if (!candidate.is_object() || member == candidate.end()) {
+    return fail(ErrorCode::parse, "is missing", place + ".parameters");
   }
-  for (const Layer& layer : layers.subspan(1)) {
-    if (!searches(layer, LayerGeneKind::final_angle)) continue;
-    reader.require(layer.name.c_str());
-    if (!reader.has(layer.name.c_str())) continue;
-    JsonReader finals = reader.object(layer.name.c_str());
-    read_angles(finals, members, LayerGeneKind::final_angle, layer.name);
-    reader.absorb(finals.finish());
+  JsonReader reader(*member, place + ".parameters");
+  Parameters values = start_values(plan);
+  const bool whole = moves_whole_body(plan);
+  if (whole && reader.has(kLater)) add_later_phase(values);
+  give_posture(plan, values);
+  read_object(reader, placed(plan, values), 0);
+  // these may stand there without anything in them
+  for (const char* key : {kContractions, kPosture}) {
+    const bool known = (key == kPosture) == whole;
+    if (!known && reader.has(key)) reader.absorb(reader.object(key).finish());
   }
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
-  return parameters;
+  if (!has_posture(*member)) values.posture = {};
+  if (values.later && !has_posture((*member)[kLater])) values.later->modes.clear();
+  return values;
 }
 
 }  // namespace shigusa

@@ -4,7 +4,7 @@
 #include <shigusa/character/character_rig.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/document/result_file.hpp>
-#include <shigusa/generate/layered_problem.hpp>
+#include <shigusa/task/plan_of.hpp>
 
 #include "character_export.hpp"
 #include "measures_json.hpp"
@@ -15,55 +15,6 @@ namespace shigusa {
 namespace {
 
 constexpr double kMillimetres = 1000.0;  // per metre
-
-// "squat_rad", "delay"
-std::string key_of(const PostureMember& member) {
-  return member.name + (member.angle ? "_rad" : "");
-}
-
-// Weights and locks of one phase.
-Json joints_to_json(const BodyModel& body, std::span<const JointWeight> joints) {
-  Json json;
-  json["weights"] = Json::object();
-  json["locked"] = Json::array();
-  for (std::size_t d = 0; d < joints.size(); ++d) {
-    json["weights"][body.dofs()[d].name] = joints[d].weight;
-    if (joints[d].locked) json["locked"].push_back(body.dofs()[d].name);
-  }
-  return json;
-}
-
-Json later_to_json(const BodyModel& body, LaterPhase later) {
-  Json json = joints_to_json(body, later.joints);
-  json[std::string(kSwitchName)] = later.switch_at;
-  json["posture"] = Json::object();
-  if (later.modes.empty()) return json;
-  for (const PostureMember& member : mode_members(body, later.modes)) {
-    json["posture"][key_of(member)] = *member.value;
-  }
-  return json;
-}
-
-Json parameters_to_json(const BodyModel& body, const Parameters& parameters) {
-  Json json = joints_to_json(body, parameters.joints);
-  json["contractions"] = Json::object();
-  json["posture"] = Json::object();
-  if (!parameters.posture.modes.empty()) {
-    PostureParameters posture = parameters.posture;
-    for (const PostureMember& member : posture_members(body, posture)) {
-      json["posture"][key_of(member)] = *member.value;
-    }
-  }
-  if (parameters.later) json["later"] = later_to_json(body, *parameters.later);
-  return json;
-}
-
-// Of a candidate, or of the best that was seen.
-Json any_parameters_to_json(const Task& task, const Parameters& parameters,
-                            const std::optional<LayeredParameters>& layered) {
-  if (!layered) return parameters_to_json(task.body, parameters);
-  return layered_to_json(layers_to_goals(task).value(), *layered);
-}
 
 // The node of the exported file that a node of the body is: the character's own, if it has one.
 Json joint_of(const CharacterSpec& character, const std::string& body_node) {
@@ -135,7 +86,8 @@ void add_files(const Candidate& candidate, const CandidateFiles& files, double r
 }
 
 Json candidate_to_json(const CharacterSpec& character, const Task& task,
-                       const Generation& generation, std::size_t index, const ResultFiles& files) {
+                       std::span<const Layer> plan, const Generation& generation, std::size_t index,
+                       const ResultFiles& files) {
   const Candidate& candidate = generation.candidates[index];
   Json json;
   json["rank"] = index + 1;
@@ -153,12 +105,12 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   json["final_posture"]["elbow_swivel_deg"] = degrees(candidate.final_posture.elbow_swivel);
   json["duration_s"] = generation.duration;
   json["frames"] = candidate.motion.clip.frames;
-  if (candidate.layered) {
-    json["arm_collision"] = {{"depth_mm", max(candidate.collision, 0.0) * kMillimetres},
-                             {"searches", candidate.feedback_rounds},
-                             {"left", candidate.collision_left}};
+  if (const std::optional<ArmCollision>& arms = candidate.arm_collision) {
+    json["arm_collision"] = {{"depth_mm", max(arms->depth, 0.0) * kMillimetres},
+                             {"searches", arms->searches},
+                             {"left", arms->left}};
   }
-  json["parameters"] = any_parameters_to_json(task, candidate.parameters, candidate.layered);
+  json["parameters"] = parameters_to_json(plan, candidate.parameters);
   const bool written = index < files.candidates.size();
   const CandidateFiles& own = written ? files.candidates[index] : CandidateFiles{};
   add_files(candidate, own, files.rate, json);
@@ -182,7 +134,7 @@ const char* end_name(SearchEnd end) {
   return "";
 }
 
-Json search_to_json(const Task& task, const Generation& generation) {
+Json search_to_json(std::span<const Layer> plan, const Generation& generation) {
   Json json{{"end", end_name(generation.end)},
             {"generations", generation.generations},
             {"missed", generation.missed},
@@ -191,63 +143,11 @@ Json search_to_json(const Task& task, const Generation& generation) {
             {"rejected_nan", generation.rejected_nan},
             {"replay_differs", generation.replay_differs},
             {"replay_difference", generation.replay_difference}};
-  if (generation.best_seen || generation.best_seen_layered) {
-    json["best_seen"] = {
-        {"score", generation.best_seen_score},
-        {"parameters", any_parameters_to_json(task, generation.best_seen.value_or(Parameters{}),
-                                              generation.best_seen_layered)}};
+  if (generation.best_seen) {
+    json["best_seen"] = {{"score", generation.best_seen_score},
+                         {"parameters", parameters_to_json(plan, *generation.best_seen)}};
   }
   return json;
-}
-
-// An empty object is weights alone; otherwise what is not given is 0. `members` is asked for only
-// then, as it adds values.
-template <class Members>
-void read_posture(JsonReader& parameters, Members&& members) {
-  if (!parameters.has("posture")) return;
-  if (parameters.value("posture").is_object() && parameters.value("posture").empty()) return;
-  JsonReader reader = parameters.object("posture");
-  for (const PostureMember& member : members()) {
-    reader.number(key_of(member).c_str(), *member.value, member.low, member.high);
-  }
-  parameters.absorb(reader.finish());
-}
-
-NamedJoints named_joints(const BodyModel& body, std::vector<JointWeight>& joints) {
-  NamedJoints named;
-  for (std::size_t d = 0; d < joints.size(); ++d) {
-    named.emplace_back(body.dofs()[d].name, &joints[d]);
-  }
-  return named;
-}
-
-void read_later(const BodyModel& body, JsonReader& parameters, std::optional<LaterPhase>& into) {
-  if (!parameters.has("later")) return;
-  JsonReader reader = parameters.object("later");
-  LaterPhase later;
-  const std::string at(kSwitchName);
-  reader.require(at.c_str());
-  reader.number(at.c_str(), later.switch_at, kSwitchMin, kSwitchMax);
-  later.joints = uniform_parameters(body).joints;
-  read_joints(reader, named_joints(body, later.joints));
-  read_posture(reader, [&] { return mode_members(body, later.modes); });
-  parameters.absorb(reader.finish());
-  into = std::move(later);
-}
-
-// The parameters of one stored candidate; every freedom must have its weight.
-Result<Parameters> read_parameters(const BodyModel& body, const Json& candidate,
-                                   const std::string& place) {
-  const Result<const Json*> object = parameters_of(candidate, place);
-  if (!object) return tl::unexpected(object.error());
-  JsonReader reader(**object, place + ".parameters");
-  Parameters parameters = uniform_parameters(body);
-  read_joints(reader, named_joints(body, parameters.joints));
-  (void)reader.has("contractions");
-  read_posture(reader, [&] { return posture_members(body, parameters.posture); });
-  read_later(body, reader, parameters.later);
-  if (const auto& error = reader.finish()) return tl::unexpected(*error);
-  return parameters;
 }
 
 // A name as it stands in the result's folder: no way out of it.
@@ -314,6 +214,7 @@ TaskFile played_task(TaskFile file, const Generation& generation) {
 
 std::string format_result(const TaskFile& file, const Task& task, const Generation& generation,
                           const RunInfo& info, const ResultFiles& files) {
+  const Plan plan = plan_of(task).value();
   Json json;
   json["version"] = kResultVersion;
   json["status"] = word_of(generation.status);
@@ -337,10 +238,11 @@ std::string format_result(const TaskFile& file, const Task& task, const Generati
   }
   json["candidates"] = Json::array();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
-    json["candidates"].push_back(candidate_to_json(file.character, task, generation, i, files));
+    json["candidates"].push_back(
+        candidate_to_json(file.character, task, plan, generation, i, files));
   }
   if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
-  json["search_detail"] = search_to_json(task, generation);
+  json["search_detail"] = search_to_json(plan, generation);
   json["doubts"] = std::vector<std::string>(task.body.doubts().begin(), task.body.doubts().end());
   json["task"] = task_to_json(played_task(file, generation));
   // names from files may hold anything; what is not UTF-8 is replaced
@@ -358,7 +260,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   if (const auto known = check_version(*json, place); !known) return tl::unexpected(known.error());
   Result<TaskFile> task = task_from_json((*json)["task"], place + ": task");
   if (!task) return tl::unexpected(task.error());
-  StoredResult result{std::move(*task), {}, {}};
+  StoredResult result{.task = std::move(*task), .candidates = {}};
   if (json->contains("character_file") && (*json)["character_file"].is_string()) {
     result.character = (*json)["character_file"].get<std::string>();
   }
@@ -380,13 +282,9 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   }
   const Result<BodyModel> body = build_body(result.task);
   if (!body) return tl::unexpected(body.error());
-  std::vector<Layer> layers;
-  if (const std::optional<LayerStack> stack = traits_of(result.task.preset).layers) {
-    Result<std::vector<Layer>> known =
-        layers_to_goals(*body, result.task.goals, {*stack, result.task.layer_reading});
-    if (!known) return fail(ErrorCode::parse, known.error().to_string(), place + ": task");
-    layers = std::move(*known);
-  }
+  const Result<Plan> plan =
+      plan_of(*body, result.task.goals, result.task.preset, result.task.layer_reading);
+  if (!plan) return fail(ErrorCode::parse, plan.error().to_string(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);
     Result<CandidateFiles> files = read_files(candidates[i], at);
@@ -400,15 +298,9 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
       }
       result.rate = rate.get<double>();
     }
-    if (layers.empty()) {
-      Result<Parameters> parameters = read_parameters(*body, candidates[i], at);
-      if (!parameters) return tl::unexpected(parameters.error());
-      result.candidates.push_back(std::move(*parameters));
-    } else {
-      Result<LayeredParameters> parameters = read_layered(layers, candidates[i], at);
-      if (!parameters) return tl::unexpected(parameters.error());
-      result.layered.push_back(std::move(*parameters));
-    }
+    Result<Parameters> parameters = read_parameters(*plan, candidates[i], at);
+    if (!parameters) return tl::unexpected(parameters.error());
+    result.candidates.push_back(std::move(*parameters));
   }
   return result;
 }

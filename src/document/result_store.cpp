@@ -24,16 +24,16 @@ std::string from_folder(const fs::path& character, const fs::path& folder) {
 
 // Adds the files of one format; notes them in `files`.
 Result<void> add_files(ResultFolder& folder, const CharacterSpec& character, const Task& task,
-                       const std::vector<Candidate>& candidates, ExportFormat format,
+                       const std::vector<Candidate>& candidates, FileFormat format,
                        ResultFiles& files) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto made = make_file(character, task, candidates[i], format,
-                                {files.rate, candidate_animation(character, i + 1)});
+    const FileSettings settings{files.rate, candidate_animation(character, i + 1)};
+    const auto made = make_file({character, task, candidates[i], settings}, format);
     if (!made) return tl::unexpected(made.error());
     const std::string name = candidate_file(i + 1, format);
     Result<std::string> sha256 = folder.add(name, made->bytes);
     if (!sha256) return tl::unexpected(sha256.error());
-    files.candidates[i][format_name(format)] = {name, std::move(*sha256), made->back};
+    files.candidates[i][std::string(word_of(format))] = {name, std::move(*sha256), made->back};
   }
   return {};
 }
@@ -45,7 +45,7 @@ Result<void> add_one_glb(ResultFolder& folder, const CharacterSpec& character, c
   const Result<std::string> sha256 = folder.add(kOneFile, made->bytes);
   if (!sha256) return tl::unexpected(sha256.error());
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    files.candidates[i][format_name(ExportFormat::glb)] = {kOneFile, *sha256, made->back[i]};
+    files.candidates[i][std::string(word_of(FileFormat::glb))] = {kOneFile, *sha256, made->back[i]};
   }
   return {};
 }
@@ -78,9 +78,9 @@ Result<std::string> write_result(const fs::path& folder, const TaskFile& file, c
   const std::vector<Candidate>& candidates = generation.candidates;
   ResultFiles files{settings.rate, std::vector<CandidateFiles>(candidates.size()),
                     from_folder(settings.character, folder)};
-  for (const ExportFormat format : settings.formats) {
-    if (!candidates.empty() && files.candidates[0].contains(format_name(format))) continue;
-    const bool one = settings.one_file && format == ExportFormat::glb;
+  for (const FileFormat format : settings.formats) {
+    if (!candidates.empty() && files.candidates[0].contains(std::string(word_of(format)))) continue;
+    const bool one = settings.one_file && format == FileFormat::glb;
     const auto added = one ? add_one_glb(out, file.character, task, candidates, files)
                            : add_files(out, file.character, task, candidates, format, files);
     if (!added) return tl::unexpected(added.error());

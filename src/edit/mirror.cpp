@@ -5,7 +5,6 @@
 #include <array>
 #include <shigusa/body/joint_name.hpp>
 #include <shigusa/edit/mirror.hpp>
-#include <shigusa/generate/layered_problem.hpp>
 #include <utility>
 
 namespace shigusa {
@@ -26,14 +25,36 @@ std::string mirrored_assignment(const std::string& assignment) {
   return negative ? text.erase(equals + 1, 1) : text.insert(equals + 1, "-");
 }
 
-std::vector<JointWeight> mirrored_joints(const BodyModel& from, const BodyModel& to,
-                                         const std::vector<JointWeight>& joints) {
-  std::vector<JointWeight> image = joints;
-  for (std::size_t d = 0; d < joints.size(); ++d) {
-    const auto other = to.find_dof(mirrored_name(from.dofs()[d].name));
-    if (other) image[static_cast<std::size_t>(*other)] = joints[d];
-  }
-  return image;
+template <class Holder>
+void mirror_fields(Holder& holder);
+
+// Numbers and choices have no side.
+template <class Value>
+void mirror_value(Value&, Mirroring) {}
+void mirror_value(Vec3d& point, Mirroring) { point = across(point); }
+void mirror_value(Quatd& rotation, Mirroring) { rotation = across(rotation); }
+void mirror_value(std::string& text, Mirroring how) {
+  text = how == Mirroring::assignments ? mirrored_assignment(text) : mirrored_name(text);
+}
+template <Tabled Holder>
+void mirror_value(Holder& holder, Mirroring) {
+  mirror_fields(holder);
+}
+template <class Item>
+void mirror_value(std::vector<Item>& list, Mirroring how) {
+  for (Item& item : list) mirror_value(item, how);
+}
+template <class Value>
+void mirror_value(std::optional<Value>& value, Mirroring how) {
+  if (value) mirror_value(*value, how);
+}
+
+template <class Holder>
+void mirror_fields(Holder& holder) {
+  for_each_field<Holder>([&](const auto& field) {
+    if (field.traits.mirroring == Mirroring::same) return;
+    mirror_value(holder.*field.member, field.traits.mirroring);
+  });
 }
 
 }  // namespace
@@ -56,63 +77,28 @@ Result<TaskFile> mirrored(TaskFile task) {
                 fmt::format("{} has one side only: it has {} and no {}", body->name(), dof.name,
                             mirrored_name(dof.name)));
   }
-  for (Goal& goal : task.goals) {
-    goal.effector = mirrored_name(goal.effector);
-    goal.position = across(goal.position);
-    if (goal.rotation) *goal.rotation = across(*goal.rotation);
-    if (goal.axis) goal.axis = {across(goal.axis->axis), across(goal.axis->direction)};
-  }
-  if (task.look_at) task.look_at = across(*task.look_at);
-  if (task.contacts) {
-    for (std::string& foot : *task.contacts) foot = mirrored_name(foot);
-  }
-  for (Obstacle& obstacle : task.obstacles) {
-    obstacle.position = across(obstacle.position);
-    obstacle.rotation = across(obstacle.rotation);
-  }
-  for (std::string& assignment : task.fixed) assignment = mirrored_assignment(assignment);
+  mirror_fields<Request>(task);
   return task;
 }
 
-Parameters mirrored(const BodyModel& from, const BodyModel& to, const Parameters& parameters) {
-  Parameters image = parameters;
-  image.joints = mirrored_joints(from, to, parameters.joints);
-  if (image.later) image.later->joints = mirrored_joints(from, to, parameters.later->joints);
-  const bool later_modes = image.later && !image.later->modes.empty();
-  if (parameters.posture.modes.empty() && !later_modes) return image;
-  Parameters source = parameters;
-  const std::vector<PostureMember> of_image = posture_members(to, image);
-  for (const PostureMember& member : posture_members(from, source)) {
-    for (const PostureMember& other : of_image) {
-      if (other.name != mirrored_name(member.name)) continue;
-      *other.value = turns(member.name) ? -*member.value : *member.value;
-    }
-  }
-  return image;
-}
-
-Result<LayeredParameters> mirrored(const Task& task, const LayeredParameters& parameters) {
-  Task source = task;
-  for (Goal& goal : source.goals) goal.effector = mirrored_name(goal.effector);
-  const auto before = layers_to_goals(source);
-  const auto after = layers_to_goals(task);
-  if (!before) return tl::unexpected(before.error());
-  if (!after) return tl::unexpected(after.error());
-  LayeredParameters from = parameters;
-  LayeredParameters image;
-  const std::vector<LayeredMember> of_image = layered_members(*after, image);
-  for (const LayeredMember& member : layered_members(*before, from)) {
-    for (const LayeredMember& other : of_image) {
-      if (other.layer != mirrored_name(member.layer)) continue;
-      if (other.name != mirrored_name(member.name)) continue;
-      if (member.joint != nullptr && other.joint != nullptr) *other.joint = *member.joint;
-      // outwards and to the front is the same on both sides
-      if (member.angle != nullptr && other.angle != nullptr) *other.angle = *member.angle;
-      for (std::size_t k = 0; k < std::min(member.contraction.size(), other.contraction.size());
-           ++k) {
-        *other.contraction[k] = *member.contraction[k];
-      }
-    }
+Parameters mirrored(std::span<const Layer> from, std::span<const Layer> to,
+                    const Parameters& values) {
+  Parameters source = values;
+  Parameters image = start_values(to);
+  if (values.later) add_later_phase(image);
+  image.posture.modes.resize(values.posture.modes.size());
+  if (values.later) image.later->modes.resize(values.later->modes.size());
+  const std::vector<Parameter> of_image = parameters_of(to, image);
+  for (const Parameter& parameter : parameters_of(from, source)) {
+    const auto other =
+        std::find_if(of_image.begin(), of_image.end(), [&parameter](const Parameter& known) {
+          return known.info->kind == parameter.info->kind &&
+                 known.info->name == mirrored_name(parameter.info->name) &&
+                 known.layer->name == mirrored_name(parameter.layer->name);
+        });
+    if (other == of_image.end()) continue;
+    other->set(turns(parameter.info->name) ? -parameter.value() : parameter.value());
+    if (other->locked != nullptr) *other->locked = *parameter.locked;
   }
   return image;
 }

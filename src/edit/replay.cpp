@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <shigusa/edit/mirror.hpp>
 #include <shigusa/edit/replay.hpp>
-#include <shigusa/generate/layered_problem.hpp>
+#include <shigusa/layers/assignment.hpp>
+#include <shigusa/task/plan_of.hpp>
 #include <utility>
 
 #include "io/json_text.hpp"
@@ -12,21 +13,7 @@
 namespace shigusa {
 namespace {
 
-int count_of(const StoredResult& stored) {
-  return static_cast<int>(stored.candidates.size() + stored.layered.size());
-}
-
-// `of` is what tells the parameters' names.
-template <class Names, class Edited>
-Result<void> assign_all(std::span<const std::string> assignments, const Names& of,
-                        Edited& parameters) {
-  for (const std::string& assignment : assignments) {
-    if (const auto ok = assign_parameter(of, assignment, parameters); !ok) {
-      return fail(ok.error().code, ok.error().message, assignment);
-    }
-  }
-  return {};
-}
+int count_of(const StoredResult& stored) { return static_cast<int>(stored.candidates.size()); }
 
 }  // namespace
 
@@ -48,17 +35,15 @@ Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
                 fmt::format("candidate {} does not exist; the result has the candidates 1 to {}",
                             candidate, count_of(stored)));
   }
-  const auto index = static_cast<std::size_t>(candidate - 1);
-  if (!traits_of(task.preset).layers) {
-    Parameters& parameters = stored.candidates[index];
-    const auto ok = assign_all(assignments, task.body, parameters);
-    return ok ? regenerate(task, parameters) : tl::unexpected(ok.error());
+  const Result<Plan> plan = plan_of(task);
+  if (!plan) return tl::unexpected(plan.error());
+  Parameters& parameters = stored.candidates[static_cast<std::size_t>(candidate - 1)];
+  for (const std::string& assignment : assignments) {
+    if (const auto ok = assign_parameter(*plan, assignment, parameters); !ok) {
+      return fail(ok.error().code, ok.error().message, assignment);
+    }
   }
-  const auto layers = layers_to_goals(task);
-  if (!layers) return tl::unexpected(layers.error());
-  LayeredParameters& parameters = stored.layered[index];
-  const auto ok = assign_all(assignments, *layers, parameters);
-  return ok ? regenerate(task, parameters) : tl::unexpected(ok.error());
+  return regenerate(task, parameters);
 }
 
 Result<Generation> replay_all(const Task& task, StoredResult& stored, const Progress& progress) {
@@ -90,28 +75,19 @@ Result<void> mirror_result(StoredResult& stored) {
   if (!image) return tl::unexpected(image.error());
   const Result<Task> task = make_task(*image, {});
   if (!task) return tl::unexpected(task.error());
-  StoredResult other = stored;
-  other.task = std::move(*image);
-  for (Parameters& parameters : other.candidates) {
-    parameters = mirrored(*body, task->body, parameters);
-  }
-  for (LayeredParameters& parameters : other.layered) {
-    Result<LayeredParameters> changed = mirrored(*task, parameters);
-    if (!changed) return tl::unexpected(changed.error());
-    parameters = std::move(*changed);
-  }
-  stored = std::move(other);
+  const Result<Plan> from = plan_of(*body, stored.task.goals, task->preset, task->layer_reading);
+  const Result<Plan> to = plan_of(*task);
+  if (!from) return tl::unexpected(from.error());
+  if (!to) return tl::unexpected(to.error());
+  stored.task = std::move(*image);
+  for (Parameters& values : stored.candidates) values = mirrored(*from, *to, values);
   return {};
 }
 
 StoredResult stored_result(const TaskFile& file, const Generation& generation) {
-  StoredResult stored{played_task(file, generation), {}, {}};
+  StoredResult stored{.task = played_task(file, generation), .candidates = {}};
   for (const Candidate& candidate : generation.candidates) {
-    if (candidate.layered) {
-      stored.layered.push_back(*candidate.layered);
-    } else {
-      stored.candidates.push_back(candidate.parameters);
-    }
+    stored.candidates.push_back(candidate.parameters);
   }
   return stored;
 }

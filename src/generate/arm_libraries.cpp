@@ -7,7 +7,7 @@ ArmLibraries::ArmLibraries(const Task& task, const LayeredProblem& problem)
     : store_(task.layers.store) {
   for (std::size_t g = 0; g < problem.arms.size(); ++g) {
     const Layer& layer = problem.layers[1 + g];
-    if (!searches(layer, LayerGeneKind::weight)) continue;
+    if (!searches(layer, ParameterKind::weight)) continue;
     libraries_.emplace_back(problem.arm_bodies[g], LimbLibrarySettings{
                                                        .search = task.layers.limb_search,
                                                        .criteria = layer.criteria,

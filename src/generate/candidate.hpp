@@ -26,4 +26,7 @@ namespace shigusa {
 // The same of the postures they end in.
 [[nodiscard]] double final_distance(const Clip& a, const Clip& b);
 
+// Counts what a search did.
+void add_counts(const SearchResult& found, Generation& generation);
+
 }  // namespace shigusa

@@ -3,111 +3,178 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "candidate.hpp"
-#include "choice.hpp"
-#include "ways.hpp"
 
 namespace shigusa {
 namespace {
 
-// Replays of what is spare, of each style that is lacking and of all together, so far apart each.
+// Replays of spare motions, of each style that is lacking and of all together, for each distance.
 constexpr int kTries = 12;
 
-bool is_free(const Candidate& candidate) {
-  return candidate.measures.collides.depth <= kCollisionDepth;
+// Which steps of the delivery a preset has.
+struct Policy {
+  bool by_end = false;     // motions are told apart by how they end, not by all of their frames
+  bool asks_free = false;  // motions that pass through something do not count
+  bool near_copies = false;
+  bool styles = false;
+  std::vector<double> spare_distances{};  // rad
+  int tries = 0;                          // of spare motions at each distance
+};
+
+Policy policy_of(const Task& task) {
+  if (!traits_of(task.preset).natural) return {};
+  if (traits_of(task.preset).layers) {
+    return {.by_end = true,
+            .near_copies = true,
+            .spare_distances = {kNearEnd},
+            .tries = task.candidates};
+  }
+  return {.by_end = true,
+          .asks_free = true,
+          .styles = true,
+          .spare_distances = {kDistinctEnd, kNearEnd},
+          .tries = kTries};
 }
 
-Style bends(const Candidate& candidate) {
+Style end_style(const Candidate& candidate) {
   return style_of(candidate.final_posture.stoop_squat_index);
 }
 
+// A motion that was played again, before it is a candidate.
 struct Replayed {
   Candidate candidate;
-  bool as_searched = false;  // on the way that was searched, which was in single precision
+  bool as_searched = false;
+  bool copy = false;
 };
 
-// Takes replays in, one by one.
 class Delivery {
  public:
-  Delivery(const Task& task, std::span<const ReachProblem> ways, const Searched& searched,
+  Delivery(const Task& task, Planner& planner, std::size_t approach, const Choice& choice,
            Generation& generation)
-      : task_(task), ways_(ways), searched_(searched), generation_(generation) {}
+      : task_(task),
+        policy_(policy_of(task)),
+        planner_(planner),
+        approach_(approach),
+        choice_(choice),
+        generation_(generation) {}
 
-  void take(const Individual& individual) {
-    add(replay(individual, kDistinctEnd, [](const Candidate&) { return true; }), individual.score);
+  void take_picked() {
+    std::vector<Candidate> nearer;
+    for (const Individual& individual : choice_.picked) {
+      if (is_enough()) return;
+      std::optional<Replayed> replayed = replay(individual.point, kDistinctEnd, false);
+      if (!replayed) continue;
+      if (!replayed->copy) {
+        add(std::move(*replayed), individual.score);
+      } else if (policy_.near_copies) {
+        nearer.push_back(std::move(replayed->candidate));
+      }
+    }
+    for (Candidate& candidate : nearer) {
+      if (is_enough()) return;
+      if (!is_copy(candidate.motion.clip, kNearEnd, false)) all().push_back(std::move(candidate));
+    }
   }
 
-  // Takes it if it passes through nothing. What passes through something hinders none that ends
-  // alike, as it is left out in the end. Whether it was taken.
-  bool take_free(const Archived& archived, double apart) {
-    std::optional<Replayed> replayed = replay({archived.point, archived.score}, apart, is_free);
-    if (!replayed || !is_free(replayed->candidate)) return false;
-    add(std::move(replayed), archived.score);
-    return true;
+  void take_styles() {
+    if (!policy_.styles) return;
+    std::array<int, kStyles> tried{};
+    for (const Archived& spare : choice_.spare) {
+      if (has_free(spare.style)) continue;
+      if (tried[static_cast<std::size_t>(spare.style)]++ < policy_.tries) {
+        take_spare(spare, kDistinctEnd);
+      }
+    }
   }
 
-  // Whether one that passes through nothing ends alike.
+  void take_spares() {
+    for (const double apart : policy_.spare_distances) {
+      int tries = 0;
+      for (const Archived& spare : choice_.spare) {
+        if (is_enough() || tries >= policy_.tries) break;
+        if (spare.score > choice_.picked.front().score + kCandidateSpread) break;
+        if (has_like(spare, apart)) continue;
+        ++tries;
+        take_spare(spare, apart);
+      }
+    }
+  }
+
+  // Of what is spare.
+  [[nodiscard]] int taken() const { return taken_; }
+
+ private:
+  [[nodiscard]] std::vector<Candidate>& all() const { return generation_.candidates; }
+  [[nodiscard]] bool is_free(const Candidate& candidate) const {
+    return !policy_.asks_free || candidate.measures.collides.depth <= kCollisionDepth;
+  }
+  [[nodiscard]] bool has_free(Style style) const {
+    return std::any_of(all().begin(), all().end(), [&](const Candidate& candidate) {
+      return is_free(candidate) && end_style(candidate) == style;
+    });
+  }
   [[nodiscard]] bool has_like(const Archived& archived, double apart) const {
-    return std::any_of(all().begin(), all().end(), [&archived, apart](const Candidate& c) {
-      return is_free(c) && ends_like(c, archived, apart);
+    return std::any_of(all().begin(), all().end(), [&](const Candidate& candidate) {
+      return is_free(candidate) && ends_like(candidate, archived, apart);
+    });
+  }
+  [[nodiscard]] bool is_enough() const {
+    return std::count_if(all().begin(), all().end(), [this](const Candidate& candidate) {
+             return is_free(candidate);
+           }) >= task_.candidates;
+  }
+
+  // Of a candidate, or of one that is free.
+  [[nodiscard]] bool is_copy(const Clip& clip, double apart, bool of_free) const {
+    return std::any_of(all().begin(), all().end(), [&](const Candidate& better) {
+      if (of_free && !is_free(better)) return false;
+      return policy_.by_end ? final_distance(better.motion.clip, clip) < apart
+                            : largest_distance(better.motion.clip, clip) < kDistinctPosture;
     });
   }
 
-  // candidates that pass through nothing; the paper does not ask
-  [[nodiscard]] int free() const {
-    return static_cast<int>(std::count_if(
-        all().begin(), all().end(), [this](const Candidate& c) { return paper() || is_free(c); }));
-  }
-
-  [[nodiscard]] bool has_free(Style style) const {
-    return std::any_of(all().begin(), all().end(),
-                       [style](const Candidate& c) { return is_free(c) && bends(c) == style; });
-  }
-
- private:
-  [[nodiscard]] const std::vector<Candidate>& all() const { return generation_.candidates; }
-  [[nodiscard]] bool paper() const { return task_.preset == Preset::paper; }
-
-  // None if it misses, or is a copy of one that counts.
-  template <class Counts>
-  std::optional<Replayed> replay(const Individual& individual, double apart, Counts&& counts) {
-    const Parameters parameters = searched_.space().decode(individual.point);
-    std::optional<Arrival> arrival = first_arrival(ways_, parameters, task_.generator);
+  // A point's motion, unless it misses, or is a copy that nobody asks for.
+  std::optional<Replayed> replay(std::span<const double> point, double apart, bool of_free) {
+    const Expanded expanded = planner_.expand(point);
+    std::optional<Arrival> arrival = planner_.arrival(expanded.values, approach_);
     if (!arrival) {
       ++generation_.missed;
       return std::nullopt;
     }
-    const Clip& clip = arrival->rolled.motion.clip;
-    const auto is_copy = [&](const Candidate& better) {
-      if (!counts(better)) return false;
-      return paper() ? largest_distance(better.motion.clip, clip) < kDistinctPosture
-                     : final_distance(better.motion.clip, clip) < apart;
-    };
-    if (std::any_of(all().begin(), all().end(), is_copy)) {
-      ++generation_.near_copies;
-      return std::nullopt;
-    }
-    const bool as_searched = arrival->way == &ways_.back();
-    return Replayed{make_candidate(task_, *arrival->way, parameters, std::move(arrival->rolled)),
-                    as_searched};
+    const bool copy = is_copy(arrival->rolled.motion.clip, apart, of_free);
+    if (copy) ++generation_.near_copies;
+    if (copy && !policy_.near_copies) return std::nullopt;
+    const bool as_searched = arrival->as_searched;
+    return Replayed{planner_.candidate(expanded, std::move(*arrival)), as_searched, copy};
   }
 
-  void add(std::optional<Replayed> replayed, double searched_score) {
-    if (!replayed) return;
-    if (replayed->as_searched) {
-      const double difference = abs(replayed->candidate.score.total - searched_score);
+  // What passes through something hinders none that ends alike, as it is left out in the end.
+  void take_spare(const Archived& spare, double apart) {
+    std::optional<Replayed> replayed = replay(spare.point, apart, true);
+    if (!replayed || replayed->copy || !is_free(replayed->candidate)) return;
+    add(std::move(*replayed), spare.score);
+    ++taken_;
+  }
+
+  void add(Replayed replayed, double searched_score) {
+    if (replayed.as_searched) {
+      const double difference = abs(replayed.candidate.score.total - searched_score);
       if (difference > kReplayTolerance) ++generation_.replay_differs;
       generation_.replay_difference = max(generation_.replay_difference, difference);
     }
-    generation_.candidates.push_back(std::move(replayed->candidate));
+    all().push_back(std::move(replayed.candidate));
   }
 
   const Task& task_;
-  std::span<const ReachProblem> ways_;
-  const Searched& searched_;
+  Policy policy_;
+  Planner& planner_;
+  std::size_t approach_;
+  const Choice& choice_;
   Generation& generation_;
+  int taken_ = 0;
 };
 
 // Where a motion passes through nothing, those that do are left out; else those that are deeper in
@@ -115,13 +182,19 @@ class Delivery {
 void drop_collisions(Generation& generation) {
   std::vector<Candidate>& all = generation.candidates;
   if (all.empty()) return;
-  const auto shallower = [](const Candidate& a, const Candidate& b) {
-    return a.measures.collides.depth < b.measures.collides.depth;
-  };
-  const double least = std::min_element(all.begin(), all.end(), shallower)->measures.collides.depth;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Candidate& c : all) least = min(least, c.measures.collides.depth);
   const double most = least <= kCollisionDepth ? kCollisionDepth : least + kCollisionDepth;
   generation.collided = static_cast<int>(
       std::erase_if(all, [most](const Candidate& c) { return c.measures.collides.depth > most; }));
+}
+
+// Where some candidate keeps to its joints' limits, those that do not are not delivered.
+void keep_within_limits(Generation& generation) {
+  const auto passes = [](const Candidate& c) { return !c.measures.over_limit.empty(); };
+  std::vector<Candidate>& all = generation.candidates;
+  if (std::all_of(all.begin(), all.end(), passes)) return;
+  generation.over_limit = static_cast<int>(std::erase_if(all, passes));
 }
 
 // Of too many, what is impossible goes first, then the worst that is not the only one of its style.
@@ -132,8 +205,9 @@ void keep_most(std::size_t most, std::vector<Candidate>& all) {
       continue;
     }
     const auto is_spare = [&all](const Candidate& c) {
-      return std::count_if(all.begin(), all.end(),
-                           [&c](const Candidate& other) { return bends(other) == bends(c); }) > 1;
+      return std::count_if(all.begin(), all.end(), [&c](const Candidate& other) {
+               return end_style(other) == end_style(c);
+             }) > 1;
     };
     const auto worst = std::find_if(all.rbegin(), all.rend(), is_spare);
     all.erase(worst == all.rend() ? all.end() - 1 : worst.base() - 1);
@@ -142,39 +216,21 @@ void keep_most(std::size_t most, std::vector<Candidate>& all) {
 
 }  // namespace
 
-void deliver_candidates(const Task& task, std::span<const ReachProblem> ways,
-                        const Searched& searched, const SearchResult& found,
+void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         Generation& generation) {
-  const bool paper = task.preset == Preset::paper;
-  Choice choice = paper ? Choice{.picked = ranked_population(found)}
-                        : distinct_postures(searched.archive(), 4 * task.candidates);
-  Delivery delivery(task, ways, searched, generation);
-  for (const Individual& individual : choice.picked) {
-    if (delivery.free() >= task.candidates) break;
-    delivery.take(individual);
-  }
-  int taken = 0;  // of what is spare
-  std::array<int, kStyles> tried{};
-  for (const Archived& spare : choice.spare) {
-    if (delivery.has_free(spare.style)) continue;
-    if (tried[static_cast<std::size_t>(spare.style)]++ < kTries) {
-      taken += delivery.take_free(spare, kDistinctEnd) ? 1 : 0;
-    }
-  }
-  for (const double apart : {kDistinctEnd, kNearEnd}) {
-    int others = 0;
-    for (const Archived& spare : choice.spare) {
-      if (delivery.free() >= task.candidates || others >= kTries) break;
-      if (spare.score > choice.picked.front().score + kCandidateSpread) break;
-      if (delivery.has_like(spare, apart)) continue;
-      ++others;
-      taken += delivery.take_free(spare, apart) ? 1 : 0;
-    }
-  }
-  // on an earlier way than they were searched on, motions may have other scores
+  generation.missed = generation.over_limit = generation.replay_differs = 0;
+  generation.replay_difference = 0.0;
+  Choice& choice = found.choice;
+  Delivery delivery(task, planner, approach, choice, generation);
+  delivery.take_picked();
+  delivery.take_styles();
+  delivery.take_spares();
+  // on an earlier approach than they were searched on, motions may have other scores
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
-  if (!paper) drop_collisions(generation);
-  choice.similar = count_similar(choice, generation.candidates, taken);
+  if (traits_of(task.preset).natural) {
+    traits_of(task.preset).layers ? keep_within_limits(generation) : drop_collisions(generation);
+  }
+  choice.similar = count_similar(choice, generation.candidates, delivery.taken());
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);
   generation.fewer = why_fewer(task, generation, choice);
 }

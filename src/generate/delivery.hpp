@@ -2,17 +2,22 @@
 #pragma once
 
 #include <shigusa/generate/generator.hpp>
-#include <span>
 
-#include "searched.hpp"
+#include "planner.hpp"
 
 namespace shigusa {
 
-// Replays what was found on the last of the ways, each on the first way that brings it to the goal,
-// and keeps what arrives and differs, best first. Where one of a style passes through nothing, one
-// does.
-void deliver_candidates(const Task& task, std::span<const ReachProblem> ways,
-                        const Searched& searched, const SearchResult& found,
+// Makes candidates of what a search on one approach came upon, and tells why there are fewer than
+// asked for:
+//  1. Each picked motion is played on the first approach that leads to the goals, and becomes a
+//     candidate unless it is a copy of one, until there are enough.
+//  2. Motions that were a copy by kDistinctEnd are taken where they differ by kNearEnd.
+//  3. Where no motion of a style is free of collisions, a spare one of that style is tried.
+//  4. Spare motions that score little worse than the best fill up what is lacking, first those that
+//     end kDistinctEnd from all others, then those that end kNearEnd from them.
+//  5. Motions that pass a limit or a body go where others do not, then the worst of too many.
+// Which of these steps there are, the task's preset says.
+void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         Generation& generation);
 
 }  // namespace shigusa

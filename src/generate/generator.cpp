@@ -2,119 +2,47 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/posture_modes.hpp>
 #include <shigusa/generate/generator.hpp>
-#include <shigusa/generate/layered_problem.hpp>
 #include <shigusa/task/make_problem.hpp>
 #include <utility>
 
 #include "candidate.hpp"
 #include "delivery.hpp"
 #include "joint_progress.hpp"
-#include "layered_generator.hpp"
 #include "pareto.hpp"
+#include "planner.hpp"
 #include "runs.hpp"
-#include "searched.hpp"
-#include "ways.hpp"
 
 namespace shigusa {
 namespace {
 
-// The score in double of what was searched in single precision.
-double replayed_score(const ReachProblem& problem, const Task& task, const Parameters& parameters) {
-  const RolledOut rolled = play(problem, parameters, task.generator);
-  return rolled.outcome.met(problem.tolerance)
-             ? score_motion(*problem.body, rolled.motion, task_criteria(task)).total
-             : worst_score(task.criteria);
-}
-
-// Searches the last of the ways.
-void search_best(const Task& task, std::span<const ReachProblem> ways, const Progress& progress,
+// Searches on one approach.
+void search_best(const Task& task, Planner& planner, std::size_t approach, const Progress& progress,
                  Generation& generation) {
-  Searched searched(ways.back(), task);
-  const SearchResult found = searched.run(progress);
-  generation.evaluations += found.evaluations;
-  generation.generations = found.generations;
-  generation.rejected_nan += found.rejected_nan;
-  generation.end = found.end;
-  generation.best_seen = searched.space().decode(found.best_seen.point);
-  generation.best_seen_score = replayed_score(ways.back(), task, *generation.best_seen);
-  generation.missed = generation.replay_differs = 0;
-  generation.replay_difference = 0.0;
-  deliver_candidates(task, ways, searched, found, generation);
+  Found found = planner.search(task, approach, progress);
+  add_counts(found.result, generation);
+  generation.best_seen = found.best_seen;
+  generation.best_seen_score = found.best_seen_score;
+  deliver_candidates(task, planner, approach, std::move(found), generation);
 }
 
-// The one candidate that is given parameters make.
-Candidate only_candidate(const Task& task, std::span<const ReachProblem> ways,
-                         const Parameters& parameters) {
-  Arrival arrival = nearest_arrival(ways, parameters, task.generator);
-  return make_candidate(task, *arrival.way, parameters, std::move(arrival.rolled));
+// The one candidate that given values make.
+Candidate only_candidate(const Planner& planner, const Parameters& values) {
+  return planner.candidate({.values = values}, planner.nearest(values));
 }
 
-void finish(const ClosestReach& reach, Generation& generation) {
-  const double miss = miss_of(generation.candidates.front());
-  const bool met = reach.reached() && miss <= kReachTolerance;
+void finish(bool in_reach, Generation& generation) {
+  std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
+  const Candidate& best = generation.candidates.front();
+  const bool met = in_reach && miss_of(best) <= kReachTolerance;
   generation.status = status_of(met, generation.candidates);
   if (met) return;
   double squares = 0.0;
-  for (const GoalResult& goal : generation.candidates.front().goals) {
+  for (const GoalResult& goal : best.goals) {
     squares += goal.error * goal.error;
     generation.remaining_turn = max(generation.remaining_turn, goal.turn.error.value_or(0.0));
   }
   generation.remaining_distance = sqrt(squares);
-}
-
-// No modes, or all of the body's.
-Result<void> check_modes(const BodyModel& body, std::size_t given) {
-  const std::size_t modes = posture_modes(body).size();
-  if (given == 0 || given == modes) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("{} posture values for a body of {} posture modes", given, modes));
-}
-
-Result<void> check_posture(const BodyModel& body, Parameters parameters) {
-  const std::optional<LaterPhase>& later = parameters.later;
-  for (const std::size_t given :
-       {parameters.posture.modes.size(), later ? later->modes.size() : std::size_t{0}}) {
-    if (const auto checked = check_modes(body, given); !checked) return checked;
-  }
-  if (parameters.posture.modes.empty() && !later) return {};
-  const std::vector<PostureMember> members = posture_members(body, parameters);
-  for (const PostureMember& member : members) {
-    if (*member.value >= member.low && *member.value <= member.high) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("value is {}; allowed are {:g} to {:g}", *member.value, member.low,
-                            member.high),
-                member.name);
-  }
-  return {};
-}
-
-Result<void> check_weights(const BodyModel& body, std::span<const JointWeight> joints,
-                           std::string_view prefix) {
-  if (joints.size() != body.dofs().size()) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} {}joint weights for a body of {} dof", joints.size(),
-                            prefix.empty() ? "" : "later ", body.dof_count()));
-  }
-  for (std::size_t d = 0; d < joints.size(); ++d) {
-    const double weight = joints[d].weight;
-    if (weight >= kWeightMin && weight <= kWeightMax) continue;
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("weight is {}; allowed are {:g} to {:g}", weight, kWeightMin, kWeightMax),
-        std::string(prefix) + body.dofs()[d].name);
-  }
-  return {};
-}
-
-Result<void> check_parameters(const BodyModel& body, const Parameters& parameters) {
-  if (const auto checked = check_weights(body, parameters.joints, ""); !checked) return checked;
-  if (parameters.later) {
-    const auto checked = check_weights(body, parameters.later->joints, kLaterPrefix);
-    if (!checked) return checked;
-  }
-  return check_posture(body, parameters);
 }
 
 // What belongs to one preset is not passed over in silence by another.
@@ -136,39 +64,27 @@ Result<void> check_choices(const Task& task) {
   return {};
 }
 
-Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
-  if (!task.fixed) return {};
-  Parameters values = task.fixed->values;
-  if (const auto checked = check_parameters(task.body, values); !checked) return checked;
-  const std::size_t members = posture_members(task.body, values).size();
-  const std::size_t later_joints = values.later ? values.joints.size() : 0;
-  if (task.fixed->joints.size() != values.joints.size() || task.fixed->posture.size() != members ||
-      task.fixed->later_joints.size() != later_joints) {
-    return fail(ErrorCode::invalid_argument, "fixed parameters are of another body");
-  }
-  const ParameterSpace space(problem, gene_code(task), task.fixed, task.phases);
-  if (space.genes() > 0) return {};
-  return fail(ErrorCode::invalid_argument,
-              "every parameter is fixed: there is nothing to search, an edit plays them");
-}
-
-// Searches the first `most` ways, then one more at a time, until something arrives.
-void search_ways(const Task& task, std::span<const ReachProblem> ways, std::size_t most,
-                 JointProgress& progress, Generation& generation) {
-  for (; most <= ways.size(); ++most) {
+// Searches on the approaches from `first` on, one after the other, until something arrives: where
+// the first does it, as nearly always, that is all.
+void search_approaches(const Task& task, Planner& planner, std::size_t first,
+                       JointProgress& progress, Generation& generation) {
+  for (std::size_t k = first; k < planner.approaches(); ++k) {
     const auto search = task.pareto ? search_front : search_best;
-    // where one way does it, as nearly always, that is all
-    search(task, ways.first(most), progress.part(1.0), generation);
+    search(task, planner, k, progress.part(1.0), generation);
     if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) return;
   }
 }
 
-// At the edge of reach a goal may be met in a posture that hardly any motion leads to. Then others
-// are tried, so many.
-constexpr int kOtherGuides = 3;
+// Other postures at the edge of reach that are tried where nothing arrives by the first.
+constexpr int kOtherPostures = 3;
 
-bool goes_on(const ClosestReach& reach, const Generation& generation) {
-  return reach.reached() && generation.candidates.empty() && generation.end != SearchEnd::cancelled;
+// The task as it is searched, or first as it stands with its loads and on its contacts.
+template <class Use>
+auto with_prepared(const Task& task, Use&& use) -> decltype(use(task)) {
+  if (!needs_preparing(task)) return use(task);
+  const Result<Task> ready = prepared(task);
+  if (!ready) return tl::unexpected(ready.error());
+  return use(*ready);
 }
 
 }  // namespace
@@ -182,34 +98,35 @@ namespace {
 
 // One search, of a task that is prepared.
 Result<Generation> search_task(const Task& task, const Progress& progress) {
-  if (traits_of(task.preset).layers) return generate_layered(task, progress);
-  const Result<ReachProblem> problem = make_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  if (const auto checked = check_fixed(task, *problem); !checked) {
+  const Result<std::unique_ptr<Planner>> made = make_planner(task);
+  if (!made) return tl::unexpected(made.error());
+  Planner& planner = **made;
+  if (const auto checked = planner.check_search(); !checked) {
     return tl::unexpected(checked.error());
   }
-  const ClosestReach reach = closest_reach(*problem);
-  const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
   Generation generation;
-  generation.duration = problem->duration;
+  generation.duration = planner.duration();
   JointProgress joint(progress);
-  search_ways(task, ways, 1, joint, generation);
-  for (int other = 1; other <= kOtherGuides && goes_on(reach, generation); ++other) {
-    const ClosestReach again = closest_reach(*problem, {.other = other});
-    if (!again.reached()) continue;
-    search_ways(task, ways_to_goal(*problem, again), 2, joint, generation);
+  search_approaches(task, planner, 0, joint, generation);
+  for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
+    if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) break;
+    if (planner.go_by_other_posture(other)) {
+      search_approaches(task, planner, 1, joint, generation);
+    }
   }
+  planner.go_by_other_posture(0);
   Task other = task;
-  while (reach.reached() && runs_again(task, generation)) {
+  while (planner.in_reach() && runs_again(task, generation)) {
     other.genetic.stream = static_cast<std::uint64_t>(generation.runs);
     Generation run;
-    search_ways(other, ways, 1, joint, run);
+    search_approaches(other, planner, 0, joint, run);
     add_run(task, std::move(run), generation);
   }
   if (generation.candidates.empty()) {
-    generation.candidates.push_back(only_candidate(task, ways, uniform_parameters(task.body)));
+    generation.candidates.push_back(only_candidate(planner, start_values(planner.plan())));
   }
-  finish(reach, generation);
+  finish(planner.in_reach(), generation);
+  planner.finish(generation);
   return generation;
 }
 
@@ -229,8 +146,7 @@ Result<Generation> played_anew(const Task& task, const Generation& generation) {
   again.duration = *task.duration;
   again.candidates.clear();
   for (const Candidate& candidate : generation.candidates) {
-    Result<Generation> one = candidate.layered ? regenerate(task, *candidate.layered)
-                                               : regenerate(task, candidate.parameters);
+    Result<Generation> one = regenerate(task, candidate.parameters);
     if (!one) return one;
     again.candidates.push_back(std::move(one.value().candidates.front()));
   }
@@ -284,70 +200,43 @@ void try_longer(const Task& task, JointProgress& progress, Generation& found) {
 
 Result<void> check_task(const Task& task) {
   if (const auto checked = check_choices(task); !checked) return checked;
-  if (needs_preparing(task)) {
-    const Result<Task> ready = prepared(task);
-    return ready ? check_task(*ready) : tl::unexpected(ready.error());
-  }
-  const Result<ReachProblem> problem = make_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  if (!traits_of(task.preset).layers) return check_fixed(task, *problem);
-  const Result<std::vector<Layer>> layers = layers_of(task);
-  return layers ? Result<void>{} : tl::unexpected(layers.error());
+  return with_prepared(task, check_plan);
 }
 
 Result<Generation> generate(const Task& task, const Progress& progress) {
   if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
-  if (needs_preparing(task)) {
-    const Result<Task> ready = prepared(task);
-    return ready ? generate(*ready, progress) : tl::unexpected(ready.error());
-  }
-  JointProgress joint(progress);
-  Result<Generation> found = search_task(task, joint.part(1.0));
-  if (found && traits_of(task.preset).natural) {
-    try_slower(task, joint, *found);
-    try_longer(task, joint, *found);
-  }
-  return found;
+  return with_prepared(task, [&progress](const Task& ready) {
+    JointProgress joint(progress);
+    Result<Generation> found = search_task(ready, joint.part(1.0));
+    if (found && traits_of(ready.preset).natural) {
+      try_slower(ready, joint, *found);
+      try_longer(ready, joint, *found);
+    }
+    return found;
+  });
 }
 
-Result<Generation> regenerate(const Task& task, const Parameters& parameters) {
-  if (needs_preparing(task)) {
-    const Result<Task> ready = prepared(task);
-    return ready ? regenerate(*ready, parameters) : tl::unexpected(ready.error());
-  }
-  if (traits_of(task.preset).layers) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("the preset {} goes by layered parameters, not by weights of the whole "
-                            "body",
-                            word_of(task.preset)));
-  }
-  const Result<ReachProblem> problem = make_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  if (const auto checked = check_parameters(task.body, parameters); !checked) {
-    return tl::unexpected(checked.error());
-  }
-  const ClosestReach reach = closest_reach(*problem);
-  const std::vector<ReachProblem> ways = ways_to_goal(*problem, reach);
-  Generation generation;
-  generation.duration = problem->duration;
-  generation.candidates.push_back(only_candidate(task, ways, parameters));
-  for (int other = 1; other <= kOtherGuides && reach.reached(); ++other) {
-    if (miss_of(generation.candidates.front()) <= kReachTolerance) break;
-    const ClosestReach again = closest_reach(*problem, {.other = other});
-    if (!again.reached()) continue;
-    Candidate candidate = only_candidate(task, ways_to_goal(*problem, again), parameters);
-    if (miss_of(candidate) <= kReachTolerance) generation.candidates.front() = std::move(candidate);
-  }
-  finish(reach, generation);
-  return generation;
-}
-
-Result<Generation> regenerate(const Task& task, const LayeredParameters& parameters) {
-  if (needs_preparing(task)) {
-    const Result<Task> ready = prepared(task);
-    return ready ? regenerate(*ready, parameters) : tl::unexpected(ready.error());
-  }
-  return regenerate_layered(task, parameters);
+Result<Generation> regenerate(const Task& task, const Parameters& values) {
+  return with_prepared(task, [&values](const Task& ready) -> Result<Generation> {
+    const Result<std::unique_ptr<Planner>> made = make_planner(ready);
+    if (!made) return tl::unexpected(made.error());
+    Planner& planner = **made;
+    if (const auto checked = check_parameters(planner.plan(), values); !checked) {
+      return tl::unexpected(checked.error());
+    }
+    Generation generation;
+    generation.duration = planner.duration();
+    generation.candidates.push_back(only_candidate(planner, values));
+    for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
+      if (miss_of(generation.candidates.front()) <= kReachTolerance) break;
+      if (!planner.go_by_other_posture(other)) continue;
+      Candidate candidate = only_candidate(planner, values);
+      if (miss_of(candidate) <= kReachTolerance)
+        generation.candidates.front() = std::move(candidate);
+    }
+    finish(planner.in_reach(), generation);
+    return generation;
+  });
 }
 
 }  // namespace shigusa

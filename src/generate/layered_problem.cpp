@@ -2,33 +2,33 @@
 #include <fmt/format.h>
 
 #include <shigusa/generate/layered_problem.hpp>
-#include <shigusa/layers/layered_parameters.hpp>
+#include <shigusa/layers/plan.hpp>
 #include <shigusa/rollout/reachability.hpp>
 #include <shigusa/task/make_problem.hpp>
+#include <shigusa/task/plan_of.hpp>
 #include <utility>
 
+#include "planner.hpp"
 #include "ways.hpp"
 
 namespace shigusa {
 
-Result<std::vector<Layer>> layers_to_goals(const Task& task) {
-  const LayerChoice choice{traits_of(task.preset).layers.value_or(LayerStack::paper),
-                           task.layers.reading};
-  return layers_to_goals(task.body, task.goals, choice, task_criteria(task));
-}
-
-Result<std::vector<Layer>> layers_of(const Task& task) {
-  if (!task.fixed) return layers_to_goals(task);
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("parameters can be fixed with the other presets; edit a result of the preset {}",
-                  word_of(task.preset)));
+Result<void> check_layers(const Task& task) {
+  if (task.fixed) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format(
+            "parameters can be fixed with the other presets; edit a result of the preset {}",
+            word_of(task.preset)));
+  }
+  const Result<Plan> plan = plan_of(task);
+  return plan ? Result<void>{} : tl::unexpected(plan.error());
 }
 
 Result<LayeredProblem> make_layered_problem(const Task& task) {
   Result<ReachProblem> reach = make_problem(task);
   if (!reach) return tl::unexpected(reach.error());
-  Result<std::vector<Layer>> layers = layers_of(task);
+  Result<Plan> layers = plan_of(task);
   if (!layers) return tl::unexpected(layers.error());
   LayeredProblem problem{.reach = std::move(*reach),
                          .in_reach = true,

@@ -39,9 +39,9 @@ double own_torque(const LayeredProblem& problem, const Motion& motion) {
   for (const Layer& layer : problem.layers) {
     double squares = 0.0;
     int count = 0;
-    for (const LayerGene& gene : layer.genes) {
-      if (gene.kind != LayerGeneKind::final_angle) continue;
-      const int dof = body.find_dof(gene.name).value();
+    for (const ParameterInfo& info : layer.parameters) {
+      if (info.kind != ParameterKind::final_angle) continue;
+      const int dof = body.find_dof(info.name).value();
       for (int f = 0; f < motion.clip.frames; ++f, ++count) {
         const double tau = motion.torques[index(f * motion.clip.dofs + dof)];
         const Dof& joint = body.dof(dof);
@@ -61,10 +61,10 @@ double own_torque(const LayeredProblem& problem, const Motion& motion) {
 std::vector<std::size_t> searched_genes(const LayeredProblem& problem) {
   const Layer& layer = problem.layers[0];
   std::vector<std::size_t> searched;
-  for (std::size_t g = 0; g < layer.genes.size(); ++g) {
-    const LayerGene& gene = layer.genes[g];
-    const bool used = std::any_of(gene.applies_to.begin(), gene.applies_to.end(), [&](int to) {
-      if (gene.kind == LayerGeneKind::weight) return has_use(problem, to);
+  for (std::size_t g = 0; g < layer.parameters.size(); ++g) {
+    const ParameterInfo& info = layer.parameters[g];
+    const bool used = std::any_of(info.applies_to.begin(), info.applies_to.end(), [&](int to) {
+      if (info.kind == ParameterKind::weight) return has_use(problem, to);
       const BodyLimb& limb = layer.body.limbs[index(to)].joints;
       return limb.kind == LimbKind::leg || has_goal(problem, limb);
     });
@@ -73,28 +73,33 @@ std::vector<std::size_t> searched_genes(const LayeredProblem& problem) {
   return searched;
 }
 
-LayerParameters decode_searched(const LayeredProblem& problem,
-                                std::span<const std::size_t> searched,
-                                std::span<const double> point, bool paper) {
+Parameters decode_searched(const LayeredProblem& problem, std::span<const std::size_t> searched,
+                           std::span<const double> point, bool paper) {
   const Layer& layer = problem.layers[0];
   const auto spread = [&](auto rest, const auto& values) {
     std::vector<typename std::decay_t<decltype(values)>::value_type> all;
-    for (const LayerGene& gene : layer.genes) all.push_back(rest(gene.kind));
+    for (const ParameterInfo& info : layer.parameters) all.push_back(rest(info.kind));
     for (std::size_t k = 0; k < searched.size(); ++k) all[searched[k]] = values[k];
     return all;
   };
-  const auto moves = [](LayerGeneKind kind) { return kind == LayerGeneKind::weight; };
+  const auto moves = [](ParameterKind kind) { return kind == ParameterKind::weight; };
   if (!paper) {
     const std::vector<double> values(point.begin(), point.end());
     // the middle is a weight of 1
     return decode_layer_point(
-        layer, spread([&](LayerGeneKind kind) { return moves(kind) ? 0.5 : 0.0; }, values));
+        layer, spread([&](ParameterKind kind) { return moves(kind) ? 0.5 : 0.0; }, values));
   }
   const Genome genes = genome_of_point(point, kPaperBitsPerGene);
   return decode_layer_genes(
       layer,
-      spread([&](LayerGeneKind kind) { return static_cast<std::uint16_t>(moves(kind) ? 1 : 0); },
+      spread([&](ParameterKind kind) { return static_cast<std::uint16_t>(moves(kind) ? 1 : 0); },
              genes));
+}
+
+Parameters below_upper(Parameters start, const Parameters& upper) {
+  start.joints = upper.joints;
+  start.contractions = upper.contractions;
+  return start;
 }
 
 LayeredScorer::LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria,
@@ -103,9 +108,8 @@ LayeredScorer::LayeredScorer(const LayeredProblem& problem, const CriteriaSettin
       criteria_(&criteria),
       threads_(threads),
       choose_(std::move(choose)),
-      workers_(index(thread_count(threads))) {
-  (void)layered_members(problem.layers, start_);
-}
+      start_(start_values(problem.layers)),
+      workers_(index(thread_count(threads))) {}
 
 LayeredScorer::Worker& LayeredScorer::worker(int at) {
   std::unique_ptr<Worker>& own = workers_[index(at)];
@@ -141,7 +145,7 @@ double LayeredScorer::judged(const RolledOut& played) const {
   return score + min(kOverLimitCost * excess, kOverLimitMost);
 }
 
-void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span<double> scores,
+void LayeredScorer::score(std::span<const Parameters> parameters, std::span<double> scores,
                           std::span<float> postures) {
   const int count = static_cast<int>(scores.size());
   // first where the layers' trunk goes …
@@ -160,7 +164,7 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
     if (leads) paths[k] = player.hand_paths(clips[k]);
   });
   // … then what arms it needs, one after the other as a library may have to be built …
-  std::vector<LayeredParameters> below(scores.size(), start_);
+  std::vector<Parameters> below(scores.size(), start_);
   for (std::size_t k = 0; k < scores.size(); ++k) {
     if (!paths[k].empty() && choose_) below[k].arms = choose_(paths[k]);
   }
@@ -184,52 +188,51 @@ void LayeredScorer::score(std::span<const LayerParameters> parameters, std::span
   });
 }
 
-LayeredScorer::Played LayeredScorer::play(const LayerParameters& upper, const Feedback& feedback) {
+Expanded LayeredScorer::play(const Parameters& upper, const Feedback& feedback) {
   LayeredPlayer& player = worker(0).player;
   ReducedClip clip;
   player.run_upper(upper, clip);
   const std::vector<HandPath> paths = player.hand_paths(clip);
-  Played played{.parameters = start_};
-  played.parameters.upper = upper;
-  if (choose_) played.parameters.arms = choose_(paths);
+  Expanded played{.values = below_upper(start_, upper)};
+  if (choose_) played.values.arms = choose_(paths);
   for (std::size_t g = 0; g < swivel_goals(); ++g) {
-    played.parameters.swivels[g] = worker(0).swivels[g].glance(bare(g, clip, paths[g]));
+    played.values.swivels[g] = worker(0).swivels[g].glance(bare(g, clip, paths[g]));
   }
-  if (!player.expand_freeing(clip, played.parameters).outcome.met(problem_->reach.tolerance)) {
+  if (!player.expand_freeing(clip, played.values).outcome.met(problem_->reach.tolerance)) {
     return played;
   }
   retake_weights(clip, feedback, played);
   if (feedback.glance) return played;
-  refine_swivels(clip, played.parameters);
-  settle_rest(clip, feedback, played.parameters);
+  refine_swivels(clip, played.values);
+  settle_rest(clip, feedback, played.values);
   return played;
 }
 
 void LayeredScorer::retake_weights(const ReducedClip& clip, const Feedback& feedback,
-                                   Played& played) {
+                                   Expanded& played) {
   LayeredPlayer& player = worker(0).player;
   const std::vector<HandPath> paths = player.hand_paths(clip);
   const BodyModel& body = *problem_->reach.body;
-  RolledOut motion = player.expand(clip, played.parameters);
-  for (std::size_t g = 0; g < played.parameters.arms.size(); ++g) {
+  RolledOut motion = player.expand(clip, played.values);
+  for (std::size_t g = 0; g < played.values.arms.size(); ++g) {
     const Effector& hand = body.effectors()[index(problem_->reach.goals[g].effector)];
     double weight = kCollisionWeight;
     for (int round = 0; round < feedback.rounds; ++round) {
       if (collision_depth(body, motion.motion.clip, hand) <= kCollisionDepth) break;
       const ArmFeedback report = arm_feedback(*problem_, g, paths[g], motion.motion.clip);
       if (unavoidable_depth(report) > kCollisionDepth) break;
-      ++played.feedback_rounds;
+      ++played.searches;
       const std::optional<FoundArm> found = search_free_arm(
           report, problem_->layers[1 + g].criteria, weight, feedback.search, threads_);
       if (!found) break;
-      played.parameters.arms[g] = arm_weights(found->genes);
-      motion = player.expand_freeing(clip, played.parameters);
+      played.values.arms[g] = arm_weights(found->genes);
+      motion = player.expand_freeing(clip, played.values);
       weight *= kCollisionGrowth;
     }
   }
 }
 
-void LayeredScorer::refine_swivels(const ReducedClip& clip, LayeredParameters& parameters) {
+void LayeredScorer::refine_swivels(const ReducedClip& clip, Parameters& parameters) {
   Worker& own = worker(0);
   const std::vector<HandPath> paths = own.player.hand_paths(clip);
   for (std::size_t g = 0; g < swivel_goals(); ++g) {
@@ -240,13 +243,13 @@ void LayeredScorer::refine_swivels(const ReducedClip& clip, LayeredParameters& p
 }
 
 void LayeredScorer::settle_rest(const ReducedClip& clip, const Feedback& feedback,
-                                LayeredParameters& parameters) {
+                                Parameters& parameters) {
   const std::size_t angles = parameters.finals.size();
   const BodyModel& body = *problem_->reach.body;
   const int threads = criteria_->user.empty() ? threads_ : 1;
   const RestEvaluation score = [&](std::span<const double> finals, std::span<double> scores) {
     parallel_for(static_cast<int>(scores.size()), threads, [&](int i, int thread) {
-      LayeredParameters tried = parameters;
+      Parameters tried = parameters;
       const auto first = finals.subspan(index(i) * angles, angles);
       tried.finals.assign(first.begin(), first.end());
       const RolledOut played = worker(thread).player.expand(clip, tried);

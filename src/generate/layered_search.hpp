@@ -6,6 +6,7 @@
 #include <shigusa/layers/layered_settings.hpp>
 
 #include "layers/swivel_search.hpp"
+#include "planner.hpp"
 
 namespace shigusa {
 
@@ -15,9 +16,12 @@ namespace shigusa {
 // Parameters of the upper layer from a point of the searched genes' unit cube; the genes that are
 // not searched have a weight of 1 and no contraction. `paper`: in the paper's code of 16 numbers,
 // else decode_layer_point's.
-[[nodiscard]] LayerParameters decode_searched(const LayeredProblem& problem,
-                                              std::span<const std::size_t> searched,
-                                              std::span<const double> point, bool paper);
+[[nodiscard]] Parameters decode_searched(const LayeredProblem& problem,
+                                         std::span<const std::size_t> searched,
+                                         std::span<const double> point, bool paper);
+
+// The values of all layers: those of the upper one, and below it those that they start with.
+[[nodiscard]] Parameters below_upper(Parameters start, const Parameters& upper);
 
 // What an upper motion whose limbs pass their limits costs, where limits are to be held: so much a
 // radian in all, and no more than the second. One that is within them is better unless it is bad.
@@ -36,14 +40,10 @@ class LayeredScorer {
 
   // scores (parameters): the criteria's; where hand or foot leaves its place, the worst of all and
   // more, by what is missed. postures: (parameters × dofs) rad, how each motion ends, or empty.
-  void score(std::span<const LayerParameters> parameters, std::span<double> scores,
+  void score(std::span<const Parameters> parameters, std::span<double> scores,
              std::span<float> postures = {});
 
   // One motion in full, with all that the layers below find for it.
-  struct Played {
-    LayeredParameters parameters;
-    int feedback_rounds = 0;
-  };
   // How much is searched for it. What the upper layer reports to the lower one (rule R11): arms
   // that pass through the body are searched again for this motion alone, up to `rounds` times each.
   // The upper motion stays. Arms that go by their swivel are given the best of all, then what no
@@ -54,7 +54,7 @@ class LayeredScorer {
     bool glance = false;
     std::uint64_t seed = 0;  // of the search for final angles
   };
-  [[nodiscard]] Played play(const LayerParameters& upper, const Feedback& feedback);
+  [[nodiscard]] Expanded play(const Parameters& upper, const Feedback& feedback);
 
  private:
   // What one thread plays with.
@@ -67,16 +67,15 @@ class LayeredScorer {
   // a path of an upper motion as the lower layer is told of it, without obstacles
   [[nodiscard]] ArmFeedback bare(std::size_t goal, const ReducedClip& clip, HandPath path) const;
   [[nodiscard]] double judged(const RolledOut& played) const;
-  void retake_weights(const ReducedClip& clip, const Feedback& feedback, Played& played);
-  void refine_swivels(const ReducedClip& clip, LayeredParameters& parameters);
-  void settle_rest(const ReducedClip& clip, const Feedback& feedback,
-                   LayeredParameters& parameters);
+  void retake_weights(const ReducedClip& clip, const Feedback& feedback, Expanded& played);
+  void refine_swivels(const ReducedClip& clip, Parameters& parameters);
+  void settle_rest(const ReducedClip& clip, const Feedback& feedback, Parameters& parameters);
 
   const LayeredProblem* problem_;
   const CriteriaSettings* criteria_;
   int threads_;
   ChooseArms choose_;
-  LayeredParameters start_;                       // of the layers below, before any search
+  Parameters start_;                              // of the layers below, before any search
   std::vector<std::unique_ptr<Worker>> workers_;  // one per thread, made when first needed
 };
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/layers/layered_parameters.hpp>
 #include <shigusa/layers/layered_player.hpp>
+
+#include "planner.hpp"
 
 namespace shigusa {
 
@@ -11,11 +12,6 @@ namespace shigusa {
 enum class LayeredWay {
   layers,  // trunk and limb lengths first, then the limbs
   body,  // all joints of the whole body at once, with the layers' weights: what layers cannot reach
-};
-
-struct LayeredArrival {
-  ReachProblem way;
-  RolledOut rolled;
 };
 
 // What leads how far. How far the body reaches is one answer for all presets (closest_reach): where
@@ -27,13 +23,11 @@ class LayeredWays {
 
   // The motion on the first way on which the parameters arrive, as long as that is not after
   // `last`. The same parameters always give the same motion.
-  [[nodiscard]] std::optional<LayeredArrival> arrival(const LayeredParameters& parameters,
-                                                      LayeredWay last) const;
+  [[nodiscard]] std::optional<Arrival> arrival(const Parameters& parameters, LayeredWay last) const;
   // The same by the whole body alone.
-  [[nodiscard]] std::optional<LayeredArrival> body_arrival(
-      const LayeredParameters& parameters) const;
+  [[nodiscard]] std::optional<Arrival> body_arrival(const Parameters& parameters) const;
   // The same of all ways; where the parameters arrive on none, the nearest motion.
-  [[nodiscard]] LayeredArrival any_arrival(const LayeredParameters& parameters) const;
+  [[nodiscard]] Arrival any_arrival(const Parameters& parameters) const;
 
  private:
   const LayeredProblem* problem_;

@@ -34,32 +34,20 @@ std::string shared_name(const std::string& name) {
 
 // What is fixed for the motion is fixed in both of its phases, but for what the later one has of
 // its own.
-FixedParameters in_both_phases(const BodyModel& body, FixedParameters fixed) {
-  const std::size_t modes = posture_modes(body).size();
-  const std::size_t first = posture_members(body, fixed.values.posture).size();
+FixedParameters in_both_phases(std::span<const Layer> plan, FixedParameters fixed) {
   add_later_phase(fixed.values);
-  fixed.later_joints.resize(fixed.joints.size());
-  fixed.posture.resize(posture_members(body, fixed.values).size());
-  LaterPhase& later = *fixed.values.later;
-  for (std::size_t d = 0; d < fixed.joints.size(); ++d) {
-    if (!fixed.joints[d] || fixed.later_joints[d]) continue;
-    later.joints[d] = fixed.values.joints[d];
-    fixed.later_joints[d] = true;
-  }
-  for (std::size_t m = 0; m < modes; ++m) {
-    if (fixed.posture[first + m]) continue;
-    later.modes[m] = fixed.values.posture.modes[m];
-    fixed.posture[first + m] = fixed.posture[m];
+  const std::vector<Parameter> all = parameters_of(plan, fixed.values);
+  fixed.set.resize(all.size());
+  for (std::size_t later = 0; later < all.size(); ++later) {
+    if (!all[later].info->later || fixed.set[later]) continue;
+    for (std::size_t first = 0; first < later; ++first) {
+      if (all[first].info->name != name_within_phase(all[later].info->name)) continue;
+      fixed.set[later] = fixed.set[first];
+      all[later].set(all[first].value());
+      if (all[later].locked != nullptr) *all[later].locked = *all[first].locked;
+    }
   }
   return fixed;
-}
-
-// those that are set, of all
-void keep_joints(const std::vector<bool>& set, std::span<const JointWeight> from,
-                 std::vector<JointWeight>& joints) {
-  for (std::size_t d = 0; d < set.size(); ++d) {
-    if (set[d]) joints[d] = from[d];
-  }
 }
 
 // as single precision has them, once for each motion
@@ -67,6 +55,14 @@ void repeat(std::span<const double> values, std::size_t motions, std::vector<flo
   rows.clear();
   for (std::size_t i = 0; i < motions; ++i) {
     for (const double value : values) rows.push_back(static_cast<float>(value));
+  }
+}
+
+// those that are set, of all
+void keep_joints(const std::vector<bool>& set, std::span<const JointWeight> from,
+                 std::vector<JointWeight>& joints) {
+  for (std::size_t d = 0; d < set.size(); ++d) {
+    if (set[d]) joints[d] = from[d];
   }
 }
 
@@ -78,89 +74,82 @@ ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
       code_(code),
       named_(code == GeneCode::natural || code == GeneCode::every),
       fixed_(fixed ? *fixed : no_fixed_parameters(*body_)),
-      posed_(named_) {
+      posed_(named_),
+      modes_(posture_modes(*body_)) {
   SHG_CHECK(phases == 1 || (phases == 2 && named_), "one phase, or two of the natural code");
-  if (phases == 2) fixed_ = in_both_phases(*body_, std::move(fixed_));
-  for (const bool set : fixed_.posture) posed_ = posed_ || set;
-  add_weights(problem);
-  if (named_) add_posture(problem);
-  if (phases == 2) add_later();
-}
-
-void ParameterSpace::add_weights(const ReachProblem& problem) {
+  const Plan plan = whole_body_plan(*body_);
+  if (phases == 2) fixed_ = in_both_phases(plan, std::move(fixed_));
   const std::vector<bool> useful = useful_dofs(problem);
-  for (std::size_t d = 0; d < body_->dofs().size(); ++d) {
-    const std::string& name = body_->dofs()[d].name;
-    // a genome of the paper's has a gene for each freedom
-    if (fixed_.joints[d] && code_ != GeneCode::paper) continue;
-    if (!named_) {
-      genes_.push_back(
-          {.name = name, .dofs = {d}, .lower = -kLogWeightRange, .upper = kLogWeightRange});
-      continue;
-    }
-    if (!useful[d]) continue;
-    const auto same = [&](const Gene& gene) { return gene.name == shared_name(name); };
-    if (const auto gene = std::find_if(genes_.begin(), genes_.end(), same); gene != genes_.end()) {
-      gene->dofs.push_back(d);
+  const std::vector<Parameter> all = parameters_of(plan, fixed_.values);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const ParameterInfo& info = *all[i].info;
+    if (info.kind == ParameterKind::weight) {
+      (info.later ? fixed_later_joints_ : fixed_joints_).push_back(fixed_.set[i]);
     } else {
-      // what gives way last is not to be among the first
-      const bool last = body_->dofs()[d].give < 1.0;
-      genes_.push_back({.name = shared_name(name),
-                        .dofs = {d},
-                        .lower = last ? kLastLogWeight : -kLogWeightRange,
-                        .upper = kLogWeightRange});
+      posed_ = posed_ || fixed_.set[i];
+    }
+    // a genome of the paper's has a gene for each freedom
+    if (!fixed_.set[i] || (code_ == GeneCode::paper && info.kind == ParameterKind::weight)) {
+      add(all[i], useful);
     }
   }
 }
 
-void ParameterSpace::add_posture(const ReachProblem& problem) {
-  const std::vector<bool> useful = useful_dofs(problem);
-  modes_ = posture_modes(*body_);
-  for (std::size_t m = 0; m < modes_.size(); ++m) {
-    bool moves = false;
-    for (std::size_t d = 0; d < useful.size(); ++d) {
-      moves = moves || (useful[d] && modes_[m].direction[d] != 0.0);
+void ParameterSpace::add(const Parameter& parameter, const std::vector<bool>& useful) {
+  const ParameterInfo& info = *parameter.info;
+  Gene gene{.kind = info.kind,
+            .name = info.name,
+            .index = info.applies_to.empty() ? 0 : static_cast<std::size_t>(info.applies_to[0]),
+            .lower = info.shown_low,
+            .upper = info.shown_high,
+            .later = info.later};
+  switch (info.kind) {
+    case ParameterKind::weight:
+      return add_weight(std::move(gene), useful);
+    case ParameterKind::mode: {
+      const std::vector<double>& direction = modes_[gene.index].direction;
+      bool moves = false;
+      for (std::size_t d = 0; d < useful.size(); ++d) {
+        moves = moves || (useful[d] && direction[d] != 0.0);
+      }
+      if (!named_ || !moves) return;
+      break;
     }
-    if (!moves || fixed_.posture[m]) continue;
-    genes_.push_back({.kind = Kind::posture,
-                      .name = modes_[m].name,
-                      .index = m,
-                      .lower = modes_[m].lower,
-                      .upper = modes_[m].upper});
+    case ParameterKind::timing: {
+      const TimingNumber& number = kTimingNumbers[gene.index];
+      if (!named_ || !(number.searched || code_ == GeneCode::every)) return;
+      gene.lower = number.searched_low;
+      gene.upper = number.searched_high;
+      break;
+    }
+    case ParameterKind::switch_at:
+      gene.start = parameter.value();
+      break;
+    case ParameterKind::contraction:
+    case ParameterKind::swivel:
+    case ParameterKind::final_angle:
+      return;
   }
-  for (std::size_t k = 0; k < kTimings; ++k) {
-    const TimingNumber& number = kTimingNumbers[k];
-    const bool searched = number.searched || code_ == GeneCode::every;
-    if (!searched || fixed_.posture[modes_.size() + k]) continue;
-    genes_.push_back({.kind = Kind::timing,
-                      .name = std::string(number.name),
-                      .index = k,
-                      .lower = number.searched_low,
-                      .upper = number.searched_high});
-  }
+  genes_.push_back(std::move(gene));
 }
 
-// the weights and modes once more, where they are free, and when they take over
-void ParameterSpace::add_later() {
-  const std::size_t first = posture_members(*body_, fixed_.values.posture).size();
-  const std::size_t genes = genes_.size();
-  for (std::size_t g = 0; g < genes; ++g) {
-    Gene gene = genes_[g];
-    if (gene.kind != Kind::weight && gene.kind != Kind::posture) continue;
-    std::erase_if(gene.dofs, [this](std::size_t d) { return fixed_.later_joints[d]; });
-    const bool weight = gene.kind == Kind::weight;
-    if (weight ? gene.dofs.empty() : fixed_.posture[first + gene.index]) continue;
-    gene.name.insert(0, kLaterPrefix);
-    gene.later = true;
-    genes_.push_back(std::move(gene));
+void ParameterSpace::add_weight(Gene gene, const std::vector<bool>& useful) {
+  const std::size_t d = gene.index;
+  gene.dofs = {d};
+  gene.lower = -kLogWeightRange;
+  gene.upper = kLogWeightRange;
+  if (named_) {
+    if (!useful[d]) return;
+    gene.name = (gene.later ? std::string(kLaterPrefix) : "") + shared_name(body_->dofs()[d].name);
+    const auto same = [&gene](const Gene& other) { return other.name == gene.name; };
+    if (const auto own = std::find_if(genes_.begin(), genes_.end(), same); own != genes_.end()) {
+      own->dofs.push_back(d);
+      return;
+    }
+    // what gives way last is not to be among the first
+    if (body_->dofs()[d].give < 1.0) gene.lower = kLastLogWeight;
   }
-  if (fixed_.posture.back()) return;
-  genes_.push_back({.kind = Kind::switch_at,
-                    .name = std::string(kSwitchName),
-                    .lower = kSwitchMin,
-                    .upper = kSwitchMax,
-                    .later = true,
-                    .start = fixed_.values.later->switch_at});
+  genes_.push_back(std::move(gene));
 }
 
 std::vector<std::string> ParameterSpace::names() const {
@@ -192,9 +181,9 @@ void ParameterSpace::keep_fixed(Parameters& parameters) const {
     parameters.later = {.switch_at = fixed_.values.later->switch_at,
                         .joints = parameters.joints,
                         .modes = fixed_.values.later->modes};
-    keep_joints(fixed_.later_joints, fixed_.values.later->joints, parameters.later->joints);
+    keep_joints(fixed_later_joints_, fixed_.values.later->joints, parameters.later->joints);
   }
-  keep_joints(fixed_.joints, fixed_.values.joints, parameters.joints);
+  keep_joints(fixed_joints_, fixed_.values.joints, parameters.joints);
   if (posed_) parameters.posture = fixed_.values.posture;
 }
 
@@ -210,20 +199,22 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
     const Gene& gene = genes_[g];
     const double value = gene.at(point[g]);
     switch (gene.kind) {
-      case Kind::weight:
+      case ParameterKind::weight:
         for (const std::size_t d : gene.dofs) {
           (gene.later ? parameters.later->joints : parameters.joints)[d].weight =
               exponential(value);
         }
         break;
-      case Kind::posture:
+      case ParameterKind::mode:
         (gene.later ? parameters.later->modes : parameters.posture.modes)[gene.index] = value;
         break;
-      case Kind::timing:
+      case ParameterKind::timing:
         parameters.posture.timing.*kTimingMembers<double>[gene.index] = value;
         break;
-      case Kind::switch_at:
+      case ParameterKind::switch_at:
         parameters.later->switch_at = value;
+        break;
+      default:  // of other plans
         break;
     }
   }
@@ -242,7 +233,7 @@ MotionInputs ParameterSpace::rows(std::span<const double> points) {
   }
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const std::size_t d = k % dofs;
-    if (code_ != GeneCode::paper || fixed_.joints[d]) weights_[k] = static_cast<float>(inverse[d]);
+    if (code_ != GeneCode::paper || fixed_joints_[d]) weights_[k] = static_cast<float>(inverse[d]);
   }
   start_rows(base, motions);
   if (code_ != GeneCode::paper) {
@@ -274,17 +265,17 @@ void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
   for (std::size_t g = 0; g < genes_.size(); ++g) {
     const Gene& gene = genes_[g];
     const double value = gene.at(point[g]);
-    if (gene.kind == Kind::weight) {
+    if (gene.kind == ParameterKind::weight) {
       const auto inverse = static_cast<float>(exponential(-value));
       std::vector<float>& weights = gene.later ? later_weights_ : weights_;
       for (const std::size_t d : gene.dofs) weights[row * dofs + d] = inverse;
-    } else if (gene.kind == Kind::posture) {
+    } else if (gene.kind == ParameterKind::mode) {
       const std::vector<double>& direction = modes_[gene.index].direction;
       std::vector<float>& postures = gene.later ? later_postures_ : postures_;
       for (std::size_t d = 0; d < dofs; ++d) {
         postures[row * dofs + d] += static_cast<float>(value * direction[d]);
       }
-    } else if (gene.kind == Kind::switch_at) {
+    } else if (gene.kind == ParameterKind::switch_at) {
       switches_[row] = static_cast<float>(value);
     } else {
       timing_[row * kTimings + gene.index] = static_cast<float>(value);

@@ -8,16 +8,12 @@
 #include <utility>
 
 #include "candidate.hpp"
-#include "choice.hpp"
 #include "joint_progress.hpp"
-#include "searched.hpp"
-#include "ways.hpp"
 
 namespace shigusa {
 namespace {
 
 constexpr std::size_t kPairedAxes = 3;  // of more criteria, pairs are too many searches
-constexpr int kKeptPerCandidate = 4;    // motions of each search that are replayed
 
 // The settings with other weights, by the criterion's number in kCriteria.
 CriteriaSettings weighted(const CriteriaSettings& criteria, std::span<const std::size_t> axes) {
@@ -153,34 +149,28 @@ std::vector<Candidate> spread_over(std::vector<Candidate> front, int most) {
   return chosen;
 }
 
-void search_front(const Task& task, std::span<const ReachProblem> ways, const Progress& progress,
-                  Generation& generation) {
+void search_front(const Task& task, Planner& planner, std::size_t approach,
+                  const Progress& progress, Generation& generation) {
   const std::vector<CriteriaSettings> mixtures = pareto_mixtures(task.criteria);
   const int share = task.evaluations.value_or(kFlatEvaluations) / static_cast<int>(mixtures.size());
   std::vector<Candidate> all;
   JointProgress joint(progress);
+  Task part = task;
+  part.evaluations = std::max(share, kPaperPopulation);
   for (const CriteriaSettings& mixture : mixtures) {
-    Task part = task;
     part.criteria = mixture;
-    part.evaluations = std::max(share, kPaperPopulation);
-    Searched searched(ways.back(), part);
-    const SearchResult found = searched.run(joint.part(1.0 / static_cast<double>(mixtures.size())));
-    generation.evaluations += found.evaluations;
-    generation.generations += found.generations;
-    generation.rejected_nan += found.rejected_nan;
-    generation.end = found.end;
-    const Choice choice =
-        distinct_postures(searched.archive(), kKeptPerCandidate * task.candidates);
-    for (const Individual& individual : choice.picked) {
-      const Parameters parameters = searched.space().decode(individual.point);
-      std::optional<Arrival> arrival = first_arrival(ways, parameters, task.generator);
-      if (!arrival) {
-        ++generation.missed;
+    const Found found =
+        planner.search(part, approach, joint.part(1.0 / static_cast<double>(mixtures.size())));
+    add_counts(found.result, generation);
+    for (const Individual& individual : found.choice.picked) {
+      const Expanded expanded = planner.expand(individual.point);
+      if (auto arrival = planner.arrival(expanded.values, approach)) {
+        all.push_back(planner.candidate(expanded, std::move(*arrival)));
       } else {
-        all.push_back(make_candidate(task, *arrival->way, parameters, std::move(arrival->rolled)));
+        ++generation.missed;
       }
     }
-    if (found.end == SearchEnd::cancelled) break;
+    if (found.result.end == SearchEnd::cancelled) break;
   }
   const std::size_t kept = all.size();
   std::vector<Candidate> front = not_dominated(std::move(all));

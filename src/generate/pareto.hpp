@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "planner.hpp"
+
 namespace shigusa {
 
 // The mixtures that a Pareto front is searched by: each criterion that has a weight alone, up to
@@ -22,7 +24,7 @@ namespace shigusa {
 
 // Searches the last of the ways by each mixture, with an equal share of the budget, and puts the
 // front of all that they keep into the generation's candidates; adds to its counts.
-void search_front(const Task& task, std::span<const ReachProblem> ways, const Progress& progress,
-                  Generation& generation);
+void search_front(const Task& task, Planner& planner, std::size_t approach,
+                  const Progress& progress, Generation& generation);
 
 }  // namespace shigusa

@@ -40,9 +40,10 @@ class SquatDial {
   static std::optional<double> fixed_value(const Task& task, std::string_view name) {
     if (!task.fixed) return std::nullopt;
     Parameters values = task.fixed->values;
-    const std::vector<PostureMember> members = posture_members(task.body, values);
-    for (std::size_t m = 0; m < members.size(); ++m) {
-      if (members[m].name == name && task.fixed->posture[m]) return *members[m].value;
+    const Plan plan = whole_body_plan(task.body);
+    const std::vector<Parameter> all = parameters_of(plan, values);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].info->name == name && task.fixed->set[i]) return all[i].value();
     }
     return std::nullopt;
   }

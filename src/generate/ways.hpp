@@ -8,17 +8,14 @@
 #include <span>
 #include <vector>
 
+#include "planner.hpp"
+
 namespace shigusa {
 
 // Ways to the goals, tried in this order until one leads there: a straight hand path; the same with
 // the null space drawn to a posture that is known to arrive; that posture alone.
 [[nodiscard]] std::vector<ReachProblem> ways_to_goal(ReachProblem problem,
                                                      const ClosestReach& reach);
-
-struct Arrival {
-  const ReachProblem* way = nullptr;
-  RolledOut rolled;
-};
 
 // The parameters' motion on the first way that brings them to the goal: the same parameters always
 // give the same motion, whichever way they were found on.

@@ -77,6 +77,23 @@ class JsonReader {
     into = member.get<std::string>();
   }
 
+  void truth(const char* key, bool& into) {
+    if (!has(key)) return;
+    if (!value(key).is_boolean()) return wrong(key, "must be true or false");
+    into = value(key).get<bool>();
+  }
+
+  // Adds to the texts.
+  void texts(const char* key, std::vector<std::string>& into) {
+    if (!has(key)) return;
+    const Json& list = value(key);
+    const auto is_text = [](const Json& text) { return text.is_string(); };
+    if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_text)) {
+      return wrong(key, "must be a list of texts");
+    }
+    for (const Json& text : list) into.push_back(text.get<std::string>());
+  }
+
   // a word of an enum
   template <class Enum>
   void word(const char* key, Enum& into) {
@@ -119,17 +136,16 @@ class JsonReader {
     const Json& member = value(key);
     double q[4] = {};
     bool valid = member.is_array() && member.size() == 4;
-    double square = 0.0;
     for (std::size_t k = 0; valid && k < 4; ++k) {
       valid = member[k].is_number();
       if (valid) q[k] = member[k].get<double>();
-      square += q[k] * q[k];
     }
-    if (!valid || !(abs(square - 1.0) < 1e-3)) {
+    const Quatd read{q[0], q[1], q[2], q[3]};
+    if (!valid || !is_unit(read)) {
       return wrong(key,
                    fmt::format("is {}; must be a unit quaternion [x, y, z, w]", shown(member)));
     }
-    into = {q[0], q[1], q[2], q[3]};
+    into = read;
   }
 
   // a list of at most `most` of them

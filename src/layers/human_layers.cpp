@@ -40,13 +40,10 @@ CriteriaSettings rest_criteria() {
   return criteria;
 }
 
-// the paper's layer of an arm with another gene
+// the paper's layer of an arm with another parameter
 void search_swivel(Layer& layer) {
-  layer.genes = {{.name = layer.name + ".swivel",
-                  .kind = LayerGeneKind::swivel,
-                  .applies_to = {0, 1, 2},
-                  .low = kSwivelMin,
-                  .high = kSwivelMax}};
+  layer.parameters = {ParameterInfo::named(ParameterKind::swivel, layer.name, {0, 1, 2})
+                          .within(kSwivelMin, kSwivelMax)};
   layer.criteria = swivel_criteria();
 }
 
@@ -65,11 +62,10 @@ void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone
     const auto at =
         std::find_if(rest.body.dofs.begin() + first, rest.body.dofs.end(),
                      [&dof](const ReducedDof& reduced) { return reduced.name == dof.name; });
-    rest.genes.push_back({.name = dof.name,
-                          .kind = LayerGeneKind::final_angle,
-                          .applies_to = {static_cast<int>(at - rest.body.dofs.begin())},
-                          .low = std::min(std::max(range.low, dof.lower), at->start),
-                          .high = std::max(std::min(range.high, dof.upper), at->start)});
+    rest.parameters.push_back(ParameterInfo::named(ParameterKind::final_angle, dof.name,
+                                                   {static_cast<int>(at - rest.body.dofs.begin())})
+                                  .within(std::min(std::max(range.low, dof.lower), at->start),
+                                          std::max(std::min(range.high, dof.upper), at->start)));
   }
 }
 
@@ -87,7 +83,8 @@ Result<std::vector<Layer>> human_layers(const BodyModel& body, const CriteriaSet
   for (ReducedLimb& limb : (*layers)[0].body.limbs) {
     if (limb.joints.kind == LimbKind::arm) limb.law = LengthLaw::way;
   }
-  Layer rest{.name = kRest, .body = {}, .genes = {}, .criteria = rest_criteria(), .hands_down = {}};
+  Layer rest{
+      .name = kRest, .body = {}, .parameters = {}, .criteria = rest_criteria(), .hands_down = {}};
   const BodyLimbs limbs = find_limbs(body).value();
   for (std::size_t a = 0; a < limbs.arms.size(); ++a) {
     Layer& arm = (*layers)[1 + a];
@@ -109,9 +106,9 @@ Result<std::vector<Layer>> make_layers(const BodyModel& body, const LayerChoice&
   return human_layers(body, criteria, choice.reading);
 }
 
-bool searches(const Layer& layer, LayerGeneKind kind) {
-  return std::any_of(layer.genes.begin(), layer.genes.end(),
-                     [kind](const LayerGene& gene) { return gene.kind == kind; });
+bool searches(const Layer& layer, ParameterKind kind) {
+  return std::any_of(layer.parameters.begin(), layer.parameters.end(),
+                     [kind](const ParameterInfo& info) { return info.kind == kind; });
 }
 
 }  // namespace shigusa

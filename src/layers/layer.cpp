@@ -17,8 +17,8 @@ void add_weight(Layer& layer, int dof) {
   const bool shared = std::any_of(dofs.begin(), dofs.end(), [&](const ReducedDof& other) {
     return other.weight_of == dof && without_side(other.name) == without_side(name);
   });
-  layer.genes.push_back(
-      {std::string(shared ? without_side(name) : name), LayerGeneKind::weight, {dof}});
+  layer.parameters.push_back(ParameterInfo::named(
+      ParameterKind::weight, std::string(shared ? without_side(name) : name), {dof}));
 }
 
 // a freedom of a clavicle, which goes with its arm and not by a weight
@@ -33,7 +33,8 @@ bool is_trunk_joint(const ReducedBody& body, int dof) {
                      [dof](const TrunkJoint& joint) { return joint.dof == dof; });
 }
 
-// one gene for each freedom that is no length and goes by a weight of its own, in the body's order
+// one weight for each freedom that is no length and goes by a weight of its own, in the body's
+// order
 void add_weights(Layer& layer, LayerReading reading) {
   for (std::size_t d = 0; d < layer.body.dofs.size(); ++d) {
     const ReducedDof& dof = layer.body.dofs[d];
@@ -56,20 +57,19 @@ void add_contractions(Layer& layer, LayerReading reading) {
   for (const auto& [kind, name] : {std::pair{LimbKind::leg, "legs"}, {LimbKind::arm, "arms"}}) {
     const std::vector<int> limbs = limbs_of(kind);
     if (reading == LayerReading::shared_contractions) {
-      layer.genes.push_back(
-          {std::string(name) + ".contraction", LayerGeneKind::contraction, limbs});
+      layer.parameters.push_back(ParameterInfo::named(ParameterKind::contraction, name, limbs));
       continue;
     }
     for (const int limb : limbs) {
       const std::string& of = layer.body.limbs[static_cast<std::size_t>(limb)].joints.name;
-      layer.genes.push_back({of + ".contraction", LayerGeneKind::contraction, {limb}});
+      layer.parameters.push_back(ParameterInfo::named(ParameterKind::contraction, of, {limb}));
     }
   }
 }
 
 // The arm alone, hung from the trunk (paper, section 3.4): four hinges.
 Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
-  Layer layer{.name = arm.name, .body = {}, .genes = {}, .criteria = {}, .hands_down = {}};
+  Layer layer{.name = arm.name, .body = {}, .parameters = {}, .criteria = {}, .hands_down = {}};
   layer.criteria.balance_weight = 0.0;  // with the trunk held there is nothing to balance
   int parent = -1;
   for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
@@ -94,7 +94,7 @@ Result<std::vector<Layer>> paper_layers(const BodyModel& body, const CriteriaSet
   if (!limbs) return tl::unexpected(limbs.error());
   Layer upper{.name = "trunk_and_limb_lengths",
               .body = reduced_body(body, *limbs),
-              .genes = {},
+              .parameters = {},
               .criteria = criteria,
               .hands_down = {}};
   add_weights(upper, reading);

@@ -10,15 +10,15 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // `value`(gene, kind): a contraction, or a weight, which is 0 for locked.
 template <class Value>
-LayerParameters decode(const Layer& layer, Value&& value) {
-  LayerParameters parameters;
+Parameters decode(const Layer& layer, Value&& value) {
+  Parameters parameters;
   parameters.joints.assign(layer.body.dofs.size(), {.weight = 1.0, .locked = true});
   parameters.contractions.assign(layer.body.limbs.size(), 0.0);
-  for (std::size_t g = 0; g < layer.genes.size(); ++g) {
-    const LayerGene& gene = layer.genes[g];
-    const double decoded = value(g, gene.kind);
-    for (const int to : gene.applies_to) {
-      if (gene.kind == LayerGeneKind::contraction) {
+  for (std::size_t g = 0; g < layer.parameters.size(); ++g) {
+    const ParameterInfo& info = layer.parameters[g];
+    const double decoded = value(g, info.kind);
+    for (const int to : info.applies_to) {
+      if (info.kind == ParameterKind::contraction) {
         parameters.contractions[index(to)] = decoded;
       } else if (decoded > 0.0) {
         parameters.joints[index(to)] = {decoded, false};
@@ -30,16 +30,18 @@ LayerParameters decode(const Layer& layer, Value&& value) {
 
 }  // namespace
 
-LayerParameters decode_layer_genes(const Layer& layer, std::span<const std::uint16_t> genes) {
-  SHG_CHECK(genes.size() == layer.genes.size(), "one number per gene of layer " + layer.name);
+Parameters decode_layer_genes(const Layer& layer, std::span<const std::uint16_t> genes) {
+  SHG_CHECK(genes.size() == layer.parameters.size(),
+            "one number for each parameter of layer " + layer.name);
   return decode(layer,
-                [&](std::size_t gene, LayerGeneKind) { return static_cast<double>(genes[gene]); });
+                [&](std::size_t gene, ParameterKind) { return static_cast<double>(genes[gene]); });
 }
 
-LayerParameters decode_layer_point(const Layer& layer, std::span<const double> point) {
-  SHG_CHECK(point.size() == layer.genes.size(), "one number per gene of layer " + layer.name);
-  return decode(layer, [&](std::size_t gene, LayerGeneKind kind) {
-    if (kind == LayerGeneKind::contraction) return kLayerGeneMax * point[gene];
+Parameters decode_layer_point(const Layer& layer, std::span<const double> point) {
+  SHG_CHECK(point.size() == layer.parameters.size(),
+            "one number for each parameter of layer " + layer.name);
+  return decode(layer, [&](std::size_t gene, ParameterKind kind) {
+    if (kind == ParameterKind::contraction) return kContractionMax * point[gene];
     return exponential(kLogWeightRange * (2.0 * point[gene] - 1.0));
   });
 }

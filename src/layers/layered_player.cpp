@@ -56,7 +56,7 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
   std::size_t by_swivel = 0;
   for (std::size_t g = 0; g < problem.arms.size(); ++g) {
     const BodyModel& arm = problem.arm_bodies[g];
-    if (searches(problem.layers[1 + g], LayerGeneKind::swivel)) {
+    if (searches(problem.layers[1 + g], ParameterKind::swivel)) {
       const BodyLimb& limb = problem.limbs.arms[index(problem.arms[g])];
       arms_.push_back({.by_swivel = std::make_unique<SwivelArm>(arm, limb), .slot = by_swivel++});
     } else {
@@ -64,9 +64,9 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
     }
   }
   for (const Layer& layer : problem.layers) {
-    for (const LayerGene& gene : layer.genes) {
-      if (gene.kind != LayerGeneKind::final_angle) continue;
-      const ReducedDof& dof = layer.body.dofs[index(gene.applies_to[0])];
+    for (const ParameterInfo& info : layer.parameters) {
+      if (info.kind != ParameterKind::final_angle) continue;
+      const ReducedDof& dof = layer.body.dofs[index(info.applies_to[0])];
       finals_.push_back({index(body_->find_dof(dof.name).value()), dof.start});
     }
   }
@@ -241,14 +241,14 @@ RolledOut LayeredPlayer::expanded(const ReducedClip& clip, const ArmAngles& arm_
   return played;
 }
 
-void LayeredPlayer::check_counts(const LayeredParameters& parameters) const {
+void LayeredPlayer::check_counts(const Parameters& parameters) const {
   SHG_CHECK(parameters.arms.size() + parameters.swivels.size() == arms_.size() &&
                 parameters.finals.size() == finals_.size(),
             "parameters of the layers that are played");
 }
 
 double LayeredPlayer::move_arm(std::size_t goal, const ReducedClip& clip, const HandPath& path,
-                               const LayeredParameters& parameters, std::vector<double>& angles) {
+                               const Parameters& parameters, std::vector<double>& angles) {
   const GoalArm& arm = arms_[goal];
   if (arm.by_swivel) {
     return arm.by_swivel->run(path, parameters.swivels[arm.slot], angles,
@@ -257,7 +257,7 @@ double LayeredPlayer::move_arm(std::size_t goal, const ReducedClip& clip, const 
   return arm.by_weights->run(path, parameters.arms[arm.slot], angles);
 }
 
-RolledOut LayeredPlayer::expand(const ReducedClip& clip, const LayeredParameters& parameters) {
+RolledOut LayeredPlayer::expand(const ReducedClip& clip, const Parameters& parameters) {
   const std::vector<HandPath> paths = hand_paths(clip);
   check_counts(parameters);
   ArmAngles angles(paths.size());
@@ -265,7 +265,7 @@ RolledOut LayeredPlayer::expand(const ReducedClip& clip, const LayeredParameters
   return expanded(clip, angles, parameters.finals);
 }
 
-RolledOut LayeredPlayer::expand_freeing(const ReducedClip& clip, LayeredParameters& parameters) {
+RolledOut LayeredPlayer::expand_freeing(const ReducedClip& clip, Parameters& parameters) {
   const std::vector<HandPath> paths = hand_paths(clip);
   check_counts(parameters);
   ArmAngles angles(paths.size());

@@ -94,7 +94,7 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
   if (problem.hold_limits) limits_.emplace(body, used_);
 }
 
-void ReducedRollout::set_up(const LayerParameters& parameters) {
+void ReducedRollout::set_up(const Parameters& parameters) {
   int legs = 0;
   for (const ReducedLimb& limb : body_->limbs) legs += limb.joints.kind == LimbKind::leg ? 1 : 0;
   for (std::size_t d = 0; d < q_.size(); ++d) {
@@ -108,7 +108,7 @@ void ReducedRollout::set_up(const LayerParameters& parameters) {
   if (limits_) limits_->reset(inverse_);
   for (std::size_t i = 0; i < body_->limbs.size(); ++i) {
     const ReducedLimb& limb = body_->limbs[i];
-    const double share = parameters.contractions[i] / kLayerGeneMax;
+    const double share = parameters.contractions[i] / kContractionMax;
     const auto slide = index(limb.slide);
     final_lengths_[slide] =
         moves_[i] ? limb.longest - (limb.longest - limb.shortest) * share : q_[slide];
@@ -152,7 +152,7 @@ void ReducedRollout::set_up_ways() {
   }
 }
 
-void ReducedRollout::run(const LayerParameters& parameters, ReducedClip& clip) {
+void ReducedRollout::run(const Parameters& parameters, ReducedClip& clip) {
   set_up(parameters);
   clip.dofs = static_cast<int>(q_.size());
   clip.values.clear();

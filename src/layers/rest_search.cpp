@@ -24,8 +24,8 @@ void search_finals(std::span<const Layer> layers, std::uint64_t seed, const Rest
                    std::vector<double>& finals) {
   std::vector<Range> ranges;
   for (const Layer& layer : layers) {
-    for (const LayerGene& gene : layer.genes) {
-      if (gene.kind == LayerGeneKind::final_angle) ranges.push_back({gene.low, gene.high});
+    for (const ParameterInfo& info : layer.parameters) {
+      if (info.kind == ParameterKind::final_angle) ranges.push_back({info.low, info.high});
     }
   }
   if (ranges.empty()) return;

@@ -25,10 +25,10 @@ double SwivelSearch::glance(const ArmFeedback& told) {
 
 double SwivelSearch::find(const ArmFeedback& told) {
   Best best = best_of_grid(told, kGridPoints);
-  const LayerGene& gene = layer_->genes.front();
-  const double step = (gene.high - gene.low) / (kGridPoints - 1);
-  double low = max(best.swivel - step, gene.low);
-  double high = min(best.swivel + step, gene.high);
+  const ParameterInfo& range = layer_->parameters.front();
+  const double step = (range.high - range.low) / (kGridPoints - 1);
+  double low = max(best.swivel - step, range.low);
+  double high = min(best.swivel + step, range.high);
   const auto at = [&](double share) {
     const double swivel = low + share * (high - low);
     const double scored = score(told, swivel);
@@ -50,10 +50,10 @@ double SwivelSearch::find(const ArmFeedback& told) {
 }
 
 SwivelSearch::Best SwivelSearch::best_of_grid(const ArmFeedback& told, int points) {
-  const LayerGene& gene = layer_->genes.front();
+  const ParameterInfo& range = layer_->parameters.front();
   Best best{.swivel = 0.0, .score = score(told, 0.0)};
   for (int k = 0; k < points; ++k) {
-    const double swivel = min(gene.high, gene.low + (gene.high - gene.low) * k / (points - 1));
+    const double swivel = min(range.high, range.low + (range.high - range.low) * k / (points - 1));
     const double scored = score(told, swivel);
     if (scored < best.score) best = {swivel, scored};
   }

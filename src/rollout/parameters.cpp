@@ -12,12 +12,6 @@ Parameters uniform_parameters(const BodyModel& body) {
   return {std::vector<JointWeight>(body.dofs().size()), {}};
 }
 
-FixedParameters no_fixed_parameters(const BodyModel& body) {
-  FixedParameters fixed{uniform_parameters(body), std::vector<bool>(body.dofs().size()), {}};
-  fixed.posture.resize(posture_members(body, fixed.values.posture).size());
-  return fixed;
-}
-
 Parameters decode_paper_genes(std::span<const std::uint16_t> genes) {
   Parameters parameters;
   for (const std::uint16_t gene : genes) {
@@ -43,38 +37,6 @@ std::vector<double> inverse_weights(const Parameters& parameters) {
     inverse.push_back(joint.locked ? 0.0 : 1.0 / joint.weight);
   }
   return inverse;
-}
-
-std::vector<PostureMember> mode_members(const BodyModel& body, std::vector<double>& values) {
-  const std::vector<PostureMode> modes = posture_modes(body);
-  values.resize(modes.size());
-  std::vector<PostureMember> members;
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    members.push_back({modes[m].name, &values[m], -kPostureMax, kPostureMax, true});
-  }
-  return members;
-}
-
-std::vector<PostureMember> posture_members(const BodyModel& body, PostureParameters& posture) {
-  std::vector<PostureMember> members = mode_members(body, posture.modes);
-  for (std::size_t k = 0; k < kTimings; ++k) {
-    const TimingNumber& number = kTimingNumbers[k];
-    double* value = &(posture.timing.*kTimingMembers<double>[k]);
-    members.push_back({std::string(number.name), value, number.low, number.high});
-  }
-  return members;
-}
-
-std::vector<PostureMember> posture_members(const BodyModel& body, Parameters& parameters) {
-  std::vector<PostureMember> members = posture_members(body, parameters.posture);
-  if (!parameters.later) return members;
-  for (PostureMember& member : mode_members(body, parameters.later->modes)) {
-    member.name.insert(0, kLaterPrefix);
-    members.push_back(std::move(member));
-  }
-  members.push_back(
-      {std::string(kSwitchName), &parameters.later->switch_at, kSwitchMin, kSwitchMax});
-  return members;
 }
 
 void add_later_phase(Parameters& parameters) {

@@ -6,6 +6,7 @@
 #include <shigusa/kinematics/forward_kinematics.hpp>
 #include <shigusa/motion/minimum_jerk.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/task/plan_of.hpp>
 #include <shigusa/task/task.hpp>
 #include <utility>
 
@@ -27,13 +28,11 @@ Result<void> check_obstacles(const Task& task) {
                 fmt::format("{} obstacles; allowed are {}", task.obstacles.size(), kObstaclesMax));
   }
   for (const Obstacle& obstacle : task.obstacles) {
-    const Quatd& q = obstacle.rotation;
-    const double length = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
     const char* wrong = nullptr;
     if (!within(obstacle.position, -kGoalRange, kGoalRange)) wrong = "position";
     if (!within(obstacle.size, 0.0, kGoalRange)) wrong = "size";
     if (!(obstacle.radius >= 0.0 && obstacle.radius <= kGoalRange)) wrong = "radius";
-    if (!(abs(length - 1.0) < 1e-3)) wrong = "rotation";
+    if (!is_unit(obstacle.rotation)) wrong = "rotation";
     if (wrong == nullptr) continue;
     return fail(ErrorCode::invalid_argument,
                 fmt::format("{} is out of range: within {:g} m, sizes from 0, a unit quaternion",
@@ -131,6 +130,18 @@ SearchMethod search_of(const Task& task) {
   return task.search.value_or(traits_of(task.preset).search);
 }
 
+void adopt_preset(Request& request, const Preset& preset) {
+  if (preset == request.preset) return;
+  request.preset = preset;
+  request.criteria = traits_of(preset).criteria();
+  request.candidates = traits_of(preset).candidates;
+}
+
+void adopt_pareto(Request& request, const bool& pareto) {
+  request.pareto = pareto;
+  if (pareto) request.criteria = pareto_criteria();
+}
+
 Task with_preset(Task task, Preset preset) {
   task.preset = preset;
   task.criteria = traits_of(preset).criteria();
@@ -178,6 +189,17 @@ Result<ReachProblem> make_problem(const Task& task) {
     problem.path_slack = kPathSlack;
   }
   return problem;
+}
+
+Result<Plan> plan_of(const BodyModel& body, std::span<const Goal> goals, Preset preset,
+                     LayerReading reading, const CriteriaSettings& criteria) {
+  const std::optional<LayerStack> stack = traits_of(preset).layers;
+  if (!stack) return whole_body_plan(body);
+  return layers_to_goals(body, goals, {*stack, reading}, criteria);
+}
+
+Result<Plan> plan_of(const Task& task) {
+  return plan_of(task.body, task.goals, task.preset, task.layer_reading, task_criteria(task));
 }
 
 }  // namespace shigusa

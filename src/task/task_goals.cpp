@@ -44,15 +44,12 @@ Result<void> check_turn(const Goal& goal) {
   if (goal.rotation && goal.axis) {
     return tl::unexpected(goal_error(goal, "has a rotation and an axis; allowed is one of both"));
   }
-  if (goal.rotation) {
+  if (goal.rotation && !is_unit(*goal.rotation)) {
     const Quatd& q = *goal.rotation;
-    const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-    if (!(abs(square - 1.0) < kUnitSlack)) {
-      return tl::unexpected(goal_error(
-          goal, fmt::format("rotation is ({}, {}, {}, {}) of length {}; allowed is a unit "
-                            "quaternion x, y, z, w",
-                            q.x, q.y, q.z, q.w, sqrt(square))));
-    }
+    return tl::unexpected(
+        goal_error(goal, fmt::format("rotation is ({}, {}, {}, {}) of length {}; allowed is a unit "
+                                     "quaternion x, y, z, w",
+                                     q.x, q.y, q.z, q.w, sqrt(squared_length(q)))));
   }
   if (!goal.axis) return {};
   for (const Vec3d& v : {goal.axis->axis, goal.axis->direction}) {
@@ -206,7 +203,7 @@ EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
   turn.start = turn.goal = start.link_rotation(body.effector(effector).link);
   if (goal.rotation) {
     const Quatd& q = *goal.rotation;
-    const double scale = 1.0 / sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+    const double scale = 1.0 / sqrt(squared_length(q));
     turn.goal = to_matrix(Quatd{q.x * scale, q.y * scale, q.z * scale, q.w * scale});
     turn.kind = Turning::whole;
   } else if (goal.axis) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // window.shigusa: the page's state to read, for tests and for the curious.
-import type { Vec3 } from '../../bindings/wasm/src/types';
+import type { Facts, Vec3 } from '../../bindings/wasm/src/types';
+import { type Language, untranslated } from './i18n';
 import type { Document, State } from './state/model';
 import type { Studio } from './state/studio';
 import { taskOf } from './state/task';
@@ -13,6 +14,9 @@ export interface Inspection {
   readonly task: object | null;
   readonly chosen: number;
   readonly words: readonly string[];
+  readonly facts: Facts;
+  /** Words of the engine that the page has none for, by language. */
+  readonly untranslated: Record<Language, string[]>;
   readonly timings: Timings;
   readonly time: number;
   /** Bytes that the engine's modules have taken. */
@@ -40,7 +44,7 @@ export function expose(studio: Studio, view: View): void {
       return studio.document;
     },
     get task() {
-      return studio.document ? taskOf(studio.document) : null;
+      return studio.document ? taskOf(studio.facts, studio.document) : null;
     },
     get chosen() {
       return studio.document?.chosen ?? -1;
@@ -48,6 +52,8 @@ export function expose(studio: Studio, view: View): void {
     get words() {
       return studio.document?.result?.candidates.map((c) => c.summary.final_posture.words) ?? [];
     },
+    facts: studio.facts,
+    untranslated: { en: untranslated(studio.facts, 'en'), ja: untranslated(studio.facts, 'ja') },
     get timings() {
       return studio.timings;
     },

@@ -16,6 +16,7 @@ import { TakePanel } from './panels/take';
 import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
 import { openFiles } from './state/files';
+import { characterFormats } from './state/formats';
 import type { Studio } from './state/studio';
 import { Thumbnails } from './view/thumbnails';
 import { shownTheme } from './view/palette';
@@ -76,7 +77,7 @@ export class Page {
     const top = new TopBar(studio, openHelp);
     this.panels = [gallery, timeline, notices, tabs, top];
     this.canvas.setAttribute('aria-label', t('viewLabel'));
-    this.stage.replaceChildren(this.canvas, this.label, notices.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere')));
+    this.stage.replaceChildren(this.canvas, this.label, notices.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
     const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, timeline.element), tabs.element);
     this.root.replaceChildren(top.element, main, dialog);
     this.keyboard = new Keyboard(studio, this.canvas, openHelp);

@@ -215,3 +215,23 @@ test('what a task says that the page has no place for is kept, and its obstacles
   assert.deepEqual(errors, []);
   await context.close();
 });
+
+test('a task that asks for a front is ranked by its mixture', { timeout: 240_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const task = { character: 'human', goals: [{ effector: 'right_hand', position_m: [-0.2, 0.9, 0.5] }], pareto: true, evaluations: 600 };
+  await drop(page, 'task.json', JSON.stringify(task));
+  await page.waitForFunction(() => window.shigusa.document.settings.more.pareto === true);
+  await settled(page);
+  const { weights, facts, told, scores } = await page.evaluate(() => {
+    const { document: d, facts: all } = window.shigusa;
+    const { candidates } = d.result.summary;
+    return { weights: d.weights, facts: all, told: window.shigusa.task.criteria, scores: candidates.map((candidate) => candidate.score) };
+  });
+  assert.deepEqual(weights, facts.mixtures[facts.pareto_mixture]);
+  assert.equal(told, undefined, 'the engine has it by itself');
+  const shown = await page.locator('.score').allInnerTexts();
+  assert.deepEqual(shown.map((text) => Number(text.match(/[\d.]+/)[0])), scores.map((score) => Number(score.toFixed(3))), 'as the engine scored them');
+  assert.deepEqual(errors, []);
+  await context.close();
+});

@@ -152,6 +152,21 @@ test('Japanese: nothing is left in English', { timeout: 120_000 }, async () => {
   await context.close();
 });
 
+test('what nobody has translated is in the engine\'s words', { timeout: 120_000 }, async (t) => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const { untranslated, facts } = await page.evaluate(() => ({ untranslated: window.shigusa.untranslated, facts: window.shigusa.facts }));
+  for (const [language, words] of Object.entries(untranslated)) t.diagnostic(`${language} lacks: ${words.join(', ') || 'nothing'}`);
+  await page.click('#tab-criteria');
+  const names = await page.locator('#panel-criteria .row-name').allInnerTexts();
+  assert.equal(names.length, facts.criteria.length);
+  await page.click('#tab-take');
+  for (const { name } of facts.formats.filter(({ written }) => written)) assert.equal(await page.locator(`[data-format="${name}"]`).count(), 1, name);
+  assert.ok([...names, ...(await page.locator('#panel-take button').allInnerTexts())].every((text) => text !== ''));
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
 for (const scheme of ['light', 'dark']) {
   test(`axe finds nothing serious, ${scheme}`, { timeout: 180_000 }, async () => {
     const { page, context } = await openStudio(browser, site.url, { colorScheme: scheme, bypassCSP: true });

@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
             "Unknown", {"body", "half_bodi"}, {"'half_bodi'", "did you mean 'half_body'?", ".bvh"}},
         Case{"OtherFormat",
              {"body", "hero.obj"},
-             {"'hero.obj'", ".bvh, .glb, .gltf, .vrm, .fbx, .urdf or .xml"}},
+             {"'hero.obj'", ".bvh, .glb, .gltf, .vrm, .fbx, .urdf, .xml or .mjcf"}},
         Case{"MissingVrm", {"body", "hero.vrm"}, {"hero.vrm", "No such file"}},
         Case{"EmptyGlb", {"body", "empty.glb"}, {"empty.glb", "empty"}},
         Case{"BinaryGlb", {"body", "binary.glb"}, {"binary.glb", "not glTF"}},

@@ -132,7 +132,7 @@ std::vector<std::string> printing_calls() {
   for (const char* arguments :
        {"body half_body", "body human --json", "--help", "reach --help", "--version",
         "reach --goal right_hand=-0.2,1.1,0.4 --out one", "edit result", "edit result --json",
-        "mirror result", "render clip.bvh", "score clip.bvh", "score clip.bvh --json"}) {
+        "mirror result", "render clip.bvh", "score clip.bvh", "score clip.bvh --json", "schema"}) {
     calls.push_back("'" + shigusa_program() + "' " + arguments);
   }
   return calls;

@@ -19,6 +19,13 @@ TEST(CInterface, TellsItsVersion) {
   EXPECT_THAT(shigusa_version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
 }
 
+TEST(CInterface, TellsTheFactsOfTheEngine) {
+  const Json facts = Json::parse(text_of(shigusa_facts));
+  EXPECT_EQ(facts.at("mixtures").at("paper").at("joint_range"), 0.5);
+  EXPECT_EQ(facts.at("ranges").at("load_kg"), Json({0.0, 500.0}));
+  EXPECT_EQ(shigusa_facts(nullptr), SHIGUSA_INVALID_ARGUMENT);
+}
+
 TEST(CInterface, DescribesWhatItUnderstood) {
   const Character human = character_of(R"({"source": "human", "stature_m": 1.6})");
   const Json told = Json::parse(text_of(shigusa_character_describe, human.get()));

@@ -65,7 +65,7 @@ TEST_P(RecordedCharacter, StartsInTheRecordedPosture) {
   const Task task = make_task(file, {}).value();
   const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
   const ExportedMotion exported(
-      export_candidate(task, generation.candidates[0], ExportFormat::bvh).value(), 0.01);
+      export_candidate(task, generation.candidates[0], FileFormat::bvh).value(), 0.01);
   // a rest pose is no posture
   const Landmarks person =
       path_.ends_with(".bvh") ? recorded() : at_ease(recorded(), *file.character.stature);
@@ -90,8 +90,7 @@ TEST_P(RecordedCharacter, MeetsItsGoalWithPlantedFeet) {
   const Generation generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   for (const Candidate& candidate : generation.candidates) {
-    const ExportedMotion exported(export_candidate(task, candidate, ExportFormat::bvh).value(),
-                                  0.01);
+    const ExportedMotion exported(export_candidate(task, candidate, FileFormat::bvh).value(), 0.01);
     EXPECT_LE(norm(exported.at_end(candidate.goals[0].node) - task.goals[0].position), 1e-3);
     for (const ContactResult& foot : candidate.contacts) {
       EXPECT_LE(exported.slide(foot.node), 1e-3) << foot.node;

@@ -53,14 +53,14 @@ TEST_F(FbxCharacter, LeavesOnItsOwnNodesAsBvhAndGlb) {
   const Generation generation = generate(task).value();
   ASSERT_TRUE(generation.meets_goals());
   const Candidate& candidate = generation.candidates[0];
-  const auto exported = [&](ExportFormat format) {
+  const auto exported = [&](FileFormat format) {
     return export_candidate(file_.character, task, candidate, format, {.animation = "reach"})
         .value();
   };
-  const ExportedMotion bvh(exported(ExportFormat::bvh), 0.01);
+  const ExportedMotion bvh(exported(FileFormat::bvh), 0.01);
   EXPECT_LT(norm(bvh.at_end("RightHand") - task.goals[0].position), 1e-3);
   EXPECT_LT(bvh.slide("LeftFoot"), 1e-3);
-  const std::string glb = exported(ExportFormat::glb);
+  const std::string glb = exported(FileFormat::glb);
   const GltfCharacter skeleton = parse_gltf(glb, "out.glb").value();
   EXPECT_GE(skeleton.rest.skeleton.find("LeftToeBase"), 0);
   const ExportedGlb moving(glb);

@@ -84,7 +84,7 @@ TEST_F(MjcfCharacter, ResultIsPlayedAgainWithTheSameBytesAndDoubts) {
   EXPECT_THAT(std::vector(again.body.doubts().begin(), again.body.doubts().end()),
               Contains("body 'box' of the world is no part of the robot"));
   const Generation replayed = regenerate(again, stored.candidates.at(0)).value();
-  for (const ExportFormat format : {ExportFormat::csv, ExportFormat::bvh}) {
+  for (const FileFormat format : {FileFormat::csv, FileFormat::bvh}) {
     EXPECT_EQ(export_candidate(again, replayed.candidates[0], format).value(),
               export_candidate(task, generation.candidates[0], format).value());
   }

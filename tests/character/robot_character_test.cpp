@@ -68,7 +68,7 @@ TEST_F(RobotCharacter, ResultIsPlayedAgainWithTheSameBytes) {
   StoredResult stored = parse_result(summary, "summary.json").value();
   const Task again = make_task(stored.task, {}).value();
   const Generation replayed = regenerate(again, stored.candidates.at(0)).value();
-  for (const ExportFormat format : {ExportFormat::csv, ExportFormat::bvh, ExportFormat::svg}) {
+  for (const FileFormat format : {FileFormat::csv, FileFormat::bvh, FileFormat::svg}) {
     EXPECT_EQ(export_candidate(again, replayed.candidates[0], format).value(),
               export_candidate(task, generation.candidates[0], format).value());
   }
@@ -77,7 +77,7 @@ TEST_F(RobotCharacter, ResultIsPlayedAgainWithTheSameBytes) {
 TEST_F(RobotCharacter, BvhHasTheRobotsLinkWhereTheGoalIs) {
   const Task task = make_task(file_, {}).value();
   const Candidate candidate = generate(task).value().candidates.at(0);
-  const ExportedMotion bvh(export_candidate(task, candidate, ExportFormat::bvh).value(), 0.01);
+  const ExportedMotion bvh(export_candidate(task, candidate, FileFormat::bvh).value(), 0.01);
   EXPECT_EQ(candidate.goals[0].node, "right_palm");
   EXPECT_LT(norm(bvh.at_end("right_palm") - task.goals[0].position), 1e-3);
   for (const ContactResult& contact : candidate.contacts) {
@@ -89,7 +89,7 @@ TEST_F(RobotCharacter, BvhHasTheRobotsLinkWhereTheGoalIs) {
 TEST_F(RobotCharacter, TableHasTheFilesJointsAndTheRootsPlace) {
   const Task task = make_task(file_, {}).value();
   const Candidate candidate = generate(task).value().candidates.at(0);
-  const std::string csv = export_candidate(task, candidate, ExportFormat::csv).value();
+  const std::string csv = export_candidate(task, candidate, FileFormat::csv).value();
   const std::string names = csv.substr(0, csv.find('\n'));
   EXPECT_TRUE(
       names.starts_with("time [s],root.x [m],root.y [m],root.z [m],root.qx,root.qy,root.qz,"

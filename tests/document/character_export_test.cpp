@@ -399,11 +399,11 @@ TEST_F(CharacterExport, AResultFindsItsFileAgain) {
   reach_with("person.glb", person_gltf(), "glb");
   TaskFile stored = parse_task(format_task(file_), "task.json").value();
   ASSERT_FALSE(stored.character.rig);
-  const auto refused = check_formats(stored.character, {ExportFormat::glb});
+  const auto refused = check_formats(stored.character, {FileFormat::glb});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().to_string(), HasSubstr("needs the character's file, person.glb"));
   ASSERT_TRUE(attach_file(stored.character, work_ / "person.glb"));
-  EXPECT_TRUE(check_formats(stored.character, {ExportFormat::glb}));
+  EXPECT_TRUE(check_formats(stored.character, {FileFormat::glb}));
   // another person, or none
   work_.put("other.glb", glb(below({{"scale", {1.1, 1.0, 1.0}}}).dump(), "data"));
   TaskFile other = parse_task(format_task(file_), "task.json").value();
@@ -415,10 +415,10 @@ TEST_F(CharacterExport, AResultFindsItsFileAgain) {
 }
 
 TEST(CheckFormats, TellsWhoCannotLeaveInThem) {
-  const auto refused = check_formats(CharacterSpec{}, {ExportFormat::bvh, ExportFormat::glb});
+  const auto refused = check_formats(CharacterSpec{}, {FileFormat::bvh, FileFormat::glb});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().to_string(), HasSubstr("full_body is none"));
-  EXPECT_TRUE(check_formats(CharacterSpec{}, {ExportFormat::bvh, ExportFormat::pdf}));
+  EXPECT_TRUE(check_formats(CharacterSpec{}, {FileFormat::bvh, FileFormat::pdf}));
   EXPECT_EQ(usual_formats(CharacterSpec{}).size(), 4u);
 }
 

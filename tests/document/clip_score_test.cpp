@@ -24,7 +24,7 @@ Generation small_generation(const Task& task) {
 }
 
 Task low_reach(BodyModel body) {
-  Task task{.body = std::move(body)};
+  Task task(std::move(body));
   task.goals = {{"right_hand", {-0.1, 0.35, 0.4}}};
   return task;
 }

@@ -17,8 +17,8 @@ using testing::StartsWith;
 
 TEST(ParseFormats, ReadsAListInItsOrder) {
   EXPECT_THAT(parse_formats("png,bvh,pdf,csv,svg").value(),
-              ElementsAre(ExportFormat::png, ExportFormat::bvh, ExportFormat::pdf,
-                          ExportFormat::csv, ExportFormat::svg));
+              ElementsAre(FileFormat::png, FileFormat::bvh, FileFormat::pdf, FileFormat::csv,
+                          FileFormat::svg));
   EXPECT_THAT(parse_formats("").value(), ElementsAre());
 }
 
@@ -43,8 +43,7 @@ TEST(PrepareFolder, MakesFoldersAndLeavesNothingInThem) {
 }
 
 TEST(ParseFormats, TakesEachOnce) {
-  EXPECT_THAT(parse_formats("csv,bvh,csv").value(),
-              ElementsAre(ExportFormat::csv, ExportFormat::bvh));
+  EXPECT_THAT(parse_formats("csv,bvh,csv").value(), ElementsAre(FileFormat::csv, FileFormat::bvh));
 }
 
 TEST(PrepareFolder, TellsWhyItCannot) {
@@ -154,14 +153,14 @@ TEST(ExportCandidate, GivesEachFormatItsOwnBytes) {
   file.goals = {{"right_hand", {-0.2, 1.1, 0.4}}};
   const Task task = make_task(file, {}).value();
   const Candidate candidate = regenerate(task, uniform_parameters(task.body)).value().candidates[0];
-  const auto bytes = [&](ExportFormat format) {
+  const auto bytes = [&](FileFormat format) {
     return export_candidate(task, candidate, format).value();
   };
-  EXPECT_THAT(bytes(ExportFormat::bvh), StartsWith("HIERARCHY"));
-  EXPECT_THAT(bytes(ExportFormat::csv), StartsWith("time [s],right_ankle.flexion [rad]"));
-  EXPECT_THAT(bytes(ExportFormat::svg), StartsWith("<?xml"));
-  EXPECT_THAT(bytes(ExportFormat::png), StartsWith("\x89PNG"));
-  EXPECT_THAT(bytes(ExportFormat::pdf), StartsWith("%PDF"));
+  EXPECT_THAT(bytes(FileFormat::bvh), StartsWith("HIERARCHY"));
+  EXPECT_THAT(bytes(FileFormat::csv), StartsWith("time [s],right_ankle.flexion [rad]"));
+  EXPECT_THAT(bytes(FileFormat::svg), StartsWith("<?xml"));
+  EXPECT_THAT(bytes(FileFormat::png), StartsWith("\x89PNG"));
+  EXPECT_THAT(bytes(FileFormat::pdf), StartsWith("%PDF"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "document/schema_check.hpp"
 #include "shigusa/document/result_file.hpp"
+#include "shigusa/layers/assignment.hpp"
 #include "support/layered.hpp"
 
 namespace shigusa {
@@ -57,10 +58,9 @@ TEST(LayeredResult, ParametersAreReadBackBitForBit) {
       const StoredResult stored = parse_result(made.text(), "summary.json").value();
       EXPECT_EQ(stored.task.preset, Preset::layers);
       EXPECT_EQ(stored.task.layer_reading, reading);
-      EXPECT_TRUE(stored.candidates.empty());
-      ASSERT_EQ(stored.layered.size(), made.generation.candidates.size());
-      for (std::size_t i = 0; i < stored.layered.size(); ++i) {
-        EXPECT_EQ(stored.layered[i], made.generation.candidates[i].layered);
+      ASSERT_EQ(stored.candidates.size(), made.generation.candidates.size());
+      for (std::size_t i = 0; i < stored.candidates.size(); ++i) {
+        EXPECT_EQ(stored.candidates[i], made.generation.candidates[i].parameters);
       }
     }
   }
@@ -69,7 +69,7 @@ TEST(LayeredResult, ParametersAreReadBackBitForBit) {
 TEST(LayeredResult, StoredParametersGiveTheSameMotion) {
   StoredResult stored = parse_result(sample().text(), "summary.json").value();
   const Task task = make_task(stored.task, {}).value();
-  const Generation again = regenerate(task, stored.layered[0]).value();
+  const Generation again = regenerate(task, stored.candidates[0]).value();
   EXPECT_EQ(again.candidates[0].motion.clip.angles,
             sample().generation.candidates[0].motion.clip.angles);
 }
@@ -125,11 +125,11 @@ TEST(HumanResult, IsReadBackBitForBitAndPlayedTheSame) {
     EXPECT_EQ(SchemaCheck::in_docs("result.schema.json").judge(nlohmann::json::parse(made.text())),
               "");
     StoredResult stored = parse_result(made.text(), "summary.json").value();
-    ASSERT_EQ(stored.layered.size(), made.generation.candidates.size());
+    ASSERT_EQ(stored.candidates.size(), made.generation.candidates.size());
     const Task task = make_task(stored.task, {}).value();
-    for (std::size_t i = 0; i < stored.layered.size(); ++i) {
-      EXPECT_EQ(stored.layered[i], made.generation.candidates[i].layered);
-      EXPECT_EQ(regenerate(task, stored.layered[i]).value().candidates[0].motion.clip.angles,
+    for (std::size_t i = 0; i < stored.candidates.size(); ++i) {
+      EXPECT_EQ(stored.candidates[i], made.generation.candidates[i].parameters);
+      EXPECT_EQ(regenerate(task, stored.candidates[i]).value().candidates[0].motion.clip.angles,
                 made.generation.candidates[i].motion.clip.angles);
     }
   }
@@ -176,13 +176,13 @@ class AssignLayered : public testing::Test {
 TEST_F(AssignLayered, WeightAndLockOfTheUpperLayer) {
   ASSERT_TRUE(assign_parameter(c_.layers, "right_hip.weight=3", c_.after));
   ASSERT_EQ(dofs("right_hip.").size(), 3u);
-  for (const std::size_t d : dofs("right_hip.")) c_.expected.upper.joints[d] = {3.0, false};
+  for (const std::size_t d : dofs("right_hip.")) c_.expected.joints[d] = {3.0, false};
   EXPECT_EQ(c_.after, c_.expected);
   ASSERT_TRUE(assign_parameter(c_.layers, "right_shoulder.flexion.locked=true", c_.after));
-  c_.expected.upper.joints[dofs("right_shoulder.flexion").at(0)].locked = true;
+  c_.expected.joints[dofs("right_shoulder.flexion").at(0)].locked = true;
   EXPECT_EQ(c_.after, c_.expected);
   ASSERT_TRUE(assign_parameter(c_.layers, "right_shoulder.flexion.weight=2e2", c_.after));
-  c_.expected.upper.joints[dofs("right_shoulder.flexion").at(0)] = {200.0, false};
+  c_.expected.joints[dofs("right_shoulder.flexion").at(0)] = {200.0, false};
   EXPECT_EQ(c_.after, c_.expected);
 }
 
@@ -190,7 +190,7 @@ TEST_F(AssignLayered, ContractionOfAllLimbsThatShareIt) {
   ASSERT_TRUE(assign_parameter(c_.layers, "arms.contraction=7.5", c_.after));
   for (std::size_t i = 0; i < c_.layers[0].body.limbs.size(); ++i) {
     if (c_.layers[0].body.limbs[i].joints.kind == LimbKind::arm) {
-      c_.expected.upper.contractions[i] = 7.5;
+      c_.expected.contractions[i] = 7.5;
     }
   }
   EXPECT_EQ(c_.after, c_.expected);

@@ -15,7 +15,7 @@ namespace {
 using namespace testing_support;
 
 Task task_for(const Vec3d& goal, const LimbStore& store) {
-  Task task = with_preset({.body = half_body(), .goals = {{"right_hand", goal}}}, Preset::layers);
+  Task task = with_preset(Task(half_body(), {.goals = {{"right_hand", goal}}}), Preset::layers);
   task.layers.store = store;
   task.seed = 3;
   return task;

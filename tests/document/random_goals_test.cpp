@@ -54,7 +54,7 @@ void judge_path(const ExportedMotion& exported, const GoalResult& goal, double d
 }
 
 void judge(const Task& task, const Generation& generation, const Candidate& candidate) {
-  const auto bvh = export_candidate(task, candidate, ExportFormat::bvh);
+  const auto bvh = export_candidate(task, candidate, FileFormat::bvh);
   const ExportedMotion exported(bvh.value(), BvhFormat{}.unit);
   ASSERT_TRUE(exported.finite());
   for (const ContactResult& foot : candidate.contacts) {

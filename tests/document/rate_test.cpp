@@ -47,7 +47,7 @@ TEST(Rate, FramesAreAtTheirTimesAndTheLastIsOnTheGoal) {
     const double duration = reach.candidate.motion.clip.duration();
     for (const double rate : kRates) {
       const ExportedMotion motion(
-          export_candidate(reach.task, reach.candidate, ExportFormat::bvh, {.rate = rate}).value(),
+          export_candidate(reach.task, reach.candidate, FileFormat::bvh, {.rate = rate}).value(),
           0.01);
       EXPECT_EQ(motion.motion().clip.frame_time, 1.0 / rate);
       EXPECT_EQ(motion.frames(), static_cast<int>(std::ceil(duration * rate - 1e-6)) + 1);
@@ -64,7 +64,7 @@ TEST(Rate, FeetStayBetweenTheMotionsFramesToo) {
   for (const Reach& reach : reaches()) {
     for (const double rate : kRates) {
       const ExportedMotion motion(
-          export_candidate(reach.task, reach.candidate, ExportFormat::bvh, {.rate = rate}).value(),
+          export_candidate(reach.task, reach.candidate, FileFormat::bvh, {.rate = rate}).value(),
           0.01);
       for (const ContactResult& contact : reach.candidate.contacts) {
         slide = std::fmax(slide, motion.slide(contact.node));
@@ -116,7 +116,7 @@ TEST(Rate, AnimationsOfGltfHaveItToo) {
   const Candidate candidate = regenerate(task, uniform_parameters(task.body)).value().candidates[0];
   for (const double rate : kRates) {
     const ExportedGlb out(
-        export_candidate(character, task, candidate, ExportFormat::glb, {.rate = rate}).value());
+        export_candidate(character, task, candidate, FileFormat::glb, {.rate = rate}).value());
     const int frames = out.frames("shigusa");
     EXPECT_EQ(frames, frames_at(candidate.motion.clip.duration(), rate));
     const auto& sampler = out.json().at("animations").at(0).at("samplers").at(0);
@@ -133,7 +133,7 @@ TEST(Rate, WhatIsNoneIsRefused) {
   const Reach reach = reaches().front();
   for (const double rate : {0.0, -24.0, 0.5, 241.0, 1e300, std::nan("")}) {
     const auto file =
-        export_candidate(reach.task, reach.candidate, ExportFormat::bvh, {.rate = rate});
+        export_candidate(reach.task, reach.candidate, FileFormat::bvh, {.rate = rate});
     ASSERT_FALSE(file) << rate;
     EXPECT_NE(file.error().message.find("allowed are 1 to 240"), std::string::npos);
   }
@@ -141,7 +141,7 @@ TEST(Rate, WhatIsNoneIsRefused) {
 
 TEST(Rate, CsvAndFiguresKeepTheMotionsOwnFrames) {
   const Reach reach = reaches().front();
-  for (const ExportFormat format : {ExportFormat::csv, ExportFormat::svg}) {
+  for (const FileFormat format : {FileFormat::csv, FileFormat::svg}) {
     const auto at = [&](double rate) {
       return export_candidate(reach.task, reach.candidate, format, {.rate = rate}).value();
     };

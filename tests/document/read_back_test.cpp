@@ -25,7 +25,7 @@ struct Moved {
   Candidate candidate;
   Clip clip;
 
-  [[nodiscard]] std::string file(ExportFormat format) const {
+  [[nodiscard]] std::string file(FileFormat format) const {
     return export_candidate(character, task, candidate, format, {.rate = 30.0}).value();
   }
   [[nodiscard]] ReadBackCheck check() const { return {character, task, candidate, clip}; }
@@ -52,9 +52,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(ReadBack, FilesAreWhereTheMotionIs) {
   const Moved bvh = of_bvh();
   const Moved gltf = of_gltf();
-  for (const auto& back : {bvh.check().bvh(bvh.file(ExportFormat::bvh)),
-                           gltf.check().bvh(gltf.file(ExportFormat::bvh)),
-                           gltf.check().glb(gltf.file(ExportFormat::glb), "shigusa")}) {
+  for (const auto& back :
+       {bvh.check().bvh(bvh.file(FileFormat::bvh)), gltf.check().bvh(gltf.file(FileFormat::bvh)),
+        gltf.check().glb(gltf.file(FileFormat::glb), "shigusa")}) {
     ASSERT_TRUE(back) << back.error().to_string();
     EXPECT_LT(back->effector, kFine);
     EXPECT_LT(back->feet, kFine);
@@ -65,7 +65,7 @@ TEST(ReadBack, FilesAreWhereTheMotionIs) {
 // A file whose channels are named in another order than its numbers are in.
 TEST(ReadBack, ChannelsInAnotherOrderAreFound) {
   const Moved moved = of_bvh();
-  const std::string text = replaced(moved.file(ExportFormat::bvh), "Zrotation Xrotation Yrotation",
+  const std::string text = replaced(moved.file(FileFormat::bvh), "Zrotation Xrotation Yrotation",
                                     "Xrotation Yrotation Zrotation");
   const auto back = moved.check().bvh(text);
   ASSERT_FALSE(back);
@@ -77,7 +77,7 @@ TEST(ReadBack, ChannelsInAnotherOrderAreFound) {
 
 TEST(ReadBack, AHandThatIsATenthOfAMillimetreOffIsFound) {
   const Moved moved = of_bvh();
-  BvhFile file = parse_bvh_file(moved.file(ExportFormat::bvh), "x.bvh").value();
+  BvhFile file = parse_bvh_file(moved.file(FileFormat::bvh), "x.bvh").value();
   const int hand = file.motion.skeleton.find("right_hand");
   const std::size_t nodes = file.motion.skeleton.nodes.size();
   // in one frame of the middle alone
@@ -95,7 +95,7 @@ TEST(ReadBack, AHandThatIsATenthOfAMillimetreOffIsFound) {
 
 TEST(ReadBack, AFootThatTiltsIsFound) {
   const Moved moved = of_bvh();
-  SkeletonMotion motion = parse_bvh(moved.file(ExportFormat::bvh), "x.bvh").value();
+  SkeletonMotion motion = parse_bvh(moved.file(FileFormat::bvh), "x.bvh").value();
   const int foot = motion.skeleton.find("left_foot");
   const std::size_t nodes = motion.skeleton.nodes.size();
   for (LocalTransform& local : motion.clip.local) local.translation = local.translation * 0.01;
@@ -109,7 +109,7 @@ TEST(ReadBack, AFootThatTiltsIsFound) {
 
 TEST(ReadBack, AFileOfAnotherRateOrOtherNodesIsFound) {
   const Moved moved = of_bvh();
-  const std::string text = moved.file(ExportFormat::bvh);
+  const std::string text = moved.file(FileFormat::bvh);
   const std::string slower = replaced(text, "Frame Time: 0.0333", "Frame Time: 0.0334");
   EXPECT_THAT(moved.check().bvh(slower).error().message, HasSubstr("frames of 0.0334"));
   EXPECT_THAT(moved.check().bvh(person_bvh()).error().message, HasSubstr("it has 3 frames"));
@@ -121,7 +121,7 @@ TEST(ReadBack, AFileOfAnotherRateOrOtherNodesIsFound) {
 // more than a float's digits is found.
 TEST(ReadBack, WrongNumbersOfAGlbAreFound) {
   const Moved moved = of_gltf();
-  const std::string good = moved.file(ExportFormat::glb);
+  const std::string good = moved.file(FileFormat::glb);
   int found = 0;
   int tried = 0;
   for (std::size_t at = good.size() - 1; at > good.size() / 2; at -= 396) {

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "document/task_samples.hpp"
+#include "shigusa/body/posture_modes.hpp"
 #include "shigusa/document/export.hpp"
+#include "shigusa/layers/assignment.hpp"
 #include "support/person_file.hpp"
 #include "support/work_folder.hpp"
 
@@ -96,7 +98,7 @@ TEST(ResultFile, NamesOfFilesLeadNowhereElse) {
 TEST(ResultFile, TaskAndParametersAreReadBackBitForBit) {
   const StoredResult stored = parse_result(sample().text(), "summary.json").value();
   EXPECT_EQ(bits(stored.task), bits(sample().file));
-  EXPECT_EQ(words(stored.task), words(sample().file));
+  EXPECT_EQ(words(stored.task.character), words(sample().file.character));
   ASSERT_EQ(stored.candidates.size(), sample().generation.candidates.size());
   for (std::size_t i = 0; i < stored.candidates.size(); ++i) {
     EXPECT_EQ(stored.candidates[i], sample().generation.candidates[i].parameters);
@@ -237,7 +239,7 @@ TEST(AssignParameter, FollowsItsTable) {
     Parameters parameters = uniform_parameters(body);
     Parameters expected = parameters;
     for (const int d : row.changed) expected.joints[static_cast<std::size_t>(d)] = row.now;
-    const Result<void> assigned = assign_parameter(body, row.text, parameters);
+    const Result<void> assigned = assign_parameter(whole_body_plan(body), row.text, parameters);
     EXPECT_EQ(assigned.has_value(), row.wrong == nullptr) << row.text;
     if (!assigned && row.wrong) {
       EXPECT_THAT(assigned.error().message, HasSubstr(row.wrong)) << row.text;
@@ -250,24 +252,25 @@ TEST(AssignParameter, OfALaterPhaseBeginsItAsTheFirst) {
   const BodyModel body = full_body();
   const auto knee = static_cast<std::size_t>(*body.find_dof("right_knee.flexion"));
   Parameters parameters = uniform_parameters(body);
-  ASSERT_TRUE(assign_parameter(body, "right_knee.weight=2", parameters));
-  ASSERT_TRUE(assign_parameter(body, "squat_deg=60", parameters));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "right_knee.weight=2", parameters));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "squat_deg=60", parameters));
   EXPECT_FALSE(parameters.later.has_value());
   const Parameters one = parameters;
-  ASSERT_TRUE(assign_parameter(body, "switch=0.6", parameters));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "switch=0.6", parameters));
   EXPECT_EQ(*parameters.later, (LaterPhase{0.6, one.joints, one.posture.modes}));
-  ASSERT_TRUE(assign_parameter(body, "later.right_knee.weight=3", parameters));
-  ASSERT_TRUE(assign_parameter(body, "later.squat_deg=30", parameters));
-  ASSERT_TRUE(assign_parameter(body, "later.left_knee.flexion.locked=true", parameters));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "later.right_knee.weight=3", parameters));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "later.squat_deg=30", parameters));
+  ASSERT_TRUE(
+      assign_parameter(whole_body_plan(body), "later.left_knee.flexion.locked=true", parameters));
   EXPECT_EQ(parameters.joints, one.joints);
   EXPECT_EQ(parameters.posture, one.posture);
   EXPECT_EQ(parameters.later->joints[knee], (JointWeight{3.0, false}));
-  EXPECT_EQ(posture_members(body, parameters.posture)[0].name, "squat");
+  EXPECT_EQ(posture_modes(body)[0].name, "squat");
   EXPECT_EQ(parameters.later->modes[0], radians(30.0));
-  ASSERT_TRUE(assign_parameter(body, "squat_deg=40", parameters));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "squat_deg=40", parameters));
   EXPECT_EQ(parameters.later->modes[0], radians(30.0));
   Parameters weights_alone = uniform_parameters(body);
-  ASSERT_TRUE(assign_parameter(body, "later.right_knee.weight=3", weights_alone));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "later.right_knee.weight=3", weights_alone));
   EXPECT_TRUE(weights_alone.posture.modes.empty());
 }
 
@@ -292,7 +295,7 @@ TEST(AssignParameter, OfALaterPhaseNamesWhatIsWrong) {
   };
   for (const auto& row : table) {
     Parameters parameters = uniform_parameters(body);
-    const Result<void> assigned = assign_parameter(body, row.text, parameters);
+    const Result<void> assigned = assign_parameter(whole_body_plan(body), row.text, parameters);
     ASSERT_FALSE(assigned) << row.text;
     EXPECT_THAT(assigned.error().message, HasSubstr(row.wrong)) << row.text;
     EXPECT_EQ(parameters, uniform_parameters(body)) << row.text;
@@ -302,8 +305,8 @@ TEST(AssignParameter, OfALaterPhaseNamesWhatIsWrong) {
 TEST(AssignParameter, WeightFreesALockedFreedom) {
   const BodyModel body = half_body();
   Parameters parameters = uniform_parameters(body);
-  ASSERT_TRUE(assign_parameter(body, "right_knee.locked=true", parameters));
-  ASSERT_TRUE(assign_parameter(body, "right_knee.weight=4", parameters));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "right_knee.locked=true", parameters));
+  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "right_knee.weight=4", parameters));
   const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
   EXPECT_EQ(parameters.joints[knee], (JointWeight{4.0, false}));
 }

@@ -14,11 +14,11 @@ namespace {
 using namespace testing_support;
 using Json = nlohmann::json;
 
-const SchemaCheck& task_schema() {
+const SchemaCheck& task_judge() {
   static const SchemaCheck schema = SchemaCheck::in_docs("task.schema.json");
   return schema;
 }
-const SchemaCheck& result_schema() {
+const SchemaCheck& result_judge() {
   static const SchemaCheck schema = SchemaCheck::in_docs("result.schema.json");
   return schema;
 }
@@ -47,8 +47,14 @@ TaskFile file_with(const Vec3d& goal, const char* body = "half_body") {
   return file;
 }
 
+TEST(TaskSchema, IsWrittenFromTheTableOfFields) {
+  EXPECT_EQ(task_schema(),
+            read_text_file(SHIGUSA_SOURCE_DIR "/docs/task.schema.json", 1 << 20).value())
+      << "scripts/make_schema writes it";
+}
+
 RC_GTEST_PROP(TaskSchema, TakesEveryTaskThatIsWritten, ()) {
-  const std::string wrong = task_schema().judge(Json::parse(format_task(any_task())));
+  const std::string wrong = task_judge().judge(Json::parse(format_task(any_task())));
   if (!wrong.empty()) RC_FAIL(wrong);
 }
 
@@ -57,24 +63,24 @@ TEST(TaskSchema, TakesTheExamples) {
        std::filesystem::directory_iterator(SHIGUSA_SOURCE_DIR "/examples/tasks")) {
     if (entry.path().extension() != ".json") continue;
     const std::string text = read_text_file(entry.path(), 1 << 20).value();
-    EXPECT_EQ(task_schema().judge(Json::parse(text)), "") << entry.path();
+    EXPECT_EQ(task_judge().judge(Json::parse(text)), "") << entry.path();
   }
 }
 
 TEST(ResultSchema, TakesResultsOfSearchesAndEdits) {
   const Vec3d near{-0.2, 1.1, 0.4};
-  EXPECT_EQ(result_schema().judge(result_of(file_with(near))), "");
-  EXPECT_EQ(result_schema().judge(result_of(file_with(near, "full_body"), true)), "");
-  EXPECT_EQ(result_schema().judge(result_of(file_with({0, 5, 0}))), "") << "out of reach";
+  EXPECT_EQ(result_judge().judge(result_of(file_with(near))), "");
+  EXPECT_EQ(result_judge().judge(result_of(file_with(near, "full_body"), true)), "");
+  EXPECT_EQ(result_judge().judge(result_of(file_with({0, 5, 0}))), "") << "out of reach";
   TaskFile two_phases = file_with(near);
   two_phases.phases = 2;
-  EXPECT_EQ(result_schema().judge(result_of(two_phases)), "");
+  EXPECT_EQ(result_judge().judge(result_of(two_phases)), "");
   TaskFile person = file_with(near);
   person.character.source = "walk.bvh";
   person.character.stature = 1.6;
   person.character.landmarks = asymmetric_person();
   person.character.doubts = {"a guess"};
-  EXPECT_EQ(result_schema().judge(result_of(person)), "");
+  EXPECT_EQ(result_judge().judge(result_of(person)), "");
 }
 
 // Every value of a JSON tree, by its place.
@@ -126,7 +132,7 @@ TEST(TaskSchema, RefusesWhatTheReaderRefuses) {
   int refused = 0;
   for (const Json& json : broken(Json::parse(format_task(file)))) {
     const Result<TaskFile> task = parse_task(json.dump(), "task.json");
-    const bool taken = task_schema().judge(json).empty();
+    const bool taken = task_judge().judge(json).empty();
     // what no schema of this kind can say: which names there are
     const bool by_name =
         !task && task.error().message.find("unknown character") != std::string::npos;
@@ -144,7 +150,7 @@ TEST(ResultSchema, RefusesBrokenResults) {
     for (const Json& value : {Json(nullptr), Json(true)}) {
       Json json = good;
       json[place] = value;
-      EXPECT_NE(result_schema().judge(json), "") << place << ' ' << value;
+      EXPECT_NE(result_judge().judge(json), "") << place << ' ' << value;
     }
   }
 }

@@ -25,7 +25,7 @@ inline Vec3d any_point(double range) {
   return {any_number(-range, range), any_number(-range, range), any_number(-range, range)};
 }
 
-// Without -0: a box of no size is left out of files.
+// Without -0, as loads are: a box of no size is left out of files.
 inline Vec3d any_tolerance() {
   return {any_number(0.0, 10.0) + 0.0, any_number(0.0, 10.0) + 0.0, any_number(0.0, 10.0) + 0.0};
 }
@@ -56,103 +56,139 @@ inline CharacterSpec any_character() {
   return spec;
 }
 
-inline TaskFile any_task() {
-  TaskFile task;
-  task.preset = kPresets[*rc::gen::inRange<std::size_t>(0, kPresets.size())].preset;
-  task.layer_reading =
-      *rc::gen::element(LayerReading::shared_contractions, LayerReading::contraction_a_limb);
-  task.character = any_character();
-  for (const char* name : {"right_hand", "left_hand", "", "目"}) {
-    if (*rc::gen::arbitrary<bool>()) task.goals.push_back({name, any_point(kGoalRange)});
+inline Goal any_goal(const char* effector) {
+  Goal goal{effector, any_point(kGoalRange)};
+  if (*rc::gen::arbitrary<bool>()) goal.load = any_number(0.0, kLoadMax) + 0.0;
+  if (*rc::gen::arbitrary<bool>()) goal.tolerance = any_tolerance();
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0:
+      goal.rotation = Quatd{0.6, -0.0, 0.0, -0.8};
+      break;
+    case 1:
+      goal.axis = GoalAxis{any_point(kGoalRange), any_point(kGoalRange)};
+      break;
+    default:
+      break;
   }
-  for (Goal& goal : task.goals) {
-    if (*rc::gen::arbitrary<bool>()) goal.load = any_number(0.0, 500.0);
-    if (*rc::gen::arbitrary<bool>()) goal.tolerance = any_tolerance();
-    switch (*rc::gen::inRange(0, 3)) {
-      case 0:
-        goal.rotation = Quatd{0.6, -0.0, 0.0, -0.8};
-        break;
-      case 1:
-        goal.axis = GoalAxis{any_point(kGoalRange), any_point(kGoalRange)};
-        break;
-      default:
-        break;
-    }
+  return goal;
+}
+
+// Any value of a plain field, within its bounds.
+template <class Traits, class Value>
+void any_value(const Traits& traits, Value& into) {
+  if constexpr (requires { into.emplace(); }) {
+    if (*rc::gen::arbitrary<bool>()) any_value(traits, into.emplace());
+  } else if constexpr (std::same_as<Value, bool>) {
+    into = *rc::gen::arbitrary<bool>();
+  } else if constexpr (std::integral<Value>) {
+    const std::uint64_t range = traits.high - traits.low + 1;  // 0: all there are
+    const auto any = *rc::gen::arbitrary<std::uint64_t>();
+    const std::uint64_t inside = traits.low + (range == 0 ? any : any % range);
+    into = static_cast<Value>(*rc::gen::element(traits.low, inside, traits.high));
+  } else if constexpr (std::is_enum_v<Value>) {
+    const auto& words = kEnumWords<Value>;
+    into = words[*rc::gen::inRange<std::size_t>(0, words.size())].value;
+  } else if constexpr (std::same_as<Value, double>) {
+    into = any_number(traits.low, traits.high);
+  } else if constexpr (std::same_as<Value, Vec3d>) {
+    for (int k = 0; k < 3; ++k) into[k] = any_number(traits.low, traits.high);
+  } else {
+    static_assert(std::same_as<Value, std::vector<std::string>>);
+    if (*rc::gen::arbitrary<bool>()) into = {"squat_deg=60", "目", ""};
   }
-  if (*rc::gen::arbitrary<bool>()) task.look_at = any_point(kGoalRange);
-  if (*rc::gen::arbitrary<bool>()) task.contacts = {"right_foot", "", "目"};
-  if (*rc::gen::arbitrary<bool>()) task.duration = any_number(0.05, 60.0);
+}
+
+inline void any_value(const FieldTraits<Request, std::vector<Goal>>&, std::vector<Goal>& goals) {
+  for (const char* effector : {"right_hand", "left_hand", "", "目"}) {
+    if (*rc::gen::arbitrary<bool>()) goals.push_back(any_goal(effector));
+  }
+}
+
+inline void any_value(const FieldTraits<Request, std::vector<Obstacle>>&,
+                      std::vector<Obstacle>& obstacles) {
+  if (!*rc::gen::arbitrary<bool>()) return;
+  obstacles = {{"目", any_point(kGoalRange), {0.6, -0.0, 0.0, -0.8}, any_tolerance(), 0.5}};
+}
+
+inline void any_value(const FieldTraits<Request, CriteriaSettings>&, CriteriaSettings& criteria) {
   for_each_criterion([&](const auto& criterion) {
-    criterion.weight(task.criteria) = any_number(0.0, 1e6);
-    criterion.scale(task.criteria) = any_number(1e-9, 1e6);
+    criterion.weight(criteria) = any_number(0.0, 1e6);
+    criterion.scale(criteria) = any_number(1e-9, 1e6);
   });
   // not all may be 0
-  task.criteria.torque_weight = any_number(1e-3, 1e6);
-  task.seed =
-      *rc::gen::element<std::uint64_t>(0, 1, UINT64_MAX, *rc::gen::arbitrary<std::uint64_t>());
-  task.candidates = *rc::gen::inRange(1, 1001);
-  if (*rc::gen::arbitrary<bool>()) task.fixed = {"squat_deg=60", "目", ""};
-  task.pareto = *rc::gen::arbitrary<bool>();
-  if (*rc::gen::arbitrary<bool>()) task.generator = MotionGenerator::nlp_ik;
-  task.phases = *rc::gen::inRange(1, kPhasesMax + 1);
-  if (*rc::gen::arbitrary<bool>()) task.evaluations = *rc::gen::inRange(8, 1'000'000'001);
+  criteria.torque_weight = any_number(1e-3, 1e6);
+}
+
+inline TaskFile any_task() {
+  TaskFile task;
+  task.character = any_character();
+  for_each_field<Request>([&](const auto& field) { any_value(field.traits, task.*field.member); });
   return task;
 }
 
-// All numbers of a task as bits; -0 is not 0 here.
+// All that a request says, as bits; -0 is not 0 here.
+class Bits {
+ public:
+  explicit Bits(const Request& request) { add(request); }
+  [[nodiscard]] const std::vector<std::uint64_t>& all() const { return all_; }
+
+ private:
+  template <class Value>
+  void add(const Value& value) {
+    if constexpr (Tabled<Value>) {
+      for_each_field<Value>([&](const auto& field) { add(value.*field.member); });
+    } else {
+      all_.push_back(static_cast<std::uint64_t>(value));
+    }
+  }
+  void add(const double& x) { all_.push_back(std::bit_cast<std::uint64_t>(x)); }
+  void add(const Vec3d& p) { add(p.x), add(p.y), add(p.z); }
+  void add(const Quatd& q) { add(q.x), add(q.y), add(q.z), add(q.w); }
+  void add(const std::string& text) { add(std::vector<char>(text.begin(), text.end())); }
+  void add(const CriteriaSettings& criteria) {
+    for_each_criterion([&](const auto& criterion) {
+      add(criterion.weight(criteria));
+      add(criterion.scale(criteria));
+    });
+  }
+  template <class Item>
+  void add(const std::vector<Item>& list) {
+    add(list.size());
+    for (const Item& item : list) add(item);
+  }
+  template <class Value>
+  void add(const std::optional<Value>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+
+  std::vector<std::uint64_t> all_;
+};
+
+// All numbers of a character and all that is asked of it, as bits.
 inline std::vector<std::uint64_t> bits(const TaskFile& task) {
-  std::vector<std::uint64_t> all;
+  std::vector<std::uint64_t> all = Bits(task).all();
   const auto add = [&all](double x) { all.push_back(std::bit_cast<std::uint64_t>(x)); };
-  const auto add_point = [&add](const Vec3d& p) { add(p.x), add(p.y), add(p.z); };
   const CharacterSpec& c = task.character;
-  for (const auto& optional : {c.stature, c.mass, c.seat, task.duration}) {
+  for (const auto& optional : {c.stature, c.mass, c.seat}) {
     all.push_back(optional.has_value());
     add(optional.value_or(0.0));
   }
   all.insert(all.end(),
              {static_cast<std::uint64_t>(c.sex),
               static_cast<std::uint64_t>(c.extent.value_or(BodyExtent::half)),
-              static_cast<std::uint64_t>(c.frame.value_or(-2)), c.landmarks.has_value(), task.seed,
-              task.pareto, static_cast<std::uint64_t>(task.generator),
-              static_cast<std::uint64_t>(task.phases), static_cast<std::uint64_t>(task.candidates),
-              static_cast<std::uint64_t>(task.evaluations.value_or(-1))});
-  if (c.landmarks) {
-    Landmarks person = *c.landmarks;
-    for (const Vec3d* point : all_points(person)) add_point(*point);
-  }
-  for (const Goal& goal : task.goals) {
-    add_point(goal.position);
-    add_point(goal.tolerance);
-    all.push_back(goal.rotation.has_value());
-    all.push_back(goal.axis.has_value());
-    const Quatd q = goal.rotation.value_or(Quatd{});
-    for (const double part : {q.x, q.y, q.z, q.w}) add(part);
-    const GoalAxis axis = goal.axis.value_or(GoalAxis{});
-    add_point(axis.axis);
-    add_point(axis.direction);
-  }
-  all.push_back(task.look_at.has_value());
-  add_point(task.look_at.value_or(Vec3d{}));
-  for_each_criterion([&](const auto& criterion) {
-    add(criterion.weight(task.criteria));
-    add(criterion.scale(task.criteria));
-  });
+              static_cast<std::uint64_t>(c.frame.value_or(-2)), c.heels, c.landmarks.has_value()});
+  if (!c.landmarks) return all;
+  Landmarks person = *c.landmarks;
+  for (const Vec3d* point : all_points(person)) add(point->x), add(point->y), add(point->z);
   return all;
 }
 
-// All words of a task.
-inline std::vector<std::string> words(const TaskFile& task) {
-  std::vector<std::string> all{task.character.source, std::string(word_of(task.preset)),
-                               std::string(word_of(task.layer_reading))};
-  all.insert(all.end(), task.character.doubts.begin(), task.character.doubts.end());
-  all.push_back(task.character.animation.value_or("none"));
-  for (const auto& [bone, node] : task.character.map) all.insert(all.end(), {bone, node});
-  for (const Goal& goal : task.goals) all.push_back(goal.effector);
-  all.insert(all.end(), task.fixed.begin(), task.fixed.end());
-  if (task.contacts) {
-    all.emplace_back("contacts");
-    all.insert(all.end(), task.contacts->begin(), task.contacts->end());
-  }
+// All words of a character.
+inline std::vector<std::string> words(const CharacterSpec& character) {
+  std::vector<std::string> all{character.source, character.animation.value_or("none")};
+  all.insert(all.end(), character.doubts.begin(), character.doubts.end());
+  for (const auto& [bone, node] : character.map) all.insert(all.end(), {bone, node});
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include <shigusa/generate/generator.hpp>
 #include <shigusa/kinematics/skeleton_motion.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/task/plan_of.hpp>
 
 #include "support/exported.hpp"
 
@@ -58,9 +59,9 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
   EXPECT_EQ(other.goals[0].position, (Vec3d{0.25, 0.5, 0.45}));
   const Task image = make_task(other, {}).value();
   const Candidate& best = generation.candidates.front();
-  const Generation again =
-      best.layered ? regenerate(image, mirrored(image, *best.layered).value()).value()
-                   : regenerate(image, mirrored(task.body, image.body, best.parameters)).value();
+  const Parameters across =
+      mirrored(plan_of(task).value(), plan_of(image).value(), best.parameters);
+  const Generation again = regenerate(image, across).value();
   EXPECT_TRUE(again.meets_goals());
   EXPECT_LE(again.candidates[0].goals[0].error, kReachTolerance);
   expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
@@ -78,12 +79,13 @@ TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {
   TaskFile other = mirrored(file).value();
   EXPECT_EQ(other.phases, 2);
   const Task image = make_task(other, {}).value();
-  const Parameters across = mirrored(task.body, image.body, best.parameters);
+  const Parameters across =
+      mirrored(plan_of(task).value(), plan_of(image).value(), best.parameters);
   const auto right = static_cast<std::size_t>(*task.body.find_dof("right_elbow.flexion"));
   const auto left = static_cast<std::size_t>(*task.body.find_dof("left_elbow.flexion"));
   EXPECT_EQ(across.later->joints[left], best.parameters.later->joints[right]);
   EXPECT_EQ(across.later->switch_at, best.parameters.later->switch_at);
-  EXPECT_EQ(mirrored(image.body, task.body, across), best.parameters);
+  EXPECT_EQ(mirrored(plan_of(image).value(), plan_of(task).value(), across), best.parameters);
   const Generation again = regenerate(image, across).value();
   expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
 }
@@ -126,7 +128,7 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
   EXPECT_TRUE(mirrored.meets_goals());
   for (const Candidate& candidate : mirrored.candidates) {
     const std::string bvh =
-        export_candidate(stored.task.character, image, candidate, ExportFormat::bvh).value();
+        export_candidate(stored.task.character, image, candidate, FileFormat::bvh).value();
     const testing_support::ExportedMotion motion(bvh, 0.01);
     const int hand = rig_node(stored.task.character, candidate.goals[0].node);
     const std::string& node =
@@ -142,11 +144,11 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
 
 TEST(Mirror, TwiceIsTheTaskAgain) {
   TaskFile file = asked(Preset::flat);
-  file.fixed = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1",
-                "squat_deg=40",         "nothing",      "later.right_elbow.locked=true",
-                "later.twist_deg=5",    "switch=0.3"};
+  file.fixed_assignments = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1",
+                            "squat_deg=40",         "nothing",      "later.right_elbow.locked=true",
+                            "later.twist_deg=5",    "switch=0.3"};
   const TaskFile once = mirrored(file).value();
-  EXPECT_THAT(once.fixed,
+  EXPECT_THAT(once.fixed_assignments,
               testing::ElementsAre("left_elbow.weight=3", "twist_deg=-20", "twist_rad=0.1",
                                    "squat_deg=40", "nothing", "later.left_elbow.locked=true",
                                    "later.twist_deg=-5", "switch=0.3"));

@@ -20,7 +20,7 @@ constexpr int kStarts = 20;
 
 // (m) what closest_reach leaves to a goal, within the limits
 double library_distance(const BodyModel& body, const Vec3d& goal) {
-  Task task{.body = body};
+  Task task(body);
   task.goals = {{"right_hand", goal}};
   return closest_reach(make_problem(task).value()).distance;
 }

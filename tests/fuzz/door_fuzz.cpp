@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -76,13 +77,27 @@ bool is_quick(const Json& task) {
          !task.contains("generator");
 }
 
+// The formats that a motion can leave in, but for the figures by cairo, which take long.
+const std::vector<std::string>& written_formats() {
+  static const std::vector<std::string> formats = [] {
+    std::vector<std::string> names;
+    const Json facts = Json::parse(text_of(shigusa_facts));
+    for (const Json& format : facts.at("formats")) {
+      const std::string name = format.at("name");
+      if (format.at("written") && name != "png" && name != "pdf") names.push_back(name);
+    }
+    return names;
+  }();
+  return formats;
+}
+
 // All that may be asked of a result.
 void look_through(const shigusa_character* character, const shigusa_result* result) {
   const std::string summary = text_of(shigusa_result_describe, result);
   require(!summary.empty());
   for (int32_t k = 1; k <= shigusa_result_candidates(result); ++k) {
-    for (const char* format : {"bvh", "csv", "svg", "glb"}) {
-      (void)text_of(shigusa_result_export, result, k, format);
+    for (const std::string& format : written_formats()) {
+      (void)text_of(shigusa_result_export, result, k, format.c_str());
     }
     require(!text_of(shigusa_result_parameters, result, k).empty());
     for (shigusa_series series = SHIGUSA_TIME; series <= SHIGUSA_NODE_ROTATIONS; ++series) {

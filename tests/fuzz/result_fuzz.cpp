@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <shigusa/document/result_file.hpp>
-#include <shigusa/generate/layered_problem.hpp>
-#include <shigusa/layers/layered_parameters.hpp>
+#include <shigusa/layers/assignment.hpp>
+#include <shigusa/task/plan_of.hpp>
 #include <string>
 #include <string_view>
 
@@ -17,18 +17,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!result) return 0;
   const auto task = make_task(result->task, {});
   if (!task) return 0;
+  const auto plan = plan_of(*task);
+  if (!plan) std::abort();
   for (Parameters& parameters : result->candidates) {
-    if (parameters.joints.size() != task->body.dofs().size()) std::abort();
-    if (!assign_parameter(task->body, "right_elbow.weight=2", parameters)) std::abort();
-    if (!assign_parameter(task->body, "later.right_elbow.weight=2", parameters)) std::abort();
-  }
-  if (result->layered.empty()) return 0;
-  const auto layers = layers_to_goals(*task);
-  if (!layers) std::abort();
-  for (LayeredParameters& parameters : result->layered) {
-    if (!check_layered(*layers, parameters)) std::abort();
-    const std::string first = layers->front().genes.front().name;
-    if (!assign_parameter(*layers, first + ".weight=2", parameters)) std::abort();
+    if (!check_parameters(*plan, parameters)) std::abort();
+    const std::string first = plan->front().parameters.front().name;
+    if (!assign_parameter(*plan, first + ".weight=2", parameters)) std::abort();
+    const bool later =
+        assign_parameter(*plan, "later." + first + ".weight=2", parameters).has_value();
+    if (later != moves_whole_body(*plan)) std::abort();
   }
   return 0;
 }

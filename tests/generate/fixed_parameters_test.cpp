@@ -5,8 +5,11 @@
 #include <cmath>
 #include <shigusa/document/result_file.hpp>
 #include <shigusa/generate/parameter_space.hpp>
+#include <shigusa/layers/assignment.hpp>
 #include <shigusa/shigusa.hpp>
 #include <shigusa/task/make_problem.hpp>
+
+#include "support/named_values.hpp"
 
 namespace shigusa {
 namespace {
@@ -14,20 +17,13 @@ namespace {
 const Vec3d kAtTheFeet{-0.05, 0.1, 0.3};
 
 Task fixed_task(Preset preset, const std::vector<const char*>& assignments) {
-  Task task = with_preset({.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}}, preset);
+  Task task = with_preset(Task(full_body(), {.goals = {{"right_hand", kAtTheFeet}}}), preset);
   task.evaluations = 600;
   task.fixed = no_fixed_parameters(task.body);
   for (const char* assignment : assignments) {
-    EXPECT_TRUE(fix_parameter(task.body, assignment, *task.fixed)) << assignment;
+    EXPECT_TRUE(fix_parameter(whole_body_plan(task.body), assignment, *task.fixed)) << assignment;
   }
   return task;
-}
-
-double posture_value(const BodyModel& body, Parameters parameters, const std::string& name) {
-  for (const PostureMember& member : posture_members(body, parameters.posture)) {
-    if (member.name == name) return *member.value;
-  }
-  return std::nan("");
 }
 
 class Fixed : public testing::TestWithParam<Preset> {};
@@ -46,8 +42,11 @@ TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
       EXPECT_EQ(candidate.parameters.joints[dof(name)], (JointWeight{7.0, false})) << name;
     }
     EXPECT_TRUE(candidate.parameters.joints[dof("left_knee.flexion")].locked);
-    EXPECT_EQ(posture_value(task.body, candidate.parameters, "twist"), radians(10.0));
-    EXPECT_EQ(posture_value(task.body, candidate.parameters, "bow"), 0.05);
+    EXPECT_EQ(
+        testing_support::named_value(whole_body_plan(task.body), candidate.parameters, "twist"),
+        radians(10.0));
+    EXPECT_EQ(testing_support::named_value(whole_body_plan(task.body), candidate.parameters, "bow"),
+              0.05);
     // a locked joint keeps its start angle
     const Clip& clip = candidate.motion.clip;
     const std::size_t knee = dof("left_knee.flexion");
@@ -95,8 +94,7 @@ TEST(FixedParameters, AreNoCoordinatesOfTheSearch) {
 
 TEST(FixedParameters, AllOfThemLeaveNothingToSearch) {
   Task task = fixed_task(Preset::flat, {});
-  task.fixed->joints.assign(task.fixed->joints.size(), true);
-  task.fixed->posture.assign(task.fixed->posture.size(), true);
+  task.fixed->set.assign(task.fixed->set.size(), true);
   const Result<Generation> generation = generate(task);
   ASSERT_FALSE(generation);
   EXPECT_THAT(generation.error().message, testing::HasSubstr("every parameter is fixed"));
@@ -107,7 +105,7 @@ TEST(FixedParameters, OfAnotherBodyAreRefused) {
   task.fixed = no_fixed_parameters(half_body());
   EXPECT_FALSE(generate(task));
   task.fixed = no_fixed_parameters(task.body);
-  task.fixed->posture.pop_back();
+  task.fixed->set.pop_back();
   EXPECT_FALSE(generate(task));
 }
 

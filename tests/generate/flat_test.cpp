@@ -22,7 +22,7 @@ using testing::Not;
 constexpr Vec3d kAtTheFeet{-0.15, 0.05, 0.45};
 
 Task flat_task(const BodyModel& body, const Vec3d& goal) {
-  return {.body = body, .goals = {{"right_hand", goal}}};
+  return Task(body, {.goals = {{"right_hand", goal}}});
 }
 
 TEST(ParameterSpace, StartsAtThePlainMotion) {
@@ -194,7 +194,7 @@ TEST(FlatSearch, SaysWhyThereAreFewerCandidates) {
 
 TEST(FlatSearch, BeatsThePapersAlgorithmByThePapersOwnCriteria) {
   Task paper =
-      with_preset({.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}}, Preset::paper);
+      with_preset(Task(full_body(), {.goals = {{"right_hand", kAtTheFeet}}}), Preset::paper);
   paper.evaluations = 3000;
   Task flat = flat_task(full_body(), kAtTheFeet);
   flat.criteria = paper_criteria();

@@ -53,7 +53,7 @@ Found free_motions(const BodyModel& body) {
   Random random(77);
   Found found;
   for (int k = 0; k < kGoals; ++k) {
-    Task task{.body = body};
+    Task task(body);
     task.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}};
     task.seed = random.next();
     task.evaluations = 400;

@@ -19,7 +19,7 @@ constexpr Vec3d kFrontLow{-0.15, 0.5, 0.5};
 constexpr Vec3d kOutOfReach{-1.5, 1.5, 1.2};
 
 Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) {
-  Task task = with_preset({.body = body, .goals = {{"right_hand", goal}}}, Preset::paper);
+  Task task = with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::paper);
   task.seed = seed;
   return task;
 }

@@ -11,6 +11,7 @@
 #include <shigusa/task/make_problem.hpp>
 
 #include "support/lanes.hpp"
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -24,7 +25,7 @@ constexpr double kFlatReach = 2.255;  // m, as high as flat feet reach at …
 constexpr Vec3d kAbove{-0.25, 0.0, 0.15};
 
 Task task_for(const Vec3d& goal, bool heels = true) {
-  Task task{.body = human_body({.heels = heels})};
+  Task task(human_body({.heels = heels}));
   task.goals = {{"right_hand", goal}};
   task.seed = 1;
   task.evaluations = 1500;
@@ -78,19 +79,13 @@ TEST(Heels, LiftForWhatFlatFeetDoNotReach) {
 TEST(Heels, LiftInASquatThatTheAnklesEndBefore) {
   Task task = task_for({-0.1, 0.3, 0.4});
   FixedParameters fixed = no_fixed_parameters(task.body);
-  std::vector<PostureMember> members = posture_members(task.body, fixed.values);
-  const auto fix = [&](const char* name, double value) {
-    for (std::size_t m = 0; m < members.size(); ++m) {
-      if (members[m].name != name) continue;
-      *members[m].value = value;
-      fixed.posture[m] = true;
-    }
-  };
+  const Plan plan = whole_body_plan(task.body);
   // with the hips not put back
-  fix("squat", radians(110.0));
-  fix("lean", 0.0);
-  for (std::size_t d = 0; d < fixed.joints.size(); ++d) {
-    fixed.joints[d] = task.body.dofs()[d].joint.ends_with("toes");
+  testing_support::fix_value(plan, "squat", radians(110.0), fixed);
+  testing_support::fix_value(plan, "lean", 0.0, fixed);
+  for (const Dof& dof : task.body.dofs()) {
+    if (!dof.joint.ends_with("toes")) continue;
+    testing_support::fix_value(plan, dof.name, 1.0, fixed);
   }
   task.fixed = fixed;
   const Candidate lifts = generate(task).value().candidates[0];

@@ -24,7 +24,7 @@ constexpr Vec3d kFront{-0.3, 1.2, 0.35};
 constexpr Vec3d kOutOfReach{-1.5, 1.5, 1.2};
 
 Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) {
-  Task task = with_preset({.body = body, .goals = {{"right_hand", goal}}}, Preset::layers);
+  Task task = with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::layers);
   task.seed = seed;
   return task;
 }
@@ -39,13 +39,14 @@ std::vector<double> numbers(const Generation& g) {
     for (const auto* part : {&c.motion.clip.angles, &c.motion.torques}) {
       all.insert(all.end(), part->begin(), part->end());
     }
-    for (const JointWeight& joint : c.layered->upper.joints) all.push_back(joint.weight);
-    for (const double contraction : c.layered->upper.contractions) all.push_back(contraction);
-    for (const ArmWeights& arm : c.layered->arms) {
+    for (const JointWeight& joint : c.parameters.joints) all.push_back(joint.weight);
+    for (const double contraction : c.parameters.contractions) all.push_back(contraction);
+    for (const ArmWeights& arm : c.parameters.arms) {
       for (const JointWeight& joint : arm)
         all.insert(all.end(), {joint.weight, double(joint.locked)});
     }
-    all.insert(all.end(), {c.score.total, c.path_error, c.collision, double(c.feedback_rounds)});
+    all.insert(all.end(), {c.score.total, c.path_error, c.arm_collision->depth,
+                           double(c.arm_collision->searches)});
   }
   return all;
 }
@@ -74,8 +75,8 @@ TEST(GenerateLayers, PeopleOfAllSizesAndShapesReach) {
 }
 
 TEST(GenerateLayers, EitherHandAndBothTogetherReach) {
-  Task task = with_preset({.body = full_body(), .goals = {{"left_hand", {0.3, 1.2, 0.35}}}},
-                          Preset::layers);
+  Task task =
+      with_preset(Task(full_body(), {.goals = {{"left_hand", {0.3, 1.2, 0.35}}}}), Preset::layers);
   expect_layers_kept(task, generated(task));
   task.goals.push_back({"right_hand", {-0.2, 1.1, 0.4}});
   expect_layers_kept(task, generated(task));
@@ -85,7 +86,7 @@ TEST(GenerateLayers, BothReadingsReach) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     Task task = task_for(body, kFront);
     const Generation shared = generated(task);
-    task.layers.reading = LayerReading::contraction_a_limb;
+    task.layer_reading = LayerReading::contraction_a_limb;
     const Generation each = generated(task);
     expect_layers_kept(task, each);
     EXPECT_NE(numbers(each), numbers(shared));
@@ -149,7 +150,7 @@ TEST(GenerateLayers, CandidatesAreRankedAndDiffer) {
   ASSERT_GE(candidates.size(), 2u);
   EXPECT_LE(candidates.size(), 4u);
   for (std::size_t i = 1; i < candidates.size(); ++i) {
-    if (candidates[i].collision_left == candidates[i - 1].collision_left) {
+    if (candidates[i].arm_collision->left == candidates[i - 1].arm_collision->left) {
       EXPECT_LE(candidates[i - 1].score.total, candidates[i].score.total);
     }
     EXPECT_NE(candidates[i].motion.clip.angles, candidates[i - 1].motion.clip.angles);
@@ -232,7 +233,7 @@ TEST(GenerateLayers, ClosestMotionsEndNearWhereTheBodyCould) {
       EXPECT_EQ(generation.status, ReachStatus::unreachable);
       EXPECT_LT(generation.remaining_distance, closest + kShort);
       for (const Candidate& candidate : generation.candidates) {
-        const auto again = regenerate(task, candidate.layered.value()).value();
+        const auto again = regenerate(task, candidate.parameters).value();
         EXPECT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
         EXPECT_EQ(again.status, ReachStatus::unreachable);
       }
@@ -252,8 +253,8 @@ TEST(GenerateLayers, WrongTasksAndBodiesAreErrors) {
   Task task = task_for(half_body(), kFront);
   task.goals[0].effector = "left_hand";
   EXPECT_EQ(generate(task).error().code, ErrorCode::not_found);
-  const Task rods = with_preset({.body = chain({{}, {}, {}}), .goals = {{"tip", {0.1, 1.0, 0.1}}}},
-                                Preset::layers);
+  const Task rods =
+      with_preset(Task(chain({{}, {}, {}}), {.goals = {{"tip", {0.1, 1.0, 0.1}}}}), Preset::layers);
   EXPECT_EQ(generate(rods).error().code, ErrorCode::unsupported);
 }
 
@@ -268,17 +269,21 @@ TEST(GenerateLayers, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
     const Generation without = generated(task);
     expect_layers_kept(task, with);
     for (const Candidate& candidate : without.candidates) {
-      EXPECT_EQ(candidate.collision_left, candidate.collision > kCollisionDepth);
-      EXPECT_EQ(candidate.feedback_rounds, 0);
+      EXPECT_EQ(candidate.arm_collision->left, candidate.arm_collision->depth > kCollisionDepth);
+      EXPECT_EQ(candidate.arm_collision->searches, 0);
       for (const Candidate& again : with.candidates) {
-        if (again.layered->upper != candidate.layered->upper) continue;
-        EXPECT_EQ(again.feedback_rounds > 0, again.layered->arms != candidate.layered->arms);
-        EXPECT_LE(again.feedback_rounds, kCollisionRounds);
-        if (!candidate.collision_left || again.collision_left) continue;
+        if (again.parameters.joints != candidate.parameters.joints ||
+            again.parameters.contractions != candidate.parameters.contractions) {
+          continue;
+        }
+        EXPECT_EQ(again.arm_collision->searches > 0,
+                  again.parameters.arms != candidate.parameters.arms);
+        EXPECT_LE(again.arm_collision->searches, kCollisionRounds);
+        if (!candidate.arm_collision->left || again.arm_collision->left) continue;
         ++taken_back;
-        EXPECT_LE(again.collision, kCollisionDepth);
+        EXPECT_LE(again.arm_collision->depth, kCollisionDepth);
         // measured apart from the search
-        EXPECT_EQ(again.collision,
+        EXPECT_EQ(again.arm_collision->depth,
                   collision_depth(task.body, again.motion.clip, task.body.effectors()[0]));
       }
     }
@@ -290,15 +295,15 @@ TEST(GenerateLayers, CollisionThatNoArmCanAvoidIsSaid) {
   // the hand's own way leads through the thigh
   const Generation generation = generated(task_for(half_body(), {0.1, 0.5, 0.15}));
   const Candidate& candidate = generation.candidates.front();
-  EXPECT_TRUE(candidate.collision_left);
-  EXPECT_GT(candidate.collision, kCollisionDepth);
+  EXPECT_TRUE(candidate.arm_collision->left);
+  EXPECT_GT(candidate.arm_collision->depth, kCollisionDepth);
 }
 
 TEST(RegenerateLayers, GivesTheCandidateAgain) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, kFront);
     for (const Candidate& candidate : generated(task).candidates) {
-      const Generation again = regenerate(task, candidate.layered.value()).value();
+      const Generation again = regenerate(task, candidate.parameters).value();
       ASSERT_EQ(again.candidates.size(), 1u);
       EXPECT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
       EXPECT_EQ(again.candidates[0].score.total, candidate.score.total);
@@ -310,12 +315,12 @@ TEST(RegenerateLayers, GivesTheCandidateAgain) {
 TEST(RegenerateLayers, MoreContractionOfTheLegsBendsTheKneesMore) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, {-0.1, 0.35, 0.4});
-    LayeredParameters parameters = generated(task).candidates[0].layered.value();
+    Parameters parameters = generated(task).candidates[0].parameters;
     const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
     double last = 0.0;
     for (const double contraction : {1.5, 3.0, 5.25}) {
       for (std::size_t i = 0; i < body.feet().size(); ++i) {
-        parameters.upper.contractions[i] = contraction;
+        parameters.contractions[i] = contraction;
       }
       const auto edited = regenerate(task, parameters).value();
       expect_layers_kept(task, edited);
@@ -329,15 +334,16 @@ TEST(RegenerateLayers, MoreContractionOfTheLegsBendsTheKneesMore) {
 
 TEST(RegenerateLayers, RefusesParametersOfAnotherBodyOrOutOfRange) {
   const Task task = task_for(half_body(), kFront);
-  const LayeredParameters good = generated(task).candidates[0].layered.value();
-  const auto message = [&](const LayeredParameters& parameters, const Task& of) {
+  const Parameters good = generated(task).candidates[0].parameters;
+  const auto message = [&](const Parameters& parameters, const Task& of) {
     const auto result = regenerate(of, parameters);
     return result ? "" : result.error().to_string();
   };
   EXPECT_EQ(message(good, task), "");
-  EXPECT_THAT(message(good, task_for(full_body(), kFront)), testing::HasSubstr("8 freedoms"));
-  LayeredParameters bad = good;
-  bad.upper.contractions[0] = 15.5;
+  EXPECT_THAT(message(good, task_for(full_body(), kFront)),
+              testing::HasSubstr("joint weights, for a plan of"));
+  Parameters bad = good;
+  bad.contractions[0] = 15.5;
   EXPECT_THAT(message(bad, task), testing::HasSubstr("contraction is 15.5"));
   bad = good;
   bad.arms[0][1].weight = 0.0;

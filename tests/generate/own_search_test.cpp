@@ -12,8 +12,7 @@ namespace shigusa {
 namespace {
 
 Task asked(Preset preset) {
-  Task task =
-      with_preset({.body = full_body(), .goals = {{"right_hand", {-0.2, 0.6, 0.5}}}}, preset);
+  Task task = with_preset(Task(full_body(), {.goals = {{"right_hand", {-0.2, 0.6, 0.5}}}}), preset);
   task.evaluations = 200;
   return task;
 }

@@ -10,7 +10,7 @@ namespace shigusa {
 namespace {
 
 Task pareto_task() {
-  Task task{.body = full_body(), .goals = {{"right_hand", {-0.05, 0.1, 0.3}}}};
+  Task task(full_body(), {.goals = {{"right_hand", {-0.05, 0.1, 0.3}}}});
   task.criteria = pareto_criteria();
   task.pareto = true;
   return task;
@@ -111,7 +111,7 @@ TEST(Pareto, IsOfThePresetFlatOnly) {
 }
 
 TEST(NlpGenerator, MotionsMeetTheGoalWithinLimits) {
-  Task task{.body = full_body(), .goals = {{"right_hand", {-0.05, 0.1, 0.3}}}};
+  Task task(full_body(), {.goals = {{"right_hand", {-0.05, 0.1, 0.3}}}});
   task.generator = MotionGenerator::nlp_ik;
   task.evaluations = 60;
   const Generation generation = generate(task).value();

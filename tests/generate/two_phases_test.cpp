@@ -8,10 +8,12 @@
 #include <shigusa/document/result_file.hpp>
 #include <shigusa/generate/generator.hpp>
 #include <shigusa/generate/parameter_space.hpp>
+#include <shigusa/layers/assignment.hpp>
 #include <shigusa/person/human_body.hpp>
 #include <shigusa/rollout/held_input.hpp>
 #include <shigusa/task/make_problem.hpp>
 
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -24,12 +26,12 @@ using testing::HasSubstr;
 constexpr Vec3d kAtTheFeet{-0.15, 0.05, 0.45};
 
 Task two_phases(const std::vector<const char*>& fixed = {}) {
-  Task task{.body = full_body(), .goals = {{"right_hand", kAtTheFeet}}};
+  Task task(full_body(), {.goals = {{"right_hand", kAtTheFeet}}});
   task.phases = 2;
   if (fixed.empty()) return task;
   task.fixed = no_fixed_parameters(task.body);
   for (const char* assignment : fixed) {
-    EXPECT_TRUE(fix_parameter(task.body, assignment, *task.fixed)) << assignment;
+    EXPECT_TRUE(fix_parameter(whole_body_plan(task.body), assignment, *task.fixed)) << assignment;
   }
   return task;
 }
@@ -116,11 +118,9 @@ TEST(TwoPhaseSpace, WhatIsFixedHoldsInBothUnlessTheLaterHasItsOwn) {
   EXPECT_EQ(p.later->switch_at, 0.3);
   const std::map<std::string, double> degrees_of{
       {"twist", 10.0}, {"later.twist", 5.0}, {"later.squat", 40.0}, {"later.lean", 20.0}};
-  Parameters named = p;
-  for (const PostureMember& member : posture_members(task.body, named)) {
-    const auto fixed = degrees_of.find(member.name);
-    if (fixed == degrees_of.end()) continue;
-    EXPECT_EQ(*member.value, radians(fixed->second)) << fixed->first;
+  const Plan plan = whole_body_plan(task.body);
+  for (const auto& [name, degree] : degrees_of) {
+    EXPECT_EQ(testing_support::named_value(plan, p, name), radians(degree)) << name;
   }
 }
 
@@ -192,14 +192,13 @@ TEST(TwoPhaseSearch, OfAnotherPresetOrNumberIsRefused) {
 
 TEST(TwoPhaseSearch, RefusesFixedParametersThatDoNotFit) {
   Task task = two_phases({"later.squat_deg=60"});
-  task.fixed->later_joints.pop_back();
+  task.fixed->set.pop_back();
   EXPECT_THAT(message(task), HasSubstr("of another body"));
   task = two_phases({"later.squat_deg=60"});
   task.phases = 1;
   EXPECT_THAT(message(task), HasSubstr("a later phase is fixed"));
   task = two_phases({"switch=0.4"});
-  task.fixed->joints.assign(task.fixed->joints.size(), true);
-  task.fixed->posture.assign(task.fixed->posture.size(), true);
+  task.fixed->set.assign(task.fixed->set.size(), true);
   EXPECT_THAT(message(task), HasSubstr("every parameter is fixed"));
 }
 

@@ -15,7 +15,7 @@ constexpr Vec3d kLowGoals[] = {
 
 Generation reached(const Vec3d& goal, double load, std::uint64_t seed,
                    std::optional<int> evaluations = {}) {
-  Task task{.body = human_body(), .goals = {{.position = goal, .load = load}}};
+  Task task(human_body(), {.goals = {{.position = goal, .load = load}}});
   task.seed = seed;
   task.evaluations = evaluations;
   return generate(task).value();
@@ -89,7 +89,7 @@ TEST(WholeHuman, SquatsBesideStoops) {
   int squats = 0;
   int stoops = 0;
   for (const Vec3d& goal : kLowGoals) {
-    Task task{.body = human_body(), .goals = {{.position = goal}}};
+    Task task(human_body(), {.goals = {{.position = goal}}});
     task.seed = 1;
     task.duration = 2.0;  // what ankles have the strength for to let a body down into a squat
     const Generation generation = generate(task).value();

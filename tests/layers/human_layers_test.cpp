@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <shigusa/layers/layered_parameters.hpp>
+#include <shigusa/layers/plan.hpp>
 
 #include "support/problems.hpp"
 
@@ -28,7 +28,7 @@ std::vector<std::string> names(const std::vector<Layer>& layers) {
 
 std::vector<std::string> genes(const Layer& layer) {
   std::vector<std::string> all;
-  for (const LayerGene& gene : layer.genes) all.push_back(gene.name);
+  for (const ParameterInfo& gene : layer.parameters) all.push_back(gene.name);
   return all;
 }
 
@@ -36,10 +36,10 @@ TEST(HumanLayers, AreTrunkThenSwivelsThenTheRest) {
   const auto layers = human_layers(full_body()).value();
   EXPECT_THAT(names(layers),
               ElementsAre("trunk_and_limb_lengths", "right_arm", "left_arm", "rest"));
-  EXPECT_EQ(layers[0].genes.size(), 14u);
+  EXPECT_EQ(layers[0].parameters.size(), 14u);
   EXPECT_THAT(genes(layers[1]), ElementsAre("right_arm.swivel"));
   EXPECT_THAT(genes(layers[2]), ElementsAre("left_arm.swivel"));
-  EXPECT_EQ(layers[3].genes.size(), 6u);
+  EXPECT_EQ(layers[3].parameters.size(), 6u);
   EXPECT_THAT(names(human_layers(half_body()).value()),
               ElementsAre("trunk_and_limb_lengths", "right_arm", "rest"));
 }
@@ -71,17 +71,17 @@ TEST(HumanLayersToGoals, LeaveToTheRestWhatNoGoalMoves) {
   const auto left = to_goals(full_body(), {"left_hand"});
   EXPECT_EQ(left[1].name, "left_arm");
   EXPECT_EQ(genes(left[2])[2], "right_elbow.flexion");
-  EXPECT_TRUE(to_goals(full_body(), {"left_hand", "right_hand"})[3].genes.empty());
+  EXPECT_TRUE(to_goals(full_body(), {"left_hand", "right_hand"})[3].parameters.empty());
   // half a body has no limb that is free
-  EXPECT_TRUE(to_goals(half_body(), {"right_hand"})[2].genes.empty());
+  EXPECT_TRUE(to_goals(half_body(), {"right_hand"})[2].parameters.empty());
 }
 
 TEST(HumanLayersToGoals, RangesHoldTheStartAndJointLimits) {
   for (const BodyModel& body :
        {full_body(), build_human(asymmetric_person(), {"crooked", BodyExtent::full, 1.6, 60.0})}) {
     const auto layers = to_goals(body, {"right_hand"});
-    ASSERT_EQ(layers[2].genes.size(), 3u);
-    for (const LayerGene& gene : layers[2].genes) {
+    ASSERT_EQ(layers[2].parameters.size(), 3u);
+    for (const ParameterInfo& gene : layers[2].parameters) {
       const int dof = body.find_dof(gene.name).value();
       const double start = body.start()[static_cast<std::size_t>(dof)];
       EXPECT_LT(gene.low, gene.high);
@@ -96,39 +96,38 @@ TEST(HumanLayersToGoals, RangesHoldTheStartAndJointLimits) {
 TEST(HumanMembers, AreWeightsContractionsSwivelsAndFinalAngles) {
   const BodyModel body = full_body();
   const auto layers = to_goals(body, {"right_hand"});
-  LayeredParameters parameters;
-  const auto members = layered_members(layers, parameters);
+  Parameters parameters = start_values(layers);
+  const auto members = parameters_of(layers, parameters);
   EXPECT_EQ(members.size(), 14u + 1u + 3u);
   EXPECT_TRUE(parameters.arms.empty());
   EXPECT_THAT(parameters.swivels, ElementsAre(0.0));
   ASSERT_EQ(parameters.finals.size(), 3u);
   const auto elbow = static_cast<std::size_t>(body.find_dof("left_elbow.flexion").value());
   EXPECT_EQ(parameters.finals[2], body.start()[elbow]);
-  EXPECT_EQ(members[14].angle, parameters.swivels.data());
-  EXPECT_EQ(members[17].angle, &parameters.finals[2]);
-  EXPECT_TRUE(check_layered(layers, parameters));
+  EXPECT_EQ(members[14].values[0], parameters.swivels.data());
+  EXPECT_EQ(members[17].values[0], &parameters.finals[2]);
+  EXPECT_TRUE(check_parameters(layers, parameters));
 }
 
 TEST(HumanMembers, OutOfRangeAreRefusedByName) {
   const auto layers = to_goals(full_body(), {"right_hand"});
-  LayeredParameters good;
-  (void)layered_members(layers, good);
-  const auto message = [&layers](const LayeredParameters& parameters) {
-    const auto checked = check_layered(layers, parameters);
+  Parameters good = start_values(layers);
+  const auto message = [&layers](const Parameters& parameters) {
+    const auto checked = check_parameters(layers, parameters);
     return checked ? "" : checked.error().to_string();
   };
-  LayeredParameters bad = good;
+  Parameters bad = good;
   bad.swivels[0] = 2.0;
-  EXPECT_THAT(message(bad), HasSubstr("right_arm.swivel: angle is 2 rad; allowed are -1.047"));
+  EXPECT_THAT(message(bad), HasSubstr("right_arm: swivel is 2; allowed are -1.047"));
   bad = good;
   bad.finals[2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(message(bad), HasSubstr("left_elbow.flexion: angle is nan"));
+  EXPECT_THAT(message(bad), HasSubstr("left_elbow.flexion: final is nan"));
   bad = good;
   bad.finals.pop_back();
-  EXPECT_THAT(message(bad), HasSubstr("1 swivels and 2 final angles, for layers of 1 and 3"));
+  EXPECT_THAT(message(bad), HasSubstr("2 final angles, for a plan of 3"));
   bad = good;
   bad.arms.resize(1);
-  EXPECT_THAT(message(bad), HasSubstr("1 arms, for layers of"));
+  EXPECT_THAT(message(bad), HasSubstr("1 arms, for a plan of"));
 }
 
 }  // namespace

@@ -17,24 +17,25 @@ Layer upper_layer(const BodyModel& body, LayerReading reading = LayerReading::sh
   return paper_layers(body, {}, reading).value()[0];
 }
 
-int count(const Layer& layer, LayerGeneKind kind) {
-  return static_cast<int>(std::count_if(layer.genes.begin(), layer.genes.end(),
-                                        [&](const LayerGene& gene) { return gene.kind == kind; }));
+int count(const Layer& layer, ParameterKind kind) {
+  return static_cast<int>(
+      std::count_if(layer.parameters.begin(), layer.parameters.end(),
+                    [&](const ParameterInfo& gene) { return gene.kind == kind; }));
 }
 
 // Rule R2: the paper's 14 in both readings of it.
 TEST(PaperLayers, HaveFourteenParametersForTheWholeBody) {
   const Layer shared = upper_layer(full_body());
-  EXPECT_EQ(count(shared, LayerGeneKind::weight), 12);
-  EXPECT_EQ(count(shared, LayerGeneKind::contraction), 2);
+  EXPECT_EQ(count(shared, ParameterKind::weight), 12);
+  EXPECT_EQ(count(shared, ParameterKind::contraction), 2);
   const Layer each = upper_layer(full_body(), LayerReading::contraction_a_limb);
-  EXPECT_EQ(count(each, LayerGeneKind::weight), 10);
-  EXPECT_EQ(count(each, LayerGeneKind::contraction), 4);
+  EXPECT_EQ(count(each, ParameterKind::weight), 10);
+  EXPECT_EQ(count(each, ParameterKind::contraction), 4);
 }
 
 TEST(PaperLayers, HaveEightParametersForTheRightHalf) {
-  EXPECT_EQ(upper_layer(half_body()).genes.size(), 8u);
-  EXPECT_EQ(upper_layer(half_body(), LayerReading::contraction_a_limb).genes.size(), 7u);
+  EXPECT_EQ(upper_layer(half_body()).parameters.size(), 8u);
+  EXPECT_EQ(upper_layer(half_body(), LayerReading::contraction_a_limb).parameters.size(), 7u);
 }
 
 TEST(PaperLayers, HaveFourParametersForAnArm) {
@@ -43,7 +44,7 @@ TEST(PaperLayers, HaveFourParametersForAnArm) {
   EXPECT_EQ(layers[1].name, "right_arm");
   EXPECT_EQ(layers[2].name, "left_arm");
   for (const std::size_t arm : {1u, 2u}) {
-    EXPECT_EQ(layers[arm].genes.size(), 4u);
+    EXPECT_EQ(layers[arm].parameters.size(), 4u);
     EXPECT_EQ(layers[arm].criteria.balance_weight, 0.0);
   }
 }
@@ -109,20 +110,22 @@ TEST(ReducedBody, StartsWithHandsFeetAndTrunkWhereTheBodyHasThem) {
 
 TEST(DecodeLayerGenes, LocksAtZeroAndSharesContractions) {
   const Layer layer = upper_layer(full_body());
-  std::vector<std::uint16_t> genes(layer.genes.size(), 7);
+  std::vector<std::uint16_t> genes(layer.parameters.size(), 7);
   genes[0] = 0;
   genes[12] = 15;  // legs
   genes[13] = 5;   // arms
-  const LayerParameters parameters = decode_layer_genes(layer, genes);
-  EXPECT_TRUE(parameters.joints[static_cast<std::size_t>(layer.genes[0].applies_to[0])].locked);
-  EXPECT_EQ(parameters.joints[static_cast<std::size_t>(layer.genes[1].applies_to[0])].weight, 7.0);
+  const Parameters parameters = decode_layer_genes(layer, genes);
+  EXPECT_TRUE(
+      parameters.joints[static_cast<std::size_t>(layer.parameters[0].applies_to[0])].locked);
+  EXPECT_EQ(parameters.joints[static_cast<std::size_t>(layer.parameters[1].applies_to[0])].weight,
+            7.0);
   EXPECT_EQ(parameters.contractions, (std::vector<double>{15.0, 15.0, 5.0, 5.0}));
 }
 
 TEST(DecodeLayerGenes, WithoutAGeneAHipDoesNotRotate) {
   const Layer layer = upper_layer(full_body(), LayerReading::contraction_a_limb);
-  const LayerParameters parameters =
-      decode_layer_genes(layer, std::vector<std::uint16_t>(layer.genes.size(), 1));
+  const Parameters parameters =
+      decode_layer_genes(layer, std::vector<std::uint16_t>(layer.parameters.size(), 1));
   for (std::size_t d = 0; d < layer.body.dofs.size(); ++d) {
     const ReducedDof& dof = layer.body.dofs[d];
     if (dof.kind == ReducedDof::Kind::slide) continue;
@@ -133,9 +136,9 @@ TEST(DecodeLayerGenes, WithoutAGeneAHipDoesNotRotate) {
 TEST(DecodeLayerPoint, IsEvenInLogarithmsAndInContraction) {
   const Layer layer = upper_layer(half_body());
   const std::vector<double> point{0.0, 0.5, 1.0, 0.75, 0.5, 0.5, 0.25, 1.0};
-  const LayerParameters parameters = decode_layer_point(layer, point);
+  const Parameters parameters = decode_layer_point(layer, point);
   const auto weight = [&](std::size_t gene) {
-    return parameters.joints[static_cast<std::size_t>(layer.genes[gene].applies_to[0])].weight;
+    return parameters.joints[static_cast<std::size_t>(layer.parameters[gene].applies_to[0])].weight;
   };
   EXPECT_NEAR(weight(1), 1.0, 1e-12);
   EXPECT_NEAR(weight(0) * weight(2), 1.0, 1e-12);
@@ -147,8 +150,8 @@ TEST(DecodeLayerPoint, IsEvenInLogarithmsAndInContraction) {
 // A motion of the upper layer with genes by chance.
 ReducedClip moved(const Layer& layer, const ReachProblem& problem, Random& random) {
   std::vector<std::uint16_t> genes;
-  for (const LayerGene& gene : layer.genes) {
-    const bool weight = gene.kind == LayerGeneKind::weight;
+  for (const ParameterInfo& gene : layer.parameters) {
+    const bool weight = gene.kind == ParameterKind::weight;
     genes.push_back(static_cast<std::uint16_t>(weight ? 1 + random.below(15) : random.below(8)));
   }
   ReducedClip clip;
@@ -196,7 +199,7 @@ TEST(ReducedRollout, TwoLegsEndNearTheirContraction) {
   const BodyModel body = full_body();
   const Layer layer = upper_layer(body);
   const ReachProblem problem = reach_with(body, "right_hand", {0.0, 0.45, 0.45});
-  std::vector<std::uint16_t> genes(layer.genes.size(), 1);
+  std::vector<std::uint16_t> genes(layer.parameters.size(), 1);
   genes[12] = 5;
   genes[13] = 0;
   ReducedClip clip;
@@ -216,7 +219,7 @@ TEST(ReducedRollout, LargerWeightMovesAJointLess) {
   ReducedRollout rollout(layer.body, problem);
   for (std::size_t g = 0; g < 4; ++g) {
     std::vector<std::uint16_t> genes{1, 1, 1, 1, 1, 1, 4, 4};
-    const auto dof = static_cast<std::size_t>(layer.genes[g].applies_to[0]);
+    const auto dof = static_cast<std::size_t>(layer.parameters[g].applies_to[0]);
     const auto travel = [&](std::uint16_t weight) {
       genes[g] = weight;
       ReducedClip clip;
@@ -230,7 +233,7 @@ TEST(ReducedRollout, LargerWeightMovesAJointLess) {
     };
     const double light = travel(1);
     const double heavy = travel(15);
-    EXPECT_LT(heavy, light) << layer.genes[g].name;
+    EXPECT_LT(heavy, light) << layer.parameters[g].name;
     EXPECT_EQ(travel(0), 0.0);
   }
 }

@@ -24,25 +24,27 @@ BodyModel crooked_human() {
 std::string link_name(const BodyModel& body, int link) { return body.dof(link).name; }
 
 Task human_task(const BodyModel& body, const Vec3d& goal) {
-  return with_preset({.body = body, .goals = {{"right_hand", goal}}}, Preset::human);
+  return with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::human);
 }
 
 // A motion of the upper layer by random weights and lengths, with all that it leads.
 struct Played {
-  LayeredParameters parameters;
+  Parameters parameters;
   ReducedClip clip;
   RolledOut whole;
 };
 
 Played play_random(const LayeredProblem& problem, LayeredPlayer& player, Random& random) {
   Played played;
-  (void)layered_members(problem.layers, played.parameters);
   std::vector<double> point;
-  for (std::size_t g = 0; g < problem.layers[0].genes.size(); ++g) {
+  for (std::size_t g = 0; g < problem.layers[0].parameters.size(); ++g) {
     point.push_back(random.uniform(0.2, 0.8));
   }
-  played.parameters.upper = decode_layer_point(problem.layers[0], point);
-  player.run_upper(played.parameters.upper, played.clip);
+  const Parameters upper = decode_layer_point(problem.layers[0], point);
+  played.parameters = start_values(problem.layers);
+  played.parameters.joints = upper.joints;
+  played.parameters.contractions = upper.contractions;
+  player.run_upper(upper, played.clip);
   played.whole = player.expand(played.clip, played.parameters);
   return played;
 }
@@ -76,7 +78,7 @@ TEST(FindLimbs, RefuseHeelsThatLiftAndPeopleWhoSit) {
 TEST(LayeredHuman, LegsShareWeightsSpineGoesByOneAWayAndClaviclesByNone) {
   const Layer upper = human_layers(human_body()).value()[0];
   std::vector<std::string> genes;
-  for (const LayerGene& gene : upper.genes) genes.push_back(gene.name);
+  for (const ParameterInfo& gene : upper.parameters) genes.push_back(gene.name);
   for (const char* name : {"spine.flexion", "spine.lateral", "spine.rotation", "ankle.inversion",
                            "ankle.flexion", "hip.rotation", "legs.contraction"}) {
     EXPECT_THAT(genes, Contains(name));
@@ -274,7 +276,7 @@ TEST(LayeredHuman, HandsAreTurnedAsTheirGoalsSay) {
   const Quatd palm_left_thumb_up = to_quat(rotation(Axis::x, -0.5 * kPi));
   for (const Goal& goal : {Goal{.position = {-0.2, 1.1, 0.4}, .axis = palm_up},
                            Goal{.position = {-0.25, 1.3, 0.35}, .rotation = palm_left_thumb_up}}) {
-    Task task = with_preset({.body = human_body(), .goals = {goal}}, Preset::human);
+    Task task = with_preset(Task(human_body(), {.goals = {goal}}), Preset::human);
     task.evaluations = 120;
     const Generation generation = generate(task).value();
     EXPECT_TRUE(generation.meets_goals());
@@ -291,7 +293,7 @@ TEST(LayeredHuman, RotationsAreForHandsWithAWristAndThePresetHuman) {
   Goal goal{.position = {-0.2, 1.1, 0.4}, .axis = GoalAxis{}};
   for (const auto& [body, preset] :
        {std::pair{full_body(), Preset::human}, std::pair{human_body(), Preset::layers}}) {
-    const auto refused = generate(with_preset({.body = body, .goals = {goal}}, preset));
+    const auto refused = generate(with_preset(Task(body, {.goals = {goal}}), preset));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
   }
@@ -305,7 +307,7 @@ TEST(LayeredHuman, GoalsHighLowAcrossAndOfBothHandsAreMet) {
       {{"left_hand", {-0.25, 1.1, 0.4}}},
       {{"right_hand", {-0.2, 0.9, 0.4}}, {"left_hand", {0.2, 1.1, 0.4}}}};
   for (const std::vector<Goal>& goals : tasks) {
-    Task task = with_preset({.body = human_body(), .goals = goals}, Preset::human);
+    Task task = with_preset(Task(human_body(), {.goals = goals}), Preset::human);
     task.evaluations = 120;
     const Generation generation = generate(task).value();
     EXPECT_TRUE(generation.meets_goals());

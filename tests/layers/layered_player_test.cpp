@@ -30,14 +30,14 @@ double leg_excess(const LayeredProblem& problem, const Clip& clip) {
 TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task =
-        with_preset({.body = body, .goals = {{"right_hand", {0.0, 0.3, 0.5}}}}, Preset::layers);
+        with_preset(Task(body, {.goals = {{"right_hand", {0.0, 0.3, 0.5}}}}), Preset::layers);
     const LayeredProblem problem = make_layered_problem(task).value();
     LayeredPlayer player(problem);
     Random random(3);
     int outside = 0;
     for (int i = 0; i < 200; ++i) {
       std::vector<std::uint16_t> genes;
-      for (std::size_t g = 0; g < problem.layers[0].genes.size(); ++g) {
+      for (std::size_t g = 0; g < problem.layers[0].parameters.size(); ++g) {
         genes.push_back(static_cast<std::uint16_t>(1 + random.below(15)));
       }
       ReducedClip clip;
@@ -45,7 +45,7 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
       const LayeredPlayer::PelvisCheck check = player.check_pelvis(clip);
       if (clip.path_error > 1e-4 || clip.foot_error > 1e-4 || !check.in_reach) continue;
       const RolledOut played =
-          player.expand(clip, {.upper = {}, .arms = std::vector<ArmWeights>(1)});
+          player.expand(clip, {.joints = {}, .arms = std::vector<ArmWeights>(1)});
       EXPECT_NEAR(leg_excess(problem, played.motion.clip), check.excess, 1e-9);
       EXPECT_LT(played.outcome.path_error, kReachTolerance);
       if (check.excess < radians(2.0)) continue;
@@ -59,16 +59,16 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
 TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
   const BodyModel body = full_body();
   const Task task = with_preset(
-      {.body = body, .goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}},
+      Task(body, {.goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}}),
       Preset::layers);
   const LayeredProblem problem = make_layered_problem(task).value();
   LayeredPlayer player(problem);
-  std::vector<std::uint16_t> genes(problem.layers[0].genes.size(), 2);
+  std::vector<std::uint16_t> genes(problem.layers[0].parameters.size(), 2);
   ReducedClip clip;
   player.run_upper(decode_layer_genes(problem.layers[0], genes), clip);
   ASSERT_LT(clip.path_error, 1e-4);
   const std::vector<HandPath> paths = player.hand_paths(clip);
-  const RolledOut played = player.expand(clip, {.upper = {}, .arms = std::vector<ArmWeights>(2)});
+  const RolledOut played = player.expand(clip, {.joints = {}, .arms = std::vector<ArmWeights>(2)});
   for (const int f : {0, 20, 60}) {
     const Kinematics<double> at = placed(body, played.motion.clip.frame(f));
     for (std::size_t g = 0; g < 2; ++g) {

@@ -76,7 +76,7 @@ class AssimpReadsExport : public testing::TestWithParam<const char*> {
     return regenerate(task_, uniform_parameters(task_.body)).value().candidates[0];
   }
   [[nodiscard]] std::string exported() const {
-    return export_candidate(task_, candidate_, ExportFormat::bvh).value();
+    return export_candidate(task_, candidate_, FileFormat::bvh).value();
   }
 
   static constexpr Vec3d kGoal{0.25, 0.55, 0.5};
@@ -138,7 +138,7 @@ TEST_P(AssimpReadsCharacter, HandEndsWhereItIsToldAndFeetStay) {
       const Task task = make_task(file, {}).value();
       const Generation generation = generate(task).value();
       const auto summary = nlohmann::json::parse(
-          write_result(work.path(), file, task, generation, {}, {{ExportFormat::bvh}}).value());
+          write_result(work.path(), file, task, generation, {}, {{FileFormat::bvh}}).value());
       for (const auto& candidate : summary.at("candidates")) {
         const AssimpMotion motion(work.get(candidate.at("files").at("bvh")));
         const double unit = candidate.at("bvh_unit_m");

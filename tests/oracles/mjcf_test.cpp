@@ -218,7 +218,7 @@ void expect_replayed(const std::string& path) {
     const Generation generation = generate(task).value();
     ASSERT_TRUE(generation.meets_goals()) << hand;
     const Candidate& candidate = generation.candidates[0];
-    const Table table(export_candidate(task, candidate, ExportFormat::csv).value());
+    const Table table(export_candidate(task, candidate, FileFormat::csv).value());
     MujocoModel mujoco(path);
     const mjModel& m = mujoco.model();
     std::map<std::string, Vec3d> first;

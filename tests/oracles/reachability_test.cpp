@@ -91,8 +91,7 @@ constexpr int kGoals = 1000;
 // paper's algorithm: enough to meet what the library does with any goal.
 class ManyGoals {
  public:
-  explicit ManyGoals(BodyModel body)
-      : task_(with_preset({.body = std::move(body)}, Preset::paper)) {
+  explicit ManyGoals(BodyModel body) : task_(with_preset(Task(std::move(body)), Preset::paper)) {
     task_.genetic.max_generations = 2;
   }
 

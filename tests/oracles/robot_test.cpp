@@ -108,7 +108,7 @@ TEST_P(RobotReach, ReachesWithEitherHandByASecondReader) {
       ASSERT_TRUE(generation) << generation.error().to_string();
       EXPECT_TRUE(generation->meets_goals()) << generation->remaining_distance;
       for (const Candidate& candidate : generation->candidates) {
-        const Table table(export_candidate(*task, candidate, ExportFormat::csv).value());
+        const Table table(export_candidate(*task, candidate, FileFormat::csv).value());
         ASSERT_GT(table.rows(), 10u);
         const KDL::Frame end = reader.place(candidate.goals[0].node, table, table.rows() - 1);
         EXPECT_LE((end.p - in_robot_world(task->goals[0].position)).Norm(), kReached);

@@ -107,7 +107,7 @@ TEST(Tracking, NineMotionsOfTenDoNotFall) {
   int played = 0;
   int fallen = 0;
   for (std::uint64_t seed = 1; played < kGoals; ++seed) {
-    Task task{.body = body};
+    Task task(body);
     task.goals = {{"right_hand", any_goal(random)}};
     task.seed = seed;
     const Generation generation = generate(task).value();

@@ -2,12 +2,11 @@
 // What a mesh tells of a person, on a figure whose flesh is drawn around its joints.
 #include <gmock/gmock.h>
 
+#include <person/stick_figure.hpp>
 #include <shigusa/body/skin.hpp>
 #include <shigusa/person/find_humanoid.hpp>
 #include <shigusa/person/human_body.hpp>
 #include <shigusa/person/measure_person.hpp>
-
-#include "person/stick_figure.hpp"
 
 namespace shigusa {
 namespace {

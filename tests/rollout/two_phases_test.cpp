@@ -237,17 +237,5 @@ TEST(TwoPhases, BesideWeightsAloneAPostureIsDrawnInItsOwnPhase) {
             roll_out(problem, zeros).motion.clip.angles);
 }
 
-TEST(TwoPhases, MembersAreTheFirstPhasesThenTheLaters) {
-  Parameters parameters = uniform_parameters(full());
-  const std::size_t first = posture_members(full(), parameters).size();
-  add_later_phase(parameters);
-  const std::vector<PostureMember> all = posture_members(full(), parameters);
-  ASSERT_EQ(all.size(), first + posture_modes(full()).size() + 1);
-  EXPECT_EQ(all[first].name, "later." + all[0].name);
-  EXPECT_EQ(all[first].value, &parameters.later->modes[0]);
-  EXPECT_EQ(all.back().name, "switch");
-  EXPECT_EQ(all.back().value, &parameters.later->switch_at);
-}
-
 }  // namespace
 }  // namespace shigusa

@@ -15,14 +15,13 @@ namespace shigusa::testing_support {
 struct LayeredChange {
   LayeredChange(const BodyModel& body, const std::vector<Goal>& goals, LayerChoice choice = {})
       : layers(layers_to_goals(body, goals, choice).value()) {
-    (void)layered_members(layers, before);
-    after = expected = before;
+    after = expected = before = start_values(layers);
   }
 
   std::vector<Layer> layers;
-  LayeredParameters before{};
-  LayeredParameters after{};
-  LayeredParameters expected{};
+  Parameters before{};
+  Parameters after{};
+  Parameters expected{};
 };
 
 // What every motion of a layered task must keep.

@@ -176,7 +176,7 @@ class Auditor {
   void judge_candidate(const Task& task, const Generation& generation, const Candidate& candidate) {
     ++audit_.candidates;
     ++audit_.verdicts[std::string(word_of(candidate.judgement.verdict))];
-    const auto bvh = export_candidate(task, candidate, ExportFormat::bvh);
+    const auto bvh = export_candidate(task, candidate, FileFormat::bvh);
     if (!bvh) return fail(bvh.error().to_string());
     const ExportedMotion exported(*bvh, BvhFormat{}.unit);
     require(exported.finite(), "numbers are not finite");

@@ -19,7 +19,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Task task_for(const Vec3d& goal) {
-  return with_preset({.body = full_body(), .goals = {{"right_hand", goal}}}, Preset::paper);
+  return with_preset(Task(full_body(), {.goals = {{"right_hand", goal}}}), Preset::paper);
 }
 
 // The message that a task is refused with, or nothing.
@@ -184,7 +184,7 @@ TEST(Preset, HasItsOwnTraits) {
 }
 
 TEST(MakeProblem, PathsSwayOutwardsSquareToWayAndBow) {
-  Task task = with_preset({.body = full_body()}, Preset::flat);
+  Task task = with_preset(Task(full_body()), Preset::flat);
   for (const Vec3d& way : {Vec3d{0, 0, 0.4}, Vec3d{0.1, -0.5, 0.1}, Vec3d{0, 0.9, 0.3}}) {
     for (const double side : {1.0, -1.0}) {
       const char* hand = side > 0.0 ? "left_hand" : "right_hand";

@@ -62,15 +62,26 @@ SHIGUSA_API const char* shigusa_bytes_data(const shigusa_bytes* bytes);
 SHIGUSA_API size_t shigusa_bytes_size(const shigusa_bytes* bytes);
 SHIGUSA_API void shigusa_bytes_free(shigusa_bytes* bytes); /* null is allowed */
 
+/* All that a user interface has to know beside a body, from the engine's own tables, of this build:
+ * {"criteria": [{"name", "scale" (the key of its scale)}], "mixtures": {name: {criterion: weight}},
+ * "presets": [{"name", "mixture" (that it ranks by), "search", "candidates", "evaluations",
+ * "layered", "natural"}], "pareto_mixture" (that a task with "pareto" ranks by, whatever its
+ * preset), "default_preset" and "default_body" (of a task that names none), "searches",
+ * "generators", "layer_readings", "sexes", "extents" and "bones" (words), "bodies": [{"name",
+ * "dof"}], "ranges": {key in files: [least, most]}, "formats": [{"name", "about", "endings"
+ * ([".glb", …]), "media_type", "person", "robot", "clip" (read from it), "written", "rated" (it has
+ * frames at the rate asked for), "needs" (formats, of one of which the character must be; none: any
+ * will do), "max_bytes" (that are read)}]}. */
+SHIGUSA_API shigusa_status shigusa_facts(shigusa_bytes** json);
+
 /* ---- Characters ------------------------------------------------------------------------------ */
 
 typedef struct shigusa_character shigusa_character;
 
 /* `spec`: the `character` of a task file, such as {"source": "human", "stature_m": 1.6} or
  * {"source": "hero.vrm", "map": {"right_hand": "Bone_17"}}. For a file `source` is its name, whose
- * ending tells the format (bvh, gltf, glb, vrm, fbx, urdf, xml), and `file` its bytes; for a
- * built-in body (half_body, full_body, human) `file` is null and `file_size` 0. No file is ever
- * opened. */
+ * ending tells the format (shigusa_facts), and `file` its bytes; for a built-in body (there too)
+ * `file` is null and `file_size` 0. No file is ever opened. */
 SHIGUSA_API shigusa_status shigusa_character_create(const char* spec, const void* file,
                                                     size_t file_size,
                                                     shigusa_character** character);
@@ -142,15 +153,15 @@ SHIGUSA_API shigusa_status shigusa_result_describe(const shigusa_result* result,
 SHIGUSA_API shigusa_status shigusa_result_parameters(const shigusa_result* result,
                                                      int32_t candidate, shigusa_bytes** json);
 
-/* A candidate as a file: "bvh", "csv", "svg", "png", "pdf", "glb" or "vrma". A build without cairo
- * has no png and no pdf (SHIGUSA_UNSUPPORTED). Candidate 0: all of them in one GLB. */
+/* A candidate as a file of a format that is written (shigusa_facts): "bvh". One that this build or
+ * the character lacks is refused. Candidate 0: all of them in one GLB. */
 SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candidate,
                                                  const char* format, shigusa_bytes** file);
 
-/* The same with `options`: {"fps": 24}, frames a second of bvh, glb and vrma, 1 to 240 (60 where
- * none are given). The last frame is the first that is not before the motion's end, and exactly its
+/* The same with `options`: {"fps": 24}, frames a second of rated formats, 1 to 240 (60 where none
+ * are given). The last frame is the first that is not before the motion's end, and exactly its
  * last. The file is read back before it is given: where its nodes are not with the motion there is
- * none (SHIGUSA_UNSUPPORTED). csv has the frames of the series. `options` may be null. */
+ * none (SHIGUSA_UNSUPPORTED). The others have the frames of the series. `options` may be null. */
 SHIGUSA_API shigusa_status shigusa_result_export_with(const shigusa_result* result,
                                                       int32_t candidate, const char* format,
                                                       const char* options, shigusa_bytes** file);

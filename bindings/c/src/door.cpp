@@ -74,6 +74,13 @@ size_t shigusa_bytes_size(const shigusa_bytes* bytes) {
   return bytes == nullptr ? 0 : bytes->text.size();
 }
 
+shigusa_status shigusa_facts(shigusa_bytes** json) {
+  return shigusa::door::guarded([&] {
+    if (const auto null = shigusa::door::need("json", json)) return null;
+    return shigusa::door::give(shigusa::format_facts(), json);
+  });
+}
+
 void shigusa_bytes_free(shigusa_bytes* bytes) { delete bytes; }
 
 }  // extern "C"

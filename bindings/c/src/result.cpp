@@ -202,7 +202,7 @@ shigusa_status shigusa_result_export_with(const shigusa_result* result, int32_t 
     if (formats->size() != 1) return refuse(SHIGUSA_INVALID_ARGUMENT, "one format at a time");
     const auto& all = result->generation.candidates;
     if (candidate == 0) {
-      if (formats->front() != ExportFormat::glb) {
+      if (formats->front() != FileFormat::glb) {
         return refuse(SHIGUSA_INVALID_ARGUMENT, "all candidates in one file are a glb");
       }
       Result<std::string> bytes =

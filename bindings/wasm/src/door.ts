@@ -5,8 +5,8 @@
 import { EngineError } from './errors.js';
 import createModule, { type ShigusaModule } from './module/shigusa.mjs';
 import {
-  seriesNames, type Candidate, type CharacterDescription, type CharacterSpec, type EngineFailure, type ExportFormat,
-  type ExportOptions, type Generated, type Parameter, type Progress, type SampledName, type Series, type SeriesName,
+  seriesNames, type Candidate, type CharacterDescription, type CharacterSpec, type EngineFailure, type ExportOptions,
+  type Facts, type Generated, type Parameter, type Progress, type SampledName, type Series, type SeriesName,
   type Summary, type Task,
 } from './types.js';
 
@@ -158,7 +158,7 @@ export class DoorResult {
   }
 
   /** Candidate 0: all of them in one GLB. */
-  export(candidate: number, format: ExportFormat | 'png' | 'pdf', options: ExportOptions = {}): Uint8Array {
+  export(candidate: number, format: string, options: ExportOptions = {}): Uint8Array {
     return this.calls.with((scratch) => {
       const name = scratch.text(format);
       const chosen = scratch.text(JSON.stringify(options));
@@ -215,6 +215,10 @@ export class Door {
   /** What the module has taken of memory, most of it free again: it never shrinks. */
   get memoryBytes(): number {
     return this.calls.module.HEAPU8.length;
+  }
+
+  facts(): Facts {
+    return this.calls.with((scratch) => this.calls.json<Facts>(scratch, (at) => this.calls.module._shigusa_facts(at)));
   }
 
   character(spec: CharacterSpec, bytes?: Uint8Array): DoorCharacter {

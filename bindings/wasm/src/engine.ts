@@ -4,7 +4,7 @@
 import { EngineError } from './errors.js';
 import { Lane } from './lane.js';
 import type {
-  Character, CharacterSpec, Engine, ExportFormat, ExportOptions, GenerateOptions, Generated, SampledName, Series, Summary, Task,
+  Character, CharacterSpec, Engine, ExportOptions, Facts, GenerateOptions, Generated, SampledName, Series, Summary, Task,
 } from './types.js';
 
 export { EngineError } from './errors.js';
@@ -74,6 +74,7 @@ class WorkerEngine implements Engine {
   private readonly search: Lane;
   private readonly quick: Lane;
   private opened = 0;
+  private known: Facts | undefined;
 
   constructor(wasm: WebAssembly.Module, makeWorker: () => Worker) {
     this.search = new Lane(makeWorker, wasm);
@@ -81,7 +82,11 @@ class WorkerEngine implements Engine {
   }
 
   async ready(): Promise<void> {
-    await this.quick.run({ call: { kind: 'version' } });
+    this.known = await always(this.quick.run({ call: { kind: 'facts' } }));
+  }
+
+  get facts(): Facts {
+    return this.known!; // createEngine gives nobody an engine that is not ready
   }
 
   async open(spec: CharacterSpec, bytes?: Uint8Array): Promise<Character> {
@@ -136,7 +141,7 @@ class WorkerEngine implements Engine {
   }
 
   export(
-    character: Character, summary: Summary, candidate: number, format: ExportFormat, options: ExportOptions = {},
+    character: Character, summary: Summary, candidate: number, format: string, options: ExportOptions = {},
   ): Promise<Uint8Array> {
     return always(this.quick.run({
       call: { kind: 'export', character: character.id, summary, candidate, format, options }, character,

@@ -2,12 +2,12 @@
 // What goes between engine.ts and its workers. A worker gets the module first, then what it must know of
 // characters and calls, one at a time; it answers each call once, after any progress.
 import type {
-  CharacterDescription, CharacterSpec, EngineFailure, ExportFormat, ExportOptions, Generated, Progress, SampledName,
+  CharacterDescription, CharacterSpec, EngineFailure, ExportOptions, Facts, Generated, Progress, SampledName,
   Series, Summary, Task,
 } from './types.js';
 
 export type Call =
-  | { kind: 'version' }
+  | { kind: 'facts' }
   | { kind: 'memory' }
   | { kind: 'open'; character: number }
   | { kind: 'generate'; character: number; task: Task; progress: boolean }
@@ -15,7 +15,7 @@ export type Call =
   | { kind: 'restore'; character: number; summary: Summary; progress: boolean }
   | { kind: 'mirror'; character: number; summary: Summary }
   | {
-    kind: 'export'; character: number; summary: Summary; candidate: number; format: ExportFormat; options: ExportOptions;
+    kind: 'export'; character: number; summary: Summary; candidate: number; format: string; options: ExportOptions;
   }
   | {
     kind: 'sampled'; character: number; summary: Summary; candidate: number; names: readonly SampledName[]; fps: number;
@@ -23,7 +23,7 @@ export type Call =
   | { kind: 'score'; name: string; bytes: Uint8Array; options: object | undefined };
 
 export interface Answers {
-  version: string;
+  facts: Facts;
   memory: number;
   open: CharacterDescription;
   generate: Generated;

@@ -65,8 +65,8 @@ export class Server {
 
   private compute(door: Door, id: number, call: Call): Answer {
     switch (call.kind) {
-      case 'version':
-        return door.version;
+      case 'facts':
+        return door.facts();
       case 'memory':
         return door.memoryBytes;
       case 'open':

@@ -3,22 +3,11 @@
 // docs/result.schema.json); units are metres, kilograms, seconds, radians; +Y is up, a body faces +Z, its left
 // is +X; quaternions are [x, y, z, w].
 
-export type Vec3 = [number, number, number];
-export type Quat = [number, number, number, number];
+import type { CharacterSpec, Quat, Task, Vec3 } from './task_types.js';
 
-/** The `character` of a task file. A file's bytes go beside it, its name is `source`. */
-export interface CharacterSpec {
-  source: string;
-  stature_m?: number;
-  mass_kg?: number;
-  sex?: 'male' | 'female';
-  extent?: 'human' | 'full' | 'half';
-  frame?: number | 'rest';
-  animation?: string;
-  seat_m?: number;
-  heels?: boolean;
-  map?: Record<string, string>;
-}
+/** A task's file and its parts. The `character` of an engine is opened before: its file's bytes go beside the spec,
+ *  its name is `source`. */
+export type { CharacterSpec, Criteria, Goal, GoalAxis, Obstacle, Quat, Task, Vec3 } from './task_types.js';
 
 export interface JointDescription {
   name: string; // "right_shoulder.flexion"
@@ -28,6 +17,7 @@ export interface JointDescription {
   limit_coupling?: { driver: string; driver_rad: [number, number]; upper_rad: [number, number] };
   strength_nm: [number, number];
   start_rad: number;
+  file_joint?: string; // of robots, "" where the file has none
 }
 
 /** A node that node_translations and node_rotations move. A file's hang in the file's hierarchy, in its unit, and
@@ -56,28 +46,6 @@ export interface CharacterDescription {
   /** What of the body nothing should pass through, in the start posture: lines with a thickness. */
   capsules: { name: string; from_m: Vec3; to_m: Vec3; radius_m: number }[];
   placement?: { unit_m: number; origin: Vec3; left: Vec3; up: Vec3; ahead: Vec3 };
-}
-
-export interface Goal {
-  effector: string;
-  position_m: Vec3;
-  rotation_xyzw?: Quat;
-  load_kg?: number;
-  tolerance_m?: Vec3;
-}
-
-/** A task file; keys that are not named here are in docs/task.schema.json. */
-export interface Task {
-  version?: 1;
-  goals: Goal[];
-  preset?: string;
-  criteria?: string | Record<string, unknown>;
-  seed?: number;
-  candidates?: number;
-  evaluations?: number;
-  fixed?: string[];
-  duration_s?: number;
-  [key: string]: unknown;
 }
 
 /** Why a motion is not possible: numbers of its kind, and the sentence that says them in English. */
@@ -119,7 +87,7 @@ export interface CandidateSummary {
   /** Of what the command line wrote beside: names, and the SHA-256 of each file's bytes, by format. */
   files: Record<string, string>;
   sha256?: Record<string, string>;
-  fps?: number; // of bvh, glb and vrma
+  fps?: number; // of rated formats
   file_frames?: number;
   /** How far those files' nodes are from the motion, as they were read back. */
   read_back?: Record<string, { effector_mm: number; feet_mm: number; turn_deg: number }>;
@@ -192,10 +160,59 @@ export interface GenerateOptions {
   onProgress?: (progress: Progress) => void;
 }
 
-export type ExportFormat = 'bvh' | 'csv' | 'svg' | 'glb' | 'vrma';
+/** What the engine has of a format of files. */
+export interface FormatFacts {
+  name: string; // "bvh", which files that are written end in
+  about: string; // one sentence in English
+  endings: string[]; // ".glb"
+  media_type: string;
+  person: boolean; // people are read from it,
+  robot: boolean; // robots,
+  clip: boolean; // and recorded motion
+  written: boolean;
+  rated: boolean; // it has frames at the rate that is asked for
+  needs: string[]; // formats, of one of which the character must be; none: any will do
+  max_bytes: number; // that are read
+}
+
+/** What a preset is, and has where a task says nothing else. */
+export interface PresetFacts {
+  name: string;
+  mixture: string; // that it ranks by
+  search: string;
+  candidates: number;
+  evaluations: number;
+  layered: boolean;
+  natural: boolean; // it moves as people do
+}
+
+/** All that a page has to know of the engine beside a body, from the engine's own tables. */
+export interface Facts {
+  version: 1;
+  criteria: { name: string; scale: string }[];
+  mixtures: Record<string, Readonly<Record<string, number>>>; // weights by criterion
+  presets: PresetFacts[];
+  pareto_mixture: string; // that a task with `pareto` ranks by, whatever its preset
+  default_preset: string; // of a task that names none
+  default_body: string; // the same
+  searches: string[];
+  generators: string[];
+  layer_readings: string[];
+  sexes: string[];
+  extents: string[];
+  bodies: { name: string; dof: number }[];
+  bones: string[];
+  /** Least and most of what a person sets, by its key in files. */
+  ranges: Record<
+    | 'position_m' | 'load_kg' | 'tolerance_m' | 'stature_m' | 'mass_kg' | 'seat_m' | 'duration_s' | 'obstacles'
+    | 'phases' | 'candidates' | 'evaluations' | 'fps',
+    readonly [number, number]
+  >;
+  formats: FormatFacts[];
+}
 
 export interface ExportOptions {
-  fps?: number; // of bvh, glb and vrma, 1 to 240; 60 when not given
+  fps?: number; // of rated formats; 60 when not given
 }
 
 /** The series that can be had at any rate, as files have them. */
@@ -218,6 +235,7 @@ export interface Character {
 /** The engine: computes in workers of its own, one for searches and one for what must be quick. Failures
  *  reject with an Error whose `failure` is an EngineFailure. */
 export interface Engine {
+  readonly facts: Facts;
   open(spec: CharacterSpec, bytes?: Uint8Array): Promise<Character>;
   close(character: Character): void;
   /** A whole search. An abort ends it at once. */
@@ -230,9 +248,9 @@ export interface Engine {
   /** All candidates of a result anew, from its JSON. An abort ends it at once. */
   restore(character: Character, summary: Summary, options?: GenerateOptions): Promise<Generated>;
   mirror(character: Character, summary: Summary): Promise<Generated>;
-  /** `candidate` 0: all, in one GLB. Refused where the file, read back, is not where the motion is. */
+  /** `format`: the name of one that is written; `candidate` 0: all, in one GLB. Refused where the file, read back, is not where the motion is. */
   export(
-    character: Character, summary: Summary, candidate: number, format: ExportFormat, options?: ExportOptions,
+    character: Character, summary: Summary, candidate: number, format: string, options?: ExportOptions,
   ): Promise<Uint8Array>;
   /** A candidate's series at so many frames a second. */
   sampled<Name extends SampledName>(

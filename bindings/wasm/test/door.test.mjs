@@ -20,6 +20,21 @@ function failureOf(work) {
 
 const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} and ${b}`);
 
+test('the engine tells its tables', () => {
+  const facts = door.facts();
+  const names = facts.criteria.map(({ name }) => name);
+  for (const weights of Object.values(facts.mixtures)) assert.deepEqual(Object.keys(weights), names);
+  for (const { mixture } of facts.presets) assert.ok(mixture in facts.mixtures, mixture);
+  assert.ok(facts.pareto_mixture in facts.mixtures);
+  assert.ok(facts.presets.some(({ name }) => name === facts.default_preset));
+  const written = new Set(facts.formats.filter((format) => format.written).map(({ name }) => name));
+  assert.ok(written.has('svg') && !written.has('png') && !written.has('pdf'), 'there is no cairo here');
+  assert.deepEqual(facts.formats.filter((format) => format.robot), [], 'and no urdfdom');
+  const [, heaviest] = facts.ranges.load_kg;
+  const task = (load_kg) => ({ ...smallTask, goals: [{ ...smallTask.goals[0], load_kg }], evaluations: 8 });
+  assert.equal(failureOf(() => door.generate(human, task(heaviest + 1))).code, 'parse');
+});
+
 test('a character tells its joints, places and nodes', () => {
   const said = human.describe();
   assert.equal(said.joints.length, said.dof);

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <shigusa/body/side.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <string_view>
 
 namespace shigusa {
 
 // The sex that tables of masses and strengths are taken for.
 enum class Sex { male, female };
+// The words of Sex.
+template <>
+inline constexpr std::array kEnumWords<Sex>{EnumWord{Sex::male, "male"},
+                                            EnumWord{Sex::female, "female"}};
 
 // A standing person's build.
 struct Stature {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <shigusa/core/field.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <shigusa/math/vec3.hpp>
 #include <shigusa/person/human_body.hpp>
 #include <string>
@@ -34,24 +37,38 @@ using BoneRequest = std::vector<std::pair<std::string, std::string>>;
 // which the mesh was bound.
 inline constexpr int kRestPose = -1;
 
+inline constexpr double kStatureMin = 0.5;  // m
+inline constexpr double kStatureMax = 2.5;
+inline constexpr double kMassMin = 2.0;  // kg
+inline constexpr double kMassMax = 300.0;
+inline constexpr double kSeatMin = 0.1;  // m
+inline constexpr double kSeatMax = 1.2;
+// The last frame that a file may be asked for.
+inline constexpr int kFrameMax = 1'000'000;
+
+// The bodies that need no file.
+inline constexpr std::array<std::string_view, 3> kBuiltInCharacters{"half_body", "full_body",
+                                                                    "human"};
+
 // The one who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
   // "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, FBX, URDF or MJCF file;
   // for a person or a robot read before (landmarks, urdf below), only a name
   std::string source = "full_body";
-  std::optional<double> stature{};     // m, 0.5..2.5
-  std::optional<double> mass{};        // kg, 2..300; from stature and sex when not given
-  Sex sex = Sex::male;                 // of the tables of masses and strengths
+  std::optional<double> stature{};  // m, kStatureMin..kStatureMax
+  std::optional<double> mass{};     // kg, kMassMin..kMassMax; from stature and sex when not given
+  Sex sex = Sex::male;              // of the tables of masses and strengths
   std::optional<BodyExtent> extent{};  // of a person from a file; human when not given
   // of the file's motion: the start posture, exactly as that frame has it, or kRestPose. Of glTF it
   // is one of an animation, at 60 frames a second. None: of an animation its first; else of glTF
   // the rest pose, of BVH frame 0, where that is no T- or A-pose; in these people stand at ease
   std::optional<int> frame{};
   std::optional<std::string>
-      animation{};               // of glTF: its name or index; the first for a frame alone
-  std::optional<double> seat{};  // m, 0.1..1.2: height of the seat that the person sits on
-  bool heels = false;            // they may lift; of the body human, standing, of a file with toes
-  BoneRequest map{};  // of the file's bones; goes before what the file and its names tell
+      animation{};  // of glTF: its name or index; the first for a frame alone
+  std::optional<double>
+      seat{};          // m, kSeatMin..kSeatMax: height of the seat that the person sits on
+  bool heels = false;  // they may lift; of the body human, standing, of a file with toes
+  BoneRequest map{};   // of the file's bones; goes before what the file and its names tell
   // the person as measured: with these the file is not needed any more
   std::optional<Landmarks> landmarks{};
   // the robot as read (reduced_urdf; of MJCF write_urdf), in landmarks' place
@@ -66,14 +83,90 @@ struct CharacterSpec {
   std::shared_ptr<const CharacterRig> rig{};
 };
 
+// True for "half_body", "full_body" and "human", which need no file.
+[[nodiscard]] bool is_built_in(const CharacterSpec& spec);
+// True for all but a robot that was read.
+[[nodiscard]] inline bool may_be_a_person(const CharacterSpec& spec) { return !spec.urdf; }
+// True for all but built-in bodies and a robot that was read.
+[[nodiscard]] inline bool may_be_a_persons_file(const CharacterSpec& spec) {
+  return !spec.urdf && !is_built_in(spec);
+}
+
+template <>
+inline constexpr FieldTable kFields<CharacterSpec>{
+    "character_spec", "A built-in body, or a person or a robot from a file.",
+    std::tuple{
+        Field{
+            "source",
+            &CharacterSpec::source,
+            "half_body, full_body, human or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF (.xml) file; "
+            "of a person with landmarks or a robot with urdf, only a name.",
+            {.required = true, .written = always}},
+        Field{"stature_m",
+              &CharacterSpec::stature,
+              "Standing height. Of a person from a file: scales the file.",
+              {.low = kStatureMin, .high = kStatureMax}},
+        Field{"mass_kg",
+              &CharacterSpec::mass,
+              "That of an average person of the stature when not given.",
+              {.low = kMassMin, .high = kMassMax}},
+        Field{"map", &CharacterSpec::map,
+              "The nodes of the file that some humanoid bones are: {\"right_hand\": \"Bone_17\"}. "
+              "Goes before what the file and its names tell."},
+        Field{"urdf", &CharacterSpec::urdf,
+              "A robot as read: the text of its URDF file without meshes; one of an MJCF file as "
+              "URDF. With it the file is not needed."},
+        Field{"sex",
+              &CharacterSpec::sex,
+              "For mass distribution and strength.",
+              {.written = always, .of = may_be_a_person}},
+        Field{"seat_m",
+              &CharacterSpec::seat,
+              "Height of the seat that the person sits on; they stand when it is not given.",
+              {.low = kSeatMin, .high = kSeatMax, .of = may_be_a_person}},
+        Field{"heels",
+              &CharacterSpec::heels,
+              "Heels may lift, where people's do; of the body human, standing.",
+              {.of = may_be_a_person}},
+        Field{"extent",
+              &CharacterSpec::extent,
+              "Of a person from a file: all freedoms that the file has joints for (human), 18 "
+              "(full) or 9 (half). human when not given, by the presets paper and layers full.",
+              {.of = may_be_a_persons_file}},
+        Field{
+            "frame",
+            &CharacterSpec::frame,
+            "Of a person from a file: the frame that is the start posture, from 0, of glTF of an "
+            "animation; or rest, the file's rest pose, from which the person stands at ease. When "
+            "not given, of an animation its first, else of glTF the rest pose and of BVH frame 0, "
+            "at ease where that is a T- or an A-pose.",
+            {.high = kFrameMax, .word = {kRestPose, "rest"}, .of = may_be_a_persons_file}},
+        Field{"animation",
+              &CharacterSpec::animation,
+              "Of a glTF file: the name or the index of the animation that the frame is of, at 60 "
+              "frames a second; the first when not given.",
+              {.of = may_be_a_persons_file}},
+        Field{"doubts",
+              &CharacterSpec::doubts,
+              "Of a person with landmarks: guesses of the measuring; of a robot from an MJCF file: "
+              "what was left out.",
+              {.of = [](const CharacterSpec& spec) { return !is_built_in(spec); }}},
+        Field{"places_m",
+              &CharacterSpec::places,
+              "Of a person with landmarks: nodes of the file that are not where the body has those "
+              "of their names, in the start posture. Goals are for the file's.",
+              {.of = may_be_a_persons_file}},
+        Field{"landmarks_m",
+              &CharacterSpec::landmarks,
+              "The person as measured, in the start posture; stature_m stands beside it.",
+              {.of = may_be_a_persons_file}},
+    }};
+
 // True where the file that `source` names, if it does, is not needed: built in, or read before.
 [[nodiscard]] bool is_complete(const CharacterSpec& spec);
 
 // True for a robot, by its file's name or read before.
 [[nodiscard]] bool is_robot(const CharacterSpec& spec);
-
-// True for "half_body", "full_body" and "human", which need no file.
-[[nodiscard]] bool is_built_in(const CharacterSpec& spec);
 
 // Fails where `source` can be no character at all: neither built in, nor a file of one of these
 // kinds by its ending, nor measured before.

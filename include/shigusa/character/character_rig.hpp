@@ -5,6 +5,7 @@
 #include <memory>
 #include <shigusa/character/character.hpp>
 #include <shigusa/io/bvh.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <shigusa/io/gltf.hpp>
 #include <shigusa/kinematics/rig.hpp>
 #include <string>
@@ -14,16 +15,14 @@
 
 namespace shigusa {
 
-enum class CharacterFormat { bvh, gltf, vrm };
-
 // A character's own skeleton, for motions to leave on it.
 struct CharacterRig {
   std::filesystem::path file;                // its name
   std::shared_ptr<const std::string> bytes;  // of glTF: all of it, for motions to be added to
-  CharacterFormat format = CharacterFormat::bvh;
-  Skeleton skeleton;                  // names; offsets in the file's units
-  Rig rig;                            // its nodes as the file has them in the frame measured
-  std::vector<GltfPlace> places;      // of glTF: (nodes) at rest …
+  FileFormat format = FileFormat::bvh;       // bvh, glb or vrm, by what it holds
+  Skeleton skeleton;                         // names; offsets in the file's units
+  Rig rig;                                   // its nodes as the file has them in the frame measured
+  std::vector<GltfPlace> places;             // of glTF: (nodes) at rest …
   std::vector<LocalTransform> posed;  // … and the skeleton in the frame measured, turned from rest
   BvhChannels channels;               // of BVH
   Vec3d ahead{0, 0, 1};               // of glTF: the way it faces at rest, its axes

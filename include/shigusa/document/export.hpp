@@ -9,29 +9,25 @@
 
 namespace shigusa {
 
-// The formats that a candidate can be written in.
-enum class ExportFormat { bvh, csv, svg, png, pdf, glb, vrma };
+// Parses a list of formats that are written, such as "bvh,csv,png"; an empty one is no format.
+[[nodiscard]] Result<std::vector<FileFormat>> parse_formats(std::string_view list);
 
-// Parses a list such as "bvh,csv,png"; an empty one is no format.
-[[nodiscard]] Result<std::vector<ExportFormat>> parse_formats(std::string_view list);
+// The formats that a character gets when none are asked for: the usual ones of kFileFormats whose
+// file, if they need one, is at hand.
+[[nodiscard]] std::vector<FileFormat> usual_formats(const CharacterSpec& character);
 
-// The formats that a character gets when none are asked for: bvh, csv, svg and png; glb where the
-// character's glTF file is at hand, and vrma where that is a VRM.
-[[nodiscard]] std::vector<ExportFormat> usual_formats(const CharacterSpec& character);
-
-// Fails on a format that this character cannot leave in: glb is for characters from .glb, .gltf and
-// .vrm files, vrma for those with VRM's bones.
+// Fails on a format that this character cannot leave in (FormatInfo::needs), or nothing can.
 [[nodiscard]] Result<void> check_formats(const CharacterSpec& character,
-                                         const std::vector<ExportFormat>& formats);
+                                         const std::vector<FileFormat>& formats);
 
 // Makes the folder, if need be, and makes sure that files can be written to it.
 [[nodiscard]] Result<void> prepare_folder(const std::filesystem::path& folder);
 
 // How a result is written to a folder.
 struct ExportSettings {
-  std::vector<ExportFormat> formats;  // of each candidate
-  bool one_file = false;     // all candidates in candidates.glb, in place of a GLB for each
-  double rate = kUsualRate;  // Hz, of BVH, GLB and VRMA: kRateMin to kRateMax
+  std::vector<FileFormat> formats;  // of each candidate
+  bool one_file = false;            // all candidates in candidates.glb, in place of a GLB for each
+  double rate = kUsualRate;         // Hz, of BVH, GLB and VRMA: kRateMin to kRateMax
   // the file that the character came from, so that the result can tell where it is; or empty
   std::filesystem::path character{};
 };
@@ -74,13 +70,13 @@ struct FileSettings {
 // joints, its root link's place, and all of it in the robot's world, z up and x ahead. SVG, PNG,
 // PDF: the strip figure. Fails as write_result does.
 [[nodiscard]] Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
-                                                   ExportFormat format,
+                                                   FileFormat format,
                                                    const FileSettings& settings = {});
 
 // The same on the character's own skeleton where its file is at hand. Fails as check_formats and
 // write_result do.
 [[nodiscard]] Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
-                                                   const Candidate& candidate, ExportFormat format,
+                                                   const Candidate& candidate, FileFormat format,
                                                    const FileSettings& settings = {});
 
 // The animation that the candidate of a rank (from 1) is called by: "shigusa candidate 1", or "…

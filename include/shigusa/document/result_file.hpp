@@ -69,10 +69,8 @@ struct ResultFiles {
 
 // A result as read back: enough to generate its motions again and to edit them.
 struct StoredResult {
-  TaskFile task;                       // that it is the result of
-  std::vector<Parameters> candidates;  // in rank order
-  std::vector<LayeredParameters>
-      layered;                          // the same of layered presets, whose `candidates` are none
+  TaskFile task;                        // that it is the result of
+  std::vector<Parameters> candidates;   // in rank order
   std::vector<CandidateFiles> files{};  // of each candidate; what was read back is not kept
   std::string character{};              // as ResultFiles has it
   double rate = kUsualRate;             // Hz, as ResultFiles has it
@@ -85,33 +83,5 @@ struct StoredResult {
 // is not there is no failure.
 [[nodiscard]] Result<StoredResult> read_result(const std::filesystem::path& path,
                                                int candidate = 0);
-
-// Changes parameters by an assignment as a person writes it:
-//   right_shoulder.flexion.weight=12    the weight of one freedom
-//   right_shoulder.weight=12            of all freedoms of a joint
-//   right_knee.flexion.locked=true      lock (or false: free) a freedom or a joint
-//   squat_deg=60, lean_rad=0.5          the value of a posture mode, in degrees or radians
-//   delay=0.1, bow=0.15, skew=0.3, sway=0.1      see PostureParameters
-//   later.right_knee.weight=3, later.squat_deg=30, switch=0.6   the same of the second phase, and
-//                                       when it begins; where there is none, it begins as the first
-// Fails on an unknown name (the nearest is suggested), or a value that is not allowed.
-[[nodiscard]] Result<void> assign_parameter(const BodyModel& body, std::string_view assignment,
-                                            Parameters& parameters);
-// The same, and notes what was set; `fixed` begins as no_fixed_parameters.
-[[nodiscard]] Result<void> fix_parameter(const BodyModel& body, std::string_view assignment,
-                                         FixedParameters& fixed);
-
-// One layer of a hierarchy.
-struct Layer;
-
-// The same of layered parameters, whose `layers` are those to the goals:
-//   right_hip.flexion.weight=12, right_hip.weight=12, right_hip.locked=true   of the upper layer
-//   legs.contraction=8                      0..15: how much shorter the legs end
-//   right_arm.right_elbow.flexion.weight=3  of the layer below that moves the arm
-//   right_arm.swivel_deg=20                 where that layer swivels it: the elbow, outwards
-//   left_elbow.final_deg=40                 where no goal moves a limb: the angle it ends at
-[[nodiscard]] Result<void> assign_parameter(std::span<const Layer> layers,
-                                            std::string_view assignment,
-                                            LayeredParameters& parameters);
 
 }  // namespace shigusa

@@ -3,6 +3,7 @@
 
 #include <shigusa/generate/generator.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shigusa {
@@ -21,6 +22,7 @@ struct EditableParameter {
   double low = 0.0;                          // what makes sense; of a posture more is allowed
   double high = 0.0;                         // the same
   bool locked = false;                       // of a weight: the freedom keeps its start angle
+  std::string_view sentence{};               // what it does
 };
 
 // All of a candidate's, in the order of the body and the posture; of layered presets those of their
@@ -29,7 +31,7 @@ struct EditableParameter {
     const Task& task, const Candidate& candidate);
 
 // The same as JSON text: a list of {"name", "group", "kind", "value", "low", "high", "scale"
-// ("linear" or "log"), "unit" ("" or "deg"), "locked"}.
+// ("linear" or "log"), "unit" ("" or "deg"), "locked", "sentence"}.
 [[nodiscard]] std::string format_parameters(const std::vector<EditableParameter>& parameters);
 
 }  // namespace shigusa

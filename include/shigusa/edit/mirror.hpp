@@ -17,12 +17,10 @@ namespace shigusa {
 // side.
 [[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
 
-// Parameters of a motion for those of its mirror image: weights change sides, and turns their sign.
-// `from` and `to`: the bodies of both tasks, which may stand on either foot.
-[[nodiscard]] Parameters mirrored(const BodyModel& from, const BodyModel& to,
-                                  const Parameters& parameters);
-// The same of layered presets; `task` is the mirrored one. Fails where its layers cannot be made.
-[[nodiscard]] Result<LayeredParameters> mirrored(const Task& task,
-                                                 const LayeredParameters& parameters);
+// The values of a motion's mirror image: each goes to the parameter of the other side, and a turn
+// of the trunk changes its sign. `from` and `to` are the plans of both tasks, whose bodies may
+// stand on either foot.
+[[nodiscard]] Parameters mirrored(std::span<const Layer> from, std::span<const Layer> to,
+                                  const Parameters& values);
 
 }  // namespace shigusa

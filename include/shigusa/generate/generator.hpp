@@ -6,7 +6,6 @@
 #include <shigusa/core/result.hpp>
 #include <shigusa/generate/final_posture.hpp>
 #include <shigusa/generate/verdict.hpp>
-#include <shigusa/layers/layer_parameters.hpp>
 #include <shigusa/motion/motion.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/task/task.hpp>
@@ -78,22 +77,25 @@ struct ContactResult {
   std::optional<HeelLift> heel{};  // of one that may lift
 };
 
+// How far the arms of the goals pass through the body (rule R11).
+struct ArmCollision {
+  double depth = 0.0;  // m, collision_depth of these arms, the deepest
+  int searches = 0;    // that the arms took in all
+  bool left = false;   // it is deeper than kCollisionDepth all the same
+};
+
 // One way to get there.
 struct Candidate {
-  Parameters parameters;          // that the motion is generated from; empty of layered presets
+  Parameters parameters;          // that the motion is generated from
   Motion motion;                  // from the start posture to the goals
   Score score;                    // by the task's criteria
   std::vector<GoalResult> goals;  // in the task's order
   double path_error = 0.0;        // m, largest distance from the path at any frame that follows it
-  std::vector<ContactResult> contacts;  // of planted feet
-  MotionMeasures measures;              // what the motion asks of the body
-  Judgement judgement;                  // whether the body could make the motion
-  FinalPosture final_posture;           // how it ends
-  // Of layered presets, what the motion is generated from; `parameters` are empty then.
-  std::optional<LayeredParameters> layered{};
-  double collision = 0.0;       // m, collision_depth of the goals' arms, the deepest
-  int feedback_rounds = 0;      // searches that its arms took in all
-  bool collision_left = false;  // it is deeper than kCollisionDepth all the same
+  std::vector<ContactResult> contacts;          // of planted feet
+  MotionMeasures measures;                      // what the motion asks of the body
+  Judgement judgement;                          // whether the body could make the motion
+  FinalPosture final_posture;                   // how it ends
+  std::optional<ArmCollision> arm_collision{};  // of plans with several layers
 };
 
 // The result of a search for motions.
@@ -119,9 +121,8 @@ struct Generation {
   int over_limit = 0;      // of layers that hold limits: left out as others are within them
   int replay_differs = 0;  // candidates whose score in the search was off by over kReplayTolerance
   double replay_difference = 0.0;  // the most that a candidate's score in the search was off by
-  std::optional<Parameters> best_seen;  // the best of all genomes evaluated, kept or not
-  std::optional<LayeredParameters> best_seen_layered;  // the same of layered presets
-  double best_seen_score = 0.0;                        // of that genome
+  std::optional<Parameters> best_seen;   // the best of all genomes evaluated, kept or not
+  double best_seen_score = 0.0;          // of that genome
   int cells_searched = 0;                // of the arms' libraries, which were in no store
   SearchEnd end = SearchEnd::converged;  // why the search ended
 
@@ -176,13 +177,10 @@ inline constexpr double kEdgeTolerance = 5e-3;
 // that are kept are given the best swivel of all, then the best final angles of free arms.
 [[nodiscard]] Result<Generation> generate(const Task& task, const Progress& progress = {});
 
-// Generates one motion from given parameters, without a search: the parameter editor (paper,
-// section 4.2). The hand still meets its goal, or comes as near as the given locks allow; the
-// status tells. Fails on a task or parameters that are wrong (count of joints, weights not in
-// 1e-3..1e3), and on a task of a layered preset.
+// Generates one motion from given values of the plan's parameters (plan_of), without a search: the
+// parameter editor (paper, section 4.2 and figure 7). The hand still meets its goal, or comes as
+// near as the given locks allow; the status tells. Fails on a task that is wrong, and where
+// check_parameters does.
 [[nodiscard]] Result<Generation> regenerate(const Task& task, const Parameters& parameters);
-
-// The same of layered presets (figure 7). Fails where check_layered does.
-[[nodiscard]] Result<Generation> regenerate(const Task& task, const LayeredParameters& parameters);
 
 }  // namespace shigusa

@@ -6,15 +6,8 @@
 
 namespace shigusa {
 
-// The layers of a layered task: see layers_to_goals of its body.
-[[nodiscard]] Result<std::vector<Layer>> layers_to_goals(const Task& task);
-
-// The layers that a task goes by; fails on fixed parameters, which they do not know, and as
-// layers_to_goals does.
-[[nodiscard]] Result<std::vector<Layer>> layers_of(const Task& task);
-
 // The problem that a task poses to layers; points into the task. Fails where make_problem
-// and layers_of do.
+// and plan_of do.
 [[nodiscard]] Result<LayeredProblem> make_layered_problem(const Task& task);
 
 }  // namespace shigusa

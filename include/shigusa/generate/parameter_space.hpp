@@ -3,8 +3,8 @@
 
 #include <optional>
 #include <shigusa/body/posture_modes.hpp>
+#include <shigusa/layers/plan.hpp>
 #include <shigusa/rollout/motion_input.hpp>
-#include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/reach_problem.hpp>
 #include <string>
 #include <string_view>
@@ -48,12 +48,11 @@ class ParameterSpace {
   [[nodiscard]] MotionInputs rows(std::span<const double> points);
 
  private:
-  enum class Kind { weight, posture, timing, switch_at };
   struct Gene {
-    Kind kind = Kind::weight;
+    ParameterKind kind = ParameterKind::weight;
     std::string name;
     std::vector<std::size_t> dofs{};  // whose weight it is
-    std::size_t index = 0;            // of the posture mode, or the timing, whose value it is
+    std::size_t index = 0;            // of the freedom, the posture mode or the timing
     double lower = 0.0;               // of what x = 0 stands for; the logarithm of a weight
     double upper = 1.0;
     bool later = false;  // of the later phase
@@ -63,9 +62,9 @@ class ParameterSpace {
     [[nodiscard]] double of(double value) const { return (value - lower) / (upper - lower); }
   };
 
-  void add_weights(const ReachProblem& problem);
-  void add_posture(const ReachProblem& problem);
-  void add_later();
+  // `useful`: (dofs) which move a target: the others do nothing in weighted IK
+  void add(const Parameter& parameter, const std::vector<bool>& useful);
+  void add_weight(Gene gene, const std::vector<bool>& useful);
   void start_rows(const Parameters& base, std::size_t motions);
   void fill_row(std::size_t row, std::span<const double> point);
 
@@ -75,9 +74,11 @@ class ParameterSpace {
   GeneCode code_;
   bool named_;  // weights and postures by what they mean
   FixedParameters fixed_;
+  std::vector<bool> fixed_joints_;
+  std::vector<bool> fixed_later_joints_;
   bool posed_;  // motions have a posture
-  std::vector<Gene> genes_;
   std::vector<PostureMode> modes_;
+  std::vector<Gene> genes_;
   std::vector<float> weights_;
   std::vector<float> postures_;
   std::vector<float> timing_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <shigusa/body/skeleton.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,7 @@ namespace shigusa {
 
 // The most bytes of a file; more is refused before memory is taken, as is what is beyond the next
 // three.
-inline constexpr std::size_t kBvhMaxBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kBvhMaxBytes = info_of(FileFormat::bvh).max_bytes;
 // The most joints and end sites of a file.
 inline constexpr int kBvhMaxNodes = 4096;
 // The most frames of a file.

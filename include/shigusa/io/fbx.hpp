@@ -3,13 +3,14 @@
 
 #include <cstddef>
 #include <shigusa/core/result.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <string>
 #include <string_view>
 
 namespace shigusa {
 
 // What an FBX file may hold at most; more is refused before memory is taken.
-inline constexpr std::size_t kFbxMaxBytes = std::size_t{128} << 20;
+inline constexpr std::size_t kFbxMaxBytes = info_of(FileFormat::fbx).max_bytes;
 inline constexpr int kFbxMaxNodes = 4096;  // models
 inline constexpr int kFbxMaxDepth = 64;    // of records in one another
 // Records of nodes, their places and connections; others are passed over.

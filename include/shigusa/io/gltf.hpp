@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <shigusa/body/skeleton.hpp>
 #include <shigusa/core/result.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <shigusa/person/humanoid_map.hpp>
 #include <string>
 #include <string_view>
@@ -14,7 +15,7 @@
 namespace shigusa {
 
 // What a glTF, GLB or VRM file may hold at most; more is refused before memory is taken.
-inline constexpr std::size_t kGltfMaxBytes = std::size_t{128} << 20;
+inline constexpr std::size_t kGltfMaxBytes = info_of(FileFormat::glb).max_bytes;
 inline constexpr std::size_t kGltfMaxJsonBytes = std::size_t{40} << 20;  // all of a .gltf file
 inline constexpr int kGltfMaxNodes = 4096;
 // Numbers beyond this are refused, and so are nodes that stand farther from the origin.

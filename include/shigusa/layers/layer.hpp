@@ -4,6 +4,7 @@
 #include <shigusa/criteria/criteria_settings.hpp>
 #include <shigusa/layers/body_limbs.hpp>
 #include <shigusa/layers/layered_settings.hpp>
+#include <shigusa/layers/parameter_info.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,27 +67,6 @@ struct ReducedBody {
   std::vector<ReducedLimb> limbs;  // legs, then arms
 };
 
-// What the number of a gene means.
-enum class LayerGeneKind {
-  weight,       // of one freedom in weighted IK: 1..15, and 0 locks it
-  contraction,  // how much shorter limbs end: 0..15 of 15 parts of their range
-  swivel,       // rad, how far the elbow ends from where the arm's way alone takes it, outwards
-  final_angle,  // rad, that one freedom ends at
-};
-
-inline constexpr int kLayerGeneMax = 15;
-
-// One number that a layer searches.
-struct LayerGene {
-  std::string name;  // "right_hip.flexion", "legs.contraction"
-  LayerGeneKind kind = LayerGeneKind::weight;
-  // of the layer's body: the dof with that weight or angle, dofs that turn the elbow; limbs by
-  // number
-  std::vector<int> applies_to;
-  double low = 0.0;  // rad, of angles
-  double high = 0.0;
-};
-
 // How what a layer decides about a limb becomes the limb's joints below.
 enum class Handover {
   closed_form,   // they follow from the ends of the limb
@@ -107,7 +87,7 @@ struct HandedLimb {
 struct Layer {
   std::string name;
   ReducedBody body;
-  std::vector<LayerGene> genes;
+  std::vector<ParameterInfo> parameters;
   CriteriaSettings criteria;
   std::vector<HandedLimb> hands_down;
 };
@@ -143,7 +123,7 @@ struct LayerChoice {
                                                      const CriteriaSettings& criteria = {});
 
 // Whether a layer searches numbers of that kind.
-[[nodiscard]] bool searches(const Layer& layer, LayerGeneKind kind);
+[[nodiscard]] bool searches(const Layer& layer, ParameterKind kind);
 
 // A straight limb cannot be made longer by any joint speed, so the longest that a layer asks for is
 // bent by this (rule R3).

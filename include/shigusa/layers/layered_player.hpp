@@ -4,7 +4,8 @@
 #include <memory>
 #include <shigusa/layers/arm_swivel.hpp>
 #include <shigusa/layers/clip_dynamics.hpp>
-#include <shigusa/layers/layered_parameters.hpp>
+#include <shigusa/layers/plan.hpp>
+#include <shigusa/layers/reduced_motion.hpp>
 #include <shigusa/rollout/rollout.hpp>
 #include <vector>
 
@@ -40,9 +41,7 @@ class LayeredPlayer {
   explicit LayeredPlayer(const LayeredProblem& problem);
 
   // The upper layer's motion.
-  void run_upper(const LayerParameters& parameters, ReducedClip& clip) {
-    upper_.run(parameters, clip);
-  }
+  void run_upper(const Parameters& parameters, ReducedClip& clip) { upper_.run(parameters, clip); }
   // The hand's way of each goal in an upper motion.
   [[nodiscard]] std::vector<HandPath> hand_paths(const ReducedClip& clip) const;
   // How far the legs' joints would pass their limits for the pelvis of an upper motion (rad, the
@@ -55,9 +54,9 @@ class LayeredPlayer {
   // The whole body's motion for an upper motion and the parameters of the layers below; those of
   // the upper layer are the clip's. A hand whose arm cannot follow its path with its weights
   // (locked, mostly) leaves it.
-  [[nodiscard]] RolledOut expand(const ReducedClip& clip, const LayeredParameters& parameters);
+  [[nodiscard]] RolledOut expand(const ReducedClip& clip, const Parameters& parameters);
   // The same; such an arm is given the weights of all freedoms alike.
-  [[nodiscard]] RolledOut expand_freeing(const ReducedClip& clip, LayeredParameters& parameters);
+  [[nodiscard]] RolledOut expand_freeing(const ReducedClip& clip, Parameters& parameters);
 
  private:
   using ArmAngles = std::vector<std::vector<double>>;  // [goal] (frames × dofs of the arm) rad
@@ -82,9 +81,9 @@ class LayeredPlayer {
                 std::span<double> angles) const;
   [[nodiscard]] double inversion(const BodyLimb& leg, const LegLine& line) const;
   void follow_law(int frame, std::span<double> angles);
-  void check_counts(const LayeredParameters& parameters) const;
+  void check_counts(const Parameters& parameters) const;
   double move_arm(std::size_t goal, const ReducedClip& clip, const HandPath& path,
-                  const LayeredParameters& parameters, std::vector<double>& angles);
+                  const Parameters& parameters, std::vector<double>& angles);
   [[nodiscard]] RolledOut expanded(const ReducedClip& clip, const ArmAngles& arm_angles,
                                    std::span<const double> finals);
   [[nodiscard]] Clip expanded_clip(const ReducedClip& clip, const ArmAngles& arm_angles,

@@ -55,8 +55,6 @@ inline constexpr int kCollisionRounds = 3;
 
 // The settings of layered presets beside those of every task.
 struct LayeredSettings {
-  // The parameters of the first layer.
-  LayerReading reading = LayerReading::shared_contractions;
   // How the arms' layers are searched; threads and SIMD set are the task's.
   LimbSearch limb_search = LimbSearch::ladder;
   // Where the arms' libraries are kept; without it they are searched anew, with the same result.

@@ -20,13 +20,14 @@ struct ReducedPlacement {
 };
 void place_reduced(const ReducedBody& body, std::span<const double> q, ReducedPlacement& placed);
 
-// The paper's code: (genes) each 0..kLayerGeneMax. Freedoms without a gene are locked.
-[[nodiscard]] LayerParameters decode_layer_genes(const Layer& layer,
-                                                 std::span<const std::uint16_t> genes);
-
+// The values of a layer's joints and contractions, in one of two codes. Freedoms without a weight
+// of their own are locked. The paper's code: (parameters of the layer) each 0..kContractionMax; a
+// weight of 0 locks.
+[[nodiscard]] Parameters decode_layer_genes(const Layer& layer,
+                                            std::span<const std::uint16_t> genes);
 // A code even in the weights' logarithms (kLogWeightRange), without locks, and even in contraction:
-// (genes) each 0..1. Freedoms without a gene are locked.
-[[nodiscard]] LayerParameters decode_layer_point(const Layer& layer, std::span<const double> point);
+// (parameters of the layer) each 0..1.
+[[nodiscard]] Parameters decode_layer_point(const Layer& layer, std::span<const double> point);
 
 // The angles and lengths of a reduced body's dofs, frame after frame, and where that brings it.
 struct ReducedClip {
@@ -68,7 +69,7 @@ class ReducedRollout {
  public:
   ReducedRollout(const ReducedBody& body, const ReachProblem& problem);
 
-  void run(const LayerParameters& parameters, ReducedClip& clip);
+  void run(const Parameters& parameters, ReducedClip& clip);
 
  private:
   struct Target {
@@ -81,7 +82,7 @@ class ReducedRollout {
     double lag = 0.0;  // m
   };
 
-  void set_up(const LayerParameters& parameters);
+  void set_up(const Parameters& parameters);
   void set_up_ways();
   void step(int frame, bool first);
   void add_clavicle(const ReducedLimb& limb);

@@ -25,6 +25,16 @@ struct Quat {
 // A quaternion of double.
 using Quatd = Quat<double>;
 
+inline constexpr double kUnitSlack = 1e-3;  // of a unit quaternion's squared length
+
+[[nodiscard]] inline double squared_length(const Quatd& q) {
+  return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+}
+// Whether it is of length 1, to within kUnitSlack.
+[[nodiscard]] inline bool is_unit(const Quatd& q) {
+  return abs(squared_length(q) - 1.0) < kUnitSlack;
+}
+
 // Of q and -q, which are the same rotation, the one nearer to `near`.
 [[nodiscard]] inline Quatd nearer(const Quatd& q, const Quatd& near) {
   const bool other = q.x * near.x + q.y * near.y + q.z * near.z + q.w * near.w < 0.0;

@@ -17,6 +17,12 @@ enum class BodyExtent {
   // freedom as well, as far as the landmarks tell of them
   human,
 };
+template <>
+inline constexpr std::array kEnumWords<BodyExtent>{
+    EnumWord{BodyExtent::half, "half"},
+    EnumWord{BodyExtent::full, "full"},
+    EnumWord{BodyExtent::human, "human"},
+};
 
 // How build_human makes a body.
 struct HumanSettings {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <shigusa/core/result.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <shigusa/robot/robot.hpp>
 #include <string>
 #include <string_view>
@@ -12,8 +13,9 @@
 namespace shigusa {
 
 // What an MJCF model may hold at most; more is refused before memory is taken.
-inline constexpr std::size_t kMjcfMaxBytes = std::size_t{4} << 20;  // of each of its files
-inline constexpr std::size_t kMjcfMaxTags = 50'000;                 // of all of them
+inline constexpr std::size_t kMjcfMaxBytes =
+    info_of(FileFormat::mjcf).max_bytes;             // of each of its files
+inline constexpr std::size_t kMjcfMaxTags = 50'000;  // of all of them
 inline constexpr int kMjcfMaxFiles = 32;
 inline constexpr int kMjcfMaxDepth = 64;  // of bodies and frames in one another
 inline constexpr int kMjcfMaxLinks = 1024;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <shigusa/core/result.hpp>
+#include <shigusa/io/file_format.hpp>
 #include <shigusa/robot/robot.hpp>
 #include <string>
 #include <string_view>
@@ -11,7 +12,7 @@
 namespace shigusa {
 
 // What a URDF file may hold at most; more is refused before memory is taken.
-inline constexpr std::size_t kUrdfMaxBytes = std::size_t{16} << 20;
+inline constexpr std::size_t kUrdfMaxBytes = info_of(FileFormat::urdf).max_bytes;
 inline constexpr int kUrdfMaxLinks = 1024;
 inline constexpr int kUrdfMaxDepth = 64;  // of elements in one another
 // Lengths, masses and moments beyond this are refused.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <shigusa/body/body_model.hpp>
@@ -52,15 +53,6 @@ struct LaterPhase {
   friend bool operator==(const LaterPhase&, const LaterPhase&) = default;
 };
 
-// One number of the posture: its name, where it is, and what is allowed.
-struct PostureMember {
-  std::string name;  // a mode's name, "delay", "bow", "skew", "sway", "later.squat", "switch"
-  double* value = nullptr;  // where the number is
-  double low = 0.0;         // the least that is allowed
-  double high = 0.0;        // the most that is allowed
-  bool angle = false;       // in radians
-};
-
 // The names of the later phase begin with this: "later.right_knee.flexion", "later.squat".
 inline constexpr std::string_view kLaterPrefix = "later.";
 // The name of the number that tells when the later phase begins.
@@ -70,42 +62,36 @@ inline constexpr std::string_view kSwitchName = "switch";
   return name.starts_with(kLaterPrefix) ? name.substr(kLaterPrefix.size()) : name;
 }
 
-// The values of a body's posture modes; missing ones are added as 0.
-[[nodiscard]] std::vector<PostureMember> mode_members(const BodyModel& body,
-                                                      std::vector<double>& modes);
-// All numbers of `posture`; where it has no modes, or another count than the body, their missing
-// values are added as 0. What reads, writes or checks them goes by this list.
-[[nodiscard]] std::vector<PostureMember> posture_members(const BodyModel& body,
-                                                         PostureParameters& posture);
+inline constexpr int kArmDofs = 4;
+// The weights of shoulder flexion, abduction and rotation, and of elbow flexion.
+using ArmWeights = std::array<JointWeight, kArmDofs>;
 
-// The few readable numbers that a motion is generated from; what a search finds and a person edits.
+// The few readable numbers that a motion is generated from: a search finds them, a person edits
+// them. Which of them a motion has, and what each is called, its plan tells (layers/plan.hpp).
 struct Parameters {
-  std::vector<JointWeight> joints;    // (dofs) in the body's order
-  PostureParameters posture{};        // no modes: weights alone, as in the paper
+  std::vector<JointWeight> joints;    // (dofs of the plan's first layer) in that body's order
+  PostureParameters posture{};        // of the whole body; no modes: weights alone, as in the paper
   std::optional<LaterPhase> later{};  // the second phase, of a motion that has one
+  // Of layers that shorten limbs: (limbs) 0..kContractionMax, where the limb is longest and
+  // shortest.
+  std::vector<double> contractions{};
+  std::vector<ArmWeights> arms{};  // (goals whose arm moves by weights)
+  std::vector<double> swivels{};   // (goals whose arm moves by its swivel) rad
+  std::vector<double> finals{};    // (final angles that layers search) rad
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
-
-// The same of all phases: those of the posture, then of the later phase, if there is one, the modes
-// and the switch.
-[[nodiscard]] std::vector<PostureMember> posture_members(const BodyModel& body,
-                                                         Parameters& parameters);
+inline constexpr int kContractionMax = 15;
 
 // Gives a motion of one phase a later one that is like the first.
 void add_later_phase(Parameters& parameters);
 
-// Parameters of which a search leaves some as a person has set them. In a search of two phases what
-// is set of the first holds in both, unless the later phase has it set too.
+// Values of which a search leaves some as a person has set them. In a search of two phases what is
+// set of the first holds in both, unless the later phase has it set too.
 struct FixedParameters {
-  Parameters values;                 // with posture modes; with a later phase if that is set too
-  std::vector<bool> joints;          // (dofs) whose weight or lock is set
-  std::vector<bool> posture;         // (posture_members of the values) which numbers are set
-  std::vector<bool> later_joints{};  // (dofs) the same of the later phase; empty without one
+  Parameters values;      // with a posture; with a later phase if some of that is set too
+  std::vector<bool> set;  // (the plan's parameters that the values have) which are set
 };
-
-// None of a body's.
-[[nodiscard]] FixedParameters no_fixed_parameters(const BodyModel& body);
 
 // All freedoms alike: the plain pseudo-inverse.
 [[nodiscard]] Parameters uniform_parameters(const BodyModel& body);

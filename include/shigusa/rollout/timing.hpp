@@ -21,12 +21,13 @@ struct Timing {
 
 // One of these numbers.
 struct TimingNumber {
-  std::string_view name;  // "bow"
-  double low;             // the least that is allowed
-  double high;            // the most that is allowed
-  double searched_low;    // the least that searches try
-  double searched_high;   // the most that searches try
-  bool searched;          // by the usual searches; the others leave it at 0
+  std::string_view name;      // "bow"
+  double low;                 // the least that is allowed
+  double high;                // the most that is allowed
+  double searched_low;        // the least that searches try
+  double searched_high;       // the most that searches try
+  bool searched;              // by the usual searches; the others leave it at 0
+  std::string_view sentence;  // what it does
 };
 
 inline constexpr double kDelayMax = 0.5;  // share of the duration
@@ -38,10 +39,15 @@ inline constexpr double kBowSearched = 0.2;
 
 // All of them; whatever reads, writes, searches or shows a timing goes by this table.
 inline constexpr std::array kTimingNumbers{
-    TimingNumber{"delay", 0.0, kDelayMax, 0.0, kDelayMax, false},
-    TimingNumber{"bow", -kBowMax, kBowMax, -kBowSearched / 2.0, kBowSearched, true},
-    TimingNumber{"skew", -1.0, 1.0, -1.0, 1.0, false},
-    TimingNumber{"sway", -kBowMax, kBowMax, -kBowSearched, kBowSearched, true},
+    TimingNumber{"delay", 0.0, kDelayMax, 0.0, kDelayMax, false,
+                 "The posture begins to change after this share of the duration."},
+    TimingNumber{"bow", -kBowMax, kBowMax, -kBowSearched / 2.0, kBowSearched, true,
+                 "The paths leave their line forwards by this share of their length."},
+    TimingNumber{"skew", -1.0, 1.0, -1.0, 1.0, false,
+                 "The bow lies nearer to the start (above 0) or to the end."},
+    TimingNumber{
+        "sway", -kBowMax, kBowMax, -kBowSearched, kBowSearched, true,
+        "The paths leave their line sideways by this share of their length, outwards above 0."},
 };
 // Number of them.
 inline constexpr std::size_t kTimings = kTimingNumbers.size();

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The engine's names of joints, parameters and criteria, and its words for postures, as people say them.
+// The engine's names of joints and parameters, the words of its tables, and its words for postures, as people say them.
+import type { Facts } from '../../../bindings/wasm/src/types';
 
-export interface BodyWords {
+/** The words of the engine's tables that the page shows. */
+export function tableWords(facts: Facts): Record<TableWords, string[]> {
+  const names = (rows: readonly { name: string }[]): string[] => rows.map(({ name }) => name);
+  return {
+    criteria: names(facts.criteria), presets: names(facts.presets), bodies: names(facts.bodies), sexes: facts.sexes,
+    formats: names(facts.formats.filter(({ written }) => written)),
+  };
+}
+
+export type TableWords = 'criteria' | 'presets' | 'bodies' | 'sexes' | 'formats';
+
+export interface BodyWords extends Record<TableWords, Record<string, string>> {
   sides: Record<string, string>;
   joints: Record<string, string>;
   axes: Record<string, string>;
   parameters: Record<string, string>;
   groups: Record<string, string>;
-  criteria: Record<string, string>;
   posture: Record<string, string>;
   join: (side: string, rest: string) => string;
 }
@@ -17,7 +28,7 @@ export const englishBody: BodyWords = {
   joints: {
     ankle: 'ankle', knee: 'knee', hip: 'hip', hips: 'hips', spine: 'lower back', chest: 'middle back', upper_chest: 'upper back', neck: 'neck', head: 'head',
     clavicle: 'collarbone', shoulder: 'shoulder', elbow: 'elbow', wrist: 'wrist', hand: 'hand', foot: 'foot', toes: 'toes', trunk: 'trunk',
-    arm: 'arm', leg: 'leg', legs: 'legs', arms: 'arms',
+    upper_arm: 'upper arm', lower_arm: 'forearm', upper_leg: 'thigh', lower_leg: 'shank', arm: 'arm', leg: 'leg', legs: 'legs', arms: 'arms',
   },
   axes: {
     flexion: 'flexion', abduction: 'abduction', rotation: 'rotation', inversion: 'inversion', lateral: 'side bend',
@@ -35,6 +46,10 @@ export const englishBody: BodyWords = {
     joint_range: 'Joint limits', balance: 'Upright balance', torque: 'Joint torque', balance_zone: 'Balance', discomfort: 'Comfort',
     joint_acceleration: 'Smoothness', work: 'Work', low_back: 'Lower back', head: 'Head and gaze', collision: 'Collision', centre_of_pressure: 'Stays standing', feasibility: 'Within strength',
   },
+  presets: { flat: 'all at once', human: 'in layers', paper: 'as published', layers: 'the paper’s layers' },
+  bodies: { human: 'person', full_body: 'person', half_body: 'one arm and leg' },
+  sexes: { male: 'a man', female: 'a woman' },
+  formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: 'Strip, SVG', png: 'Strip, PNG', pdf: 'Strip, PDF', task: 'Task, JSON', result: 'Result, JSON' },
   posture: {},
   join: (side, rest) => (side === '' ? rest : `${side} ${rest}`),
 };
@@ -44,7 +59,7 @@ export const japaneseBody: BodyWords = {
   joints: {
     ankle: '足首', knee: '膝', hip: '股関節', hips: '腰', spine: '腰椎', chest: '胸椎', upper_chest: '上部胸椎', neck: '首', head: '頭',
     clavicle: '鎖骨', shoulder: '肩', elbow: '肘', wrist: '手首', hand: '手', foot: '足', toes: 'つま先', trunk: '体幹',
-    arm: '腕', leg: '脚', legs: '両脚', arms: '両腕',
+    upper_arm: '上腕', lower_arm: '前腕', upper_leg: '大腿', lower_leg: '下腿', arm: '腕', leg: '脚', legs: '両脚', arms: '両腕',
   },
   axes: {
     flexion: '屈曲', abduction: '外転', rotation: '回旋', inversion: '内がえし', lateral: '側屈',
@@ -61,6 +76,10 @@ export const japaneseBody: BodyWords = {
     joint_range: '関節の限界', balance: '直立の釣り合い', torque: '関節トルク', balance_zone: '釣り合い', discomfort: '楽さ',
     joint_acceleration: '滑らかさ', work: '仕事量', low_back: '腰の負担', head: '頭と視線', collision: '衝突', centre_of_pressure: '立っていられる', feasibility: '力の範囲',
   },
+  presets: { flat: '一度に', human: '階層的に', paper: '論文の方法', layers: '論文の階層' },
+  bodies: { human: '人', full_body: '人', half_body: '片腕片脚' },
+  sexes: { male: '男性', female: '女性' },
+  formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: '連続図 SVG', png: '連続図 PNG', pdf: '連続図 PDF', task: '課題 JSON', result: '結果 JSON' },
   posture: {
     squat: 'しゃがむ', stoop: 'かがむ', 'half squat': '中腰', upright: '直立', 'turned left': '左にひねる', 'turned right': '右にひねる',
     'elbow out': '肘を張る', 'elbow in': '肘を締める', 'knees bent': '膝を曲げる', 'straight knees': '膝を伸ばす', leaning: '傾く', 'leaning left': '左に傾く',

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The language that the page speaks.
-import { type BodyWords, englishBody, japaneseBody } from './body_words';
-import type { Reason } from '../../../bindings/wasm/src/types';
+import { type BodyWords, englishBody, japaneseBody, type TableWords, tableWords } from './body_words';
+import type { Facts, Reason } from '../../../bindings/wasm/src/types';
 import { en, type Key } from './en';
 import { ja } from './ja';
 
@@ -84,8 +84,16 @@ export function groupName(group: string): string {
   return words().groups[group] ?? jointName(group);
 }
 
-export function criterionName(name: string): string {
-  return words().criteria[name] ?? name.replaceAll('_', ' ');
+/** A word of one of the engine's tables as a person says it; what nobody has translated stays as it is. */
+export function engineWord(table: TableWords, word: string): string {
+  return words()[table][word] ?? word.replaceAll('_', ' ');
+}
+
+/** Words of the engine's tables that a language has none for: "criteria: work". */
+export function untranslated(facts: Facts, of: Language): string[] {
+  const known = of === 'ja' ? japaneseBody : englishBody;
+  return Object.entries(tableWords(facts)).flatMap(([table, all]) =>
+    all.filter((word) => !(word in known[table as TableWords])).map((word) => `${table}: ${word}`));
 }
 
 /** How a motion ends: "stoop, turned left". */

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Whose body: a built-in one of any size, or a file's; what was understood of it, and mending the bone map.
 import type { CharacterSpec } from '../../../bindings/wasm/src/types';
-import { jointName, t } from '../i18n';
+import { engineWord, jointName, t } from '../i18n';
 import { openCharacter, openFile } from '../state/files';
+import { characterEndings, characterFormats } from '../state/formats';
 import type { Document } from '../state/model';
+import { isRobot } from '../state/start';
 import type { Studio } from '../state/studio';
 import { button, fill, h, type Panel, round, select } from './dom';
-
-/** The bones that a person needs or may have, from the hips. */
-const kBones = [
-  'hips', 'spine', 'chest', 'upper_chest', 'neck', 'head',
-  ...(['left', 'right'] as const).flatMap((side) =>
-    ['shoulder', 'upper_arm', 'lower_arm', 'hand', 'upper_leg', 'lower_leg', 'foot', 'toes'].map((bone) => `${side}_${bone}`)),
-];
 
 export class BodyPanel implements Panel {
   readonly element: HTMLElement;
@@ -23,14 +18,14 @@ export class BodyPanel implements Panel {
 
   constructor(private readonly studio: Studio) {
     const input = h('input', {
-      type: 'file', accept: '.vrm,.glb,.gltf,.bvh,.json', hidden: true,
+      type: 'file', accept: [...characterEndings(studio.facts), '.json'].join(), hidden: true,
       onChange: () => {
         const file = input.files?.[0];
         if (file) void openFile(studio, file);
         input.value = '';
       },
     });
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('bodyIntro')),
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('bodyIntro', { formats: characterFormats(studio.facts) })),
       h('div', { class: 'buttons' }, button(t('openFile'), () => input.click()), input), this.content);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document?.character !== previous.document?.character) this.update();
@@ -62,7 +57,7 @@ export class BodyPanel implements Panel {
   }
 
   private builtIn(spec: CharacterSpec): HTMLElement {
-    const names = [['human', t('bodyHuman')], ['full_body', t('bodyFull')], ['half_body', t('bodyHalf')]] as const;
+    const names = this.studio.facts.bodies.map(({ name, dof }) => [name, t('freedoms', { body: engineWord('bodies', name), dof })] as const);
     const own = names.some(([name]) => name === spec.source);
     const options = own ? names : ([['', spec.source], ...names] as const);
     const choice = select(t('builtIn'), options, own ? spec.source : '', (source) => {
@@ -72,21 +67,21 @@ export class BodyPanel implements Panel {
   }
 
   private measures({ spec, description, bytes }: Document['character']): HTMLElement {
-    const number = (value: number, low: number, high: number, step: string, apply: (value: number) => void): HTMLInputElement => {
+    const number = (value: number, [low, high]: readonly [number, number], step: string, apply: (value: number) => void): HTMLInputElement => {
       const input = h('input', {
         type: 'number', min: String(low), max: String(high), step, value: String(Number(value.toFixed(3))),
         onChange: () => apply(Math.min(Math.max(Number(input.value) || value, low), high)),
       });
       return input;
     };
-    const sex = select(t('sex'), [['male', t('male')], ['female', t('female')]], spec.sex ?? 'male', (value) =>
-      this.change({ sex: value as 'male' | 'female' }));
+    const { ranges, sexes } = this.studio.facts;
+    const sex = select(t('sex'), sexes.map((name) => [name, engineWord('sexes', name)] as const), spec.sex ?? sexes[0]!, (value) =>
+      this.change({ sex: value as NonNullable<CharacterSpec['sex']> }));
     const heels = h('input', { type: 'checkbox', checked: spec.heels === true, onChange: () => this.change({ heels: heels.checked }) });
-    const robot = spec.source.toLowerCase().endsWith('.urdf');
-    if (robot) return h('div');
+    if (isRobot(description)) return h('div');
     return h('div', { class: 'fields' },
-      h('label', {}, h('span', {}, t('stature')), number(description.stature_m, 0.5, 2.5, '0.01', (value) => this.change({ stature_m: value })), t('m')),
-      h('label', {}, h('span', {}, t('mass')), number(description.mass_kg, 2, 300, '1', (value) => this.change({ mass_kg: value })), t('kg')),
+      h('label', {}, h('span', {}, t('stature')), number(description.stature_m, ranges.stature_m, '0.01', (value) => this.change({ stature_m: value })), t('m')),
+      h('label', {}, h('span', {}, t('mass')), number(description.mass_kg, ranges.mass_kg, '1', (value) => this.change({ mass_kg: value })), t('kg')),
       h('label', {}, h('span', {}, t('sex')), sex),
       spec.source === 'human' || bytes ? h('label', { class: 'check' }, heels, t('heels')) : null);
   }
@@ -95,7 +90,7 @@ export class BodyPanel implements Panel {
     const nodes = [...new Set(description.nodes.map((node) => node.name).filter((name) => name !== ''))];
     const changed = new Map<string, string>();
     const apply = button(t('apply'), () => this.change({ map: { ...spec.map, ...Object.fromEntries(changed) } }), { class: 'primary', disabled: true, 'data-key': 'apply map' });
-    const rows = kBones.map((bone) => {
+    const rows = this.studio.facts.bones.map((bone) => {
       const now = spec.map?.[bone] ?? description.humanoid[bone] ?? '';
       const known = now === '' || nodes.includes(now) ? nodes : [now, ...nodes];
       const choice = select(jointName(bone), [['', t('nothing')], ...known.map((name) => [name, name] as const)], now, (name) => {

@@ -1,44 +1,58 @@
 // SPDX-License-Identifier: MIT
 // What counts: a weight for each criterion, and what the chosen motion pays for it.
-import { criterionName, t } from '../i18n';
-import { defaultWeights, sameAsDefault, unknownCriteria } from '../state/criteria';
+import { engineWord, t } from '../i18n';
+import { ownMixture, sameWeights, unknownCriteria, type Weights } from '../state/criteria';
 import { chosenCandidate } from '../state/model';
 import type { Studio } from '../state/studio';
-import { button, h, type Panel, round } from './dom';
+import { button, fill, h, type Panel, round } from './dom';
 import { Slider } from './slider';
 
 export class CriteriaPanel implements Panel {
   readonly element: HTMLElement;
   private readonly atFirst: HTMLButtonElement;
+  private readonly list = h('div');
   private readonly rows = new Map<string, { slider: Slider; paid: HTMLElement; bar: HTMLElement }>();
+  private own: Weights | null = null; // which the sliders have marks at
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio) {
-    const rows = Object.entries(defaultWeights).map(([name, weight]) => {
-      const slider = new Slider({
-        label: criterionName(name), value: weight, low: 0, high: 1, mark: weight, markTitle: t('resetWeights'),
-        onInput: (value, drag) => studio.weigh(name, Math.round(value * 100) / 100, drag),
-      });
-      slider.range.dataset['criterion'] = name;
-      const paid = h('span', { class: 'paid' });
-      const bar = h('span', { class: 'meter', 'aria-hidden': 'true' });
-      this.rows.set(name, { slider, paid, bar });
-      return h('div', { class: 'row' }, h('div', { class: 'row-head' }, h('span', { class: 'row-name' }, criterionName(name)), paid, bar), slider.element);
-    });
     this.atFirst = button(t('resetWeights'), () => {
-      if (studio.document) studio.commit({ ...studio.document, weights: { ...defaultWeights } });
+      if (studio.document && this.own) studio.commit({ ...studio.document, weights: { ...this.own } });
     });
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('criteriaIntro')),
-      h('div', { class: 'buttons' }, button(t('searchAgain'), () => void studio.searchAgain(false), { class: 'primary' }), this.atFirst), ...rows);
+      h('div', { class: 'buttons' }, button(t('searchAgain'), () => void studio.searchAgain(false), { class: 'primary' }), this.atFirst), this.list);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document !== previous.document) this.update();
     });
     this.update();
   }
 
+  /** Those that the mixture weighs stand first. */
+  private build(own: Weights): void {
+    this.own = own;
+    this.rows.clear();
+    const names = this.studio.facts.criteria.map(({ name }) => name);
+    const counts = (name: string): boolean => (own[name] ?? 0) > 0;
+    fill(this.list, ...[...names.filter(counts), ...names.filter((name) => !counts(name))].map((name) => this.row(name, own[name] ?? 0)));
+  }
+
+  private row(name: string, weight: number): HTMLElement {
+    const slider = new Slider({
+      label: engineWord('criteria', name), value: weight, low: 0, high: Math.max(1, weight), mark: weight, markTitle: t('resetWeights'),
+      onInput: (value, drag) => this.studio.weigh(name, Math.round(value * 100) / 100, drag),
+    });
+    slider.range.dataset['criterion'] = name;
+    const paid = h('span', { class: 'paid' });
+    const bar = h('span', { class: 'meter', 'aria-hidden': 'true' });
+    this.rows.set(name, { slider, paid, bar });
+    return h('div', { class: 'row' }, h('div', { class: 'row-head' }, h('span', { class: 'row-name' }, engineWord('criteria', name)), paid, bar), slider.element);
+  }
+
   private update(): void {
     const { document } = this.studio;
     if (!document) return;
+    const own = ownMixture(this.studio.facts, document);
+    if (own !== this.own) this.build(own);
     const candidate = chosenCandidate(document);
     const unknown = new Set(unknownCriteria(document));
     for (const [name, row] of this.rows) {
@@ -48,7 +62,7 @@ export class CriteriaPanel implements Panel {
       row.paid.classList.toggle('bad', unknown.has(name));
       row.bar.style.setProperty('--share', String(penalty ?? 0));
     }
-    this.atFirst.disabled = sameAsDefault(document.weights);
+    this.atFirst.disabled = sameWeights(document.weights, own);
   }
 
   dispose(): void {

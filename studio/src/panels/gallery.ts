@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The candidates as cards: a moving picture, the word that tells one from the others, its strip, a bar for each criterion.
 import type { Candidate } from '../../../bindings/wasm/src/types';
-import { criterionName, postureWords, reasonWords, t } from '../i18n';
+import { engineWord, postureWords, reasonWords, t } from '../i18n';
 import { ranking, scoreOf } from '../state/criteria';
 import { candidateAt, type Document } from '../state/model';
 import type { Studio } from '../state/studio';
@@ -137,7 +137,7 @@ export class Gallery implements Panel {
     fill(card.score, `${t('score')} ${score}`, edited ? h('em', {}, t('edited')) : null);
     const penalties = Object.entries(candidate.summary.criteria).filter(([name]) => (document.weights[name] ?? 0) > 0);
     fill(card.bars, ...penalties.map(([name, penalty]) => {
-      const bar = h('i', { title: `${criterionName(name)}: ${round(penalty)}` });
+      const bar = h('i', { title: `${engineWord('criteria', name)}: ${round(penalty)}` });
       bar.style.setProperty('--share', String(Math.max(penalty / highest, 0.04)));
       return bar;
     }));

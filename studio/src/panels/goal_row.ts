@@ -10,7 +10,6 @@ import type { View } from '../view/view';
 import { fill, h, iconButton, round } from './dom';
 
 const kAxes = ['left', 'up', 'ahead'] as const;
-const kMostLoad = 200; // kg
 
 export class GoalRow {
   readonly element: HTMLElement;
@@ -34,7 +33,7 @@ export class GoalRow {
       const input = h('input', { type: 'number', step: '0.01', ...key(axis), onChange: () => this.place(input, index) });
       return input;
     });
-    this.load = h('input', { type: 'number', min: '0', max: String(kMostLoad), step: '0.5', ...key('load'), onChange: () => this.hold() });
+    this.load = h('input', { type: 'number', min: '0', max: String(this.mostLoad), step: '0.5', ...key('load'), onChange: () => this.hold() });
     this.turn = h('input', { type: 'checkbox', ...key('turn'), onChange: () => this.askRotation() });
     this.rings = h('input', {
       type: 'checkbox', ...key('rings'), onChange: () => {
@@ -54,6 +53,10 @@ export class GoalRow {
     this.element.addEventListener('focusin', () => {
       if (this.goal) studio.select(effector);
     });
+  }
+
+  private get mostLoad(): number { // kg
+    return this.studio.facts.ranges.load_kg[1];
   }
 
   private get goal(): Goal | undefined {
@@ -97,7 +100,7 @@ export class GoalRow {
 
   private hold(): void {
     void this.studio.changeGoal(this.effector, (old) => {
-      const kilograms = Math.min(Math.max(Number(this.load.value) || 0, 0), kMostLoad);
+      const kilograms = Math.min(Math.max(Number(this.load.value) || 0, 0), this.mostLoad);
       const { load_kg: _, ...rest } = old;
       return kilograms > 0 ? { ...rest, load_kg: kilograms } : rest;
     });

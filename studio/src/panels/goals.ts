@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The goals as numbers, and how motions for them are searched.
-import { t } from '../i18n';
+import { engineWord, t } from '../i18n';
 import type { Document, SearchSettings } from '../state/model';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -9,9 +9,10 @@ import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
 
-/** Motions of a search: of the preset's own, or a number. */
-const kEfforts: Record<string, number | null> = { effortQuick: 600, effortNormal: null, effortThorough: 6000 };
-const kDurations = [0.2, 20] as const; // s
+/** How many times as many motions a search scores as the preset would by itself. */
+const kEfforts = { effortQuick: 1 / 3, effortNormal: 1, effortThorough: 10 / 3 } as const;
+type Effort = keyof typeof kEfforts;
+const efforts = Object.keys(kEfforts) as Effort[];
 
 export class GoalsPanel implements Panel {
   readonly element: HTMLElement;
@@ -25,16 +26,17 @@ export class GoalsPanel implements Panel {
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio, private readonly view: View) {
+    const [least, most] = studio.facts.ranges.duration_s;
     this.duration = h('input', {
-      type: 'number', min: String(kDurations[0]), max: String(kDurations[1]), step: '0.1', placeholder: t('auto'), 'data-key': 'duration',
+      type: 'number', min: String(least), max: String(most), step: '0.1', placeholder: t('auto'), 'data-key': 'duration',
       onChange: () => this.change({
-        duration_s: this.duration.value === '' ? null : Math.min(Math.max(Number(this.duration.value), kDurations[0]), kDurations[1]),
+        duration_s: this.duration.value === '' ? null : Math.min(Math.max(Number(this.duration.value), least), most),
       }),
     });
-    this.method = select(t('method'), [['flat', t('flat')], ['human', t('human')]], 'flat', (value) =>
-      this.change(withPreset(this.studio.document!.settings, value as SearchSettings['preset'])));
-    this.effort = select(t('effort'), (['effortQuick', 'effortNormal', 'effortThorough'] as const).map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
-      this.change({ evaluations: kEfforts[key] ?? null }));
+    const presets = studio.facts.presets.map(({ name }) => [name, engineWord('presets', name)] as const);
+    this.method = select(t('method'), presets, studio.facts.default_preset, (value) => this.search(value));
+    this.effort = select(t('effort'), efforts.map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
+      this.change({ evaluations: this.evaluations(this.method.value, key as Effort) }));
     this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.list,
       h('div', { class: 'fields' },
@@ -56,6 +58,25 @@ export class GoalsPanel implements Panel {
     void this.studio.search();
   }
 
+  /** By another preset, with the same effort. */
+  private search(preset: string): void {
+    const { settings } = this.studio.document!;
+    const effort = this.effortOf(settings);
+    this.change({ ...withPreset(settings, preset), evaluations: effort ? this.evaluations(preset, effort) : settings.evaluations });
+  }
+
+  /** Motions that a search scores; null: as the preset has it. */
+  private evaluations(preset: string, effort: Effort): number | null {
+    const { presets, ranges } = this.studio.facts;
+    const own = presets.find(({ name }) => name === preset);
+    if (effort === 'effortNormal' || !own) return null;
+    return Math.max(Math.round(own.evaluations * kEfforts[effort]), ranges.evaluations[0]);
+  }
+
+  private effortOf({ preset, evaluations }: SearchSettings): Effort | undefined {
+    return efforts.find((effort) => this.evaluations(preset, effort) === evaluations);
+  }
+
   private reseed(): void {
     const text = this.seed.value.trim();
     if (/^\d+$/.test(text) && Number.isSafeInteger(Number(text))) return this.change({ seed: Number(text) });
@@ -72,13 +93,15 @@ export class GoalsPanel implements Panel {
       fill(this.list, ...this.rows.map((row) => row.element));
     }
     for (const row of this.rows) row.update(document, this.studio.store.state.selected);
-    const { settings, character } = document;
+    const { settings } = document;
     this.duration.value = settings.duration_s === null ? '' : String(settings.duration_s);
-    // the layers of people are those of a whole person
-    this.method.options[1]!.hidden = this.method.options[1]!.disabled = ['half_body', 'full_body'].includes(character.spec.source);
+    // as people move, or as the task says
+    for (const [index, { name, natural }] of this.studio.facts.presets.entries()) {
+      this.method.options[index]!.hidden = this.method.options[index]!.disabled = !natural && name !== settings.preset;
+    }
     this.method.value = settings.preset;
     this.seed.value = String(settings.seed);
-    this.effort.value = Object.keys(kEfforts).find((key) => kEfforts[key] === settings.evaluations) ?? 'effortNormal';
+    this.effort.value = this.effortOf(settings) ?? 'effortNormal';
   }
 
   dispose(): void {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Take away: animation files, figures, the task and the result, a link.
-import { type Key, t } from '../i18n';
+import { engineWord, type Key, t } from '../i18n';
 import { openFiles } from '../state/files';
 import type { Studio } from '../state/studio';
-import { canTake, link, save, type Taken, takeAway } from '../state/take_away';
+import { canTake, link, missingFiles, motionFormats, save, type Taken, takeAway } from '../state/take_away';
 import { button, fill, h, type Panel, select } from './dom';
-
-const kGroups: readonly (readonly [Key, readonly Taken[]])[] = [
-  ['animation', ['glb', 'vrma', 'bvh', 'csv']],
-  ['figure', ['svg', 'png']],
-  ['again', ['result', 'task']],
-];
 
 /** Frames a second that films, television and games have. */
 const kRates = ['24', '25', '29.97', '30', '50', '60', '120'];
@@ -29,15 +23,18 @@ export class TakePanel implements Panel {
         input.value = '';
       },
     });
-    const groups = kGroups.map(([title, formats]) => h('section', {}, h('h3', {}, t(title)),
+    const { animations, figures } = motionFormats(studio.facts);
+    const made: readonly (readonly [Key, readonly Taken[]])[] = [['animation', animations], ['figure', figures], ['again', ['result', 'task']]];
+    const groups = made.map(([title, formats]) => h('section', {}, h('h3', {}, t(title)),
       h('div', { class: 'take' }, ...formats.map((format) => {
-        const element = button(t(format), () => void this.take(format), { 'data-format': format });
+        const element = button(engineWord('formats', format), () => void this.take(format), { 'data-format': format });
         this.buttons.set(format, element);
         return element;
       }))));
     const rate = select(t('fps'), kRates.map((value) => [value, value] as const), String(studio.store.state.fps),
       (value) => studio.store.set({ fps: Number(value) }));
-    rate.title = t('fpsOf');
+    const rated = studio.facts.formats.filter((format) => format.rated).map(({ name }) => name.toUpperCase());
+    rate.title = t('fpsOf', { formats: rated.join(', ') });
     groups[0]?.append(h('div', { class: 'fields' }, h('label', {}, h('span', {}, t('fps')), rate)));
     groups[2]?.append(h('div', { class: 'take' }, button(t('link'), () => void this.copyLink(), { 'data-format': 'link' }),
       button(t('openResult'), () => input.click()), input), this.shown);
@@ -49,15 +46,16 @@ export class TakePanel implements Panel {
   private update(): void {
     for (const [format, element] of this.buttons) {
       element.disabled = !canTake(this.studio, format);
-      if (format === 'vrma') element.title = element.disabled ? t('vrmaOnly') : '';
+      const missing = missingFiles(this.studio, format);
+      element.title = missing.length > 0 ? t('onlyFor', { formats: missing.map((name) => name.toUpperCase()).join(', ') }) : '';
     }
   }
 
   private async take(format: Taken): Promise<void> {
     try {
-      const { name, bytes } = await takeAway(this.studio, format);
-      save(name, bytes);
-      this.studio.tell({ kind: 'text', key: 'saved', values: { name } });
+      const file = await takeAway(this.studio, format);
+      save(file);
+      this.studio.tell({ kind: 'text', key: 'saved', values: { name: file.name } });
     } catch (error) {
       this.studio.fail(error);
     }

@@ -1,36 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The criteria's names and weights (docs/criteria.md).
-import type { Candidate, Task } from '../../../bindings/wasm/src/types';
+// What motions are ranked by (docs/criteria.md): the engine's mixtures, and weights of a person's own.
+import type { Candidate, Facts, Task } from '../../../bindings/wasm/src/types';
 import { candidateAt, type Document } from './model';
 
-/** The mixture `default`; what is 0 is not computed. */
-export const defaultWeights: Readonly<Record<string, number>> = {
-  joint_range: 0.25,
-  balance_zone: 0.2,
-  discomfort: 0.27,
-  joint_acceleration: 0.22,
-  low_back: 0.2,
-  collision: 0.5,
-  centre_of_pressure: 0.35,
-  feasibility: 1,
-  balance: 0,
-  torque: 0,
-  work: 0,
-  head: 0,
-};
+export type Weights = Readonly<Record<string, number>>;
 
-const kNothing = Object.fromEntries(Object.keys(defaultWeights).map((name) => [name, 0]));
-/** The mixtures that tasks name. */
-const kMixtures: Readonly<Record<string, Readonly<Record<string, number>>>> = {
-  default: defaultWeights,
-  paper: { ...kNothing, joint_range: 0.5, balance: 0.3, torque: 0.2 },
-  pareto: { ...kNothing, balance: 1 / 3, torque: 1 / 3, discomfort: 1 / 3 },
-};
+/** The mixture that a task ranks by where it says nothing of criteria; what is 0 in it is not computed. */
+export function mixtureOf(facts: Facts, task: { preset?: string; pareto?: unknown }): Weights {
+  const preset = facts.presets.find(({ name }) => name === (task.preset ?? facts.default_preset));
+  const name = task.pareto === true ? facts.pareto_mixture : preset?.mixture;
+  return facts.mixtures[name ?? ''] ?? {};
+}
 
-/** The weights of a task: what it says of some, and of the others its preset's own. */
-export function weightsOf({ criteria, preset }: Task): Record<string, number> {
-  const own = preset === 'paper' || preset === 'layers' ? 'paper' : 'default';
-  const weights = { ...kMixtures[typeof criteria === 'string' ? criteria : own] ?? defaultWeights };
+/** The same of a document. */
+export function ownMixture(facts: Facts, { settings }: Pick<Document, 'settings'>): Weights {
+  return mixtureOf(facts, { preset: settings.preset, pareto: settings.more['pareto'] });
+}
+
+/** The weights of a task: what it says of some, and of the others its own mixture's. */
+export function weightsOf(facts: Facts, task: Task): Record<string, number> {
+  const { criteria } = task;
+  const named = typeof criteria === 'string' ? facts.mixtures[criteria] : undefined;
+  const weights = { ...named ?? mixtureOf(facts, task) };
   for (const [name, entry] of Object.entries(typeof criteria === 'object' ? criteria : {})) {
     const weight = (entry as { weight?: unknown } | null)?.weight;
     if (typeof weight === 'number') weights[name] = weight;
@@ -38,12 +29,12 @@ export function weightsOf({ criteria, preset }: Task): Record<string, number> {
   return weights;
 }
 
-export function sameAsDefault(weights: Readonly<Record<string, number>>): boolean {
-  return Object.keys(defaultWeights).every((name) => (weights[name] ?? 0) === defaultWeights[name]);
+export function sameWeights(a: Weights, b: Weights): boolean {
+  return Object.keys({ ...a, ...b }).every((name) => (a[name] ?? 0) === (b[name] ?? 0));
 }
 
 /** Σ weight · penalty, lower is better. What a motion was not scored by counts nothing: search again to know it. */
-export function scoreOf(candidate: Candidate, weights: Readonly<Record<string, number>>): number {
+export function scoreOf(candidate: Candidate, weights: Weights): number {
   let sum = 0;
   for (const [name, penalty] of Object.entries(candidate.summary.criteria)) sum += (weights[name] ?? 0) * penalty;
   return sum;

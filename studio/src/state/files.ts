@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: MIT
 // Files and links that come in: characters, results, tasks.
-import type { CharacterSpec, Generated, Goal, Summary, Task } from '../../../bindings/wasm/src/types';
+import type { Character, CharacterSpec, Facts, Generated, Summary, Task } from '../../../bindings/wasm/src/types';
 import { weightsOf } from './criteria';
+import { characterFormat, characterFormats, endingOf } from './formats';
 import type { Document, SearchSettings } from './model';
 import { newDocument } from './start';
 import type { Studio } from './studio';
 import { moreOf } from './task';
 
-const kCharacters = new Set(['glb', 'gltf', 'vrm', 'bvh']);
-const kMostBytes = 200e6;
+const kJson = '.json';
+const kMostJsonBytes = 200e6;
 const kOfTheFile = new Set(['source', 'frame', 'animation', 'seat_m', 'heels', 'map']);
-const kBuiltIn = new Set(['human', 'full_body', 'half_body']);
-
-const endingOf = (name: string): string => name.toLowerCase().split('.').pop() ?? '';
 
 /** Opens what was dropped or picked: the result among several files, which must be those that it describes, else the
  *  first. */
 export async function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
-  const result = files.find((file) => file.name === 'summary.json') ?? files.find((file) => endingOf(file.name) === 'json');
+  const result = files.find((file) => file.name === 'summary.json') ?? files.find((file) => endingOf(file.name) === kJson);
   const file = files.length > 1 && result ? result : files[0];
   if (file) await openFile(studio, file, files.filter((other) => other !== file));
 }
 
 /** Opens one; what cannot be opened is told, and everything stays as it was. `beside`: files that came with it. */
 export async function openFile(studio: Studio, file: File, beside: readonly File[] = []): Promise<void> {
-  const ending = endingOf(file.name);
-  if (!kCharacters.has(ending) && ending !== 'json') {
-    return studio.tell({ kind: 'text', key: 'unknownFile', values: { name: file.name } });
+  const isJson = endingOf(file.name) === kJson;
+  const most = isJson ? kMostJsonBytes : characterFormat(studio.facts, file.name)?.max_bytes;
+  if (most === undefined) {
+    return studio.tell({ kind: 'text', key: 'unknownFile', values: { name: file.name, formats: characterFormats(studio.facts) } });
   }
-  if (file.size > kMostBytes) return studio.tell({ kind: 'text', key: 'tooLarge', values: { name: file.name } });
+  if (file.size > most) {
+    return studio.tell({ kind: 'text', key: 'tooLarge', values: { name: file.name, most: Math.floor(most / 1e6) } });
+  }
   studio.store.set({ opening: file.name, notice: null });
   try {
     const bytes = new Uint8Array(await file.arrayBuffer());
-    if (ending === 'json') await openJson(studio, new TextDecoder().decode(bytes), beside);
+    if (isJson) await openJson(studio, new TextDecoder().decode(bytes), beside);
     else await openCharacter(studio, { source: file.name }, bytes);
   } catch (error) {
     studio.fail(error, file.name);
@@ -44,7 +45,7 @@ export async function openFile(studio: Studio, file: File, beside: readonly File
 export async function openCharacter(studio: Studio, spec: CharacterSpec, bytes?: Uint8Array): Promise<void> {
   const character = await studio.open(spec, bytes);
   const old = studio.document;
-  const fresh = newDocument(character);
+  const fresh = newDocument(studio.facts, character);
   // of the same body in another size or map, goals stay
   const same = old !== null && old.character.spec.source === spec.source && old.character.bytes === bytes;
   const document: Document = same ? { ...fresh, goals: old.goals, weights: old.weights, settings: old.settings } : fresh;
@@ -80,15 +81,15 @@ async function changedFile(summary: Summary, beside: readonly File[]): Promise<s
 }
 
 export async function openResult(studio: Studio, summary: Summary, beside: readonly File[] = []): Promise<void> {
-  const task = summary['task'] as Task & { character?: CharacterSpec | string };
+  const task = summary['task'] as Task;
   const character = (await characterBeside(studio, task.character, beside)) ?? (await characterOf(studio, task.character));
   const result: Generated = await studio.restore(character, summary);
-  await studio.begin({ ...documentOf(newDocument(character, task.goals), task), result });
+  await studio.begin({ ...documentOf(studio.facts, character, task), result });
 }
 
-export async function openTask(studio: Studio, task: Task & { character?: CharacterSpec | string }): Promise<void> {
+export async function openTask(studio: Studio, task: Task): Promise<void> {
   const character = await characterOf(studio, task.character);
-  await studio.begin(documentOf(newDocument(character, task.goals), task));
+  await studio.begin(documentOf(studio.facts, character, task));
 }
 
 /** The character of a result by its own file, where that came with it. */
@@ -96,7 +97,7 @@ async function characterBeside(
   studio: Studio, named: CharacterSpec | string | undefined, beside: readonly File[],
 ): Promise<Document['character'] | undefined> {
   if (typeof named !== 'object') return undefined;
-  const file = beside.find(({ name }) => name === named.source && kCharacters.has(endingOf(name)));
+  const file = beside.find(({ name }) => name === named.source && characterFormat(studio.facts, name) !== undefined);
   if (file === undefined) return undefined;
   // as it was read then; what was measured of it is in the file
   const said = Object.entries(named).filter(([key]) => kOfTheFile.has(key));
@@ -105,20 +106,21 @@ async function characterBeside(
 
 /** The character of a task: the one at hand where it is of the same file, as that has its mesh. */
 async function characterOf(studio: Studio, named: CharacterSpec | string | undefined): Promise<Document['character']> {
-  const spec: CharacterSpec = typeof named === 'string' ? { source: named } : (named ?? { source: 'full_body' });
+  const spec: CharacterSpec = typeof named === 'string' ? { source: named } : (named ?? { source: studio.facts.default_body });
   const now = studio.document?.character;
   if (now?.bytes && now.spec.source === spec.source) return now;
-  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && kBuiltIn.has(spec.source)) return now;
+  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && studio.facts.bodies.some(({ name }) => name === spec.source)) return now;
   return studio.open(spec);
 }
 
-function documentOf(document: Document, task: Task): Document {
+function documentOf(facts: Facts, character: Character, task: Task): Document {
   const settings: SearchSettings = {
-    preset: (task.preset ?? 'flat') as SearchSettings['preset'],
+    preset: task.preset ?? facts.default_preset,
     seed: task.seed ?? 0,
     evaluations: task.evaluations ?? null,
     duration_s: task.duration_s ?? null,
     more: moreOf(task),
   };
-  return { ...document, goals: task.goals.map((goal: Goal) => ({ ...goal })), settings, weights: weightsOf(task), fixed: task.fixed ?? [] };
+  const goals = (task.goals ?? []).map((goal) => ({ ...goal }));
+  return { ...newDocument(facts, character, goals), settings, weights: weightsOf(facts, task), fixed: task.fixed ?? [] };
 }

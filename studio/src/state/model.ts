@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the page knows. A document is what undo goes back over; it is never changed, only replaced. A session is
 // the rest: what is shown and what is going on.
-import type { Candidate, Character, EngineFailure, Generated, Goal, Summary } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, EngineFailure, Generated, Goal, Summary, Task } from '../../../bindings/wasm/src/types';
 
 /** What a person changed of a candidate, and the motion that came of it. */
 export interface Edit {
@@ -12,11 +12,11 @@ export interface Edit {
 
 /** What is asked of the search beside the goals. */
 export interface SearchSettings {
-  readonly preset: 'flat' | 'human' | 'layers' | 'paper';
+  readonly preset: string;
   readonly seed: number;
   readonly evaluations: number | null; // null: the preset's own
   readonly duration_s: number | null; // null: from the distance
-  readonly more: Readonly<Record<string, unknown>>; // what else a task says, as obstacles; carried along
+  readonly more: Readonly<Partial<Task>>; // what else a task says, as obstacles; carried along
 }
 
 export interface Document {

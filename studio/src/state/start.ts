@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a body is asked for before anybody has asked.
-import type { Character, Goal, Vec3 } from '../../../bindings/wasm/src/types';
-import { defaultWeights } from './criteria';
+import type { Character, CharacterDescription, Facts, Goal, Vec3 } from '../../../bindings/wasm/src/types';
+import { mixtureOf } from './criteria';
 import type { Document } from './model';
 
 /** A low reach across the body, of an average person: one that people do in several ways. */
@@ -10,6 +10,9 @@ const kFirstStature = 1.741;
 
 /** Effectors with a handle, where a body has them. */
 export const handleEffectors = ['right_hand', 'left_hand', 'head', 'right_foot', 'left_foot'] as const;
+
+/** A robot's joints are its file's. */
+export const isRobot = ({ joints }: CharacterDescription): boolean => joints.some((joint) => joint.file_joint !== undefined);
 
 export function effectorsOf(character: Character): string[] {
   const { effectors, places } = character.description;
@@ -40,13 +43,13 @@ function firstGoal(character: Character): Goal {
   return { effector, position_m: [side * kFirstReach[0] * scale, kFirstReach[1] * scale, kFirstReach[2] * scale] };
 }
 
-export function newDocument(character: Character, goals?: readonly Goal[]): Document {
+export function newDocument(facts: Facts, character: Character, goals?: readonly Goal[]): Document {
   return {
     character,
     goals: goals ?? [firstGoal(character)],
-    weights: { ...defaultWeights },
+    weights: { ...mixtureOf(facts, {}) },
     fixed: [],
-    settings: { preset: 'flat', seed: 0, evaluations: null, duration_s: null, more: {} },
+    settings: { preset: facts.default_preset, seed: 0, evaluations: null, duration_s: null, more: {} },
     result: null,
     chosen: 0,
     compared: null,

@@ -60,7 +60,7 @@ export class Studio extends Workbench {
     this.store.set({ dragging: true, selected: effector, hint: false });
     const trial = this.withGoal(document, this.moved(document, effector, position, rotation));
     try {
-      const found = await this.engine.preview(document.character, previewTask(trial));
+      const found = await this.engine.preview(document.character, previewTask(this.facts, trial));
       const candidate = found?.candidates[0];
       if (!found || !candidate || !this.store.state.dragging) return;
       this.store.set({ preview: candidate, previewRemaining_mm: found.summary.remaining_mm });
@@ -113,7 +113,7 @@ export class Studio extends Workbench {
     const since = performance.now();
     this.store.set({ search: { fraction: 0, best: Infinity }, notice: null });
     try {
-      const result = await this.engine.generate(document.character, taskOf(document), {
+      const result = await this.engine.generate(document.character, taskOf(this.facts, document), {
         signal: controller.signal,
         onProgress: (progress) => {
           if (this.running !== controller) return;
@@ -147,7 +147,7 @@ export class Studio extends Workbench {
     if (this.warm) return;
     this.warm = true;
     try {
-      for (let k = 0; k < 8 && !this.store.state.dragging; ++k) await this.engine.preview(document.character, previewTask(document));
+      for (let k = 0; k < 8 && !this.store.state.dragging; ++k) await this.engine.preview(document.character, previewTask(this.facts, document));
     } catch {
       // a drag tells what is wrong
     }
@@ -273,7 +273,7 @@ export class Studio extends Workbench {
     }
     const task = result.summary['task'] as Task;
     const settings = { ...document.settings, more: moreOf(task) };
-    return { ...document, result, edits, settings, goals: task.goals, fixed: task.fixed ?? [] };
+    return { ...document, result, edits, settings, goals: task.goals ?? [], fixed: task.fixed ?? [] };
   }
 
   /** Keeps what is locked or given and searches the rest. */
@@ -307,7 +307,7 @@ export class Studio extends Workbench {
   /** Something to see while the first search runs. */
   private async glance(document: Document): Promise<void> {
     try {
-      const found = await this.engine.preview(document.character, previewTask(document));
+      const found = await this.engine.preview(document.character, previewTask(this.facts, document));
       const candidate = found?.candidates[0];
       if (!candidate || this.document !== document || this.store.state.dragging) return;
       this.clock.duration = candidate.summary.duration_s;
@@ -319,7 +319,7 @@ export class Studio extends Workbench {
 
   // ---- What files are made of --------------------------------------------------------------------
 
-  async exported(format: 'bvh' | 'csv' | 'svg' | 'glb' | 'vrma', index?: number): Promise<Uint8Array> {
+  async exported(format: string, index?: number): Promise<Uint8Array> {
     const document = this.document;
     if (!document?.result) throw new Error('no motion');
     const which = index ?? document.chosen;

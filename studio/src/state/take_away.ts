@@ -1,45 +1,69 @@
 // SPDX-License-Identifier: MIT
 // Files and links that go out.
+import type { Character, Facts, FormatFacts } from '../../../bindings/wasm/src/types';
+import { hasNeeded } from './formats';
 import type { Studio } from './studio';
 import { completeTask, linkOf } from './task';
 
-export type Taken = 'glb' | 'vrma' | 'bvh' | 'csv' | 'svg' | 'png' | 'task' | 'result';
+/** A format by its name; or what the page itself makes, beside what the engine writes. */
+export type Taken = string;
 
-const kTypes: Record<Taken, string> = {
-  glb: 'model/gltf-binary', vrma: 'model/gltf-binary', bvh: 'text/plain', csv: 'text/csv', svg: 'image/svg+xml', png: 'image/png',
-  task: 'application/json', result: 'application/json',
-};
+/** Of any body: the page draws the GLB of one that has no mesh, and a picture of the strip. */
+const kPageMakes = new Set(['glb', 'png']);
+const kJsonType = 'application/json';
 
-/** Whether the character can leave in a format: VRMA and its own GLB need a file of that kind. */
+const formatOf = (studio: Studio, format: Taken): FormatFacts | undefined => studio.facts.formats.find(({ name }) => name === format);
+
+const isFigure = (format: FormatFacts): boolean => format.media_type.startsWith('image/') || format.media_type === 'application/pdf';
+
+/** What a motion can leave as: animations and tables, and figures. */
+export function motionFormats({ formats }: Facts): { animations: Taken[]; figures: Taken[] } {
+  const all = formats.filter(({ name, written }) => written || kPageMakes.has(name));
+  const names = (figures: boolean): Taken[] => all.filter((format) => isFigure(format) === figures).map(({ name }) => name);
+  return { animations: names(false), figures: names(true) };
+}
+
+/** Formats of which the character would have to be to leave in this one; none where it can. */
+export function missingFiles(studio: Studio, format: Taken): readonly string[] {
+  const facts = formatOf(studio, format);
+  const character = studio.document?.character;
+  if (!facts || !character || kPageMakes.has(format) || hasNeeded(studio.facts, facts, character)) return [];
+  return facts.needs;
+}
+
 export function canTake(studio: Studio, format: Taken): boolean {
   const { document } = studio;
   if (!document) return false;
   if (format === 'task') return true;
-  if (!document.result) return false;
-  return format !== 'vrma' || document.character.spec.source.toLowerCase().endsWith('.vrm');
+  return document.result !== null && missingFiles(studio, format).length === 0;
 }
 
-export async function takeAway(studio: Studio, format: Taken): Promise<{ name: string; bytes: Uint8Array }> {
+export interface TakenFile {
+  name: string;
+  bytes: Uint8Array;
+  type: string;
+}
+
+export async function takeAway(studio: Studio, format: Taken): Promise<TakenFile> {
   const document = studio.document!;
   const body = document.character.spec.source.replace(/\.[^.]*$/, '').replace(/[^\p{L}\p{N}_-]+/gu, '-');
   const encode = (value: unknown): Uint8Array => new TextEncoder().encode(`${JSON.stringify(value, null, 2)}\n`);
-  const name = `shigusa-${body}-${document.chosen + 1}`;
-  switch (format) {
-    case 'task':
-      return { name: `shigusa-${body}-task.json`, bytes: encode(completeTask(document)) };
-    case 'result':
-      return { name: `shigusa-${body}-result.json`, bytes: encode(resultOf(studio)) };
-    case 'png':
-      return { name: `${name}.png`, bytes: await pngOf(await studio.exported('svg')) };
-    case 'glb': {
-      const bytes = document.character.bytes && /\.(glb|gltf|vrm)$/i.test(document.character.spec.source)
-        ? await studio.exported('glb')
-        : await (await import('../view/drawn_glb')).drawnGlb(document.character, await studio.sampledNodes());
-      return { name: `${name}.glb`, bytes };
-    }
-    default:
-      return { name: `${name}.${format}`, bytes: await studio.exported(format) };
+  if (format === 'task') {
+    return { name: `shigusa-${body}-task.json`, bytes: encode(completeTask(studio.facts, document)), type: kJsonType };
   }
+  if (format === 'result') return { name: `shigusa-${body}-result.json`, bytes: encode(resultOf(studio)), type: kJsonType };
+  const facts = formatOf(studio, format)!;
+  const bytes = facts.written && hasNeeded(studio.facts, facts, document.character)
+    ? await studio.exported(format)
+    : await made(studio, document.character, format);
+  return { name: `shigusa-${body}-${document.chosen + 1}.${format}`, bytes, type: facts.media_type };
+}
+
+/** What the engine does not write of this character. */
+async function made(studio: Studio, character: Character, format: Taken): Promise<Uint8Array> {
+  if (format === 'png') return pngOf(await studio.exported('svg'));
+  const { drawnGlb } = await import('../view/drawn_glb');
+  return drawnGlb(character, await studio.sampledNodes());
 }
 
 /** The result with what was edited in the place of what was found. */
@@ -73,8 +97,7 @@ async function pngOf(svg: Uint8Array): Promise<Uint8Array> {
   }
 }
 
-export function save(name: string, bytes: Uint8Array): void {
-  const type = kTypes[name.split('.').pop() as Taken] ?? 'application/octet-stream';
+export function save({ name, bytes, type }: TakenFile): void {
   const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
   const anchor = globalThis.document.createElement('a');
   anchor.href = url;
@@ -84,5 +107,5 @@ export function save(name: string, bytes: Uint8Array): void {
 }
 
 export function link(studio: Studio): string {
-  return linkOf(studio.document!, location.href);
+  return linkOf(studio.facts, studio.document!, location.href);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A document as a task file, and the link that carries one.
-import type { CharacterSpec, Task } from '../../../bindings/wasm/src/types';
-import { sameAsDefault } from './criteria';
+import type { Facts, Task } from '../../../bindings/wasm/src/types';
+import { ownMixture, sameWeights } from './criteria';
 import type { Document, SearchSettings } from './model';
 
 /** Motions that a drag's search may score: enough to see how the body goes, few enough to follow the hand. */
@@ -19,39 +19,39 @@ export function withPreset(settings: SearchSettings, preset: SearchSettings['pre
 const kKnown = new Set(['version', 'character', 'goals', 'preset', 'seed', 'evaluations', 'duration_s', 'fixed']);
 
 /** All else that a task says, which is carried along. */
-export function moreOf(task: Task): Record<string, unknown> {
+export function moreOf(task: Task): Partial<Task> {
   return Object.fromEntries(Object.entries(task).filter(([key]) => !kKnown.has(key)));
 }
 
-export function taskOf(document: Document): Task {
+export function taskOf(facts: Facts, document: Document): Task {
   const { criteria, ...more } = document.settings.more;
   const task: Task = { ...more, version: 1, goals: document.goals.map((goal) => ({ ...goal })), preset: document.settings.preset };
   if (document.settings.seed !== 0) task.seed = document.settings.seed;
   if (document.settings.evaluations !== null) task.evaluations = document.settings.evaluations;
   if (document.settings.duration_s !== null) task.duration_s = document.settings.duration_s;
   if (document.fixed.length > 0) task.fixed = [...document.fixed];
-  if (typeof criteria === 'object' || task.preset === 'paper' || task.preset === 'layers' || !sameAsDefault(document.weights)) {
-    const told = typeof criteria === 'object' ? (criteria as Record<string, object>) : {};
+  if (typeof criteria === 'object' || !sameWeights(document.weights, ownMixture(facts, document))) {
+    const told: Record<string, object | undefined> = typeof criteria === 'object' ? { ...criteria } : {};
     task.criteria = Object.fromEntries(Object.entries(document.weights).map(([name, weight]) => [name, { ...told[name], weight }]));
   }
   return task;
 }
 
-export function previewTask(document: Document): Task {
-  const trial = { ...document, settings: withPreset(document.settings, 'flat') };
-  return { ...taskOf(trial), candidates: 1, evaluations: kPreviewEvaluations };
+export function previewTask(facts: Facts, document: Document): Task {
+  const trial = { ...document, settings: withPreset(document.settings, facts.default_preset) };
+  return { ...taskOf(facts, trial), candidates: 1, evaluations: kPreviewEvaluations };
 }
 
 /** The task with its character, complete: a file's person as measured, where a result tells. */
-export function completeTask(document: Document): Record<string, unknown> {
+export function completeTask(facts: Facts, document: Document): Record<string, unknown> {
   const measured = document.result?.summary['task'] as { character?: unknown } | undefined;
-  return { ...taskOf(document), character: measured?.character ?? document.character.spec };
+  return { ...taskOf(facts, document), character: measured?.character ?? document.character.spec };
 }
 
 const kFragment = '#task=';
 
-export function linkOf(document: Document, page: string): string {
-  const bytes = new TextEncoder().encode(JSON.stringify(completeTask(document)));
+export function linkOf(facts: Facts, document: Document, page: string): string {
+  const bytes = new TextEncoder().encode(JSON.stringify(completeTask(facts, document)));
   let text = '';
   for (const byte of bytes) text += String.fromCharCode(byte);
   const base64 = btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
@@ -59,7 +59,7 @@ export function linkOf(document: Document, page: string): string {
 }
 
 /** The task of a link; null where there is none. Throws a SyntaxError where it is damaged. */
-export function taskOfLink(fragment: string): (Task & { character?: CharacterSpec | string }) | null {
+export function taskOfLink(fragment: string): Task | null {
   if (!fragment.startsWith(kFragment)) return null;
   let text: string;
   try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The document on the table: its steps, what is shown of it and when, and what is told about it.
-import type { Candidate, Character, Engine } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, Engine, Facts } from '../../../bindings/wasm/src/types';
 import { failureOf } from '../engine/connect';
 import { Clock } from './clock';
 import { History } from './history';
@@ -14,6 +14,10 @@ export class Workbench {
   private characters = new Set<Character>();
 
   constructor(readonly engine: Engine) {}
+
+  get facts(): Facts {
+    return this.engine.facts;
+  }
 
   get document(): Document | null {
     return this.store.state.document;

@@ -2,14 +2,15 @@
 // Which figure a character is drawn as, and letting go of one.
 import { Mesh, type Object3D, SkinnedMesh, type Texture } from 'three';
 import type { Character } from '../../../bindings/wasm/src/types';
+import { isRobot } from '../state/start';
 import { type Figure, makeMannequin } from './mannequin';
 import { makeSticks } from './sticks';
 
 export type { Figure } from './mannequin';
 
 export async function makeFigure(character: Character): Promise<Figure> {
-  const ending = character.spec.source.toLowerCase().split('.').pop() ?? '';
-  if (character.bytes && ['glb', 'gltf', 'vrm'].includes(ending)) {
+  const { description } = character;
+  if (character.bytes && description.nodes.some((node) => node.file_node !== undefined)) {
     try {
       const { makeGltfFigure } = await import('./gltf_figure');
       return await makeGltfFigure(character);
@@ -17,8 +18,7 @@ export async function makeFigure(character: Character): Promise<Figure> {
       // a file without a mesh, or one that three cannot read: its joints can be drawn all the same
     }
   }
-  if (ending === 'urdf') return makeSticks(character.description);
-  return makeMannequin(character.description) ?? makeSticks(character.description);
+  return (isRobot(description) ? null : makeMannequin(description)) ?? makeSticks(description);
 }
 
 export function disposeFigure(figure: Figure): void {

@@ -118,7 +118,7 @@ export class View {
   private showOverlays(state: State): void {
     const goals = state.document?.goals ?? [];
     this.overlays.show(this.studio.shown(), goals);
-    this.obstacles.show(state.document?.settings.more['obstacles']);
+    this.obstacles.show(state.document?.settings.more.obstacles);
     this.otherOverlays.show(this.compared(), []);
   }
 

@@ -22,6 +22,7 @@ export interface ShigusaModule {
   _shigusa_bytes_data(bytes: number): number;
   _shigusa_bytes_size(bytes: number): number;
   _shigusa_bytes_free(bytes: number): void;
+  _shigusa_facts(json: number): number;
 
   _shigusa_character_create(spec: number, file: number, fileSize: number, character: number): number;
   _shigusa_character_free(character: number): void;

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include "task_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <shigusa/character/axis_words.hpp>
+#include <shigusa/core/names.hpp>
+#include <shigusa/core/parse_number.hpp>
+#include <utility>
+
+namespace shigusa::app {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+// "NAME=1,2.5,-3": a name and so many numbers.
+struct Named {
+  std::string name;
+  std::vector<double> numbers;
+};
+
+// "NAME=REST"
+std::optional<std::pair<std::string, std::string>> split(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos || equals == 0) return std::nullopt;
+  return std::pair{text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Texts split_at_commas(const std::string& text) {
+  Texts parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    parts.push_back(text.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return parts;
+}
+
+// Infinite ones are refused where their ranges are known.
+std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& part : split_at_commas(text)) {
+    const std::optional<double> number = parse_number(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != count) return std::nullopt;
+  return numbers;
+}
+
+std::optional<Named> parse_named(const std::string& text, std::size_t count) {
+  const auto parts = split(text);
+  if (!parts) return std::nullopt;
+  auto numbers = parse_numbers(parts->second, count);
+  if (!numbers) return std::nullopt;
+  return Named{parts->first, std::move(*numbers)};
+}
+
+// An optional value's type, or the value's own.
+template <class Value>
+struct PlainOf {
+  using type = Value;
+};
+template <class Value>
+struct PlainOf<std::optional<Value>> : PlainOf<Value> {};
+template <class Value>
+using Plain = typename PlainOf<Value>::type;
+
+// The sort of numbers that an option takes, for messages.
+template <class Value>
+constexpr const char* numbers_of() {
+  if (std::same_as<Value, Quatd>) return " with the four numbers of a quaternion";
+  if (std::same_as<Value, double>) return "";
+  if (std::same_as<Value, std::vector<Obstacle>>) return ": a box's middle and its size in metres";
+  return " with three numbers in metres";
+}
+
+tl::unexpected<Error> misread(const char* option, const std::string& text,
+                              const std::string& form) {
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} '{}' is not {}", option, text.substr(0, 80), form));
+}
+template <class Holder, class Value>
+tl::unexpected<Error> misread(const Field<Holder, Value>& field, const std::string& text) {
+  return misread(field.traits.option, text,
+                 std::string(field.traits.form) + numbers_of<Plain<Value>>());
+}
+
+// The effector's goal, wherever that was given.
+Result<Goal*> goal_of(const char* option, const std::string& effector, Request& request) {
+  for (Goal& goal : request.goals) {
+    if (goal.effector == effector) return &goal;
+  }
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} is for an effector with a goal, and {} has none", option, effector));
+}
+
+Quatd from_numbers(const std::vector<double>& n, Quatd) { return {n[0], n[1], n[2], n[3]}; }
+Vec3d from_numbers(const std::vector<double>& n, Vec3d) { return {n[0], n[1], n[2]}; }
+double from_numbers(const std::vector<double>& n, double) { return n[0]; }
+
+// Reads "EFFECTOR=…" with the field's numbers, and sets the field of the effector's goal.
+template <class Value>
+Result<void> apply_to_goals(const Field<Goal, Value>& field, const Texts& texts, Request& request) {
+  for (const std::string& text : texts) {
+    // numbers, points and rotations are so many doubles
+    const auto named = parse_named(text, sizeof(Plain<Value>) / sizeof(double));
+    if (!named) return misread(field, text);
+    const Result<Goal*> goal = goal_of(field.traits.option, named->name, request);
+    if (!goal) return tl::unexpected(goal.error());
+    field.set(**goal, from_numbers(named->numbers, Plain<Value>{}));
+  }
+  return {};
+}
+
+// Points an axis of a hand, a word or three numbers: the second one of a hand makes it a rotation.
+Result<void> point(const char* option, const char* axis_word, const std::string& text,
+                   Request& request) {
+  const auto parts = split(text);
+  if (!parts) return misread(option, text, "HAND=DIRECTION");
+  const Result<Goal*> goal = goal_of(option, parts->first, request);
+  if (!goal) return tl::unexpected(goal.error());
+  const Result<Vec3d> axis = hand_axis(axis_word, parts->first);
+  if (!axis) return fail(axis.error().code, axis.error().message, option);
+  Vec3d direction{};
+  if (const auto numbers = parse_numbers(parts->second, 3)) {
+    direction = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  } else {
+    const Result<Vec3d> named = direction_named(parts->second);
+    if (!named) return fail(named.error().code, named.error().message, option);
+    direction = *named;
+  }
+  Goal& of = **goal;
+  if (!of.axis || of.axis->axis == *axis) {
+    of.axis = GoalAxis{*axis, direction};
+    return {};
+  }
+  const Result<Quatd> rotation =
+      rotation_pointing(of.axis->axis, of.axis->direction, *axis, direction);
+  if (!rotation) return fail(rotation.error().code, rotation.error().message, option);
+  of.axis.reset();
+  of.rotation = *rotation;
+  return {};
+}
+
+// The palms, thumbs and fingers of hands.
+struct HandOption {
+  const char* option;
+  const char* word;
+  const Texts& texts;
+};
+std::array<HandOption, 3> hand_options(const TaskOptions& options) {
+  return {{{"--palm", "palm", options.palms},
+           {"--thumb", "thumb", options.thumbs},
+           {"--fingers", "fingers", options.fingers}}};
+}
+
+// Turns on the command line take the place of those in a task file.
+void forget_turns(const Texts& texts, Request& request) {
+  for (const std::string& text : texts) {
+    for (Goal& goal : request.goals) {
+      if (text.substr(0, text.find('=')) != goal.effector) continue;
+      goal.rotation.reset();
+      goal.axis.reset();
+    }
+  }
+}
+
+Result<void> apply_goal_fields(const TaskOptions& options, Request& request) {
+  for (const HandOption& hand : hand_options(options)) forget_turns(hand.texts, request);
+  Result<void> applied;
+  for_each_option<Goal>(options.goal, [&](const auto& field, const Texts& texts) {
+    using Value = std::remove_cvref_t<decltype(Goal{}.*field.member)>;
+    if constexpr (requires(std::vector<double> n) { from_numbers(n, Plain<Value>{}); }) {
+      if (std::string_view(field.key) == "rotation_xyzw") forget_turns(texts, request);
+      if (applied) applied = apply_to_goals(field, texts, request);
+    }
+  });
+  for (const HandOption& hand : hand_options(options)) {
+    for (const std::string& text : hand.texts) {
+      if (applied) applied = point(hand.option, hand.word, text, request);
+    }
+  }
+  return applied;
+}
+
+// "layer reading" of "--layer-reading", for messages.
+std::string kind_of(std::string_view option) {
+  std::string kind(option.substr(2));
+  std::replace(kind.begin(), kind.end(), '-', ' ');
+  return kind;
+}
+
+Result<CriteriaSettings> mixture_named(const std::string& name) {
+  Texts known;
+  for (const CriteriaPreset& mixture : criteria_presets()) {
+    if (name == mixture.name) return mixture.settings();
+    known.emplace_back(mixture.name);
+  }
+  return fail(ErrorCode::invalid_argument, unknown_name("criteria", name, known));
+}
+
+// The value of an option's text; of a list's option, of one item.
+template <class Value, class AnyField>
+Result<Value> parse(const AnyField& field, const std::string& text) {
+  if constexpr (std::is_enum_v<Value>) {
+    return value_of<Value>(text, kind_of(field.traits.option));
+  } else if constexpr (std::same_as<Value, CriteriaSettings>) {
+    return mixture_named(text);
+  } else if constexpr (std::same_as<Value, std::string>) {
+    return text;
+  } else if constexpr (std::same_as<Value, Texts>) {
+    return split_at_commas(text);
+  } else if constexpr (std::same_as<Value, Vec3d>) {
+    const auto n = parse_numbers(text, 3);
+    if (!n) return misread(field, text);
+    return Vec3d{(*n)[0], (*n)[1], (*n)[2]};
+  } else {
+    const auto named = parse_named(text, std::same_as<Value, Goal> ? 3 : 6);
+    if (!named) return misread(field, text);
+    const std::vector<double>& n = named->numbers;
+    if constexpr (std::same_as<Value, Goal>) {
+      return Goal{.effector = named->name, .position = {n[0], n[1], n[2]}};
+    } else {
+      return Obstacle{
+          .name = named->name, .position = {n[0], n[1], n[2]}, .size = {n[3], n[4], n[5]}};
+    }
+  }
+}
+
+// Adds to the list; goals take the place of those there.
+template <class Item>
+Result<void> apply_field(const Field<Request, std::vector<Item>>& field, const Texts& texts,
+                         Request& request) {
+  std::vector<Item> list = request.*field.member;
+  if (std::same_as<Item, Goal>) list.clear();
+  for (const std::string& text : texts) {
+    Result<Item> item = parse<Item>(field, text);
+    if (!item) return tl::unexpected(item.error());
+    list.push_back(std::move(*item));
+  }
+  field.set(request, std::move(list));
+  return {};
+}
+template <class Value>
+Result<void> apply_field(const Field<Request, Value>& field, const std::optional<std::string>& text,
+                         Request& request) {
+  Result<Plain<Value>> value = parse<Plain<Value>>(field, *text);
+  if (!value) return tl::unexpected(value.error());
+  field.set(request, std::move(*value));
+  return {};
+}
+template <class Value, class Number>
+Result<void> apply_field(const Field<Request, Value>& field, const std::optional<Number>& number,
+                         Request& request) {
+  field.set(request, *number);
+  return {};
+}
+Result<void> apply_field(const Field<Request, bool>& field, bool truth, Request& request) {
+  field.set(request, truth);
+  return {};
+}
+
+}  // namespace
+
+bool TaskOptions::has(std::string_view option) const {
+  bool given = false;
+  for_each_option<Request>(request, [&](const auto& field, const auto& typed) {
+    given = given || (option == field.traits.option && is_given(typed));
+  });
+  return given;
+}
+
+Result<void> apply_task_options(const TaskOptions& options, Request& request) {
+  Result<void> applied;
+  for_each_option<Request>(options.request, [&](const auto& field, const auto& typed) {
+    if (applied && is_given(typed)) applied = apply_field(field, typed, request);
+  });
+  return applied ? apply_goal_fields(options, request) : applied;
+}
+
+}  // namespace shigusa::app

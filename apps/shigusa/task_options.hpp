@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <concepts>
+#include <shigusa/task/request.hpp>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace shigusa::app {
+
+// The type that the command line keeps of a field's option until it is applied: numbers and flags
+// as they are, all else as it is typed. Options of a goal name their effector and are repeatable.
+template <class Holder, class Value>
+struct TypedOf {
+  using Text = std::optional<std::string>;
+  using Number = std::conditional_t<std::is_arithmetic_v<Value>, std::optional<Value>, Text>;
+  using type = std::conditional_t<std::same_as<Value, bool>, bool, Number>;
+};
+template <class Holder, class Item>
+struct TypedOf<Holder, std::vector<Item>> {
+  using type = std::vector<std::string>;
+};
+template <class Holder, class Value>
+struct TypedOf<Holder, std::optional<Value>> : TypedOf<Holder, Value> {};
+template <class Holder>
+struct TypedOf<Holder, std::optional<std::vector<std::string>>> {
+  using type = std::optional<std::string>;
+};
+template <class Value>
+struct TypedOf<Goal, Value> {
+  using type = std::vector<std::string>;
+};
+template <class Value>
+struct TypedOf<Goal, std::optional<Value>> {
+  using type = std::vector<std::string>;
+};
+
+// The options of a struct's fields, in the order of its table.
+template <class... Fields>
+struct FieldOptionsOf;
+template <class Holder, class... Values>
+struct FieldOptionsOf<std::tuple<Field<Holder, Values>...>> {
+  std::tuple<typename TypedOf<Holder, Values>::type...> typed{};
+};
+template <class Holder>
+using FieldOptions = FieldOptionsOf<std::remove_const_t<decltype(kFields<Holder>.fields)>>;
+
+// Calls visit(field, typed) for each field that has an option.
+template <class Holder, class Options, class Visit>
+void for_each_option(Options& options, Visit&& visit) {
+  const auto visit_one = [&](const auto& field, auto& typed) {
+    if (field.traits.option != nullptr) visit(field, typed);
+  };
+  const auto& fields = kFields<Holder>.fields;
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (visit_one(std::get<I>(fields), std::get<I>(options.typed)), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(options.typed)>>{});
+}
+
+template <class Typed>
+[[nodiscard]] bool is_given(const Typed& typed) {
+  if constexpr (std::same_as<Typed, bool>) {
+    return typed;
+  } else if constexpr (requires { typed.has_value(); }) {
+    return typed.has_value();
+  } else {
+    return !typed.empty();
+  }
+}
+
+// What is asked of the body, as it is typed.
+struct TaskOptions {
+  FieldOptions<Request> request;
+  FieldOptions<Goal> goal;
+  std::vector<std::string> palms;  // HAND=DIRECTION, and so thumbs and fingers
+  std::vector<std::string> thumbs;
+  std::vector<std::string> fingers;
+
+  // Whether the request's option of that name is given.
+  [[nodiscard]] bool has(std::string_view option) const;
+};
+
+// Puts what is given into the request; goals take the place of those there. Fails on what cannot be
+// read, on unknown words and on what is of an effector without a goal.
+[[nodiscard]] Result<void> apply_task_options(const TaskOptions& options, Request& request);
+
+}  // namespace shigusa::app

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// Task files, as docs/task.schema.json has them: `scripts/make_schema` writes this file.
+
+export type Vec3 = [number, number, number];
+export type Quat = [number, number, number, number];
+
+export interface Part {
+  from_m: Vec3;
+  to_m: Vec3;
+  radius_m: number;
+}
+
+/** A person as measured, in the start posture. */
+export interface Landmarks {
+  left_hip: Vec3;
+  left_knee: Vec3;
+  left_ankle: Vec3;
+  left_toe: Vec3;
+  right_hip: Vec3;
+  right_knee: Vec3;
+  right_ankle: Vec3;
+  right_toe: Vec3;
+  left_shoulder: Vec3;
+  left_elbow: Vec3;
+  left_wrist: Vec3;
+  left_fingertip: Vec3;
+  right_shoulder: Vec3;
+  right_elbow: Vec3;
+  right_wrist: Vec3;
+  right_fingertip: Vec3;
+  neck: Vec3;
+  head_top: Vec3;
+  /** Joints between pelvis and shoulders, from below. Of the extent human. */
+  spine?: Vec3[];
+  head?: Vec3;
+  left_clavicle?: Vec3;
+  right_clavicle?: Vec3;
+  left_toes?: Vec3;
+  right_toes?: Vec3;
+  left_grip?: Vec3;
+  right_grip?: Vec3;
+  left_sole?: [Vec3, Vec3, Vec3, Vec3];
+  right_sole?: [Vec3, Vec3, Vec3, Vec3];
+  /** Of a character with a mesh: what of it nothing should pass through. Each part is a line with a thickness in
+   * its own frame: from the joint that it hangs on, y from its far end to that joint, x to the left, z ahead.
+   * Parts that are absent are by stature. */
+  parts?: {
+    head?: Part;
+    jaw?: Part;
+    neck?: Part;
+    trunk?: Part;
+    pelvis?: Part;
+    spine?: Part;
+    chest?: Part;
+    upper_chest?: Part;
+    left_thigh?: Part;
+    right_thigh?: Part;
+    left_shank?: Part;
+    right_shank?: Part;
+    left_foot?: Part;
+    right_foot?: Part;
+    left_upper_arm?: Part;
+    right_upper_arm?: Part;
+    left_forearm?: Part;
+    right_forearm?: Part;
+    left_hand?: Part;
+    right_hand?: Part;
+  };
+}
+
+/** A built-in body, or a person or a robot from a file. */
+export interface CharacterSpec {
+  /** half_body, full_body, human or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF (.xml) file; of a person with
+   * landmarks or a robot with urdf, only a name. */
+  source: string;
+  /** Standing height. Of a person from a file: scales the file. */
+  stature_m?: number;
+  /** That of an average person of the stature when not given. */
+  mass_kg?: number;
+  /** The nodes of the file that some humanoid bones are: {"right_hand": "Bone_17"}. Goes before what the file and
+   * its names tell. */
+  map?: Record<string, string>;
+  /** A robot as read: the text of its URDF file without meshes; one of an MJCF file as URDF. With it the file is
+   * not needed. */
+  urdf?: string;
+  /** For mass distribution and strength. */
+  sex?: 'male' | 'female';
+  /** Height of the seat that the person sits on; they stand when it is not given. */
+  seat_m?: number;
+  /** Heels may lift, where people's do; of the body human, standing. */
+  heels?: boolean;
+  /** Of a person from a file: all freedoms that the file has joints for (human), 18 (full) or 9 (half). human when
+   * not given, by the presets paper and layers full. */
+  extent?: 'half' | 'full' | 'human';
+  /** Of a person from a file: the frame that is the start posture, from 0, of glTF of an animation; or rest, the
+   * file's rest pose, from which the person stands at ease. When not given, of an animation its first, else of
+   * glTF the rest pose and of BVH frame 0, at ease where that is a T- or an A-pose. */
+  frame?: number | 'rest';
+  /** Of a glTF file: the name or the index of the animation that the frame is of, at 60 frames a second; the first
+   * when not given. */
+  animation?: string;
+  /** Of a person with landmarks: guesses of the measuring; of a robot from an MJCF file: what was left out. */
+  doubts?: string[];
+  /** Of a person with landmarks: nodes of the file that are not where the body has those of their names, in the
+   * start posture. Goals are for the file's. */
+  places_m?: Record<string, Vec3>;
+  /** The person as measured, in the start posture; stature_m stands beside it. */
+  landmarks_m?: Landmarks;
+}
+
+/** An axis of the effector and the direction that it is to have. */
+export interface GoalAxis {
+  /** In the effector's own frame; of hands also by a word. */
+  axis: 'palm' | 'thumb' | 'fingers' | Vec3;
+  /** In the world. */
+  direction: 'up' | 'down' | 'left' | 'right' | 'ahead' | 'back' | Vec3;
+}
+
+/** The final place of one effector, and how it is turned there. */
+export interface Goal {
+  /** right_hand, left_foot, head, hips or another joint of the body: left or right shoulder, elbow, wrist, hip,
+   * knee, foot, toes, clavicle; spine, chest, neck; or the name of another node. */
+  effector: string;
+  /** In the world. */
+  position_m: Vec3;
+  /** The mass that a hand with a goal holds all the way. */
+  load_kg?: number;
+  /** How the effector is turned at the end, a unit quaternion: from the world's axes, which its own are where the
+   * body stands upright facing +Z with arms hanging and thumbs ahead. */
+  rotation_xyzw?: Quat;
+  /** In place of a rotation: an axis of the effector and the direction that it is to have; the effector may turn
+   * about it. */
+  axis?: GoalAxis;
+  /** Half the sides, along the world's axes, of a box about the goal: anywhere in it will do. */
+  tolerance_m?: Vec3;
+}
+
+/** A box with round edges: without size_m a sphere, with size along one axis a capsule. */
+export interface Obstacle {
+  /** For messages. */
+  name?: string;
+  /** Its middle. */
+  position_m: Vec3;
+  /** Along its own axes. */
+  size_m?: Vec3;
+  /** Of its round edges, beyond the size on all sides. */
+  radius_m?: number;
+  /** A unit quaternion. */
+  rotation_xyzw?: Quat;
+}
+
+/** Weights of the score, not all 0, and the scale at which each penalty is full (docs/criteria.md). Absent ones
+ * are as in the preset's own mixture. */
+export interface Criteria {
+  joint_range?: {
+    weight?: number;
+    margin?: number;
+  };
+  balance?: {
+    weight?: number;
+    lean?: number;
+  };
+  torque?: {
+    weight?: number;
+    share?: number;
+  };
+  balance_zone?: {
+    weight?: number;
+    margin_m?: number;
+  };
+  discomfort?: {
+    weight?: number;
+    share?: number;
+  };
+  joint_acceleration?: {
+    weight?: number;
+    acceleration_rad_s2?: number;
+  };
+  work?: {
+    weight?: number;
+    share?: number;
+  };
+  low_back?: {
+    weight?: number;
+    share?: number;
+  };
+  head?: {
+    weight?: number;
+    height?: number;
+  };
+  collision?: {
+    weight?: number;
+    depth_m?: number;
+  };
+  centre_of_pressure?: {
+    weight?: number;
+    outside_m?: number;
+  };
+  feasibility?: {
+    weight?: number;
+    outside_m?: number;
+  };
+}
+
+/** A request: a body and the final places of its hands, feet or other joints. Metres, kilograms, seconds,
+ * radians; +Y up, the body faces +Z, its left is +X, origin on the floor between the feet. */
+export interface Task {
+  version?: 1;
+  /** full_body when not given, half_body, human, a person's BVH, GLB, glTF, VRM or FBX file, or a robot's URDF or
+   * MJCF (.xml) file, relative to the task file. */
+  character?: string | CharacterSpec;
+  /** The final places of effectors, such as right_hand, head, hips, left_elbow, right_knee, left_foot or any joint
+   * that `shigusa body` names: metres, +Y up, the body faces +Z, its left is +X. One for each effector at most;
+   * one at least is given, or a foot is left out of contacts. */
+  goals?: Goal[];
+  /** The point that the eyes are on; the first goal of a limb when not given. */
+  look_at_m?: Vec3;
+  /** Feet that stay on the floor, one at least; all without a goal when not given. A foot that is not named and has
+   * no goal lifts. */
+  contacts?: string[];
+  /** Things that nothing of the body should pass through; the command line knows boxes, by their middle and size in
+   * metres. */
+  obstacles?: Obstacle[];
+  /** Seconds of the motion; from the distance when not given. */
+  duration_s?: number;
+  /** paper, as published; flat, when not given: all parameters at once, within joint limits; layers: the paper's
+   * hierarchy, first trunk and limb lengths, then arms; or human: trunk and limb lengths, then the elbows' swivel,
+   * then free arms. Criteria, search and number of candidates are its own where nothing else is said. */
+  preset?: 'paper' | 'flat' | 'layers' | 'human';
+  /** Of the presets layers and human, the meaning of the paper's 14 parameters of the whole body:
+   * shared_contractions, when not given: 12 weights and 2 contractions, or contraction_a_limb: 10 and 4. */
+  layer_reading?: 'shared_contractions' | 'contraction_a_limb';
+  /** The algorithm; the preset's own when not given. */
+  search?: 'paper_ga' | 'log_ga' | 'annealing' | 'cma_es' | 'de' | 'random';
+  /** Of the preset flat: candidates are a front of the criteria, motions of which none is better by all of them;
+   * criteria are then the mixture pareto where nothing else is said. */
+  pareto?: boolean;
+  /** The mixture that motions are scored by: paper, default or pareto, or in files weights and scales; the preset's
+   * own when not given. */
+  criteria?: 'paper' | 'default' | 'pareto' | Criteria;
+  /** Parameters that the search leaves as given, such as squat_deg=60 or right_shoulder.flexion.locked=true (as
+   * --set of edit); of two phases these hold in both, and later.squat_deg=30 in the second. */
+  fixed?: string[];
+  /** The maker of motions from parameters: weighted_ik when not given, or nlp_ik, constrained minimisation in each
+   * frame, ten times slower. */
+  generator?: 'weighted_ik' | 'nlp_ik';
+  /** Of the preset flat: with 2, weights and postures change once during the motion; 1 when not given. */
+  phases?: number;
+  /** Same seed, same bytes; 0 when not given. */
+  seed?: number;
+  /** Candidates to deliver, at most; the preset's own number when not given. */
+  candidates?: number;
+  /** Motions that the search may score: it starts again, with other random numbers, until they are used up. When
+   * not given, it runs once. */
+  evaluations?: number;
+}

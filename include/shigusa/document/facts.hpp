@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace shigusa {
+
+/// All that a user interface has to know beside a body, as JSON text: criteria, mixtures, presets
+/// with the mixture that each ranks by, the words of enums, ranges of what a person sets, and file
+/// formats. bindings/c/include/shigusa.h says its keys (shigusa_facts).
+[[nodiscard]] std::string format_facts();
+
+}  // namespace shigusa

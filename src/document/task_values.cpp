@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "task_values.hpp"
+
+#include <shigusa/character/axis_words.hpp>
+#include <utility>
+
+#include "character/character_places.hpp"
+#include "character/humanoid_request.hpp"
+#include "character/landmarks_json.hpp"
+
+namespace shigusa {
+namespace {
+
+// Three numbers, or a word that stands for them.
+template <class Named>
+void read_axis(JsonReader& reader, const char* key, Vec3d& into, Named&& named) {
+  reader.require(key);
+  if (!reader.has(key) || !reader.value(key).is_string()) {
+    return reader.vector(key, into, kGoalRange);
+  }
+  const Result<Vec3d> vector = named(reader.value(key).get<std::string>());
+  if (!vector) return reader.wrong(key, vector.error().to_string());
+  into = *vector;
+}
+
+}  // namespace
+
+void read_composite(JsonReader& goal, const char* key, GoalAxis& axis) {
+  if (goal.has("rotation_xyzw")) {
+    return goal.wrong(key, "stands beside rotation_xyzw; allowed is one of both");
+  }
+  std::string effector;
+  goal.text("effector", effector);
+  JsonReader reader = goal.object(key);
+  read_axis(reader, "axis", axis.axis,
+            [&](const std::string& word) { return hand_axis(word, effector); });
+  read_axis(reader, "direction", axis.direction,
+            [](const std::string& word) { return direction_named(word); });
+  goal.absorb(reader.finish());
+}
+
+void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteria) {
+  if (task.value(key).is_string()) {
+    std::vector<std::pair<std::string, CriteriaSettings>> presets;
+    for (const CriteriaPreset& preset : criteria_presets()) {
+      presets.emplace_back(preset.name, preset.settings());
+    }
+    return task.choice(key, criteria, presets);
+  }
+  JsonReader reader = task.object(key);
+  double sum = 0.0;
+  for_each_criterion([&](const auto& criterion) {
+    if (reader.has(criterion.name)) {
+      JsonReader members = reader.object(criterion.name);
+      members.number("weight", criterion.weight(criteria), 0.0, kCriteriaRange);
+      members.number(criterion.scale_name, criterion.scale(criteria), kCriteriaTiny,
+                     kCriteriaRange);
+      reader.absorb(members.finish());
+    }
+    sum += criterion.weight(criteria);
+  });
+  if (sum <= 0.0) {
+    reader.wrong("", "all weights are 0; allowed are weights of which one or more is above 0");
+  }
+  task.absorb(reader.finish());
+}
+
+void read_composite(JsonReader& character, const char* key, BoneRequest& map) {
+  Result<BoneRequest> read = bone_request(character.value(key));
+  if (!read) return character.wrong(key, read.error().message);
+  map = std::move(*read);
+}
+
+void read_composite(JsonReader& character, const char*, std::optional<Landmarks>& person) {
+  person = read_landmarks(character);
+}
+
+void read_composite(JsonReader& character, const char* key, Places& places) {
+  if (!character.has("landmarks_m")) {
+    return character.wrong(key, "is of a person with landmarks_m, and there are none");
+  }
+  read_places(character, places);
+}
+
+Json composite_to_json(ToJson, const CriteriaSettings& criteria) {
+  Json json;
+  for_each_criterion([&](const auto& criterion) {
+    json[criterion.name] = {{"weight", criterion.weight(criteria)},
+                            {criterion.scale_name, criterion.scale(criteria)}};
+  });
+  return json;
+}
+
+Json composite_to_json(ToJson, const BoneRequest& map) {
+  Json json;
+  for (const auto& [bone, node] : map) json[bone] = node;
+  return json;
+}
+
+Json composite_to_json(ToJson, const Landmarks& person) { return landmarks_to_json(person); }
+
+Json composite_to_json(ToJson, const Places& places) {
+  Json json;
+  for (const auto& [node, at] : places) json[node] = to_json(at);
+  return json;
+}
+
+void end_item(JsonReader& goal, const std::vector<Goal>& goals) {
+  const std::string& effector = goals.back().effector;
+  const auto same = [&](const Goal& earlier) { return earlier.effector == effector; };
+  if (std::none_of(goals.begin(), goals.end() - 1, same)) return;
+  goal.wrong("effector", "is a second goal for '" + effector.substr(0, 80) +
+                             "'; allowed is one for each effector");
+}
+
+void begin_item(std::vector<Obstacle>& obstacles) {
+  obstacles.back().name = fmt::format("obstacle {}", obstacles.size());
+}
+
+}  // namespace shigusa

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Files that hold the motion of nodes.
+#include <fmt/format.h>
+
+#include <shigusa/io/bvh.hpp>
+#include <shigusa/kinematics/skeleton_motion.hpp>
+
+#include "character_export.hpp"
+#include "export_file.hpp"
+#include "read_back.hpp"
+
+namespace shigusa {
+namespace {
+
+// The motion as files of it have it. Fails on more of it than a file may hold.
+Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
+                          const Candidate& candidate, double rate) {
+  const Clip& clip = candidate.motion.clip;
+  const std::size_t nodes =
+      character.rig ? character.rig->rig.nodes.size() : task.body.nodes().size();
+  const auto frames = static_cast<std::size_t>(frames_at(clip.duration(), rate));
+  if (frames * nodes <= kBvhMaxTransforms) return motion_at(task.body, candidate, rate);
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} frames of {} nodes are more than a file may hold, {}: ask for fewer "
+                          "frames a second by --fps",
+                          frames, nodes, kBvhMaxTransforms));
+}
+
+// A file that `make` makes of the motion at the rate that is asked for, read back by `check`.
+template <class Make, class Check>
+Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& check) {
+  const auto& [character, task, candidate, settings] = request;
+  const Result<Clip> clip = clip_at_rate(character, task, candidate, settings.rate);
+  if (!clip) return tl::unexpected(clip.error());
+  Result<std::string> bytes = make(*clip);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const Result<ReadBack> back = check(ReadBackCheck(character, task, candidate, *clip), *bytes);
+  if (!back) return tl::unexpected(back.error());
+  return MadeFile{std::move(*bytes), *back};
+}
+
+}  // namespace
+
+// Of any body; a character from a file keeps its own nodes.
+template <>
+Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
+  const std::optional<CharacterRig>& rig = request.character.rig;
+  const BodyModel& body = request.task.body;
+  const auto make = [&](const Clip& clip) -> Result<std::string> {
+    if (!rig) return format_bvh(skeleton_motion(body, clip));
+    return CharacterExporter(*rig).bvh(body, clip);
+  };
+  return checked_file(request, make, [](const ReadBackCheck& check, const std::string& bytes) {
+    return check.bvh(bytes);
+  });
+}
+
+template <>
+Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
+  const CharacterExporter exporter(*request.character.rig);
+  const std::string& name = request.settings.animation;
+  const auto make = [&](const Clip& clip) {
+    return exporter.glb(std::vector{exporter.animation(request.task.body, clip, name)});
+  };
+  return checked_file(request, make, [&](const ReadBackCheck& check, const std::string& bytes) {
+    return check.glb(bytes, name);
+  });
+}
+
+template <>
+Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
+  const CharacterExporter exporter(*request.character.rig);
+  const auto make = [&](const Clip& clip) {
+    return exporter.vrma(request.task.body, clip, request.settings.animation);
+  };
+  return checked_file(request, make, [](const ReadBackCheck& check, const std::string& bytes) {
+    return check.vrma(bytes);
+  });
+}
+
+Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
+                             const std::vector<Candidate>& candidates, double rate) {
+  if (const auto can = check_formats(character, {FileFormat::glb}); !can) {
+    return tl::unexpected(can.error());
+  }
+  if (const auto can = check_rate(rate, "rate"); !can) return tl::unexpected(can.error());
+  const CharacterExporter exporter(*character.rig);
+  std::vector<GltfAnimation> animations;
+  std::vector<Clip> clips;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    Result<Clip> clip = clip_at_rate(character, task, candidates[i], rate);
+    if (!clip) return tl::unexpected(clip.error());
+    clips.push_back(std::move(*clip));
+    animations.push_back(
+        exporter.animation(task.body, clips.back(), candidate_animation(character, i + 1)));
+  }
+  Result<std::string> bytes = exporter.glb(animations);
+  if (!bytes) return tl::unexpected(bytes.error());
+  MadeGlb made{std::move(*bytes), {}};
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const ReadBackCheck check(character, task, candidates[i], clips[i]);
+    const Result<ReadBack> back = check.glb(made.bytes, animations[i].name);
+    if (!back) return tl::unexpected(back.error());
+    made.back.push_back(*back);
+  }
+  return made;
+}
+
+}  // namespace shigusa

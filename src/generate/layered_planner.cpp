@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+#include <shigusa/core/parallel.hpp>
+#include <shigusa/generate/layered_problem.hpp>
+#include <utility>
+
+#include "arm_libraries.hpp"
+#include "candidate.hpp"
+#include "layered_search.hpp"
+#include "layered_ways.hpp"
+#include "planner.hpp"
+#include "task/task_search.hpp"
+
+namespace shigusa {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+bool searches_paper_code(const Task& task) { return info_of(search_of(task)).paper_code; }
+
+// Postures beside the archive's best that a search delivers from, for each candidate asked for.
+constexpr int kKeptPerCandidate = 2;
+
+// The search of the upper layer on one way to the goals: of the whole body its weights alone.
+class UpperSearch {
+ public:
+  UpperSearch(const Task& task, const LayeredProblem& problem, const LayeredWays& ways,
+              LayeredWay way, ArmLibraries& libraries)
+      : task_(task),
+        problem_(problem),
+        ways_(ways),
+        layers_(way == LayeredWay::layers),
+        genes_(searched_genes(problem)),
+        archive_(task.body),
+        scorer_(problem, problem.layers[0].criteria, task.batch.threads,
+                [&libraries](std::span<const HandPath> paths) { return libraries.choose(paths); }) {
+    if (layers_) return;
+    std::erase_if(genes_, [&problem](std::size_t gene) {
+      return problem.layers[0].parameters[gene].kind == ParameterKind::contraction;
+    });
+  }
+
+  SearchResult run(const Progress& progress) {
+    SearchProblem searched;
+    searched.genes = static_cast<int>(genes_.size());
+    searched.evaluate = [this](std::span<const double> points, std::span<double> scores) {
+      std::vector<Parameters> parameters;
+      for (std::size_t i = 0; i < scores.size(); ++i) {
+        parameters.push_back(decoded(points.subspan(i * genes_.size(), genes_.size())));
+      }
+      const std::size_t dofs = keeps_ends() ? task_.body.dofs().size() : 0;
+      postures_.resize(scores.size() * dofs);
+      if (layers_) {
+        scorer_.score(parameters, scores, postures_);
+      } else {
+        score_bodies(parameters, scores);
+      }
+      if (!keeps_ends()) return;
+      archive_.add(points, scores, postures_, worst_score(problem_.layers[0].criteria));
+    };
+    const int evaluations = task_.evaluations.value_or(usual_evaluations(task_));
+    return run_search(task_, searched, evaluations, !task_.evaluations, progress);
+  }
+
+  // What is worth expanding of all that was found, best first.
+  [[nodiscard]] Choice choice(const SearchResult& found) const {
+    return keeps_ends() ? distinct_postures(archive_, kKeptPerCandidate * task_.candidates)
+                        : Choice{.picked = ranked_population(found)};
+  }
+
+  // What a point's motion is generated from, with all that the layers below find for it; or as the
+  // search had it.
+  Expanded expanded(std::span<const double> point) {
+    if (!layers_) return {whole(decoded(point)), 0};
+    return scorer_.play(decoded(point), {.rounds = task_.layers.feedback_rounds,
+                                         .search = task_.layers.limb_search,
+                                         .seed = task_.seed});
+  }
+  Parameters as_searched(std::span<const double> point) {
+    if (!layers_) return whole(decoded(point));
+    return scorer_.play(decoded(point), {.rounds = 0, .glance = true}).values;
+  }
+
+ private:
+  [[nodiscard]] bool keeps_ends() const { return traits_of(task_.preset).natural; }
+  [[nodiscard]] Parameters decoded(std::span<const double> point) const {
+    return decode_searched(problem_, genes_, point, searches_paper_code(task_));
+  }
+
+  // with what the layers below have before any search
+  [[nodiscard]] Parameters whole(const Parameters& upper) const {
+    return below_upper(start_values(problem_.layers), upper);
+  }
+
+  void score_bodies(std::span<const Parameters> parameters, std::span<double> scores) {
+    const CriteriaSettings& criteria = problem_.layers[0].criteria;
+    const std::size_t dofs = postures_.size() / scores.size();
+    const auto score = [&](int i, int) {
+      const auto k = index(i);
+      const auto arrival = ways_.body_arrival(whole(parameters[k]));
+      scores[k] = worst_score(criteria);
+      if (!arrival) return;
+      const Clip& clip = arrival->rolled.motion.clip;
+      scores[k] = score_motion(task_.body, arrival->rolled.motion, criteria).total;
+      const std::span<const double> last = clip.frame(clip.frames - 1);
+      for (std::size_t d = 0; d < dofs; ++d) postures_[k * dofs + d] = static_cast<float>(last[d]);
+    };
+    // a user's criteria are called by one thread
+    parallel_for(static_cast<int>(scores.size()), criteria.user.empty() ? task_.batch.threads : 1,
+                 score);
+  }
+
+  const Task& task_;
+  const LayeredProblem& problem_;
+  const LayeredWays& ways_;
+  bool layers_;
+  std::vector<std::size_t> genes_;
+  Archive archive_;
+  std::vector<float> postures_;
+  LayeredScorer scorer_;
+};
+
+class LayeredPlanner : public Planner {
+ public:
+  LayeredPlanner(const Task& task, LayeredProblem problem)
+      : task_(task), problem_(std::move(problem)), libraries_(task, problem_), ways_(problem_) {
+    if (problem_.in_reach) tried_.push_back(LayeredWay::layers);
+    tried_.push_back(LayeredWay::body);
+  }
+
+  [[nodiscard]] std::span<const Layer> plan() const override { return problem_.layers; }
+  [[nodiscard]] double duration() const override { return problem_.reach.duration; }
+  [[nodiscard]] bool in_reach() const override { return problem_.in_reach; }
+  [[nodiscard]] Result<void> check_search() const override { return check_layers(task_); }
+  [[nodiscard]] std::size_t approaches() const override { return tried_.size(); }
+  bool go_by_other_posture(int other) override { return other == 0; }
+
+  Found search(const Task& task, std::size_t approach, const Progress& progress) override {
+    search_.emplace(task, problem_, ways_, tried_[approach], libraries_);
+    Found found{.result = search_->run(progress), .choice = {}, .best_seen = {}};
+    found.choice = search_->choice(found.result);
+    found.best_seen = search_->as_searched(found.result.best_seen.point);
+    found.best_seen_score = found.result.best_seen.score;
+    return found;
+  }
+
+  Expanded expand(std::span<const double> point) override { return search_->expanded(point); }
+
+  [[nodiscard]] std::optional<Arrival> arrival(const Parameters& values,
+                                               std::size_t last) const override {
+    return ways_.arrival(values, tried_[last]);
+  }
+  [[nodiscard]] Arrival nearest(const Parameters& values) const override {
+    return ways_.any_arrival(values);
+  }
+
+  [[nodiscard]] Candidate candidate(const Expanded& expanded, Arrival arrival) const override {
+    const ReachProblem& way = *arrival.approach;
+    Candidate candidate = make_candidate(task_, way, expanded.values, std::move(arrival.rolled));
+    ArmCollision arms{.depth = -std::numeric_limits<double>::infinity(),
+                      .searches = expanded.searches};
+    for (const ReachGoal& goal : way.goals) {
+      const Effector& hand = task_.body.effectors()[index(goal.effector)];
+      arms.depth = max(arms.depth, collision_depth(task_.body, candidate.motion.clip, hand));
+    }
+    arms.left = arms.depth > kCollisionDepth;
+    candidate.arm_collision = arms;
+    return candidate;
+  }
+
+  void finish(Generation& generation) override {
+    generation.cells_searched = libraries_.cells_searched();
+    libraries_.keep();
+  }
+
+ private:
+  const Task& task_;
+  LayeredProblem problem_;
+  ArmLibraries libraries_;
+  LayeredWays ways_;
+  std::vector<LayeredWay> tried_;
+  std::optional<UpperSearch> search_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Planner>> make_layered_planner(const Task& task) {
+  Result<LayeredProblem> problem = make_layered_problem(task);
+  if (!problem) return tl::unexpected(problem.error());
+  return std::make_unique<LayeredPlanner>(task, std::move(*problem));
+}
+
+}  // namespace shigusa

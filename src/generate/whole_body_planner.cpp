@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <utility>
+
+#include "candidate.hpp"
+#include "planner.hpp"
+#include "searched.hpp"
+#include "ways.hpp"
+
+namespace shigusa {
+namespace {
+
+// Postures beside the archive's best that a search delivers from, for each candidate asked for.
+constexpr int kKeptPerCandidate = 4;
+
+Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
+  if (!task.fixed) return {};
+  const Plan plan = whole_body_plan(task.body);
+  Parameters values = task.fixed->values;
+  if (const auto checked = check_parameters(plan, values); !checked) return checked;
+  if (task.fixed->set.size() != parameters_of(plan, values).size()) {
+    return fail(ErrorCode::invalid_argument, "fixed parameters are of another body");
+  }
+  const ParameterSpace space(problem, gene_code(task), task.fixed, task.phases);
+  if (space.genes() > 0) return {};
+  return fail(ErrorCode::invalid_argument,
+              "every parameter is fixed: there is nothing to search, an edit plays them");
+}
+
+class WholeBodyPlanner : public Planner {
+ public:
+  WholeBodyPlanner(const Task& task, ReachProblem problem)
+      : task_(task),
+        plan_(whole_body_plan(task.body)),
+        problem_(std::move(problem)),
+        reach_(closest_reach(problem_)),
+        usual_ways_(ways_to_goal(problem_, reach_)),
+        ways_(usual_ways_) {}
+
+  [[nodiscard]] std::span<const Layer> plan() const override { return plan_; }
+  [[nodiscard]] double duration() const override { return problem_.duration; }
+  [[nodiscard]] bool in_reach() const override { return reach_.reached(); }
+  [[nodiscard]] Result<void> check_search() const override { return check_fixed(task_, problem_); }
+  [[nodiscard]] std::size_t approaches() const override { return ways_.size(); }
+
+  bool go_by_other_posture(int other) override {
+    searched_.reset();
+    if (other == 0) {
+      ways_ = usual_ways_;
+      return true;
+    }
+    const ClosestReach reach = closest_reach(problem_, {.other = other});
+    if (!reach.reached()) return false;
+    ways_ = ways_to_goal(problem_, reach);
+    return true;
+  }
+
+  Found search(const Task& task, std::size_t approach, const Progress& progress) override {
+    const ReachProblem& way = ways_[approach];
+    searched_.emplace(way, task);
+    Found found{.result = searched_->run(progress), .choice = {}, .best_seen = {}};
+    found.choice =
+        traits_of(task.preset).natural
+            ? distinct_postures(searched_->archive(), kKeptPerCandidate * task.candidates)
+            : Choice{.picked = ranked_population(found.result)};
+    found.best_seen = searched_->space().decode(found.result.best_seen.point);
+    found.best_seen_score = replayed_score(way, found.best_seen);
+    return found;
+  }
+
+  Expanded expand(std::span<const double> point) override {
+    return {.values = searched_->space().decode(point)};
+  }
+
+  [[nodiscard]] std::optional<Arrival> arrival(const Parameters& values,
+                                               std::size_t last) const override {
+    auto arrival = first_arrival(std::span(ways_).first(last + 1), values, task_.generator);
+    if (arrival) arrival->as_searched = arrival->approach == &ways_[last];
+    return arrival;
+  }
+
+  [[nodiscard]] Arrival nearest(const Parameters& values) const override {
+    return nearest_arrival(ways_, values, task_.generator);
+  }
+
+  [[nodiscard]] Candidate candidate(const Expanded& expanded, Arrival arrival) const override {
+    return make_candidate(task_, *arrival.approach, expanded.values, std::move(arrival.rolled));
+  }
+
+  void finish(Generation& /*generation*/) override {}
+
+ private:
+  // The score in double of what was searched in single precision.
+  [[nodiscard]] double replayed_score(const ReachProblem& way, const Parameters& values) const {
+    const RolledOut rolled = play(way, values, task_.generator);
+    return rolled.outcome.met(way.tolerance)
+               ? score_motion(task_.body, rolled.motion, task_criteria(task_)).total
+               : worst_score(task_.criteria);
+  }
+
+  const Task& task_;
+  Plan plan_;
+  ReachProblem problem_;
+  ClosestReach reach_;
+  std::vector<ReachProblem> usual_ways_;
+  std::vector<ReachProblem> ways_;
+  std::optional<Searched> searched_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Planner>> make_whole_body_planner(const Task& task) {
+  Result<ReachProblem> problem = make_problem(task);
+  if (!problem) return tl::unexpected(problem.error());
+  return std::make_unique<WholeBodyPlanner>(task, std::move(*problem));
+}
+
+Result<std::unique_ptr<Planner>> make_planner(const Task& task) {
+  return traits_of(task.preset).layers ? make_layered_planner(task) : make_whole_body_planner(task);
+}
+
+Result<void> check_plan(const Task& task) {
+  const Result<ReachProblem> problem = make_problem(task);
+  if (!problem) return tl::unexpected(problem.error());
+  if (!traits_of(task.preset).layers) return check_fixed(task, *problem);
+  return check_layers(task);
+}
+
+}  // namespace shigusa

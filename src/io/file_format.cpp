@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <shigusa/io/file_format.hpp>
+#include <vector>
+
+namespace shigusa {
+namespace {
+
+#ifdef SHIGUSA_HAS_CAIRO
+constexpr bool kHasCairo = true;
+#else
+constexpr bool kHasCairo = false;
+#endif
+#ifdef SHIGUSA_HAS_URDF
+constexpr bool kHasUrdfdom = true;
+#else
+constexpr bool kHasUrdfdom = false;
+#endif
+
+// "a, b and c".
+std::string listed(const std::vector<std::string_view>& words, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 < words.size() ? ", " : " " + std::string(last) + " ";
+    text += words[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_built_with(NeededLibrary library) {
+  return (library != NeededLibrary::cairo || kHasCairo) &&
+         (library != NeededLibrary::urdfdom || kHasUrdfdom);
+}
+
+std::string file_ending(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return ending;
+}
+
+std::optional<FileFormat> format_of_file(const std::string& name) {
+  const std::string ending = file_ending(name);
+  for (const FormatInfo& info : kFileFormats) {
+    if (!info.person && !info.robot && !info.clip) continue;
+    for (const std::string_view known : info.endings) {
+      if (!known.empty() && ending == known) return info.format;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string format_words(bool (*is_so)(const FormatInfo&), std::string_view last) {
+  std::vector<std::string_view> words;
+  for (const FormatInfo& info : kFileFormats) {
+    if (is_so(info)) words.push_back(info.word);
+  }
+  return listed(words, last);
+}
+
+std::string format_endings(bool (*is_so)(const FormatInfo&), std::string_view last) {
+  std::vector<std::string_view> endings;
+  for (const FormatInfo& info : kFileFormats) {
+    for (const std::string_view ending : info.endings) {
+      if (is_so(info) && !ending.empty()) endings.push_back(ending);
+    }
+  }
+  return listed(endings, last);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What the engine's table of file formats means to the page.
+import type { Character, Facts, FormatFacts } from '../../../bindings/wasm/src/types';
+
+export const endingOf = (name: string): string => `.${name.toLowerCase().split('.').pop() ?? ''}`;
+
+const isCharacters = (format: FormatFacts): boolean => format.person || format.robot;
+
+/** The format of a character's file by its name; undefined where characters are read from no such file. */
+export function characterFormat(facts: Facts, name: string): FormatFacts | undefined {
+  return facts.formats.find((format) => isCharacters(format) && format.endings.includes(endingOf(name)));
+}
+
+/** Whether a character's own file is what a format needs. */
+export function hasNeeded(facts: Facts, format: FormatFacts, character: Character): boolean {
+  if (format.needs.length === 0) return true;
+  const own = character.bytes && characterFormat(facts, character.spec.source);
+  return own !== undefined && format.needs.includes(own.name);
+}
+
+/** What a person picks characters by: ".bvh,.glb". */
+export function characterEndings(facts: Facts): string[] {
+  return facts.formats.filter(isCharacters).flatMap((format) => format.endings);
+}
+
+/** "BVH, GLB, VRM" */
+export function characterFormats(facts: Facts): string {
+  return facts.formats.filter(isCharacters).map(({ name }) => name.toUpperCase()).join(', ');
+}

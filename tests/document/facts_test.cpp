@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <shigusa/document/export.hpp>
+#include <shigusa/document/facts.hpp>
+
+namespace shigusa {
+namespace {
+
+using Json = nlohmann::json;
+
+Json facts() { return Json::parse(format_facts()); }
+
+// A task with a number in its place.
+Result<TaskFile> task_with(const std::string& key, double value) {
+  const bool whole = key == "phases" || key == "candidates" || key == "evaluations";
+  const Json number = whole ? Json(static_cast<std::uint64_t>(value)) : Json(value);
+  Json task{{"character", {{"source", "human"}}},
+            {"goals", {{{"effector", "right_hand"}, {"position_m", {0, 1, 0}}}}}};
+  Json& goal = task["goals"][0];
+  if (key == "position_m") goal[key][0] = number;
+  if (key == "tolerance_m") goal[key] = {number, 0, 0};
+  if (key == "load_kg") goal[key] = number;
+  if (key == "stature_m" || key == "mass_kg" || key == "seat_m") task["character"][key] = number;
+  if (key == "duration_s" || whole) task[key] = number;
+  return parse_task(task.dump(), "task");
+}
+
+TEST(Facts, RangesAreThoseOfTheReader) {
+  const Json ranges = facts().at("ranges");
+  for (const auto& [key, range] : ranges.items()) {
+    if (key == "fps" || key == "obstacles") continue;
+    const double low = range.at(0);
+    const double high = range.at(1);
+    EXPECT_TRUE(task_with(key, low)) << key;
+    EXPECT_TRUE(task_with(key, high)) << key;
+    EXPECT_FALSE(task_with(key, high + 1.0)) << key;
+    EXPECT_FALSE(task_with(key, low - 1.0)) << key;
+  }
+  EXPECT_EQ(ranges.at("obstacles").at(1), kObstaclesMax);
+  for (const double rate : ranges.at("fps")) EXPECT_TRUE(check_rate(rate, "fps")) << rate;
+  EXPECT_FALSE(check_rate(ranges.at("fps").at(1).get<double>() + 1.0, "fps"));
+}
+
+Json weights_of(CriteriaSettings criteria) {
+  Json json;
+  for_each_criterion([&](const auto& entry) { json[entry.name] = entry.weight(criteria); });
+  return json;
+}
+
+TEST(Facts, PresetsAndParetoRankByTheMixtureThatTheReaderGivesThem) {
+  const Json told = facts();
+  ASSERT_EQ(told.at("presets").size(), kPresets.size());
+  for (const Json& preset : told.at("presets")) {
+    const Json plain{{"preset", preset.at("name")}, {"goals", Json::array()}};
+    const TaskFile task = parse_task(plain.dump(), "task").value();
+    EXPECT_EQ(told.at("mixtures").at(preset.at("mixture")), weights_of(task.criteria)) << preset;
+    EXPECT_EQ(preset.at("candidates"), task.candidates) << preset;
+  }
+  const TaskFile front = parse_task(R"({"pareto": true, "goals": []})", "task").value();
+  EXPECT_EQ(told.at("mixtures").at(told.at("pareto_mixture")), weights_of(front.criteria));
+}
+
+TEST(Facts, CriteriaStandInTheOrderOfScoresWithTheKeysOfTheirScales) {
+  const Json told = facts();
+  std::size_t at = 0;
+  for_each_criterion([&](const auto& entry) {
+    const Json& criterion = told.at("criteria").at(at++);
+    EXPECT_EQ(criterion.at("name"), entry.name);
+    EXPECT_EQ(criterion.at("scale"), entry.scale_name);
+  });
+  EXPECT_EQ(told.at("criteria").size(), at);
+}
+
+TEST(Facts, FormatsAreThoseThatAreReadAndWritten) {
+  for (const Json& format : facts().at("formats")) {
+    const std::string name = format.at("name");
+    EXPECT_EQ(parse_formats(name).has_value(), format.at("written").get<bool>()) << name;
+    for (const std::string ending : format.at("endings")) {
+      const bool character = format.at("person") || format.at("robot");
+      EXPECT_EQ(check_source({.source = "name" + ending}).has_value(), character) << ending;
+    }
+  }
+  for (const FormatInfo& info : kFileFormats) {
+    EXPECT_EQ(check_formats({}, {info.format}).has_value(),
+              info.written && info.needs == NeededFile::none)
+        << info.word;
+  }
+}
+
+}  // namespace
+}  // namespace shigusa
