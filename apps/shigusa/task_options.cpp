@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <shigusa/character/axis_words.hpp>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/core/parse_number.hpp>
 #include <utility>
 

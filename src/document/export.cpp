@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <shigusa/character/character_rig.hpp>
-#include <shigusa/core/names.hpp>
+#include <shigusa/core/enum_words.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/kinematics/held_resample.hpp>
 

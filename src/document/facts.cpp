@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/body/load.hpp>
+#include <shigusa/criteria/criteria.hpp>
 #include <shigusa/document/facts.hpp>
 #include <shigusa/document/result_file.hpp>
+#include <shigusa/person/humanoid_map.hpp>
 
 #include "io/json_text.hpp"
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <shigusa/generate/generator.hpp>
 #include <shigusa/layers/layer.hpp>
-#include <shigusa/layers/layered_parameters.hpp>
+#include <shigusa/layers/plan.hpp>
 
 #include "support/problems.hpp"
 

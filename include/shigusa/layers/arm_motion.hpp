@@ -3,7 +3,6 @@
 
 #include <shigusa/kinematics/weighted_ik.hpp>
 #include <shigusa/layers/body_limbs.hpp>
-#include <shigusa/layers/layer_parameters.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <span>
 #include <vector>

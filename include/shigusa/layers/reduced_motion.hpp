@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/layers/layer_parameters.hpp>
 #include <shigusa/layers/reduced_limits.hpp>
 #include <shigusa/rollout/parameters.hpp>
 #include <shigusa/rollout/posture_law.hpp>
