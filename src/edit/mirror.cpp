@@ -5,6 +5,7 @@
 #include <array>
 #include <shigusa/body/joint_name.hpp>
 #include <shigusa/edit/mirror.hpp>
+#include <shigusa/layers/plan.hpp>
 #include <utility>
 
 namespace shigusa {

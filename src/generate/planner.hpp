@@ -5,6 +5,8 @@
 #include <optional>
 #include <shigusa/core/progress.hpp>
 #include <shigusa/generate/generator.hpp>
+#include <shigusa/layers/plan.hpp>
+#include <shigusa/rollout/rollout.hpp>
 #include <span>
 
 #include "choice.hpp"

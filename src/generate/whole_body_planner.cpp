@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <shigusa/task/make_problem.hpp>
 #include <utility>
 
 #include "candidate.hpp"

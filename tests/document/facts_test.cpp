@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <shigusa/criteria/criteria.hpp>
 #include <shigusa/document/export.hpp>
 #include <shigusa/document/facts.hpp>
 

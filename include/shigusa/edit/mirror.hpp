@@ -2,10 +2,14 @@
 #pragma once
 
 #include <shigusa/document/result_file.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace shigusa {
+
+// One layer of a plan.
+struct Layer;
 
 // "left_hand" of "right_hand" and the other way round; what has no side is as it was.
 [[nodiscard]] std::string mirrored_name(std::string_view name);
