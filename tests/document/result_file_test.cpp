@@ -131,7 +131,7 @@ TEST(ResultFile, TwoPhasesAreReadBackBitForBit) {
     return message(json);
   };
   EXPECT_THAT(with("", 1), HasSubstr("candidates[0].parameters.later: must be an object"));
-  EXPECT_THAT(with("", Json::object()), HasSubstr("later.switch: is missing"));
+  EXPECT_THAT(with("", Json::object()), HasSubstr("later.weights: is missing"));
   EXPECT_THAT(with("/switch", 0.9), HasSubstr("is 0.9; allowed are numbers from 0.2 to 0.8"));
   EXPECT_THAT(with("/weights", Json::object()), HasSubstr("is missing"));
   EXPECT_THAT(with("/weights/right_knee.flexion", 0), HasSubstr("allowed are numbers from 0.001"));

@@ -219,7 +219,7 @@ TEST(TwoPhaseMotion, EditedParametersAreChecked) {
   EXPECT_THAT(refused([](LaterPhase& l) { l.joints.pop_back(); }),
               HasSubstr("later joint weights"));
   EXPECT_THAT(refused([](LaterPhase& l) { l.joints[0].weight = 0.0; }), HasSubstr("later."));
-  EXPECT_THAT(refused([](LaterPhase& l) { l.modes = {0.0}; }), HasSubstr("1 posture values"));
+  EXPECT_THAT(refused([](LaterPhase& l) { l.modes = {0.0}; }), HasSubstr("1 later posture values"));
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ TEST(HumanLayers, AreTrunkThenSwivelsThenTheRest) {
   EXPECT_THAT(names(layers),
               ElementsAre("trunk_and_limb_lengths", "right_arm", "left_arm", "rest"));
   EXPECT_EQ(layers[0].parameters.size(), 14u);
-  EXPECT_THAT(genes(layers[1]), ElementsAre("right_arm.swivel"));
-  EXPECT_THAT(genes(layers[2]), ElementsAre("left_arm.swivel"));
+  EXPECT_THAT(genes(layers[1]), ElementsAre("right_arm"));
+  EXPECT_THAT(genes(layers[2]), ElementsAre("left_arm"));
   EXPECT_EQ(layers[3].parameters.size(), 6u);
   EXPECT_THAT(names(human_layers(half_body()).value()),
               ElementsAre("trunk_and_limb_lengths", "right_arm", "rest"));
