@@ -2,15 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/core/random.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/rollout/parameters.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
-#include <shigusa/task/make_problem.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/parameters.hpp>
+#include <shigusa/random.hpp>
+#include <shigusa/task.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "rollout/reach_problem.hpp"
+#include "task/make_problem.hpp"
 
 // What is measured: the paper's first experiment, and random genomes of its code.
 namespace shigusa::bench {

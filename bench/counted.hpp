@@ -3,7 +3,8 @@
 
 #include <bit>
 #include <cstdint>
-#include <shigusa/simd/pack.hpp>
+
+#include "simd/pack.hpp"
 
 namespace shigusa::bench {
 

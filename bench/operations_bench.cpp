@@ -4,11 +4,10 @@
 // neighbours.
 #include <benchmark/benchmark.h>
 
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/rollout.hpp>
-
 #include "bench_problem.hpp"
 #include "counted.hpp"
+#include "rollout/batch_rollout.hpp"
+#include "rollout/rollout.hpp"
 
 namespace shigusa::bench {
 namespace {

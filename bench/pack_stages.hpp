@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/simd/pack.hpp>
 #include <vector>
 
+#include "rollout/rollout.hpp"
+#include "simd/pack.hpp"
 #include "stages.hpp"
 
 namespace shigusa::bench {

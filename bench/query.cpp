@@ -7,8 +7,8 @@
 #include <ctime>
 #include <fstream>
 #include <iostream>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
 #include <string>
 #include <vector>
 

@@ -2,10 +2,10 @@
 // What a person waits for: a whole query, and a character's file.
 #include <benchmark/benchmark.h>
 
-#include <shigusa/character/character.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/person/humanoid_map.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/skeleton.hpp>
 #include <string>
 #include <string_view>
 

@@ -6,13 +6,14 @@
 #include <chrono>
 #include <fstream>
 #include <iostream>
-#include <shigusa/core/random.hpp>
-#include <shigusa/rollout/detour.hpp>
-#include <shigusa/rollout/rollout.hpp>
+#include <shigusa/random.hpp>
 #include <shigusa/shigusa.hpp>
-#include <shigusa/task/make_problem.hpp>
 #include <string>
 #include <vector>
+
+#include "rollout/detour.hpp"
+#include "rollout/rollout.hpp"
+#include "task/make_problem.hpp"
 
 namespace {
 

@@ -4,12 +4,12 @@
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Dense>
-#include <shigusa/dynamics/inverse_dynamics.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
 #include <string>
 
 #include "bench_problem.hpp"
 #include "count_motions.hpp"
+#include "dynamics/inverse_dynamics.hpp"
+#include "rollout/reach_problem.hpp"
 
 // The loop of a rollout, assembled from another library in double precision: 60 steps of weighted
 // inverse kinematics along the hand's path, speeds and accelerations by central differences, joint

@@ -2,13 +2,13 @@
 // One motion of 60 frames, and whole searches, by SIMD set; what threads bring.
 #include <benchmark/benchmark.h>
 
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/search/genetic.hpp>
+#include <shigusa/parallel.hpp>
 
 #include "bench_problem.hpp"
 #include "count_motions.hpp"
+#include "rollout/batch_rollout.hpp"
+#include "rollout/rollout.hpp"
+#include "search/genetic.hpp"
 
 namespace shigusa::bench {
 namespace {

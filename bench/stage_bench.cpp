@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <shigusa/simd/simd_set.hpp>
+#include <shigusa/parallel.hpp>
 #include <string>
 #include <utility>
 

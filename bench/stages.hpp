@@ -2,9 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
 #include <span>
+
+#include "criteria/built_in_criteria.hpp"
+#include "rollout/reach_problem.hpp"
 
 namespace shigusa::bench {
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # check_paper_map.sh [ROOT]: fails where docs/paper_map.md names code or a test that is not there.
 #
-# In its table `a/b.hpp` is a header below include/shigusa or a source below src (or src/a/b.cpp in full),
+# In its table `b.hpp` is a header of include/shigusa, `a/b.hpp` one below src (or src/a/b.cpp in full),
 # `a/b_test.cpp` a test; other names of code must stand in the file that follows them by "in", or anywhere where none does.
 set -eu
 cd "${1:-$(dirname "$0")/..}"

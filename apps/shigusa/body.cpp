@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <shigusa/character/character_description.hpp>
+#include <shigusa/character.hpp>
 
 #include "commands.hpp"
 

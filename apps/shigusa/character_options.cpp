@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/words.hpp>
 
 #include "commands.hpp"
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <shigusa/core/progress.hpp>
-#include <shigusa/core/result.hpp>
-#include <shigusa/document/export.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/progress.hpp>
+#include <shigusa/result.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

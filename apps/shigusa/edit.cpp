@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <shigusa/edit/replay.hpp>
+#include <shigusa/edit.hpp>
 #include <utility>
 
 #include "commands.hpp"

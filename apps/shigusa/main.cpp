@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/motion/clip.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/motion.hpp>
+#include <shigusa/parallel.hpp>
+#include <shigusa/task.hpp>
 #include <sstream>
 
 #include "commands.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
 #include <system_error>
 #include <utility>
 

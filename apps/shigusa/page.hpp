@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <map>
-#include <shigusa/core/result.hpp>
+#include <shigusa/result.hpp>
 #include <string>
 
 namespace shigusa::app {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <shigusa/core/result.hpp>
+#include <shigusa/result.hpp>
 #include <string_view>
 #include <vector>
 

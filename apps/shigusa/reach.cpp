@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/document/limb_cache.hpp>
+#include <shigusa/limb_cache.hpp>
+#include <shigusa/parallel.hpp>
+#include <shigusa/words.hpp>
 
 #include "commands.hpp"
 #include "table.hpp"

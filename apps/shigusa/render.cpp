@@ -3,10 +3,10 @@
 
 #include <charconv>
 #include <filesystem>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/figure/strip_figure.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/file.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/file.hpp>
+#include <shigusa/strip_figure.hpp>
+#include <shigusa/words.hpp>
 
 #include "commands.hpp"
 

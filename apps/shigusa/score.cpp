@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/document/clip_score.hpp>
+#include <shigusa/score_clip.hpp>
+#include <shigusa/words.hpp>
 
 #include "commands.hpp"
 #include "table.hpp"

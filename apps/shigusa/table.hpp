@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <optional>
-#include <shigusa/document/clip_score.hpp>
+#include <shigusa/score_clip.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
 #include <vector>

@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/character/axis_words.hpp>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/core/parse_number.hpp>
+#include <shigusa/goal.hpp>
+#include <shigusa/words.hpp>
 #include <utility>
 
 namespace shigusa::app {

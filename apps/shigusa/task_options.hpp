@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concepts>
-#include <shigusa/task/request.hpp>
+#include <shigusa/request.hpp>
 #include <string>
 #include <type_traits>
 #include <vector>

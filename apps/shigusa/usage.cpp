@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/words.hpp>
 #include <vector>
 
 #include "commands.hpp"

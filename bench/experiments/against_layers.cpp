@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <map>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/generate/generator.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/parallel.hpp>
 
 #include "goal_search.hpp"
 #include "report.hpp"

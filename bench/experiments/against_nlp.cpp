@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/nlp/nlp_rollout.hpp>
-#include <shigusa/search/cma_es.hpp>
+#include <shigusa/parallel.hpp>
 
 #include "goal_search.hpp"
+#include "nlp/nlp_rollout.hpp"
 #include "report.hpp"
+#include "search/cma_es.hpp"
 #include "sections.hpp"
 
 namespace shigusa::bench {

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/search/searches.hpp>
+#include <shigusa/parallel.hpp>
+#include <shigusa/search.hpp>
 
 #include "goal_search.hpp"
 #include "pagmo_runs.hpp"

@@ -2,11 +2,12 @@
 #include "goal_search.hpp"
 
 #include <algorithm>
-#include <shigusa/core/random.hpp>
-#include <shigusa/rollout/detour.hpp>
-#include <shigusa/rollout/reachability.hpp>
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/random.hpp>
+
+#include "rollout/detour.hpp"
+#include "rollout/reachability.hpp"
+#include "rollout/rollout.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa::bench {
 namespace {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <shigusa/generate/parameter_space.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/search/problem.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/search.hpp>
+#include <shigusa/task.hpp>
+
+#include "generate/parameter_space.hpp"
+#include "rollout/batch_rollout.hpp"
 
 namespace shigusa::bench {
 

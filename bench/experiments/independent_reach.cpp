@@ -2,8 +2,9 @@
 #include "independent_reach.hpp"
 
 #include <algorithm>
-#include <shigusa/core/check.hpp>
 #include <string>
+
+#include "core/check.hpp"
 
 namespace shigusa::bench {
 namespace {

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/core/random.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/nlp/variable_metric.hpp>
+#include <shigusa/random.hpp>
 #include <string_view>
 #include <vector>
+
+#include "kinematics/forward_kinematics.hpp"
+#include "nlp/variable_metric.hpp"
 
 namespace shigusa::bench {
 

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/parallel.hpp>
 
 #include "goal_search.hpp"
 #include "independent_reach.hpp"

@@ -10,10 +10,10 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
+#include <shigusa/parallel.hpp>
 
 #include "report.hpp"
+#include "rollout/batch_rollout.hpp"
 #include "sections.hpp"
 
 namespace {

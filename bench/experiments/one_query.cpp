@@ -3,12 +3,12 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <shigusa/core/check.hpp>
-#include <shigusa/document/limb_cache.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/layers/limb_library.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/limb_cache.hpp>
 
+#include "core/check.hpp"
+#include "layers/limb_library.hpp"
 #include "report.hpp"
 #include "sections.hpp"
 

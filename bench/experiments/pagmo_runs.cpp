@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pagmo_runs.hpp"
 
-#include <shigusa/core/check.hpp>
+#include "core/check.hpp"
 
 #ifdef SHIGUSA_HAS_PAGMO
 

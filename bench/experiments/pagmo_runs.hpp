@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/search/problem.hpp>
+#include <shigusa/search.hpp>
 #include <span>
 #include <string>
 #include <vector>

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <shigusa/core/check.hpp>
+
+#include "core/check.hpp"
 
 namespace shigusa::bench {
 namespace {

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <ctime>
-#include <shigusa/core/check.hpp>
+
+#include "core/check.hpp"
 
 namespace shigusa::bench {
 

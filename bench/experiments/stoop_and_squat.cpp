@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/generate/posture_meter.hpp>
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/search/cma_es.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/parallel.hpp>
 
+#include "generate/posture_meter.hpp"
 #include "goal_search.hpp"
 #include "report.hpp"
+#include "rollout/rollout.hpp"
+#include "search/cma_es.hpp"
 #include "sections.hpp"
 
 namespace shigusa::bench {

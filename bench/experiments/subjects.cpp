@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "subjects.hpp"
 
-#include <shigusa/core/check.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "core/check.hpp"
 #include "independent_reach.hpp"
 
 namespace shigusa::bench {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/body/body_model.hpp>
-#include <shigusa/core/random.hpp>
+#include <shigusa/body_model.hpp>
+#include <shigusa/random.hpp>
 #include <string>
 #include <vector>
 

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/search/cma_es.hpp>
+#include <shigusa/parallel.hpp>
 
 #include "goal_search.hpp"
 #include "report.hpp"
+#include "search/cma_es.hpp"
 #include "sections.hpp"
 
 namespace shigusa::bench {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "fitted.hpp"
 
-#include <shigusa/core/check.hpp>
-#include <shigusa/document/result_file.hpp>
-#include <shigusa/layers/assignment.hpp>
-#include <shigusa/rollout/held_input.hpp>
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/search/cma_es.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/result_file.hpp>
 
+#include "core/check.hpp"
+#include "layers/assignment.hpp"
 #include "measures.hpp"
+#include "rollout/held_input.hpp"
+#include "rollout/rollout.hpp"
+#include "search/cma_es.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa::bench {
 namespace {

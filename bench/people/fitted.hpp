@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/generate/parameter_space.hpp>
-
+#include "generate/parameter_space.hpp"
 #include "record.hpp"
 
 namespace shigusa::bench {

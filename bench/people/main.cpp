@@ -5,11 +5,11 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/document/clip_score.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/parallel.hpp>
+#include <shigusa/score_clip.hpp>
 
 #include "page.hpp"
+#include "task/make_problem.hpp"
 
 namespace {
 

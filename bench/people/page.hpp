@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/generate/generator.hpp>
+#include <shigusa/generate.hpp>
 
 #include "fitted.hpp"
 #include "measures.hpp"

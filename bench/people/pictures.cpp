@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/figure/strip_figure.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/strip_figure.hpp>
 
+#include "character/character_rig.hpp"
+#include "kinematics/skeleton_motion.hpp"
 #include "page.hpp"
 
 namespace shigusa::bench {

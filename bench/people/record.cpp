@@ -3,12 +3,13 @@
 
 #include <array>
 #include <charconv>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/file.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/file.hpp>
 #include <string_view>
+
+#include "character/character_rig.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "kinematics/skeleton_motion.hpp"
 
 namespace shigusa::bench {
 namespace {

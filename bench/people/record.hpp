@@ -2,11 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <shigusa/character/character.hpp>
-#include <shigusa/kinematics/fit_clip.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/task.hpp>
 #include <string>
 #include <vector>
+
+#include "kinematics/fit_clip.hpp"
 
 // A recorded man's reaches to the floor, and what is asked of shigusa in his place.
 namespace shigusa::bench {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A character's file in memory becomes a body, and a motion leaves on the character's own skeleton.
 #include <cstdio>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
 #include <shigusa/shigusa.hpp>
 #include <utility>
 

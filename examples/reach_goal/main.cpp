@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The smallest use of shigusa: a body, a goal, and the motions that get there.
 #include <cstdio>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
 #include <shigusa/shigusa.hpp>
 
 int main() {

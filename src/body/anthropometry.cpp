@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/anthropometry.hpp>
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 namespace {

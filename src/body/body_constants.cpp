@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "body/body_constants.hpp"
+
 #include <algorithm>
-#include <shigusa/body/body_constants.hpp>
-#include <shigusa/body/body_model.hpp>
+#include <shigusa/body_model.hpp>
 
 namespace shigusa {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/body/body_constants.hpp>
-#include <shigusa/body/body_model.hpp>
-#include <shigusa/body/coupled_limits.hpp>
-#include <shigusa/core/check.hpp>
+#include <shigusa/body_model.hpp>
 #include <utility>
 
+#include "body/body_constants.hpp"
+#include "body/coupled_limits.hpp"
+#include "core/check.hpp"
 #include "further_effectors.hpp"
 
 namespace shigusa {

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/body/joint_name.hpp>
 #include <utility>
+
+#include "body/joint_name.hpp"
 
 namespace shigusa {
 namespace {

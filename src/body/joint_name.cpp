@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "body/joint_name.hpp"
+
 #include <algorithm>
 #include <array>
-#include <shigusa/body/joint_name.hpp>
 
 namespace shigusa {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/load.hpp>
-#include <shigusa/core/check.hpp>
+#include <shigusa/goal.hpp>
 
+#include "core/check.hpp"
 #include "link_mass.hpp"
 
 namespace shigusa {

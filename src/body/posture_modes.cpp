@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "body/posture_modes.hpp"
+
 #include <algorithm>
 #include <initializer_list>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/body/posture_modes.hpp>
 #include <string_view>
 #include <utility>
+
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 namespace {

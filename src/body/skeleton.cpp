@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/skeleton.hpp>
-#include <shigusa/core/check.hpp>
+#include <shigusa/skeleton.hpp>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "body/stance.hpp"
+
 #include <algorithm>
-#include <shigusa/body/stance.hpp>
 #include <utility>
 
 namespace shigusa {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/character/axis_words.hpp>
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/goal.hpp>
+#include <shigusa/words.hpp>
 
 namespace shigusa {
 namespace {

@@ -3,17 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/character/character.hpp>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/person/at_ease.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/words.hpp>
 
+#include "body/anthropometry.hpp"
 #include "character_file.hpp"
 #include "character_heels.hpp"
 #include "character_places.hpp"
 #include "character_robot.hpp"
 #include "character_start.hpp"
 #include "landmarks_json.hpp"
+#include "person/at_ease.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/character/character_description.hpp>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/character/node_motion.hpp>
-#include <shigusa/criteria/support_zone.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/person/measure_person.hpp>
-#include <shigusa/person/twist_bones.hpp>
+#include <shigusa/character.hpp>
 
+#include "character/character_rig.hpp"
+#include "criteria/support_zone.hpp"
 #include "io/json_text.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "person/measure_person.hpp"
+#include "person/twist_bones.hpp"
 
 namespace shigusa {
 namespace {

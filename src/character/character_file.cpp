@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <shigusa/core/check.hpp>
-#include <shigusa/io/fbx.hpp>
-#include <shigusa/io/file.hpp>
-#include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/io/gltf_skin.hpp>
-#include <shigusa/io/gltf_write.hpp>
+#include <shigusa/file.hpp>
 
+#include "core/check.hpp"
 #include "io/by_format.hpp"
+#include "io/fbx.hpp"
+#include "io/gltf_animation.hpp"
+#include "io/gltf_skin.hpp"
+#include "io/gltf_write.hpp"
 
 namespace shigusa {
 namespace {

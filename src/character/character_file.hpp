@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/skin.hpp>
-#include <shigusa/character/character.hpp>
-#include <shigusa/character/character_rig.hpp>
+#include <shigusa/character.hpp>
+
+#include "body/skin.hpp"
+#include "character/character_rig.hpp"
 
 namespace shigusa {
 

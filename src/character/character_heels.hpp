@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/character/character.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/person/humanoid_map.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/skeleton.hpp>
+
+#include "person/measure_person.hpp"
 
 namespace shigusa {
 

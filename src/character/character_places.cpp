@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "character_places.hpp"
 
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/kinematics/rig.hpp>
 #include <utility>
+
+#include "character/character_rig.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "kinematics/rig.hpp"
 
 namespace shigusa {
 namespace {

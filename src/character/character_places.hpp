@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/character/character.hpp>
-#include <shigusa/kinematics/rig.hpp>
+#include <shigusa/character.hpp>
 
 #include "io/json_reader.hpp"
+#include "kinematics/rig.hpp"
 
 namespace shigusa {
 

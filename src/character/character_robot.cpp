@@ -3,13 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <shigusa/person/likeness.hpp>
-#include <shigusa/robot/mjcf.hpp>
-#include <shigusa/robot/settled_posture.hpp>
-#include <shigusa/robot/urdf.hpp>
-
 #include "character_file.hpp"
 #include "humanoid_request.hpp"
+#include "person/likeness.hpp"
+#include "robot/mjcf.hpp"
+#include "robot/settled_posture.hpp"
+#include "robot/urdf.hpp"
 
 namespace shigusa {
 namespace {

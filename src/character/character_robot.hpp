@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/character/character.hpp>
-#include <shigusa/person/humanoid_map.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/skeleton.hpp>
 
 namespace shigusa {
 

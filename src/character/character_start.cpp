@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/person/at_ease.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/likeness.hpp>
 
+#include "body/anthropometry.hpp"
 #include "humanoid_request.hpp"
+#include "io/gltf_animation.hpp"
 #include "landmarks_json.hpp"
+#include "person/at_ease.hpp"
+#include "person/find_humanoid.hpp"
+#include "person/likeness.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/person/humanoid_map.hpp>
-#include <shigusa/person/landmarks.hpp>
+#include <shigusa/landmarks.hpp>
+#include <shigusa/skeleton.hpp>
 
 #include "character_file.hpp"
 

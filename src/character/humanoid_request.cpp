@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
+#include <shigusa/words.hpp>
 
 namespace shigusa {
 namespace {

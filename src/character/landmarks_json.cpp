@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/body/anthropometry.hpp>
 #include <utility>
+
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 

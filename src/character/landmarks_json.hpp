@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/person/landmarks.hpp>
+#include <shigusa/landmarks.hpp>
 
 #include "io/json_reader.hpp"
 

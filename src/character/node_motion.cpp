@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/character/node_motion.hpp>
-#include <shigusa/kinematics/rig.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/character.hpp>
+
+#include "character/character_rig.hpp"
+#include "kinematics/rig.hpp"
+#include "kinematics/skeleton_motion.hpp"
 
 namespace shigusa {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/core/check.hpp>
+#include "core/check.hpp"
 
 namespace shigusa {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/words.hpp>
 #include <vector>
 
 namespace shigusa {

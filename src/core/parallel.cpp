@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/parallel.hpp>
+#include <shigusa/parallel.hpp>
 #include <vector>
+
+#include "core/check.hpp"
 
 #ifdef SHIGUSA_HAS_TBB
 #include <tbb/global_control.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <charconv>
 #include <cstdlib>
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/words.hpp>
 #include <string>
 
 #include "c_locale.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/criteria/balance.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
+#include "criteria/balance.hpp"
+
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 

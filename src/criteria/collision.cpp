@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/criteria/collision.hpp>
+#include "criteria/collision.hpp"
 
 namespace shigusa {
 

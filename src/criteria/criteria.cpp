@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/criteria/criteria.hpp>
 
+#include "criteria/built_in_criteria.hpp"
 #include "replay.hpp"
 
 namespace shigusa {

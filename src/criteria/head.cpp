@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/criteria/head.hpp>
+#include "criteria/head.hpp"
 
 namespace shigusa {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/criteria/low_back.hpp>
+#include "criteria/low_back.hpp"
+
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 

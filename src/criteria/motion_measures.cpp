@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/body/coupled_limits.hpp>
-#include <shigusa/criteria/collision.hpp>
-#include <shigusa/criteria/motion_measures.hpp>
+#include <shigusa/motion_measures.hpp>
+
+#include "body/coupled_limits.hpp"
+#include "criteria/collision.hpp"
 
 namespace shigusa {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/dynamics/contact_forces.hpp>
-#include <shigusa/motion/motion.hpp>
+#include <shigusa/motion.hpp>
+
+#include "criteria/motion_frame.hpp"
+#include "dynamics/contact_forces.hpp"
 
 namespace shigusa {
 

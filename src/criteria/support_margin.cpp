@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/criteria/support_margin.hpp>
+#include "criteria/support_margin.hpp"
 
 #include "replay.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/support_zone.hpp"
+
 #include <algorithm>
-#include <shigusa/criteria/support_zone.hpp>
 
 namespace shigusa {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/criteria/work.hpp>
-#include <shigusa/dynamics/inverse_dynamics.hpp>
+#include "criteria/work.hpp"
+
+#include "dynamics/inverse_dynamics.hpp"
 
 namespace shigusa {
 

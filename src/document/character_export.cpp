@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/gltf_write.hpp>
-#include <shigusa/motion/motion.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/motion.hpp>
+
+#include "character/character_rig.hpp"
+#include "io/gltf_write.hpp"
+#include "person/measure_person.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/character/character.hpp>
-#include <shigusa/io/gltf_write.hpp>
-#include <shigusa/motion/clip.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/motion.hpp>
 #include <span>
 #include <string>
+
+#include "io/gltf_write.hpp"
 
 namespace shigusa {
 

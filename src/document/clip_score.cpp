@@ -2,24 +2,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/criteria/motion_frame.hpp>
-#include <shigusa/criteria/support_margin.hpp>
-#include <shigusa/document/clip_score.hpp>
-#include <shigusa/dynamics/contact_forces.hpp>
-#include <shigusa/generate/posture_meter.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/kinematics/fit_clip.hpp>
-#include <shigusa/motion/low_pass.hpp>
-#include <shigusa/motion/motion.hpp>
-#include <shigusa/person/find_humanoid.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/motion.hpp>
+#include <shigusa/score_clip.hpp>
 
+#include "body/anthropometry.hpp"
 #include "character/character_file.hpp"
 #include "character/character_heels.hpp"
 #include "character/humanoid_request.hpp"
+#include "criteria/built_in_criteria.hpp"
+#include "criteria/motion_frame.hpp"
+#include "criteria/support_margin.hpp"
+#include "dynamics/contact_forces.hpp"
 #include "generate/candidate.hpp"
+#include "generate/posture_meter.hpp"
+#include "io/gltf_animation.hpp"
+#include "kinematics/fit_clip.hpp"
+#include "motion/low_pass.hpp"
+#include "person/find_humanoid.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/document/clip_score.hpp>
-#include <shigusa/document/task_file.hpp>
+#include <shigusa/score_clip.hpp>
+#include <shigusa/task_file.hpp>
 #include <utility>
 
 #include "io/json_reader.hpp"

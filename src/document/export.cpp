@@ -2,14 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/kinematics/held_resample.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/words.hpp>
 
+#include "character/character_rig.hpp"
 #include "export_file.hpp"
 #include "io/by_format.hpp"
 #include "io/json_reader.hpp"
+#include "kinematics/held_resample.hpp"
 
 namespace shigusa {
 namespace {

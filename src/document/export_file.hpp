@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/document/export.hpp>
+#include <shigusa/export.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

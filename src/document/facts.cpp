@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/load.hpp>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/document/facts.hpp>
-#include <shigusa/document/result_file.hpp>
-#include <shigusa/person/humanoid_map.hpp>
+#include <shigusa/facts.hpp>
+#include <shigusa/goal.hpp>
+#include <shigusa/result_file.hpp>
+#include <shigusa/skeleton.hpp>
 
+#include "criteria/built_in_criteria.hpp"
 #include "io/json_text.hpp"
 
 namespace shigusa {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concepts>
-#include <shigusa/core/field.hpp>
+#include <shigusa/field.hpp>
 #include <string>
 #include <type_traits>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
-#include <shigusa/document/limb_cache.hpp>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
+#include <shigusa/limb_cache.hpp>
 #include <system_error>
 
 namespace shigusa {

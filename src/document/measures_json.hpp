@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/generate/final_posture.hpp>
-#include <shigusa/generate/verdict.hpp>
+#include <shigusa/verdict.hpp>
 
 #include "io/json_text.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/layers/plan.hpp>
 #include <span>
 #include <string>
 
 #include "io/json_reader.hpp"
+#include "layers/plan.hpp"
 
 namespace shigusa {
 

@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/bvh.hpp>
 
 #include "character/character_places.hpp"
+#include "character/character_rig.hpp"
 #include "character_export.hpp"
+#include "io/gltf_animation.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "kinematics/skeleton_motion.hpp"
 #include "math/linear_map.hpp"
 
 namespace shigusa {

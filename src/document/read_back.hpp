@@ -2,8 +2,8 @@
 #pragma once
 
 #include <functional>
-#include <shigusa/body/skeleton.hpp>
-#include <shigusa/document/result_file.hpp>
+#include <shigusa/result_file.hpp>
+#include <shigusa/skeleton.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdlib>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/document/result_file.hpp>
-#include <shigusa/task/plan_of.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/result_file.hpp>
 
+#include "character/character_rig.hpp"
 #include "character_export.hpp"
 #include "measures_json.hpp"
 #include "parameters_json.hpp"
+#include "task/plan_of.hpp"
 #include "task_json.hpp"
 
 namespace shigusa {

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
-#include <shigusa/core/result.hpp>
-#include <shigusa/document/result_file.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/result_file.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -3,8 +3,8 @@
 #include <fcntl.h>
 
 #include <cerrno>
-#include <shigusa/document/export.hpp>
-#include <shigusa/io/file.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/file.hpp>
 
 #include "export_file.hpp"
 #include "result_folder.hpp"

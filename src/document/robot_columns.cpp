@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/math/quat.hpp>
+#include <shigusa/quat.hpp>
 #include <utility>
+
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/body_model.hpp>
-#include <shigusa/io/csv.hpp>
-#include <shigusa/motion/motion.hpp>
+#include <shigusa/body_model.hpp>
+#include <shigusa/motion.hpp>
 #include <vector>
+
+#include "io/csv.hpp"
 
 namespace shigusa {
 

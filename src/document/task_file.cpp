@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/document/task_file.hpp>
-#include <shigusa/io/file.hpp>
-#include <shigusa/layers/assignment.hpp>
+#include <shigusa/file.hpp>
+#include <shigusa/task_file.hpp>
 
+#include "criteria/built_in_criteria.hpp"
+#include "layers/assignment.hpp"
 #include "task_json.hpp"
 #include "task_values.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/character/axis_words.hpp>
+#include <shigusa/goal.hpp>
 
 #include "character/landmarks_json.hpp"
 #include "task_values.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "task_values.hpp"
 
-#include <shigusa/character/axis_words.hpp>
+#include <shigusa/goal.hpp>
 #include <utility>
 
 #include "character/character_places.hpp"

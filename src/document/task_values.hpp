@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/document/task_file.hpp>
+#include <shigusa/task_file.hpp>
 
 #include "field_json.hpp"
 

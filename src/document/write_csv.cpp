@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <shigusa/io/csv.hpp>
-
 #include "export_file.hpp"
+#include "io/csv.hpp"
 #include "robot_columns.hpp"
 
 namespace shigusa {

@@ -2,11 +2,11 @@
 // Files that hold the motion of nodes.
 #include <fmt/format.h>
 
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/bvh.hpp>
 
 #include "character_export.hpp"
 #include "export_file.hpp"
+#include "kinematics/skeleton_motion.hpp"
 #include "read_back.hpp"
 
 namespace shigusa {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/joint_name.hpp>
-#include <shigusa/figure/strip_figure.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/strip_figure.hpp>
 
+#include "body/joint_name.hpp"
 #include "export_file.hpp"
+#include "kinematics/skeleton_motion.hpp"
 
 namespace shigusa {
 namespace {

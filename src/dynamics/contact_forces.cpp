@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/stance.hpp>
-#include <shigusa/dynamics/contact_forces.hpp>
+#include "dynamics/contact_forces.hpp"
+
+#include "body/stance.hpp"
 
 namespace shigusa {
 

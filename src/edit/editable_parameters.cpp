@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/edit/editable_parameters.hpp>
-#include <shigusa/task/plan_of.hpp>
+#include <shigusa/edit.hpp>
 
 #include "io/json_text.hpp"
+#include "task/plan_of.hpp"
 
 namespace shigusa {
 namespace {

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/body/joint_name.hpp>
-#include <shigusa/edit/mirror.hpp>
-#include <shigusa/layers/plan.hpp>
+#include <shigusa/edit.hpp>
 #include <utility>
+
+#include "body/joint_name.hpp"
+#include "layers/plan.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,13 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/edit/mirror.hpp>
-#include <shigusa/edit/replay.hpp>
-#include <shigusa/layers/assignment.hpp>
-#include <shigusa/task/plan_of.hpp>
+#include <shigusa/edit.hpp>
 #include <utility>
 
 #include "io/json_text.hpp"
+#include "layers/assignment.hpp"
+#include "task/plan_of.hpp"
 
 namespace shigusa {
 namespace {

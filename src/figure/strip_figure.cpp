@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/figure/strip_figure.hpp>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
+#include <shigusa/strip_figure.hpp>
 
 #include "strip_figure_canvas.hpp"
 #include "strip_figure_check.hpp"

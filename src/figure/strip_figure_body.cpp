@@ -2,7 +2,7 @@
 #include "strip_figure_body.hpp"
 
 #include <algorithm>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 
 namespace shigusa::strip {
 namespace {

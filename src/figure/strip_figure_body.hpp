@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <shigusa/figure/strip_figure.hpp>
+#include <shigusa/strip_figure.hpp>
 #include <vector>
 
 namespace shigusa::strip {

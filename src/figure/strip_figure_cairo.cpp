@@ -5,7 +5,7 @@
 #include <cairo-svg.h>
 
 #include <exception>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 
 namespace shigusa::strip {
 namespace {

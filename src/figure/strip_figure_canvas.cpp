@@ -2,7 +2,7 @@
 #include "strip_figure_canvas.hpp"
 
 #include <algorithm>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 
 #ifdef SHIGUSA_HAS_CAIRO
 #include "strip_figure_cairo.hpp"

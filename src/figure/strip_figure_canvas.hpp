@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <shigusa/figure/strip_figure.hpp>
+#include <shigusa/strip_figure.hpp>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/figure/strip_figure.hpp>
+#include <shigusa/strip_figure.hpp>
 
 namespace shigusa::strip {
 

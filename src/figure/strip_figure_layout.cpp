@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 
 #include "strip_figure_check.hpp"
 

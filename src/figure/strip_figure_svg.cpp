@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 
 namespace shigusa::strip {
 namespace {

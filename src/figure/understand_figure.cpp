@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/figure/strip_figure.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/strip_figure.hpp>
+
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 
 namespace shigusa {
 namespace {

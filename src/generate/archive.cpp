@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "generate/archive.hpp"
+
 #include <algorithm>
-#include <shigusa/generate/archive.hpp>
 #include <utility>
 
 namespace shigusa {

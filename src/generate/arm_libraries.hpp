@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/layers/layered_player.hpp>
-#include <shigusa/layers/limb_library.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "layers/layered_player.hpp"
+#include "layers/limb_library.hpp"
 
 namespace shigusa {
 

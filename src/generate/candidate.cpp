@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <shigusa/generate/posture_meter.hpp>
 #include <utility>
 
+#include "generate/posture_meter.hpp"
 #include "task/task_goals.hpp"
 
 namespace shigusa {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
-#include <shigusa/rollout/rollout.hpp>
+#include <shigusa/generate.hpp>
+
+#include "rollout/reach_problem.hpp"
+#include "rollout/rollout.hpp"
 
 namespace shigusa {
 

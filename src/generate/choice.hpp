@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/generate/archive.hpp>
-#include <shigusa/generate/generator.hpp>
+#include <shigusa/generate.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "generate/archive.hpp"
 
 namespace shigusa {
 

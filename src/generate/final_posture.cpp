@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/generate/posture_meter.hpp>
+#include "generate/posture_meter.hpp"
 
 namespace shigusa {
 namespace {

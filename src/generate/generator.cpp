@@ -2,8 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/generate.hpp>
 #include <utility>
 
 #include "candidate.hpp"
@@ -12,6 +11,7 @@
 #include "pareto.hpp"
 #include "planner.hpp"
 #include "runs.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

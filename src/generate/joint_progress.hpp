@@ -4,8 +4,8 @@
 #include <atomic>
 #include <deque>
 #include <limits>
-#include <shigusa/core/progress.hpp>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/progress.hpp>
+#include <shigusa/scalar.hpp>
 #include <thread>
 
 namespace shigusa {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/generate/layered_problem.hpp>
+#include <shigusa/parallel.hpp>
 #include <utility>
 
 #include "arm_libraries.hpp"
 #include "candidate.hpp"
+#include "generate/layered_problem.hpp"
 #include "layered_search.hpp"
 #include "layered_ways.hpp"
 #include "planner.hpp"

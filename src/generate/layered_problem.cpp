@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "generate/layered_problem.hpp"
+
 #include <fmt/format.h>
 
-#include <shigusa/generate/layered_problem.hpp>
-#include <shigusa/layers/plan.hpp>
-#include <shigusa/rollout/reachability.hpp>
-#include <shigusa/task/make_problem.hpp>
-#include <shigusa/task/plan_of.hpp>
 #include <utility>
 
+#include "layers/plan.hpp"
 #include "planner.hpp"
+#include "rollout/reachability.hpp"
+#include "task/make_problem.hpp"
+#include "task/plan_of.hpp"
 #include "ways.hpp"
 
 namespace shigusa {

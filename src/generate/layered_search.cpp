@@ -2,13 +2,13 @@
 #include "layered_search.hpp"
 
 #include <algorithm>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/search/genetic.hpp>
+#include <shigusa/parallel.hpp>
 #include <type_traits>
 #include <utility>
 
 #include "candidate.hpp"
 #include "layers/rest_search.hpp"
+#include "search/genetic.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/layers/arm_feedback.hpp>
-#include <shigusa/layers/layered_player.hpp>
-#include <shigusa/layers/layered_settings.hpp>
+#include <shigusa/layered_settings.hpp>
 
+#include "layers/arm_feedback.hpp"
+#include "layers/layered_player.hpp"
 #include "layers/swivel_search.hpp"
 #include "planner.hpp"
 

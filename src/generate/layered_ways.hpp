@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/layers/layered_player.hpp>
 
+#include "layers/layered_player.hpp"
 #include "planner.hpp"
 
 namespace shigusa {

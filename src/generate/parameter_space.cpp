@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "generate/parameter_space.hpp"
+
 #include <algorithm>
 #include <array>
-#include <shigusa/body/joint_name.hpp>
-#include <shigusa/core/check.hpp>
-#include <shigusa/generate/parameter_space.hpp>
-#include <shigusa/search/genetic.hpp>
-#include <shigusa/search/genetic_operators.hpp>
 #include <utility>
+
+#include "body/joint_name.hpp"
+#include "core/check.hpp"
+#include "search/genetic.hpp"
+#include "search/genetic_operators.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/criteria/criteria_settings.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/criteria.hpp>
+#include <shigusa/generate.hpp>
 #include <span>
 #include <vector>
 
 #include "planner.hpp"
+#include "rollout/reach_problem.hpp"
 
 namespace shigusa {
 

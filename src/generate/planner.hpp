@@ -3,13 +3,13 @@
 
 #include <memory>
 #include <optional>
-#include <shigusa/core/progress.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/layers/plan.hpp>
-#include <shigusa/rollout/rollout.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/progress.hpp>
 #include <span>
 
 #include "choice.hpp"
+#include "layers/plan.hpp"
+#include "rollout/rollout.hpp"
 
 namespace shigusa {
 

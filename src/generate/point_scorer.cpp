@@ -2,9 +2,9 @@
 #include "point_scorer.hpp"
 
 #include <algorithm>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/generate/posture_meter.hpp>
+#include <shigusa/parallel.hpp>
 
+#include "generate/posture_meter.hpp"
 #include "ways.hpp"
 
 namespace shigusa {

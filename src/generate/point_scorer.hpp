@@ -2,13 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/generate/archive.hpp>
-#include <shigusa/generate/parameter_space.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
 #include <span>
 #include <vector>
 
+#include "generate/archive.hpp"
+#include "generate/parameter_space.hpp"
+#include "rollout/batch_rollout.hpp"
 #include "squat_dial.hpp"
 
 namespace shigusa {

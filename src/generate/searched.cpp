@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <deque>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/search/cma_es.hpp>
+#include <shigusa/parallel.hpp>
 #include <string>
 #include <utility>
 
+#include "core/check.hpp"
 #include "joint_progress.hpp"
+#include "search/cma_es.hpp"
 #include "task/task_search.hpp"
 
 namespace shigusa {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/generate/archive.hpp>
-#include <shigusa/generate/parameter_space.hpp>
-#include <shigusa/search/searches.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/search.hpp>
+#include <shigusa/task.hpp>
 #include <string_view>
 #include <vector>
 
+#include "generate/archive.hpp"
+#include "generate/parameter_space.hpp"
 #include "point_scorer.hpp"
 
 namespace shigusa {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
 #include <span>
 #include <string_view>
 #include <vector>

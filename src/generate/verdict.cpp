@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/generate/verdict.hpp>
-#include <shigusa/layers/clip_dynamics.hpp>
+#include <shigusa/verdict.hpp>
 #include <utility>
+
+#include "layers/clip_dynamics.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,12 +2,12 @@
 #include "ways.hpp"
 
 #include <limits>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/motion/jolt.hpp>
-#include <shigusa/nlp/nlp_rollout.hpp>
-#include <shigusa/rollout/detour.hpp>
+#include <shigusa/generate.hpp>
 #include <utility>
 
+#include "motion/jolt.hpp"
+#include "nlp/nlp_rollout.hpp"
+#include "rollout/detour.hpp"
 #include "rollout/tiptoe.hpp"
 
 namespace shigusa {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/rollout/reachability.hpp>
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
 #include <span>
 #include <vector>
 
 #include "planner.hpp"
+#include "rollout/reachability.hpp"
+#include "rollout/rollout.hpp"
 
 namespace shigusa {
 

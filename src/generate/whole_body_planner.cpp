@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/task/make_problem.hpp>
 #include <utility>
 
 #include "candidate.hpp"
 #include "planner.hpp"
 #include "searched.hpp"
+#include "task/make_problem.hpp"
 #include "ways.hpp"
 
 namespace shigusa {

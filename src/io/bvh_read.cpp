@@ -4,9 +4,9 @@
 #include <array>
 #include <charconv>
 #include <optional>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/file.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/file.hpp>
+#include <shigusa/words.hpp>
 #include <vector>
 
 #include "node_names.hpp"

@@ -5,10 +5,10 @@
 #include <array>
 #include <iterator>
 #include <optional>
-#include <shigusa/core/check.hpp>
-#include <shigusa/io/bvh.hpp>
+#include <shigusa/bvh.hpp>
 #include <vector>
 
+#include "core/check.hpp"
 #include "node_names.hpp"
 
 namespace shigusa {

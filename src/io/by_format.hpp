@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/io/file_format.hpp>
+#include <shigusa/file_format.hpp>
 #include <utility>
 
 namespace shigusa {

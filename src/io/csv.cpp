@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "io/csv.hpp"
+
 #include <fmt/format.h>
 
 #include <iterator>
-#include <shigusa/io/csv.hpp>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 #include <string_view>
 
 namespace shigusa {

@@ -4,7 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
-#include <shigusa/core/result.hpp>
+#include <shigusa/result.hpp>
 #include <string_view>
 #include <utility>
 

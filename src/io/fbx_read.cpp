@@ -5,7 +5,7 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <shigusa/math/quat.hpp>
+#include <shigusa/quat.hpp>
 
 #include "fbx_records.hpp"
 #include "glb.hpp"

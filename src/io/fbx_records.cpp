@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cstring>
 #include <optional>
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/words.hpp>
 #include <utility>
 
 namespace shigusa {

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/io/fbx.hpp>
 #include <vector>
+
+#include "io/fbx.hpp"
 
 namespace shigusa {
 

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
 #include <system_error>
 
 #include "descriptor.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
-#include <shigusa/io/file_format.hpp>
+#include <shigusa/file_format.hpp>
 #include <vector>
 
 namespace shigusa {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <shigusa/core/result.hpp>
+#include <shigusa/result.hpp>
 #include <string>
 #include <string_view>
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <shigusa/io/gltf.hpp>
 
+#include "io/gltf.hpp"
 #include "watched_json.hpp"
 
 namespace shigusa {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "io/gltf_animation.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <shigusa/io/file.hpp>
-#include <shigusa/io/gltf_animation.hpp>
+#include <shigusa/file.hpp>
 
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"

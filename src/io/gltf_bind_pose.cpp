@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/io/gltf_animation.hpp>
 
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
+#include "io/gltf_animation.hpp"
 #include "math/linear_map.hpp"
 
 namespace shigusa {

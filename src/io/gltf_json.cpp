@@ -5,9 +5,9 @@
 
 #include <array>
 #include <limits>
-#include <shigusa/io/gltf.hpp>
 
 #include "glb.hpp"
+#include "io/gltf.hpp"
 #include "watched_json.hpp"
 
 namespace shigusa {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/io/gltf.hpp>
 #include <span>
 #include <vector>
+
+#include "io/gltf.hpp"
 
 namespace shigusa {
 

@@ -5,12 +5,12 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <shigusa/io/file.hpp>
-#include <shigusa/io/gltf.hpp>
+#include <shigusa/file.hpp>
 
 #include "gltf_json.hpp"
 #include "gltf_pose.hpp"
 #include "gltf_vrm.hpp"
+#include "io/gltf.hpp"
 #include "node_names.hpp"
 
 namespace shigusa {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "io/gltf_skin.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <shigusa/io/gltf_skin.hpp>
 #include <utility>
 
 #include "gltf_accessor.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/math/quat.hpp>
+#include <shigusa/quat.hpp>
 #include <vector>
 
 #include "gltf_accessor.hpp"

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <shigusa/io/gltf.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "io/gltf.hpp"
 
 namespace shigusa {
 

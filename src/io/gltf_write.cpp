@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "io/gltf_write.hpp"
+
 #include <fmt/format.h>
 
 #include <optional>
-#include <shigusa/core/check.hpp>
-#include <shigusa/io/gltf_write.hpp>
 
+#include "core/check.hpp"
 #include "glb.hpp"
 #include "gltf_json.hpp"
 #include "json_splice.hpp"

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/math/quat.hpp>
-#include <shigusa/math/scalar.hpp>
-#include <shigusa/math/vec3.hpp>
+#include <shigusa/quat.hpp>
+#include <shigusa/scalar.hpp>
+#include <shigusa/vec3.hpp>
+#include <shigusa/words.hpp>
 #include <string>
 #include <vector>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <shigusa/io/gltf_write.hpp>
-
+#include "io/gltf_write.hpp"
 #include "json_splice.hpp"
 
 namespace shigusa {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <shigusa/core/result.hpp>
+#include <shigusa/result.hpp>
 #include <string>
 #include <string_view>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <memory>
-#include <shigusa/core/check.hpp>
-#include <shigusa/kinematics/fit_clip.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/math/ldlt.hpp>
 
+#include "core/check.hpp"
+#include "kinematics/fit_clip.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "math/ldlt.hpp"
 #include "rig_drivers.hpp"
 #include "rig_twist.hpp"
 

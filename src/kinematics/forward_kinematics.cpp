@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/kinematics/forward_kinematics.hpp>
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 

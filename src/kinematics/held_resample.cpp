@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/kinematics/held_resample.hpp>
-#include <shigusa/kinematics/weighted_ik.hpp>
+#include "kinematics/held_resample.hpp"
+
+#include "kinematics/weighted_ik.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/core/check.hpp>
-#include <shigusa/kinematics/limb.hpp>
+#include "kinematics/limb.hpp"
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "kinematics/penetration.hpp"
+
 #include <algorithm>
-#include <shigusa/kinematics/penetration.hpp>
 
 namespace shigusa {
 namespace {

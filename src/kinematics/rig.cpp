@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <optional>
-#include <shigusa/core/check.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/kinematics/rig.hpp>
+#include "kinematics/rig.hpp"
 
+#include <optional>
+
+#include "core/check.hpp"
+#include "kinematics/forward_kinematics.hpp"
 #include "math/linear_map.hpp"
 #include "rig_drivers.hpp"
 #include "rig_twist.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/kinematics/rig.hpp>
 
+#include "kinematics/rig.hpp"
 #include "person/human_frames.hpp"
 
 namespace shigusa {

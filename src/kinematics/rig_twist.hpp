@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/kinematics/rig.hpp>
 
+#include "kinematics/forward_kinematics.hpp"
+#include "kinematics/rig.hpp"
 #include "person/human_frames.hpp"
 
 namespace shigusa {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include "kinematics/skeleton_motion.hpp"
+
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 

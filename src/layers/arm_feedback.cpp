@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "layers/arm_feedback.hpp"
+
 #include <algorithm>
 #include <memory>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/kinematics/penetration.hpp>
-#include <shigusa/layers/arm_feedback.hpp>
-#include <shigusa/layers/clip_dynamics.hpp>
+#include <shigusa/parallel.hpp>
+
+#include "criteria/built_in_criteria.hpp"
+#include "kinematics/penetration.hpp"
+#include "layers/clip_dynamics.hpp"
 
 namespace shigusa {
 namespace {

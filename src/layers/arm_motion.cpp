@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "layers/arm_motion.hpp"
+
 #include <algorithm>
-#include <shigusa/core/check.hpp>
-#include <shigusa/layers/arm_motion.hpp>
 #include <utility>
 
+#include "core/check.hpp"
 #include "person/segment_mass.hpp"
 
 namespace shigusa {

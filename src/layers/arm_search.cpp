@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "layers/arm_search.hpp"
+
 #include <algorithm>
 #include <numeric>
-#include <shigusa/layers/arm_search.hpp>
 #include <vector>
 
 namespace shigusa {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "layers/arm_swivel.hpp"
+
 #include <array>
-#include <shigusa/core/check.hpp>
-#include <shigusa/layers/arm_swivel.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
+
+#include "core/check.hpp"
+#include "motion/minimum_jerk.hpp"
 
 namespace shigusa {
 namespace {

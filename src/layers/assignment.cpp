@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "layers/assignment.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
-#include <shigusa/core/names.hpp>
-#include <shigusa/core/parse_number.hpp>
-#include <shigusa/layers/assignment.hpp>
+#include <shigusa/words.hpp>
 #include <utility>
 
 namespace shigusa {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "layers/body_limbs.hpp"
+
 #include <algorithm>
-#include <shigusa/core/check.hpp>
-#include <shigusa/layers/body_limbs.hpp>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/dynamics/contact_forces.hpp>
-#include <shigusa/layers/clip_dynamics.hpp>
+#include "layers/clip_dynamics.hpp"
+
 #include <utility>
+
+#include "dynamics/contact_forces.hpp"
 
 namespace shigusa {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/layers/layer.hpp>
 #include <utility>
+
+#include "criteria/built_in_criteria.hpp"
+#include "layers/layer.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "layers/layer.hpp"
+
 #include <algorithm>
 #include <array>
-#include <shigusa/body/joint_name.hpp>
-#include <shigusa/layers/layer.hpp>
 #include <utility>
 
+#include "body/joint_name.hpp"
 #include "reducer.hpp"
 
 namespace shigusa {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/core/check.hpp>
-#include <shigusa/layers/reduced_motion.hpp>
-#include <shigusa/rollout/parameters.hpp>
+#include <shigusa/parameters.hpp>
+
+#include "core/check.hpp"
+#include "layers/reduced_motion.hpp"
 
 namespace shigusa {
 namespace {

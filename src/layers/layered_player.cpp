@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "layers/layered_player.hpp"
+
 #include <algorithm>
-#include <shigusa/core/check.hpp>
-#include <shigusa/layers/layered_player.hpp>
 #include <utility>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

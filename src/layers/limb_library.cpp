@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "layers/limb_library.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/core/check.hpp>
-#include <shigusa/layers/layer.hpp>
-#include <shigusa/layers/limb_library.hpp>
-#include <shigusa/rollout/detour.hpp>
 #include <type_traits>
 #include <utility>
+
+#include "core/check.hpp"
+#include "layers/layer.hpp"
+#include "rollout/detour.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/joint_name.hpp>
-#include <shigusa/layers/parameter_info.hpp>
+#include "layers/parameter_info.hpp"
+
 #include <utility>
+
+#include "body/joint_name.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "layers/plan.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/core/names.hpp>
-#include <shigusa/layers/plan.hpp>
+#include <shigusa/words.hpp>
 #include <utility>
+
+#include "body/posture_modes.hpp"
 
 namespace shigusa {
 namespace {

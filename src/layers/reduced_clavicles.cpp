@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the clavicles of a reduced body go with their arms.
-#include <shigusa/layers/reduced_motion.hpp>
+#include "layers/reduced_motion.hpp"
 
 namespace shigusa {
 namespace {

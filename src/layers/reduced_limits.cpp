@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "layers/reduced_limits.hpp"
+
 #include <algorithm>
-#include <shigusa/layers/reduced_limits.hpp>
-#include <shigusa/rollout/limit_guard.hpp>
+
+#include "rollout/limit_guard.hpp"
 
 namespace shigusa {
 namespace {

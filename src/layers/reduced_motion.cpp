@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "layers/reduced_motion.hpp"
+
 #include <algorithm>
-#include <shigusa/core/check.hpp>
-#include <shigusa/layers/reduced_motion.hpp>
-#include <shigusa/math/ldlt.hpp>
+
+#include "core/check.hpp"
+#include "math/ldlt.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,9 +2,10 @@
 #include "reducer.hpp"
 
 #include <algorithm>
-#include <shigusa/body/joint_name.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
 #include <utility>
+
+#include "body/joint_name.hpp"
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 namespace {

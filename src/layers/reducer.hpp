@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/layers/layer.hpp>
 #include <string>
+
+#include "layers/layer.hpp"
 
 namespace shigusa {
 

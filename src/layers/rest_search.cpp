@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rest_search.hpp"
 
-#include <shigusa/math/scalar.hpp>
-#include <shigusa/search/searches.hpp>
+#include <shigusa/scalar.hpp>
+#include <shigusa/search.hpp>
 
 namespace shigusa {
 namespace {

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <shigusa/layers/layer.hpp>
 #include <span>
 #include <vector>
+
+#include "layers/layer.hpp"
 
 namespace shigusa {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "swivel_search.hpp"
 
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/criteria/motion_measures.hpp>
-#include <shigusa/motion/jolt.hpp>
+#include <shigusa/motion_measures.hpp>
 #include <utility>
+
+#include "criteria/built_in_criteria.hpp"
+#include "motion/jolt.hpp"
 
 namespace shigusa {
 namespace {

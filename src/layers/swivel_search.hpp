@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/layers/arm_feedback.hpp>
-#include <shigusa/layers/arm_swivel.hpp>
-#include <shigusa/layers/clip_dynamics.hpp>
+#include "layers/arm_feedback.hpp"
+#include "layers/arm_swivel.hpp"
+#include "layers/clip_dynamics.hpp"
 
 namespace shigusa {
 

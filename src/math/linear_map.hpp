@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/math/mat3.hpp>
+#include <shigusa/mat3.hpp>
 
 namespace shigusa {
 

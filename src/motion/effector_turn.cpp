@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/motion/effector_turn.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
+#include "motion/effector_turn.hpp"
+
+#include "motion/minimum_jerk.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/math/scalar.hpp>
-#include <shigusa/motion/jolt.hpp>
+#include "motion/jolt.hpp"
+
+#include <shigusa/scalar.hpp>
 
 namespace shigusa {
 namespace {

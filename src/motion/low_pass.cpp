@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "motion/low_pass.hpp"
+
 #include <algorithm>
-#include <shigusa/math/scalar.hpp>
-#include <shigusa/motion/low_pass.hpp>
+#include <shigusa/scalar.hpp>
 
 namespace shigusa {
 namespace {

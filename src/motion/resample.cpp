@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
-#include <shigusa/core/check.hpp>
-#include <shigusa/motion/clip.hpp>
+#include <shigusa/motion.hpp>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 
 namespace shigusa {
 

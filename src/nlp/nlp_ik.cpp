@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "nlp/nlp_ik.hpp"
+
 #include <algorithm>
-#include <shigusa/nlp/nlp_ik.hpp>
 
 namespace shigusa {
 namespace {

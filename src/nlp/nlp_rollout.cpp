@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "nlp/nlp_rollout.hpp"
+
 #include <algorithm>
-#include <shigusa/nlp/nlp_rollout.hpp>
 
 #include "rollout/record_motion.hpp"
 

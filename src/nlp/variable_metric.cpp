@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <shigusa/core/check.hpp>
-#include <shigusa/nlp/variable_metric.hpp>
+#include "nlp/variable_metric.hpp"
 
+#include <algorithm>
+
+#include "core/check.hpp"
 #include "line_bracket.hpp"
 
 namespace shigusa {

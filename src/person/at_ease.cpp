@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/person/at_ease.hpp>
+#include "person/at_ease.hpp"
 
+#include "body/anthropometry.hpp"
 #include "human_frames.hpp"
 
 namespace shigusa {

@@ -2,7 +2,8 @@
 #include "bone_finder.hpp"
 
 #include <algorithm>
-#include <shigusa/core/check.hpp>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 

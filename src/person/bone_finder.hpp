@@ -5,8 +5,8 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/core/result.hpp>
-#include <shigusa/person/humanoid_map.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/skeleton.hpp>
 #include <utility>
 #include <vector>
 

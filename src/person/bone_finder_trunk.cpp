@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/person/landmarks.hpp>
+#include <shigusa/landmarks.hpp>
 
+#include "body/anthropometry.hpp"
 #include "bone_finder.hpp"
 
 namespace shigusa {

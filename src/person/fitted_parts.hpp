@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/person/humanoid_map.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/landmarks.hpp>
+#include <shigusa/skeleton.hpp>
 
+#include "person/measure_person.hpp"
 #include "skeleton_tree.hpp"
 
 namespace shigusa {

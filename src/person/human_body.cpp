@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <shigusa/core/check.hpp>
-
+#include "core/check.hpp"
 #include "human_builder.hpp"
 
 namespace shigusa {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <initializer_list>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 #include <string>
 #include <vector>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "human_frames.hpp"
 
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/person/landmarks.hpp>
+#include <shigusa/landmarks.hpp>
+
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/person/at_ease.hpp>
-
 #include "human_builder.hpp"
+#include "person/at_ease.hpp"
 
 namespace shigusa {
 namespace {

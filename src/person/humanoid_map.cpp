@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/humanoid_map.hpp>
+#include <shigusa/skeleton.hpp>
 
 #include "bone_finder.hpp"
+#include "person/find_humanoid.hpp"
 
 namespace shigusa {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <shigusa/person/humanoid_map.hpp>
+#include <shigusa/skeleton.hpp>
 #include <string>
 #include <string_view>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/landmarks.hpp>
 
+#include "body/anthropometry.hpp"
+#include "person/measure_person.hpp"
 #include "person_measurer.hpp"
 
 namespace shigusa {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include "person/likeness.hpp"
 
-#include <shigusa/person/likeness.hpp>
+#include <fmt/format.h>
 
 namespace shigusa {
 namespace {

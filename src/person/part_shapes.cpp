@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "part_shapes.hpp"
 
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/core/check.hpp>
-
+#include "body/anthropometry.hpp"
+#include "core/check.hpp"
 #include "segment_mass.hpp"
 
 namespace shigusa {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/person/landmarks.hpp>
+#include <shigusa/landmarks.hpp>
 
 #include "human_frames.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "person_measurer.hpp"
 
-#include <shigusa/core/check.hpp>
 #include <string>
 
+#include "core/check.hpp"
 #include "humanoid_shape.hpp"
 
 namespace shigusa {

@@ -4,15 +4,15 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/core/result.hpp>
-#include <shigusa/person/humanoid_map.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/landmarks.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/skeleton.hpp>
 #include <span>
 #include <utility>
 
+#include "body/anthropometry.hpp"
 #include "humanoid_names.hpp"
+#include "person/measure_person.hpp"
 #include "skeleton_tree.hpp"
 
 namespace shigusa {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
 #include "person_measurer.hpp"
 

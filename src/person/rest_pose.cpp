@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/person/at_ease.hpp>
+
+#include "person/at_ease.hpp"
 
 namespace shigusa {
 namespace {

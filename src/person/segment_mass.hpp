@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/body/body_model.hpp>
+#include <shigusa/body_model.hpp>
 
+#include "body/anthropometry.hpp"
 #include "body/link_mass.hpp"
 #include "human_frames.hpp"
 

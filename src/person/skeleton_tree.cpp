@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <shigusa/core/check.hpp>
+#include "core/check.hpp"
 
 namespace shigusa {
 

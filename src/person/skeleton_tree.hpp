@@ -2,10 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <shigusa/body/skeleton.hpp>
-#include <shigusa/body/skin.hpp>
+#include <shigusa/skeleton.hpp>
 #include <span>
 #include <vector>
+
+#include "body/skin.hpp"
 
 namespace shigusa {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/person/landmarks.hpp>
+#include <shigusa/landmarks.hpp>
+
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 namespace {

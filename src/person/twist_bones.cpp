@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "person/twist_bones.hpp"
+
 #include <algorithm>
-#include <shigusa/person/twist_bones.hpp>
 
 #include "humanoid_names.hpp"
 #include "skeleton_tree.hpp"

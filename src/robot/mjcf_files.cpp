@@ -2,7 +2,7 @@
 #include "mjcf_files.hpp"
 
 #include <algorithm>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
 
 namespace shigusa {
 

@@ -7,10 +7,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <shigusa/robot/mjcf.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "robot/mjcf.hpp"
 
 namespace shigusa {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/robot/mjcf.hpp>
+#include "robot/mjcf.hpp"
 
 #ifndef SHIGUSA_HAS_URDF
 

@@ -2,8 +2,8 @@
 #include "mjcf_values.hpp"
 
 #include <algorithm>
-#include <shigusa/core/enum_words.hpp>
-#include <shigusa/math/quat.hpp>
+#include <shigusa/quat.hpp>
+#include <shigusa/words.hpp>
 
 namespace shigusa {
 namespace {

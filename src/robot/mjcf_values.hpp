@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <shigusa/math/transform.hpp>
+#include <shigusa/transform.hpp>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "robot/robot.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
-#include <shigusa/body/skeleton.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/robot/robot.hpp>
+#include <shigusa/skeleton.hpp>
 #include <utility>
 
+#include "person/find_humanoid.hpp"
 #include "person/humanoid_names.hpp"
 
 namespace shigusa {

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/anthropometry.hpp>
 
+#include "body/anthropometry.hpp"
 #include "person/segment_mass.hpp"
 #include "robot_builder.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <map>
-#include <shigusa/robot/robot.hpp>
 #include <string>
 #include <vector>
 
+#include "robot/robot.hpp"
 #include "robot_feet.hpp"
 #include "robot_joints.hpp"
 

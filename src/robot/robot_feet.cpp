@@ -2,7 +2,8 @@
 #include "robot_feet.hpp"
 
 #include <algorithm>
-#include <shigusa/body/anthropometry.hpp>
+
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 namespace {

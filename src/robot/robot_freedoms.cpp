@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <shigusa/body/anthropometry.hpp>
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 namespace {

@@ -3,10 +3,11 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/robot/robot.hpp>
+#include <shigusa/landmarks.hpp>
 #include <string>
 #include <vector>
+
+#include "robot/robot.hpp"
 
 namespace shigusa {
 

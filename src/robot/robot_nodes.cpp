@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "body/anthropometry.hpp"
 #include "robot_builder.hpp"
 
 namespace shigusa {

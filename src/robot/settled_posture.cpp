@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "robot/settled_posture.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/kinematics/weighted_ik.hpp>
-#include <shigusa/robot/settled_posture.hpp>
+
+#include "body/posture_modes.hpp"
+#include "kinematics/weighted_ik.hpp"
 
 namespace shigusa {
 namespace {

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <map>
-#include <shigusa/math/quat.hpp>
-#include <shigusa/math/transform.hpp>
-#include <shigusa/robot/urdf.hpp>
+#include <shigusa/quat.hpp>
+#include <shigusa/transform.hpp>
+
+#include "robot/urdf.hpp"
 
 #ifdef SHIGUSA_HAS_URDF
 #include <console_bridge/console.h>

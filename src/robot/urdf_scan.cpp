@@ -5,10 +5,11 @@
 #include <charconv>
 #include <map>
 #include <optional>
-#include <shigusa/io/file.hpp>
-#include <shigusa/robot/urdf.hpp>
+#include <shigusa/file.hpp>
 #include <utility>
 #include <vector>
+
+#include "robot/urdf.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <shigusa/robot/urdf.hpp>
+
+#include "robot/urdf.hpp"
 
 namespace shigusa {
 namespace {

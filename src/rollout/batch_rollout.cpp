@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "rollout/batch_rollout.hpp"
+
 #include <algorithm>
 #include <functional>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
+#include <shigusa/parallel.hpp>
 
+#include "core/check.hpp"
 #include "lane_scorer.hpp"
 
 namespace shigusa {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/kinematics/penetration.hpp>
-#include <shigusa/rollout/detour.hpp>
-#include <shigusa/rollout/rollout.hpp>
+#include "rollout/detour.hpp"
+
+#include "kinematics/penetration.hpp"
+#include "rollout/rollout.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <shigusa/rollout/batch_rollout.hpp>
+
+#include "rollout/batch_rollout.hpp"
 
 namespace shigusa {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/simd/pack.hpp>
-
 #include "lane_scorer.hpp"
+#include "rollout/rollout.hpp"
+#include "simd/pack.hpp"
 
 namespace shigusa {
 

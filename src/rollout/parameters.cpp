@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/core/check.hpp>
-#include <shigusa/rollout/held_input.hpp>
-#include <shigusa/rollout/parameters.hpp>
+#include <shigusa/parameters.hpp>
 #include <utility>
+
+#include "body/posture_modes.hpp"
+#include "core/check.hpp"
+#include "rollout/held_input.hpp"
 
 namespace shigusa {
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "rollout/reachability.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <shigusa/core/random.hpp>
-#include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/rollout/limit_guard.hpp>
-#include <shigusa/rollout/reachability.hpp>
+#include <shigusa/random.hpp>
 
+#include "dynamics/centre_of_mass.hpp"
+#include "rollout/limit_guard.hpp"
 #include "tiptoe.hpp"
 
 namespace shigusa {

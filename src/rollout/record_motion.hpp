@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/rollout/held_input.hpp>
-#include <shigusa/rollout/rollout.hpp>
+#include "rollout/held_input.hpp"
+#include "rollout/rollout.hpp"
 
 namespace shigusa {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/rollout/rollout.hpp>
+#include "rollout/rollout.hpp"
 
 #include "record_motion.hpp"
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/criteria/support_zone.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
 #include <span>
 #include <vector>
+
+#include "criteria/support_zone.hpp"
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "search/annealing.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/random.hpp>
-#include <shigusa/math/scalar.hpp>
-#include <shigusa/search/annealing.hpp>
-#include <shigusa/search/searches.hpp>
+#include <shigusa/random.hpp>
+#include <shigusa/scalar.hpp>
+#include <shigusa/search.hpp>
 #include <utility>
 
+#include "core/check.hpp"
 #include "normal.hpp"
 #include "population.hpp"
 #include "scorer.hpp"

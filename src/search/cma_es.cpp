@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include "search/cma_es.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/random.hpp>
-#include <shigusa/math/scalar.hpp>
-#include <shigusa/search/cma_es.hpp>
-#include <shigusa/search/searches.hpp>
+#include <shigusa/random.hpp>
+#include <shigusa/scalar.hpp>
+#include <shigusa/search.hpp>
 #include <utility>
 
 #include "cma_run.hpp"
+#include "core/check.hpp"
 #include "population.hpp"
 #include "scorer.hpp"
 

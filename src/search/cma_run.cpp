@@ -2,7 +2,7 @@
 #include "cma_run.hpp"
 
 #include <algorithm>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 #include <utility>
 
 #include "normal.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <shigusa/core/random.hpp>
+#include <shigusa/random.hpp>
 #include <span>
 #include <vector>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "search/genetic.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +9,12 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/genetic.hpp>
-#include <shigusa/search/genetic_operators.hpp>
-#include <shigusa/search/searches.hpp>
+#include <shigusa/search.hpp>
 #include <utility>
 
+#include "core/check.hpp"
 #include "scorer.hpp"
+#include "search/genetic_operators.hpp"
 
 namespace shigusa {
 namespace {

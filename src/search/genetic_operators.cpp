@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "search/genetic_operators.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/genetic_operators.hpp>
 #include <utility>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

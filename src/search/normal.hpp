@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/core/random.hpp>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/random.hpp>
+#include <shigusa/scalar.hpp>
 
 namespace shigusa {
 

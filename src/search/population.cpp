@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 #include <utility>
 
 namespace shigusa {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <shigusa/search/problem.hpp>
+#include <shigusa/search.hpp>
 #include <span>
 #include <vector>
 

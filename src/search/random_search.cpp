@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "search/random_search.hpp"
+
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/random.hpp>
-#include <shigusa/search/random_search.hpp>
-#include <shigusa/search/searches.hpp>
+#include <shigusa/random.hpp>
+#include <shigusa/search.hpp>
 #include <utility>
 
+#include "core/check.hpp"
 #include "population.hpp"
 #include "scorer.hpp"
 

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <shigusa/core/check.hpp>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

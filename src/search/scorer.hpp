@@ -2,7 +2,7 @@
 #pragma once
 
 #include <limits>
-#include <shigusa/search/problem.hpp>
+#include <shigusa/search.hpp>
 #include <span>
 #include <vector>
 

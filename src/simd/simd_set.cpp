@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/simd/simd_set.hpp>
+#include <shigusa/parallel.hpp>
 #include <utility>
 #include <vector>
 

@@ -2,14 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
-#include <shigusa/task/plan_of.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
 #include <utility>
 
+#include "criteria/built_in_criteria.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "motion/minimum_jerk.hpp"
+#include "rollout/reach_problem.hpp"
+#include "task/plan_of.hpp"
 #include "task_goals.hpp"
 
 namespace shigusa {

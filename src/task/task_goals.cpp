@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/body/joint_name.hpp>
-#include <shigusa/body/load.hpp>
-#include <shigusa/body/stance.hpp>
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/goal.hpp>
+#include <shigusa/words.hpp>
 #include <utility>
+
+#include "body/joint_name.hpp"
+#include "body/stance.hpp"
 
 namespace shigusa {
 namespace {

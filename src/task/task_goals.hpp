@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/motion/effector_turn.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
+
+#include "kinematics/forward_kinematics.hpp"
+#include "motion/effector_turn.hpp"
+#include "rollout/reach_problem.hpp"
 
 namespace shigusa {
 

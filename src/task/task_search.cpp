@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "task_search.hpp"
 
-#include <shigusa/search/genetic.hpp>
+#include "search/genetic.hpp"
 
 namespace shigusa {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
 
 namespace shigusa {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "body/anthropometry.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/math/vec3.hpp>
-#include <shigusa/person/landmarks.hpp>
+#include <shigusa/landmarks.hpp>
+#include <shigusa/vec3.hpp>
 #include <vector>
 
 namespace shigusa {

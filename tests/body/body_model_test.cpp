@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/core/check.hpp>
-
+#include "core/check.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/body/stance.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "body/stance.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "body/joint_name.hpp"
+
 #include <gtest/gtest.h>
 
-#include <shigusa/body/joint_name.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
 namespace shigusa {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/body/load.hpp>
-#include <shigusa/dynamics/inverse_dynamics.hpp>
+#include <shigusa/goal.hpp>
 
+#include "dynamics/inverse_dynamics.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

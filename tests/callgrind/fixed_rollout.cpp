@@ -3,12 +3,12 @@
 // BODY is half_body or full_body, HOW is double or a SIMD set.
 #include <cstdio>
 #include <cstdlib>
-#include <shigusa/core/random.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/rollout.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/random.hpp>
 #include <string_view>
 
+#include "rollout/batch_rollout.hpp"
+#include "rollout/rollout.hpp"
 #include "support/problems.hpp"
 
 namespace {

@@ -2,13 +2,13 @@
 // Characters that nobody here made: they start as they were recorded, and keep every promise.
 #include <gmock/gmock.h>
 
-#include <shigusa/document/export.hpp>
-#include <shigusa/io/file.hpp>
-#include <shigusa/io/gltf_skin.hpp>
-#include <shigusa/person/at_ease.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/file.hpp>
 
+#include "io/gltf_skin.hpp"
+#include "person/at_ease.hpp"
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 #include "support/exported.hpp"
 #include "support/gltf_file.hpp"
 #include "support/work_folder.hpp"

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/io/gltf.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
 
+#include "character/character_rig.hpp"
+#include "io/gltf.hpp"
 #include "support/exported.hpp"
 #include "support/exported_glb.hpp"
 #include "support/fbx_file.hpp"

@@ -2,10 +2,10 @@
 // Layers on characters that nobody here made.
 #include <gtest/gtest.h>
 
-#include <shigusa/document/task_file.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/generate/layered_problem.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/task_file.hpp>
 
+#include "generate/layered_problem.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

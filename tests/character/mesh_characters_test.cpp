@@ -4,15 +4,15 @@
 #include <gmock/gmock.h>
 
 #include <functional>
-#include <shigusa/character/character_description.hpp>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/io/gltf_skin.hpp>
-#include <shigusa/io/gltf_write.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/export.hpp>
 
+#include "character/character_rig.hpp"
 #include "character/landmarks_json.hpp"
 #include "document/character_export.hpp"
+#include "io/gltf_animation.hpp"
+#include "io/gltf_skin.hpp"
+#include "io/gltf_write.hpp"
 #include "support/mesh_file.hpp"
 
 namespace shigusa {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/document/export.hpp>
-#include <shigusa/generate/generator.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
 
 #include "support/mjcf_file.hpp"
 #include "support/work_folder.hpp"

@@ -4,12 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <functional>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/io/gltf_write.hpp>
-#include <shigusa/kinematics/rig.hpp>
+#include <shigusa/export.hpp>
 
+#include "character/character_rig.hpp"
 #include "document/character_export.hpp"
+#include "io/gltf_write.hpp"
+#include "kinematics/rig.hpp"
 #include "support/convention.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

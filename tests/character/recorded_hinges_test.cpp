@@ -3,8 +3,8 @@
 // as people's are.
 #include <gtest/gtest.h>
 
-#include <shigusa/character/character.hpp>
-#include <shigusa/io/file.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/file.hpp>
 
 namespace shigusa {
 namespace {

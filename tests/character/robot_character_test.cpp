@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/document/export.hpp>
-#include <shigusa/edit/mirror.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/edit.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
 
+#include "kinematics/forward_kinematics.hpp"
 #include "support/exported.hpp"
 #include "support/robot_file.hpp"
 #include "support/work_folder.hpp"

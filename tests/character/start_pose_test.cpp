@@ -3,12 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <bit>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/io/gltf_write.hpp>
-#include <shigusa/person/at_ease.hpp>
+#include <shigusa/export.hpp>
 
+#include "character/character_rig.hpp"
 #include "document/character_export.hpp"
+#include "io/gltf_write.hpp"
+#include "person/at_ease.hpp"
 #include "person/stick_figure.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

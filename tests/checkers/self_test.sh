@@ -13,7 +13,7 @@ failures=0
 fresh() {
   rm -rf "${tree:?}"/*
   mkdir -p "$tree/include" "$tree/src"
-  write include/shigusa/core/good.hpp '// SPDX-License-Identifier: MIT' '#include <string>' \
+  write include/shigusa/result.hpp '// SPDX-License-Identifier: MIT' '#include <string>' \
     '#include <tl/expected.hpp>' 'namespace shigusa {' 'inline double f(double x) { return x; }' '}'
 }
 
@@ -51,32 +51,39 @@ refuses() {
 
 # layers
 fresh
-write src/generate/a.cpp '#include <shigusa/search/b.hpp>' '#include "c.hpp"' '#include <fmt/core.h>'
-write src/document/a.cpp '#include <shigusa/io/b.hpp>' '#include "../io/c.hpp"'
-write include/shigusa/shigusa.hpp '#include <shigusa/document/b.hpp>'
-write examples/one/main.cpp '#include <shigusa/shigusa.hpp>' '#include <shigusa/io/b.hpp>' '#include "local.hpp"'
-write tests/search/a_test.cpp '#include <shigusa/body/b.hpp>' '#include "io/internal.hpp"'
+write src/generate/a.cpp '#include <shigusa/search.hpp>' '#include "search/b.hpp"' '#include "c.hpp"' '#include <fmt/core.h>'
+write src/document/a.cpp '#include <shigusa/bvh.hpp>' '#include "../io/c.hpp"'
+write include/shigusa/task_file.hpp '#include <shigusa/character.hpp>'
+write include/shigusa/shigusa.hpp '#include <shigusa/task_file.hpp>'
+write examples/one/main.cpp '#include <shigusa/shigusa.hpp>' '#include <shigusa/bvh.hpp>' '#include "local.hpp"'
+write tests/search/a_test.cpp '#include <shigusa/body_model.hpp>' '#include "io/internal.hpp"'
+write bench/a.cpp '#include "rollout/b.hpp"'
 accepts check_layers.sh
 public=include/shigusa
-refuses check_layers.sh $public/math/a.hpp '#include <shigusa/body/b.hpp>' 'math must not include body'
-refuses check_layers.sh $public/search/a.hpp '#include <shigusa/body/b.hpp>' 'search must not include body'
-refuses check_layers.sh src/rollout/a.cpp '# include "shigusa/search/b.hpp"' 'rollout must not include search'
-refuses check_layers.sh src/generate/a.cpp '#include <shigusa/io/b.hpp>' 'generate must not include io'
-refuses check_layers.sh src/io/a.cpp '#include <shigusa/document/b.hpp>' 'io must not include document'
+refuses check_layers.sh $public/vec3.hpp '#include <shigusa/body_model.hpp>' 'math must not include body'
+refuses check_layers.sh $public/search.hpp '#include <shigusa/body_model.hpp>' 'search must not include body'
+refuses check_layers.sh src/rollout/a.cpp '# include "shigusa/search.hpp"' 'rollout must not include search'
+refuses check_layers.sh src/rollout/a.cpp '#include "search/b.hpp"' 'rollout must not include search'
+refuses check_layers.sh src/generate/a.cpp '#include <shigusa/bvh.hpp>' 'generate must not include io'
+refuses check_layers.sh src/io/a.cpp '#include <shigusa/task_file.hpp>' 'io must not include document'
 refuses check_layers.sh src/math/a.cpp '#include "../body/b.hpp"' 'math must not include body'
 refuses check_layers.sh src/math/a.cpp '#include "body/b.hpp"' 'math must not include body'
-refuses check_layers.sh src/document/a.cpp '#include <shigusa/shigusa.hpp>' 'document must not include shigusa.hpp'
-refuses check_layers.sh $public/core/a.hpp '#include <shigusa/extra/b.hpp>' '"extra" is not a room'
-refuses check_layers.sh $public/extra/a.hpp '#include <string>' '"extra" is not a room'
-refuses check_layers.sh $public/io/a.hpp '#include <nlohmann/json.hpp>' 'a public header must not include'
-refuses check_layers.sh $public/io/a.hpp '#include <cairo.h>' 'a public header must not include'
-refuses check_layers.sh $public/io/a.hpp '#include "b.hpp"' 'a public header includes only'
+refuses check_layers.sh src/document/a.cpp '#include <shigusa/shigusa.hpp>' 'document must not include shigusa'
+refuses check_layers.sh src/document/a.cpp '#include <shigusa/io/b.hpp>' '<shigusa/io/b.hpp> is no public header'
+refuses check_layers.sh src/extra/a.cpp '#include <string>' '"extra" is not a room'
+refuses check_layers.sh $public/extra.hpp '#include <string>' '"extra.hpp" belongs to no room'
+refuses check_layers.sh $public/core/result.hpp '#include <string>' '"core/result.hpp" belongs to no room'
+refuses check_layers.sh $public/file.hpp '#include <nlohmann/json.hpp>' 'a public header must not include'
+refuses check_layers.sh $public/file.hpp '#include <cairo.h>' 'a public header must not include'
+refuses check_layers.sh $public/file.hpp '#include "io/b.hpp"' 'a public header includes only'
 refuses check_layers.sh apps/shigusa/a.cpp '#include "../../src/io/b.hpp"' 'apps must use public headers only'
 refuses check_layers.sh examples/one/a.cpp '#include "io/b.hpp"' 'examples must use public headers only'
+refuses check_layers.sh bindings/c/a.cpp '#include "io/b.hpp"' 'bindings must use public headers only'
+refuses check_layers.sh tests/consumer/cxx/a.cpp '#include "io/b.hpp"' 'tests must use public headers only'
 
 # the C library's functions
 fresh
-write include/shigusa/math/own.hpp 'namespace shigusa {' 'double atan2(double y, double x);  // not std::atan2' \
+write src/math/own.hpp 'namespace shigusa {' 'double atan2(double y, double x);  // not std::atan2' \
   'inline double g(double y) { return atan2(y, 1.0) + sin_cos(y).sin + exponent(y); }' '}'
 write src/io/text.cpp 'const char* help = "sin(x)";' 'char quote = '"'\"'"';'
 accepts check_c_math.sh
@@ -161,9 +168,9 @@ fi
 # the paper's map
 fresh
 write tests/core/good_test.cpp 'f'
-write docs/paper_map.md '| 3 | a thing | `f` in `core/good.hpp`; `inline` | `core/good_test.cpp` |'
+write docs/paper_map.md '| 3 | a thing | `f` in `result.hpp`; `inline` | `core/good_test.cpp` |'
 accepts check_paper_map.sh
-refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `g` in `core/good.hpp` | |' 'no g in core/good.hpp'
+refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `g` in `result.hpp` | |' 'no g in result.hpp'
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `gone` | |' 'no gone in the sources'
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `f` in `core/gone.hpp` | |' 'no file core/gone.hpp'
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `f` | `core/gone_test.cpp` |' 'no file core/gone_test.cpp'

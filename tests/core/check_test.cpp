@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "core/check.hpp"
+
 #include <gtest/gtest.h>
 
-#include <shigusa/core/check.hpp>
 #include <string>
 
 namespace shigusa {

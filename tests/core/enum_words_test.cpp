@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/words.hpp>
 
 namespace shigusa {
 enum class Fruit { apple, pear, quince };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/words.hpp>
 #include <vector>
 
 namespace shigusa {

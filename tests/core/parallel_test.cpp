@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/parallel.hpp>
+#include <shigusa/parallel.hpp>
 #include <stdexcept>
 #include <thread>
 #include <vector>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <shigusa/core/enum_words.hpp>
+#include <shigusa/words.hpp>
 #include <string>
 
 #include "core/c_locale.hpp"

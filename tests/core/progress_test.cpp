@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <shigusa/core/progress.hpp>
+#include <shigusa/progress.hpp>
 
 namespace shigusa {
 namespace {

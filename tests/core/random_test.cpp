@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <shigusa/core/random.hpp>
+#include <shigusa/random.hpp>
 #include <vector>
 
 #include "statistics.hpp"

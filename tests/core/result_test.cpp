@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/core/result.hpp>
+#include <shigusa/result.hpp>
 
 namespace shigusa {
 namespace {

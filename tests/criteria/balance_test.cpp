@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/balance.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/criteria/balance.hpp>
 
+#include "body/anthropometry.hpp"
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"
 

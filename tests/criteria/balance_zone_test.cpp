@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/balance_zone.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/criteria/balance_zone.hpp>
 
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/collision.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/criteria/collision.hpp>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/simd/pack.hpp>
 
+#include "criteria/built_in_criteria.hpp"
+#include "simd/pack.hpp"
 #include "support/bodies.hpp"
 #include "support/motions.hpp"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <shigusa/criteria/criteria.hpp>
 
+#include "criteria/built_in_criteria.hpp"
 #include "criteria/replay.hpp"
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/discomfort.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/criteria/discomfort.hpp>
 
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"

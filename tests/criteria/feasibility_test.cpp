@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/feasibility.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/criteria/feasibility.hpp>
 
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"

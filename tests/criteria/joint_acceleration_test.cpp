@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/joint_acceleration.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/criteria/joint_acceleration.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
 
+#include "motion/minimum_jerk.hpp"
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/joint_range.hpp"
+
 #include <gtest/gtest.h>
 
-#include <shigusa/criteria/joint_range.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"

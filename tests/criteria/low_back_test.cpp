@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/low_back.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/criteria/low_back.hpp>
-#include <shigusa/dynamics/contact_forces.hpp>
 
+#include "dynamics/contact_forces.hpp"
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"
 

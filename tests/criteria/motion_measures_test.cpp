@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/criteria/motion_measures.hpp>
+#include <shigusa/motion_measures.hpp>
 
 #include "support/motions.hpp"
 

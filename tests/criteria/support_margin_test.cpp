@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/support_margin.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/criteria/support_margin.hpp>
 
 #include "support/motions.hpp"
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/support_zone.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/criteria/support_zone.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/simd/pack.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "body/anthropometry.hpp"
+#include "simd/pack.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "criteria/work.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/criteria/work.hpp>
-#include <shigusa/dynamics/inverse_dynamics.hpp>
 
+#include "dynamics/inverse_dynamics.hpp"
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"
 

@@ -2,11 +2,11 @@
 // Motions on the character's own skeleton, judged by the files' own forward kinematics.
 #include <gmock/gmock.h>
 
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/export.hpp>
 
+#include "character/character_rig.hpp"
 #include "document/schema_check.hpp"
+#include "person/measure_person.hpp"
 #include "support/exported.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

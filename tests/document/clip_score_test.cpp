@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <shigusa/core/random.hpp>
-#include <shigusa/document/clip_score.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/random.hpp>
+#include <shigusa/score_clip.hpp>
 
+#include "kinematics/skeleton_motion.hpp"
 #include "support/work_folder.hpp"
 
 namespace shigusa {

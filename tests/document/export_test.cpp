@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <shigusa/document/export.hpp>
+#include <shigusa/export.hpp>
 
 #include "io/sha256.hpp"
 #include "support/work_folder.hpp"

@@ -2,9 +2,10 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/document/facts.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/facts.hpp>
+
+#include "criteria/built_in_criteria.hpp"
 
 namespace shigusa {
 namespace {

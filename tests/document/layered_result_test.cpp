@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <shigusa/result_file.hpp>
 
 #include "document/schema_check.hpp"
-#include "shigusa/document/result_file.hpp"
-#include "shigusa/layers/assignment.hpp"
+#include "layers/assignment.hpp"
 #include "support/layered.hpp"
 
 namespace shigusa {

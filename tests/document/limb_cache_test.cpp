@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <shigusa/document/limb_cache.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/limb_cache.hpp>
 #include <thread>
 
 #include "support/work_folder.hpp"

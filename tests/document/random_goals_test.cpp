@@ -3,9 +3,9 @@
 // BVH's own forward kinematics.
 #include <gtest/gtest.h>
 
-#include <shigusa/document/export.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
+#include <shigusa/export.hpp>
 
+#include "motion/minimum_jerk.hpp"
 #include "support/exported.hpp"
 #include "support/night.hpp"
 #include "support/reach_bounds.hpp"

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/document/export.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
 
+#include "kinematics/forward_kinematics.hpp"
 #include "support/exported.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

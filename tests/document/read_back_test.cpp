@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <shigusa/document/export.hpp>
-#include <shigusa/generate/generator.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
 
 #include "support/gltf_file.hpp"
 

@@ -3,11 +3,11 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <shigusa/export.hpp>
 
+#include "body/posture_modes.hpp"
 #include "document/task_samples.hpp"
-#include "shigusa/body/posture_modes.hpp"
-#include "shigusa/document/export.hpp"
-#include "shigusa/layers/assignment.hpp"
+#include "layers/assignment.hpp"
 #include "support/person_file.hpp"
 #include "support/work_folder.hpp"
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <shigusa/core/check.hpp>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
 #include <string>
+
+#include "core/check.hpp"
 
 namespace shigusa::testing_support {
 

@@ -5,9 +5,9 @@
 
 #include <bit>
 #include <cstdint>
-#include <shigusa/criteria/criteria.hpp>
-#include <shigusa/document/task_file.hpp>
+#include <shigusa/task_file.hpp>
 
+#include "criteria/built_in_criteria.hpp"
 #include "support/bodies.hpp"
 
 // Random tasks, and whether two are the same to the last bit.

@@ -5,13 +5,13 @@
 
 #include <cmath>
 #include <functional>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/io/gltf_write.hpp>
-#include <shigusa/kinematics/fit_clip.hpp>
+#include <shigusa/export.hpp>
 
+#include "character/character_rig.hpp"
 #include "document/character_export.hpp"
+#include "io/gltf_animation.hpp"
+#include "io/gltf_write.hpp"
+#include "kinematics/fit_clip.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "dynamics/contact_forces.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/dynamics/contact_forces.hpp>
 
 #include "support/bodies.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/dynamics/contact_forces.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "dynamics/contact_forces.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

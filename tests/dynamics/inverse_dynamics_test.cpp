@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "dynamics/inverse_dynamics.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/dynamics/inverse_dynamics.hpp>
 
+#include "dynamics/centre_of_mass.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -3,16 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/character/character_rig.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/edit/mirror.hpp>
-#include <shigusa/edit/replay.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
-#include <shigusa/task/plan_of.hpp>
+#include <shigusa/edit.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
 
+#include "character/character_rig.hpp"
+#include "kinematics/skeleton_motion.hpp"
+#include "rollout/reach_problem.hpp"
 #include "support/exported.hpp"
+#include "task/plan_of.hpp"
 
 namespace shigusa {
 namespace {

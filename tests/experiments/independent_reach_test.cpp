@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/rollout/reachability.hpp>
-#include <shigusa/task/make_problem.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
 
 #include "experiments/subjects.hpp"
+#include "rollout/reachability.hpp"
 #include "support/bodies.hpp"
 #include "support/reach_bounds.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa::bench {
 namespace {

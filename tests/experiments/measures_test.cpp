@@ -2,13 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/core/random.hpp>
-#include <shigusa/search/random_search.hpp>
+#include <shigusa/random.hpp>
 
 #include "experiments/goal_search.hpp"
 #include "experiments/pagmo_runs.hpp"
 #include "experiments/plot.hpp"
 #include "experiments/report.hpp"
+#include "search/random_search.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa::bench {

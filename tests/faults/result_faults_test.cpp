@@ -9,7 +9,7 @@
 
 #include <chrono>
 #include <set>
-#include <shigusa/document/export.hpp>
+#include <shigusa/export.hpp>
 #include <thread>
 
 #include "document/result_folder.hpp"

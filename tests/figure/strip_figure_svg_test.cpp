@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
 #include <string>
 
 namespace shigusa::strip {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <shigusa/figure/strip_figure.hpp>
-#include <shigusa/math/scalar.hpp>
+#include <shigusa/scalar.hpp>
+#include <shigusa/strip_figure.hpp>
 #include <string>
 #include <vector>
 

@@ -4,12 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/io/fbx.hpp>
-#include <shigusa/io/gltf.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/landmarks.hpp>
 #include <string_view>
+
+#include "io/fbx.hpp"
+#include "io/gltf.hpp"
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

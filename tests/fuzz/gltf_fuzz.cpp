@@ -5,14 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/io/gltf_skin.hpp>
-#include <shigusa/io/gltf_write.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/landmarks.hpp>
 #include <span>
 #include <string_view>
+
+#include "io/gltf_animation.hpp"
+#include "io/gltf_skin.hpp"
+#include "io/gltf_write.hpp"
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

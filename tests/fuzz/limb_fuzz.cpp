@@ -4,10 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/layers/layer.hpp>
-#include <shigusa/layers/limb_library.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 #include <string_view>
+
+#include "layers/layer.hpp"
+#include "layers/limb_library.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

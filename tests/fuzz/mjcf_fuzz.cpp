@@ -4,10 +4,10 @@
 // took the other takes.
 #include <cstddef>
 #include <cstdint>
-#include <shigusa/robot/mjcf.hpp>
-#include <shigusa/robot/urdf.hpp>
 #include <string_view>
 
+#include "robot/mjcf.hpp"
+#include "robot/urdf.hpp"
 #include "robot_checks.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/document/result_file.hpp>
-#include <shigusa/layers/assignment.hpp>
-#include <shigusa/task/plan_of.hpp>
+#include <shigusa/result_file.hpp>
 #include <string>
 #include <string_view>
+
+#include "layers/assignment.hpp"
+#include "task/plan_of.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstdlib>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/robot/robot.hpp>
-#include <shigusa/robot/settled_posture.hpp>
 #include <string>
 #include <vector>
+
+#include "kinematics/forward_kinematics.hpp"
+#include "robot/robot.hpp"
+#include "robot/settled_posture.hpp"
 
 namespace shigusa {
 

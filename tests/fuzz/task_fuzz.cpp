@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/document/task_file.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/task_file.hpp>
 #include <string_view>
+
+#include "kinematics/skeleton_motion.hpp"
+#include "rollout/rollout.hpp"
+#include "task/make_problem.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

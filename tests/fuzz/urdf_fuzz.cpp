@@ -3,9 +3,9 @@
 // and every number stays finite.
 #include <cstddef>
 #include <cstdint>
-#include <shigusa/robot/urdf.hpp>
 #include <string_view>
 
+#include "robot/urdf.hpp"
 #include "robot_checks.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

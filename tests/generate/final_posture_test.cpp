@@ -2,9 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/generate/posture_meter.hpp>
 #include <shigusa/shigusa.hpp>
+
+#include "body/posture_modes.hpp"
+#include "generate/posture_meter.hpp"
 
 namespace shigusa {
 namespace {

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/document/result_file.hpp>
-#include <shigusa/generate/parameter_space.hpp>
-#include <shigusa/layers/assignment.hpp>
+#include <shigusa/result_file.hpp>
 #include <shigusa/shigusa.hpp>
-#include <shigusa/task/make_problem.hpp>
 
+#include "generate/parameter_space.hpp"
+#include "layers/assignment.hpp"
 #include "support/named_values.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <shigusa/generate/archive.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/generate/parameter_space.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "generate/archive.hpp"
+#include "generate/parameter_space.hpp"
 #include "support/problems.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

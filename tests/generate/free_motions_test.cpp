@@ -3,8 +3,8 @@
 // kernel's.
 #include <gtest/gtest.h>
 
-#include <shigusa/core/random.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/random.hpp>
 
 #include "support/flesh.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <shigusa/generate/generator.hpp>
+#include <shigusa/generate.hpp>
 
 #include "support/problems.hpp"
 

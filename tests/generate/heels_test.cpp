@@ -3,16 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/criteria/support_zone.hpp>
-#include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/generate.hpp>
 
+#include "body/anthropometry.hpp"
+#include "body/posture_modes.hpp"
+#include "criteria/support_zone.hpp"
+#include "dynamics/centre_of_mass.hpp"
 #include "support/lanes.hpp"
 #include "support/named_values.hpp"
 #include "support/problems.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

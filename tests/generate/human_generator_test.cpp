@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/task/make_problem.hpp>
-#include <shigusa/task/plan_of.hpp>
 
 #include "support/layered.hpp"
+#include "task/make_problem.hpp"
+#include "task/plan_of.hpp"
 
 namespace shigusa {
 namespace {

@@ -4,15 +4,15 @@
 
 #include <atomic>
 #include <limits>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/generate/layered_problem.hpp>
-#include <shigusa/layers/arm_feedback.hpp>
-#include <shigusa/rollout/reachability.hpp>
-#include <shigusa/search/searches.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/search.hpp>
 #include <thread>
 
+#include "generate/layered_problem.hpp"
+#include "layers/arm_feedback.hpp"
+#include "rollout/reachability.hpp"
 #include "support/layered.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

@@ -3,10 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/core/check.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
 #include <stdexcept>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

@@ -5,16 +5,16 @@
 
 #include <cmath>
 #include <map>
-#include <shigusa/document/result_file.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/generate/parameter_space.hpp>
-#include <shigusa/layers/assignment.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/rollout/held_input.hpp>
-#include <shigusa/task/make_problem.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/result_file.hpp>
 
+#include "generate/parameter_space.hpp"
+#include "layers/assignment.hpp"
+#include "rollout/held_input.hpp"
 #include "support/named_values.hpp"
 #include "support/problems.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

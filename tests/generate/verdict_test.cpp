@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/generate/verdict.hpp>
-#include <shigusa/layers/clip_dynamics.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
+#include <shigusa/verdict.hpp>
 
+#include "layers/clip_dynamics.hpp"
+#include "motion/minimum_jerk.hpp"
 #include "support/motions.hpp"
 
 namespace shigusa {

@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/generate/archive.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+
+#include "generate/archive.hpp"
 
 namespace shigusa {
 namespace {

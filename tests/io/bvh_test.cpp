@@ -9,11 +9,12 @@
 #include <filesystem>
 #include <fstream>
 #include <locale>
-#include <shigusa/core/check.hpp>
-#include <shigusa/io/bvh.hpp>
+#include <shigusa/bvh.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "io/csv.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <shigusa/io/csv.hpp>
 #include <string>
 #include <vector>
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "io/fbx.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/core/random.hpp>
-#include <shigusa/io/fbx.hpp>
-#include <shigusa/io/gltf.hpp>
+#include <shigusa/random.hpp>
 
+#include "io/gltf.hpp"
 #include "support/fbx_file.hpp"
 
 namespace shigusa {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <shigusa/io/file_format.hpp>
+#include <shigusa/file_format.hpp>
 
 namespace shigusa {
 namespace {

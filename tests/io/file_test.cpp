@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
 #include <string>
 #include <thread>
 #include <vector>

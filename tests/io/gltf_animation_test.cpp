@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "io/gltf_animation.hpp"
+
 #include <gmock/gmock.h>
 
 #include <bit>
 #include <cmath>
 #include <functional>
-#include <shigusa/io/gltf_animation.hpp>
-#include <shigusa/io/gltf_write.hpp>
 
+#include "io/gltf_write.hpp"
 #include "support/gltf_file.hpp"
 
 namespace shigusa {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "io/gltf_skin.hpp"
+
 #include <gmock/gmock.h>
 
 #include <functional>
-#include <shigusa/io/gltf_skin.hpp>
 
 #include "support/mesh_file.hpp"
 

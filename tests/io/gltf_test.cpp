@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "io/gltf.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/io/gltf.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/landmarks.hpp>
 
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 #include "support/gltf_file.hpp"
 
 namespace shigusa {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gmock/gmock.h>
+#include "io/gltf_write.hpp"
 
-#include <shigusa/io/gltf_write.hpp>
+#include <gmock/gmock.h>
 
 #include "io/json_splice.hpp"
 #include "support/exported_glb.hpp"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "kinematics/limb.hpp"
+
 #include <gtest/gtest.h>
 
-#include <shigusa/core/random.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/kinematics/limb.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/random.hpp>
 
+#include "kinematics/forward_kinematics.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "kinematics/penetration.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/core/random.hpp>
-#include <shigusa/kinematics/penetration.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/random.hpp>
 #include <vector>
 
 namespace shigusa {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
+#include "kinematics/skeleton_motion.hpp"
 
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <gtest/gtest.h>
 
 #include "support/bodies.hpp"
 

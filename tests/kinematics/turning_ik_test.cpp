@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/nlp/nlp_ik.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "nlp/nlp_ik.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "kinematics/weighted_ik.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <shigusa/kinematics/weighted_ik.hpp>
 
 #include "support/bodies.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "layers/arm_swivel.hpp"
+
 #include <gtest/gtest.h>
 
-#include <shigusa/layers/arm_swivel.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
-
+#include "motion/minimum_jerk.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
+#include "layers/clip_dynamics.hpp"
 
-#include <shigusa/layers/clip_dynamics.hpp>
+#include <gtest/gtest.h>
 
 #include "support/problems.hpp"
 

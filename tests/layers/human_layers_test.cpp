@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <shigusa/layers/plan.hpp>
 
+#include "layers/plan.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

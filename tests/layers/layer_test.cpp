@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "layers/layer.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/layers/layer.hpp>
-#include <shigusa/layers/reduced_motion.hpp>
 
+#include "layers/reduced_motion.hpp"
 #include "support/bodies.hpp"
 #include "support/problems.hpp"
 

@@ -2,11 +2,11 @@
 // Layers on the body of a whole human: ankles that invert, a spine, clavicles, forearms and wrists.
 #include <gmock/gmock.h>
 
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/generate/layered_problem.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/person/at_ease.hpp>
+#include <shigusa/generate.hpp>
 
+#include "generate/layered_problem.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "person/at_ease.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

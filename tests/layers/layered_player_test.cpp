@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/generate/layered_problem.hpp>
-
+#include "generate/layered_problem.hpp"
 #include "support/penalty_by.hpp"
 #include "support/problems.hpp"
 

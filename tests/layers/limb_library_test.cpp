@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "layers/limb_library.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <shigusa/layers/layer.hpp>
-#include <shigusa/layers/limb_library.hpp>
-#include <shigusa/rollout/rollout.hpp>
 
+#include "layers/layer.hpp"
+#include "rollout/rollout.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "layers/plan.hpp"
+
 #include <gmock/gmock.h>
 
 #include <set>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/layers/layer.hpp>
-#include <shigusa/layers/plan.hpp>
+#include <shigusa/generate.hpp>
 
+#include "layers/layer.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "math/ldlt.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,8 +9,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
-#include <shigusa/core/random.hpp>
-#include <shigusa/math/ldlt.hpp>
+#include <shigusa/random.hpp>
 #include <vector>
 
 namespace shigusa {

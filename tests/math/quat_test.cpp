@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <initializer_list>
-#include <shigusa/math/quat.hpp>
+#include <shigusa/quat.hpp>
 
 #include "rotation_samples.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <shigusa/core/random.hpp>
-#include <shigusa/math/mat3.hpp>
+#include <shigusa/mat3.hpp>
+#include <shigusa/random.hpp>
 
 namespace shigusa::testing_support {
 

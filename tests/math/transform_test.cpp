@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/math/transform.hpp>
+#include <shigusa/transform.hpp>
 
 namespace shigusa {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <limits>
-#include <shigusa/math/vec3.hpp>
+#include <shigusa/vec3.hpp>
 
 namespace shigusa {
 namespace {

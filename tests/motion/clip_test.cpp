@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/motion/clip.hpp>
+#include <shigusa/motion.hpp>
 
 namespace shigusa {
 namespace {

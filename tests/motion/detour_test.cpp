@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/motion/minimum_jerk.hpp>
+
+#include "motion/minimum_jerk.hpp"
 
 namespace shigusa {
 namespace {

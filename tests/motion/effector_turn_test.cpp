@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "motion/effector_turn.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/motion/effector_turn.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
+
+#include "motion/minimum_jerk.hpp"
 
 namespace shigusa {
 namespace {

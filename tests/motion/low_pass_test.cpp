@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "motion/low_pass.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/math/scalar.hpp>
-#include <shigusa/motion/low_pass.hpp>
+#include <shigusa/scalar.hpp>
 
 namespace shigusa {
 namespace {

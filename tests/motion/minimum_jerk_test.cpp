@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "motion/minimum_jerk.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <shigusa/motion/minimum_jerk.hpp>
 
 namespace shigusa {
 namespace {

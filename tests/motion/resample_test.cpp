@@ -2,9 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/core/check.hpp>
-#include <shigusa/motion/clip.hpp>
-#include <shigusa/motion/minimum_jerk.hpp>
+#include <shigusa/motion.hpp>
+
+#include "core/check.hpp"
+#include "motion/minimum_jerk.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "nlp/nlp_ik.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <shigusa/criteria/joint_range.hpp>
-#include <shigusa/nlp/nlp_ik.hpp>
 
+#include "criteria/joint_range.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

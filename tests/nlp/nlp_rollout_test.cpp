@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "nlp/nlp_rollout.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/criteria/joint_range.hpp>
-#include <shigusa/nlp/nlp_rollout.hpp>
 
+#include "body/posture_modes.hpp"
+#include "criteria/joint_range.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

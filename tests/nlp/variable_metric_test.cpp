@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "nlp/variable_metric.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -6,9 +8,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/random.hpp>
-#include <shigusa/nlp/variable_metric.hpp>
+#include <shigusa/random.hpp>
+
+#include "core/check.hpp"
 
 namespace shigusa {
 namespace {

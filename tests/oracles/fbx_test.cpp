@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // FBX files as assimp reads them, and those that it writes.
+#include "io/fbx.hpp"
+
 #include <assimp/config.h>
 #include <assimp/scene.h>
 #include <gtest/gtest.h>
@@ -7,13 +9,12 @@
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
 #include <map>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/random.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/io/fbx.hpp>
-#include <shigusa/io/gltf.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/random.hpp>
 #include <string>
 
+#include "core/check.hpp"
+#include "io/gltf.hpp"
 #include "support/fbx_file.hpp"
 
 namespace shigusa {

@@ -3,8 +3,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <shigusa/core/random.hpp>
-#include <shigusa/math/ldlt.hpp>
+#include <shigusa/random.hpp>
+
+#include "math/ldlt.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // MJCF files as MuJoCo itself reads them: where bodies are at any angles, what they weigh, and
 // where an exported motion takes them.
+#include "robot/mjcf.hpp"
+
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
 #include <memory>
-#include <shigusa/core/check.hpp>
-#include <shigusa/core/random.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/document/task_file.hpp>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/math/quat.hpp>
-#include <shigusa/robot/mjcf.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/quat.hpp>
+#include <shigusa/random.hpp>
+#include <shigusa/task_file.hpp>
 
+#include "core/check.hpp"
 #include "support/mjcf_file.hpp"
 #include "support/robot_reader.hpp"
 #include "support/work_folder.hpp"

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/dynamics/contact_forces.hpp>
-#include <shigusa/robot/urdf.hpp>
 
+#include "dynamics/centre_of_mass.hpp"
+#include "dynamics/contact_forces.hpp"
+#include "robot/urdf.hpp"
 #include "support/bodies.hpp"
 #include "support/mujoco_body.hpp"
 #include "support/robot_file.hpp"

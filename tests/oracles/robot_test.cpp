@@ -5,11 +5,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <shigusa/document/export.hpp>
-#include <shigusa/document/task_file.hpp>
-#include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/generate/generator.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/task_file.hpp>
 
+#include "dynamics/centre_of_mass.hpp"
 #include "support/robot_file.hpp"
 #include "support/robot_reader.hpp"
 #include "support/work_folder.hpp"

@@ -4,10 +4,10 @@
 // it. A stiffer one falls more often: it takes the feet along.
 #include <gtest/gtest.h>
 
-#include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/dynamics/contact_forces.hpp>
-#include <shigusa/generate/generator.hpp>
+#include <shigusa/generate.hpp>
 
+#include "dynamics/centre_of_mass.hpp"
+#include "dynamics/contact_forces.hpp"
 #include "support/bodies.hpp"
 #include "support/mujoco_body.hpp"
 

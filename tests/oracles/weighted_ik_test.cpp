@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "kinematics/weighted_ik.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <kdl/chain.hpp>
 #include <kdl/chainiksolvervel_wdls.hpp>
-#include <shigusa/kinematics/weighted_ik.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
 
+#include "rollout/reach_problem.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

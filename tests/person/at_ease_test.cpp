@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "person/at_ease.hpp"
+
 #include <gtest/gtest.h>
 
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/person/at_ease.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
+
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 namespace {

@@ -3,13 +3,13 @@
 // understood with nothing said.
 #include <gmock/gmock.h>
 
-#include <shigusa/body/skeleton.hpp>
-#include <shigusa/core/result.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/landmarks.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/skeleton.hpp>
 
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 #include "support/convention.hpp"
 
 namespace shigusa {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/core/check.hpp>
-#include <shigusa/dynamics/centre_of_mass.hpp>
-
+#include "body/anthropometry.hpp"
+#include "core/check.hpp"
+#include "dynamics/centre_of_mass.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/dynamics/centre_of_mass.hpp>
 
+#include "body/anthropometry.hpp"
+#include "dynamics/centre_of_mass.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/humanoid_map.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/landmarks.hpp>
+#include <shigusa/skeleton.hpp>
 
+#include "person/find_humanoid.hpp"
 #include "person/humanoid_names.hpp"
+#include "person/measure_person.hpp"
 #include "person/stick_figure.hpp"
 
 namespace shigusa {

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/landmarks.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/landmarks.hpp>
 
+#include "body/anthropometry.hpp"
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 #include "person/stick_figure.hpp"
 
 namespace shigusa {

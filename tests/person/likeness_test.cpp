@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "person/likeness.hpp"
+
 #include <gmock/gmock.h>
 
-#include <shigusa/body/skeleton.hpp>
-#include <shigusa/math/transform.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/likeness.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/skeleton.hpp>
+#include <shigusa/transform.hpp>
 
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 #include "support/convention.hpp"
 
 namespace shigusa {

@@ -3,10 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <person/stick_figure.hpp>
-#include <shigusa/body/skin.hpp>
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/person/measure_person.hpp>
+#include <shigusa/human_body.hpp>
+
+#include "body/skin.hpp"
+#include "person/find_humanoid.hpp"
+#include "person/measure_person.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/body/skeleton.hpp>
+#include <shigusa/skeleton.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "body/anthropometry.hpp"
 
 namespace shigusa {
 

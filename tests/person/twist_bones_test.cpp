@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "person/twist_bones.hpp"
+
 #include <gmock/gmock.h>
 
-#include <shigusa/person/find_humanoid.hpp>
-#include <shigusa/person/twist_bones.hpp>
-
+#include "person/find_humanoid.hpp"
 #include "person/humanoid_names.hpp"
 #include "person/stick_figure.hpp"
 

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/body/posture_modes.hpp>
 
+#include "body/anthropometry.hpp"
+#include "body/posture_modes.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

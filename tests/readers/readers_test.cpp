@@ -5,10 +5,10 @@
 #include <bit>
 #include <cctype>
 #include <cstdlib>
-#include <shigusa/io/gltf_animation.hpp>
 #include <sstream>
 
 #include "app/result_checks.hpp"
+#include "io/gltf_animation.hpp"
 #include "support/gltf_file.hpp"
 
 namespace shigusa {

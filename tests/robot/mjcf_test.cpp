@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "robot/mjcf.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/robot/mjcf.hpp>
-#include <shigusa/robot/urdf.hpp>
-
+#include "robot/urdf.hpp"
 #include "support/mjcf_file.hpp"
 #include "support/work_folder.hpp"
 

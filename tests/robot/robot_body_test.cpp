@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
-#include <shigusa/robot/robot.hpp>
-#include <shigusa/robot/urdf.hpp>
 
+#include "kinematics/forward_kinematics.hpp"
+#include "kinematics/skeleton_motion.hpp"
+#include "robot/robot.hpp"
+#include "robot/urdf.hpp"
 #include "support/robot_file.hpp"
 
 namespace shigusa {

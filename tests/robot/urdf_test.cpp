@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "robot/urdf.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <shigusa/robot/urdf.hpp>
 
 #include "support/robot_file.hpp"
 #include "support/work_folder.hpp"

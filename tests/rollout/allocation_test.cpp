@@ -5,10 +5,10 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/held_input.hpp>
-#include <shigusa/rollout/rollout.hpp>
 
+#include "rollout/batch_rollout.hpp"
+#include "rollout/held_input.hpp"
+#include "rollout/rollout.hpp"
 #include "support/problems.hpp"
 
 namespace {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "rollout/batch_rollout.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
-#include <shigusa/core/check.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/rollout.hpp>
 
+#include "core/check.hpp"
+#include "rollout/rollout.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "rollout/detour.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/core/random.hpp>
-#include <shigusa/kinematics/penetration.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/rollout/detour.hpp>
-#include <shigusa/rollout/rollout.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/random.hpp>
 #include <vector>
+
+#include "kinematics/penetration.hpp"
+#include "rollout/rollout.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,9 +2,9 @@
 // Motions that are drawn to a posture, on bowed paths.
 #include <gtest/gtest.h>
 
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "body/posture_modes.hpp"
 #include "support/lanes.hpp"
 #include "support/problems.hpp"
 

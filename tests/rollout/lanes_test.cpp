@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <map>
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/simd/pack.hpp>
 #include <string>
 
+#include "rollout/rollout.hpp"
+#include "simd/pack.hpp"
 #include "support/problems.hpp"
 
 // The kernel in single precision, a motion in each lane, against the same kernel in double: 10,000

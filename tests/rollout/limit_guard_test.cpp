@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "rollout/limit_guard.hpp"
+
 #include <gtest/gtest.h>
 
-#include <shigusa/body/anthropometry.hpp>
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/criteria/joint_range.hpp>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/rollout/limit_guard.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "body/anthropometry.hpp"
+#include "body/posture_modes.hpp"
+#include "criteria/joint_range.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

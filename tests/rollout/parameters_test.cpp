@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/core/check.hpp>
-#include <shigusa/rollout/parameters.hpp>
+#include <shigusa/parameters.hpp>
 
+#include "core/check.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

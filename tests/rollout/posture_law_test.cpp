@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/rollout/rollout.hpp>
-#include <shigusa/simd/pack.hpp>
 
+#include "rollout/rollout.hpp"
+#include "simd/pack.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

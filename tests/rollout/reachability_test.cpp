@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "rollout/reachability.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <shigusa/rollout/reachability.hpp>
 
 #include "support/problems.hpp"
 #include "support/reach_bounds.hpp"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "rollout/rollout.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <shigusa/rollout/rollout.hpp>
 
 #include "support/problems.hpp"
 

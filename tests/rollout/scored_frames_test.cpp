@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/rollout/rollout.hpp>
-
+#include "rollout/rollout.hpp"
 #include "support/problems.hpp"
 
 // The criteria see a motion twice: frame by frame while it is made, and again when it is stored.

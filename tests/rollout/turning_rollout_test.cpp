@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/person/human_body.hpp>
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/reachability.hpp>
+#include <shigusa/human_body.hpp>
 
+#include "rollout/batch_rollout.hpp"
+#include "rollout/reachability.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

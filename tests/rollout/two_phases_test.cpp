@@ -4,10 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <shigusa/body/posture_modes.hpp>
-#include <shigusa/nlp/nlp_rollout.hpp>
-#include <shigusa/rollout/held_input.hpp>
 
+#include "body/posture_modes.hpp"
+#include "nlp/nlp_rollout.hpp"
+#include "rollout/held_input.hpp"
 #include "support/lanes.hpp"
 #include "support/problems.hpp"
 

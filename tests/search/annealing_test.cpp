@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "search/annealing.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/annealing.hpp>
 #include <string>
 
+#include "core/check.hpp"
 #include "search/test_functions.hpp"
 
 namespace shigusa {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "search/cma_es.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/cma_es.hpp>
 #include <string>
 
+#include "core/check.hpp"
 #include "search/cma_run.hpp"
 #include "search/test_functions.hpp"
 

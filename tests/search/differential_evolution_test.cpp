@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "search/differential_evolution.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/differential_evolution.hpp>
 #include <string>
 
+#include "core/check.hpp"
 #include "search/test_functions.hpp"
 
 namespace shigusa {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "search/genetic_operators.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -6,11 +8,10 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/genetic_operators.hpp>
-#include <shigusa/search/problem.hpp>
+#include <shigusa/search.hpp>
 #include <string>
 
+#include "core/check.hpp"
 #include "core/statistics.hpp"
 
 namespace shigusa {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "search/genetic.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,11 +9,10 @@
 #include <initializer_list>
 #include <limits>
 #include <set>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/genetic.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "core/check.hpp"
 #include "core/statistics.hpp"
 #include "search/genome_problem.hpp"
 

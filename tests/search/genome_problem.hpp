@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <shigusa/search/genetic.hpp>
 #include <vector>
+
+#include "search/genetic.hpp"
 
 // Problems over genomes, as the genetic algorithm sees those over points.
 namespace shigusa::testing_support {

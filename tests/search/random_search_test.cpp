@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "search/random_search.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/random_search.hpp>
 #include <string>
 
+#include "core/check.hpp"
 #include "core/statistics.hpp"
 #include "search/test_functions.hpp"
 

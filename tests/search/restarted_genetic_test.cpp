@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <set>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/genetic.hpp>
 #include <vector>
 
+#include "core/check.hpp"
+#include "search/genetic.hpp"
 #include "search/genome_problem.hpp"
 
 namespace shigusa {

@@ -7,11 +7,11 @@
 #include <chrono>
 #include <map>
 #include <set>
-#include <shigusa/core/check.hpp>
-#include <shigusa/search/searches.hpp>
+#include <shigusa/search.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "core/check.hpp"
 #include "search/test_functions.hpp"
 
 namespace shigusa {

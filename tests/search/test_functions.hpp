@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <shigusa/math/scalar.hpp>
-#include <shigusa/search/problem.hpp>
+#include <shigusa/scalar.hpp>
+#include <shigusa/search.hpp>
 #include <span>
 #include <vector>
 

@@ -4,11 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <shigusa/core/random.hpp>
-#include <shigusa/simd/pack.hpp>
+#include <shigusa/random.hpp>
 #include <vector>
 
 #include "simd/lane_counts.hpp"
+#include "simd/pack.hpp"
 
 // The reference is the C library in long double.
 namespace shigusa {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "simd/pack.hpp"
+
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <shigusa/core/random.hpp>
-#include <shigusa/simd/pack.hpp>
+#include <shigusa/random.hpp>
 
 #include "simd/lane_counts.hpp"
 

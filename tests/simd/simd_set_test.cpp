@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <set>
-#include <shigusa/simd/simd_set.hpp>
+#include <shigusa/parallel.hpp>
 
 namespace shigusa {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/core/random.hpp>
-#include <shigusa/kinematics/forward_kinematics.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/random.hpp>
 #include <string>
 #include <vector>
 
+#include "kinematics/forward_kinematics.hpp"
 #include "math/rotation_samples.hpp"
 
 // Bodies and postures for tests: the smallest bodies that show a claim, and random people.

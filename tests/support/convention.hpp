@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <shigusa/math/vec3.hpp>
-#include <shigusa/person/humanoid_map.hpp>
+#include <shigusa/skeleton.hpp>
+#include <shigusa/vec3.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>

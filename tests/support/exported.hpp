@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cmath>
-#include <shigusa/core/check.hpp>
-#include <shigusa/io/bvh.hpp>
+#include <shigusa/bvh.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/check.hpp"
 
 // An exported BVH as anybody else sees it: nodes and their places, by the file's own forward
 // kinematics. Nothing here knows of bodies.

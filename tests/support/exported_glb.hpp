@@ -4,8 +4,8 @@
 #include <bit>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <shigusa/math/quat.hpp>
-#include <shigusa/math/transform.hpp>
+#include <shigusa/quat.hpp>
+#include <shigusa/transform.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

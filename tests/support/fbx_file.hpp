@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
-#include <shigusa/math/mat3.hpp>
-#include <shigusa/math/vec3.hpp>
+#include <shigusa/mat3.hpp>
+#include <shigusa/vec3.hpp>
 #include <string>
 #include <variant>
 #include <vector>

@@ -3,10 +3,11 @@
 
 #include <array>
 #include <cmath>
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
+#include <shigusa/generate.hpp>
 #include <string>
 #include <vector>
+
+#include "kinematics/skeleton_motion.hpp"
 
 // How deep a person's forearms and hands are in head and shanks, by another geometry than the
 // kernel's: an ellipsoid, and limbs that taper, sampled point by point. Sizes are in parts of

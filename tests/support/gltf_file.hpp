@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <shigusa/io/bvh.hpp>
+#include <shigusa/bvh.hpp>
 #include <string>
 #include <string_view>
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <shigusa/rollout/reach_problem.hpp>
 
+#include "rollout/reach_problem.hpp"
 #include "support/bodies.hpp"
 
 // A second way to ask how near a body can come to its goals, which shares no more with the library

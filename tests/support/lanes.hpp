@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/rollout/batch_rollout.hpp>
-#include <shigusa/rollout/rollout.hpp>
 #include <vector>
+
+#include "rollout/batch_rollout.hpp"
+#include "rollout/rollout.hpp"
 
 // For tests that score motions in lanes and in double.
 namespace shigusa::testing_support {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/generate/generator.hpp>
-#include <shigusa/generate/layered_problem.hpp>
+#include <shigusa/generate.hpp>
 
+#include "generate/layered_problem.hpp"
 #include "support/problems.hpp"
 
 // For tests of presets that move by layers.

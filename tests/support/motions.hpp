@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/dynamics/centre_of_mass.hpp>
-#include <shigusa/motion/motion.hpp>
+#include <shigusa/motion.hpp>
 #include <vector>
 
+#include "dynamics/centre_of_mass.hpp"
 #include "support/bodies.hpp"
 
 // Motions for tests of what reads them.

@@ -7,11 +7,12 @@
 #include <Eigen/Eigenvalues>
 #include <cstring>
 #include <memory>
-#include <shigusa/core/check.hpp>
-#include <shigusa/dynamics/inverse_dynamics.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "core/check.hpp"
+#include "dynamics/inverse_dynamics.hpp"
 
 // A BodyModel as a MuJoCo model: an oracle for kinematics and dynamics in tests, and a rival in the
 // benchmark.

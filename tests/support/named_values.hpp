@@ -2,8 +2,9 @@
 #pragma once
 
 #include <limits>
-#include <shigusa/layers/plan.hpp>
 #include <string_view>
+
+#include "layers/plan.hpp"
 
 // A plan's values by the names of their parameters.
 namespace shigusa::testing_support {

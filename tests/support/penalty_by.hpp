@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/criteria/criteria_settings.hpp>
+#include <shigusa/criteria.hpp>
 
 #include "criteria/replay.hpp"
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/io/bvh.hpp>
-#include <shigusa/kinematics/skeleton_motion.hpp>
-#include <shigusa/person/human_body.hpp>
+#include <shigusa/bvh.hpp>
+#include <shigusa/human_body.hpp>
 #include <string>
+
+#include "kinematics/skeleton_motion.hpp"
 
 namespace shigusa::testing_support {
 

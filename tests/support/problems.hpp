@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <shigusa/rollout/rollout.hpp>
 
+#include "rollout/rollout.hpp"
 #include "support/bodies.hpp"
 
 // Reaching problems for tests, and what their motions must keep, measured from the joint angles

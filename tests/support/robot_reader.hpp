@@ -7,10 +7,11 @@
 #include <fstream>
 #include <kdl/frames.hpp>
 #include <map>
-#include <shigusa/core/check.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "core/check.hpp"
 
 // An exported robot trajectory as anybody else sees it: the table's own columns, and the links'
 // places by urdfdom's model of the file and KDL's frames. Nothing here knows of bodies.

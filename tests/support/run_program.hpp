@@ -11,10 +11,11 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
-#include <shigusa/core/check.hpp>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "core/check.hpp"
 
 // Runs the command-line tool as a user does, and keeps what it said.
 namespace shigusa::testing_support {

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <shigusa/character/character_description.hpp>
-#include <shigusa/core/random.hpp>
-#include <shigusa/document/export.hpp>
-#include <shigusa/document/task_file.hpp>
-#include <shigusa/rollout/reach_problem.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/export.hpp>
+#include <shigusa/random.hpp>
+#include <shigusa/task_file.hpp>
 #include <string>
 #include <vector>
 
+#include "rollout/reach_problem.hpp"
 #include "support/exported.hpp"
 #include "support/flesh.hpp"
 

@@ -6,10 +6,11 @@
 
 #include <filesystem>
 #include <map>
-#include <shigusa/core/check.hpp>
-#include <shigusa/io/file.hpp>
+#include <shigusa/file.hpp>
 #include <string>
 #include <string_view>
+
+#include "core/check.hpp"
 
 namespace shigusa::testing_support {
 

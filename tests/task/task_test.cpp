@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <limits>
-#include <shigusa/task/make_problem.hpp>
-#include <shigusa/task/task.hpp>
+#include <shigusa/task.hpp>
 
 #include "support/problems.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

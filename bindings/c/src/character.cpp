@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/character/character_description.hpp>
-#include <shigusa/document/clip_score.hpp>
+#include <shigusa/character.hpp>
+#include <shigusa/score_clip.hpp>
 
 #include "door.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/document/clip_score.hpp>
+#include <shigusa/score_clip.hpp>
 
 #include "door.hpp"
 

@@ -4,7 +4,7 @@
 #include <shigusa.h>
 
 #include <new>
-#include <shigusa/core/result.hpp>
+#include <shigusa/result.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
 #include <utility>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <atomic>
 #include <chrono>
-#include <shigusa/core/parallel.hpp>
-#include <shigusa/edit/editable_parameters.hpp>
-#include <shigusa/edit/replay.hpp>
+#include <shigusa/edit.hpp>
+#include <shigusa/parallel.hpp>
 
 #include "door.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/character/node_motion.hpp>
+#include <shigusa/character.hpp>
 
 #include "door.hpp"
 

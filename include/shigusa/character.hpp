@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <shigusa/body_model.hpp>
+#include <shigusa/field.hpp>
+#include <shigusa/file_format.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/motion.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/skeleton.hpp>
+#include <shigusa/vec3.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace shigusa {
+
+/// No file of a character may be larger; more is refused before memory is taken.
+inline constexpr std::size_t kCharacterMaxBytes = std::size_t{128} << 20;
+
+/// A character's own skeleton, for motions to leave on it.
+struct CharacterRig;
+
+/// Humanoid bones ("right_hand") and the nodes of a file that they are, as a person tells them: by
+/// name, or by "#17" the node of that place in the file.
+using BoneRequest = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads such a list from a file: {"right_hand": "Bone_17", …}, or what `shigusa body` printed of a
+/// character, as text or as JSON.
+[[nodiscard]] Result<BoneRequest> read_bone_request(const std::filesystem::path& path);
+
+/// In a frame's place: the file's rest pose, from which the person stands at ease. Of BVH that of
+/// the OFFSETs; of glTF that of the nodes, or where they rest in the middle of a motion that in
+/// which the mesh was bound.
+inline constexpr int kRestPose = -1;
+
+inline constexpr double kStatureMin = 0.5;  ///< m
+inline constexpr double kStatureMax = 2.5;
+inline constexpr double kMassMin = 2.0;  ///< kg
+inline constexpr double kMassMax = 300.0;
+inline constexpr double kSeatMin = 0.1;  ///< m
+inline constexpr double kSeatMax = 1.2;
+/// The last frame that a file may be asked for.
+inline constexpr int kFrameMax = 1'000'000;
+
+/// The bodies that need no file.
+inline constexpr std::array<std::string_view, 3> kBuiltInCharacters{"half_body", "full_body",
+                                                                    "human"};
+
+/// The one who moves: a built-in body, or a person measured from a file.
+struct CharacterSpec {
+  /// "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, FBX, URDF or MJCF
+  /// file; for a person or a robot read before (landmarks, urdf below), only a name
+  std::string source = "full_body";
+  std::optional<double> stature{};  ///< m, kStatureMin..kStatureMax
+  std::optional<double> mass{};     ///< kg, kMassMin..kMassMax; from stature and sex when not given
+  Sex sex = Sex::male;              ///< of the tables of masses and strengths
+  std::optional<BodyExtent> extent{};  ///< of a person from a file; human when not given
+  /// of the file's motion: the start posture, exactly as that frame has it, or kRestPose. Of glTF
+  /// it is one of an animation, at 60 frames a second. None: of an animation its first; else of
+  /// glTF the rest pose, of BVH frame 0, where that is no T- or A-pose; in these people stand at
+  /// ease
+  std::optional<int> frame{};
+  std::optional<std::string>
+      animation{};  ///< of glTF: its name or index; the first for a frame alone
+  std::optional<double>
+      seat{};          ///< m, kSeatMin..kSeatMax: height of the seat that the person sits on
+  bool heels = false;  ///< they may lift; of the body human, standing, of a file with toes
+  BoneRequest map{};   ///< of the file's bones; goes before what the file and its names tell
+  /// the person as measured: with these the file is not needed any more
+  std::optional<Landmarks> landmarks{};
+  /// the robot as read, as URDF text, in landmarks' place
+  std::optional<std::string> urdf{};
+  /// of a person: nodes of the file that are not where the body has those of their names, hips and
+  /// chest mostly (m, world, in the start posture): goals are for the file's
+  std::vector<std::pair<std::string, Vec3d>> places{};
+  std::vector<std::string> doubts{};  ///< what was guessed in measuring, or left out of MJCF
+  /// what measuring found: humanoid bone and the file's node for it; not kept in files
+  std::vector<std::pair<std::string, std::string>> humanoid{};
+  /// the file's skeleton, shared by the copies of a spec; not kept in files either
+  std::shared_ptr<const CharacterRig> rig{};
+};
+
+/// True for "half_body", "full_body" and "human", which need no file.
+[[nodiscard]] bool is_built_in(const CharacterSpec& spec);
+/// True for all but a robot that was read.
+[[nodiscard]] inline bool may_be_a_person(const CharacterSpec& spec) { return !spec.urdf; }
+/// True for all but built-in bodies and a robot that was read.
+[[nodiscard]] inline bool may_be_a_persons_file(const CharacterSpec& spec) {
+  return !spec.urdf && !is_built_in(spec);
+}
+
+template <>
+inline constexpr FieldTable kFields<CharacterSpec>{
+    "character_spec", "A built-in body, or a person or a robot from a file.",
+    std::tuple{
+        Field{
+            "source",
+            &CharacterSpec::source,
+            "half_body, full_body, human or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF (.xml) file; "
+            "of a person with landmarks or a robot with urdf, only a name.",
+            {.required = true, .written = always}},
+        Field{"stature_m",
+              &CharacterSpec::stature,
+              "Standing height. Of a person from a file: scales the file.",
+              {.low = kStatureMin, .high = kStatureMax}},
+        Field{"mass_kg",
+              &CharacterSpec::mass,
+              "That of an average person of the stature when not given.",
+              {.low = kMassMin, .high = kMassMax}},
+        Field{"map", &CharacterSpec::map,
+              "The nodes of the file that some humanoid bones are: {\"right_hand\": \"Bone_17\"}. "
+              "Goes before what the file and its names tell."},
+        Field{"urdf", &CharacterSpec::urdf,
+              "A robot as read: the text of its URDF file without meshes; one of an MJCF file as "
+              "URDF. With it the file is not needed."},
+        Field{"sex",
+              &CharacterSpec::sex,
+              "For mass distribution and strength.",
+              {.written = always, .of = may_be_a_person}},
+        Field{"seat_m",
+              &CharacterSpec::seat,
+              "Height of the seat that the person sits on; they stand when it is not given.",
+              {.low = kSeatMin, .high = kSeatMax, .of = may_be_a_person}},
+        Field{"heels",
+              &CharacterSpec::heels,
+              "Heels may lift, where people's do; of the body human, standing.",
+              {.of = may_be_a_person}},
+        Field{"extent",
+              &CharacterSpec::extent,
+              "Of a person from a file: all freedoms that the file has joints for (human), 18 "
+              "(full) or 9 (half). human when not given, by the presets paper and layers full.",
+              {.of = may_be_a_persons_file}},
+        Field{
+            "frame",
+            &CharacterSpec::frame,
+            "Of a person from a file: the frame that is the start posture, from 0, of glTF of an "
+            "animation; or rest, the file's rest pose, from which the person stands at ease. When "
+            "not given, of an animation its first, else of glTF the rest pose and of BVH frame 0, "
+            "at ease where that is a T- or an A-pose.",
+            {.high = kFrameMax, .word = {kRestPose, "rest"}, .of = may_be_a_persons_file}},
+        Field{"animation",
+              &CharacterSpec::animation,
+              "Of a glTF file: the name or the index of the animation that the frame is of, at 60 "
+              "frames a second; the first when not given.",
+              {.of = may_be_a_persons_file}},
+        Field{"doubts",
+              &CharacterSpec::doubts,
+              "Of a person with landmarks: guesses of the measuring; of a robot from an MJCF file: "
+              "what was left out.",
+              {.of = [](const CharacterSpec& spec) { return !is_built_in(spec); }}},
+        Field{"places_m",
+              &CharacterSpec::places,
+              "Of a person with landmarks: nodes of the file that are not where the body has those "
+              "of their names, in the start posture. Goals are for the file's.",
+              {.of = may_be_a_persons_file}},
+        Field{"landmarks_m",
+              &CharacterSpec::landmarks,
+              "The person as measured, in the start posture; stature_m stands beside it.",
+              {.of = may_be_a_persons_file}},
+    }};
+
+/// True where the file that `source` names, if it does, is not needed: built in, or read before.
+[[nodiscard]] bool is_complete(const CharacterSpec& spec);
+
+/// True for a robot, by its file's name or read before.
+[[nodiscard]] bool is_robot(const CharacterSpec& spec);
+
+/// Fails where `source` can be no character at all: neither built in, nor a file of one of these
+/// kinds by its ending, nor measured before.
+[[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
+
+/// Measures the person or robot of a file in memory: the file's name in spec.source tells its kind,
+/// and errors name it. Fills stature, landmarks, doubts and rig, of a robot urdf. A rest pose is
+/// mostly a T: from that the person stands at ease. A robot has its own stature and mass. Files
+/// that an MJCF file includes are looked for in `folder`, where there is one.
+[[nodiscard]] Result<void> load_character(
+    std::string bytes, CharacterSpec& spec,
+    const std::optional<std::filesystem::path>& folder = std::nullopt);
+
+/// The same by the file that `source` names, if it does and has not been measured yet; leaves the
+/// file's bare name as the source. A relative path starts at `folder`.
+[[nodiscard]] Result<void> measure_character(CharacterSpec& spec,
+                                             const std::filesystem::path& folder);
+
+/// Gives a person who was measured before the rig of the same one, measured with it. Fails where it
+/// is another person's: joints that stand elsewhere by more than 1 µm.
+[[nodiscard]] Result<void> attach_rig(CharacterSpec& spec, const CharacterSpec& measured);
+
+/// Finds the rig of a person who was measured before in their file. Fails where the file cannot be
+/// read or holds another person: joints that stand elsewhere by more than 1 µm.
+[[nodiscard]] Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path);
+
+/// Makes the body. The spec must have been measured. Fails on a stature or mass out of range.
+/// `base`: the foot that bears the body, of people who stand on both; `on_both`: they do, even
+/// where one foot is so high above the other that it would be taken for lifted.
+[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec, Side base = Side::right,
+                                                bool on_both = false);
+
+/// (effectors) m, world: where goals can be given for, in the start posture.
+[[nodiscard]] std::vector<Vec3d> start_places(const BodyModel& body);
+
+/// The file's joint that a freedom of a robot is; empty of a person's.
+[[nodiscard]] std::string file_joint(const BodyModel& body, int dof);
+
+/// The angles (rad) that a freedom never passes: its upper limit is that of the most that another
+/// angle lets it grow to (LimitCoupling).
+[[nodiscard]] std::pair<double, double> widest_limits(const BodyModel& body, int dof);
+
+/// A twist bone of the file, and whose twist it shares.
+struct TwistShare {
+  std::string node;    ///< of the file
+  std::string bone;    ///< humanoid bone whose twist it shares
+  double share = 0.0;  ///< of the way along that bone, 0..1
+};
+/// The twist bones of the character's file; none without its rig.
+[[nodiscard]] std::vector<TwistShare> twist_shares(const CharacterSpec& spec);
+
+/// The character as it was understood, as JSON text: the object that `shigusa body --json` prints,
+/// whose `nodes` are those of node_motion.
+[[nodiscard]] std::string format_character(const CharacterSpec& spec, const BodyModel& body);
+
+/// A node that a motion moves: of the character's own file where its rig is at hand, else of the
+/// body's skeleton.
+struct CharacterNode {
+  std::string name;    ///< in the file
+  int parent = -1;     ///< index of an earlier node; -1 for a root
+  Vec3d offset{};      ///< at rest in the parent, in units of node_unit
+  int file_node = -1;  ///< of glTF: index in the file
+};
+
+/// All nodes that node_motion moves, parents before children.
+[[nodiscard]] std::vector<CharacterNode> character_nodes(const CharacterSpec& character,
+                                                         const BodyModel& body);
+/// m per unit of the nodes' translations.
+[[nodiscard]] double node_unit(const CharacterSpec& character);
+
+/// (frames × nodes) each node in its parent, as a character leaves in its own file.
+[[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
+                                                      const BodyModel& body, const Clip& clip);
+
+}  // namespace shigusa

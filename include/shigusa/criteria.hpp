@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <shigusa/body_model.hpp>
+#include <shigusa/goal.hpp>
+#include <shigusa/motion.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+/// The paper's order of importance, range > balance > torque (section 3.3), with rule R8's weights.
+inline constexpr double kPaperRangeWeight = 0.5;
+inline constexpr double kPaperBalanceWeight = 0.3;  ///< of the balance
+inline constexpr double kPaperTorqueWeight = 0.2;   ///< of the torque
+
+/// Share of a joint's range by which a limit may be passed until the penalty is full (rule R8a).
+inline constexpr double kRangeMargin = 0.2;
+/// Sets the scale of the criterion joint_range: how far joints pass their limits.
+struct JointRangeSettings {
+  double margin = kRangeMargin;  ///< share of the range, > 0
+};
+
+/// Lean at which the penalty is full (rule R8b): the toes' edge is 0.13 m ahead of mid-foot and the
+/// centre of mass about 1.0 m high standing, 0.7 m stooping.
+inline constexpr double kBalanceLean = 0.20;
+/// Sets the scale of the criterion balance: how far the centre of mass leans from the feet.
+struct BalanceSettings {
+  double lean = kBalanceLean;  ///< horizontal over vertical, > 0
+};
+
+/// Root mean square share of the joints' strength at which the penalty is full (rule R8c). It
+/// saturates there: torque is heavy-tailed.
+inline constexpr double kTorqueShare = 0.6;
+/// Sets the scale of the criterion torque: how much of their strength the joints need.
+struct TorqueSettings {
+  double share = kTorqueShare;  ///< of strength, > 0
+};
+
+/// People keep so much between the plumb line of their centre of mass and the edge of what they
+/// stand on (m): some 2 to 3 cm.
+inline constexpr double kBalanceReserve = 0.03;
+/// Sets the scale of the criterion balance_zone: how near the plumb line of the centre of mass
+/// comes to the edge of the feet's support polygon.
+struct BalanceZoneSettings {
+  double margin = kBalanceReserve;  ///< m, > 0
+};
+
+/// Mean discomfort of the joints at which the penalty is full: a quarter of them at the ends of
+/// their range.
+inline constexpr double kDiscomfortShare = 0.25;
+/// Sets the scale of the criterion discomfort: how far joints are from neutral, and how near their
+/// ends.
+struct DiscomfortSettings {
+  double share = kDiscomfortShare;  ///< of the joints at their ends, > 0
+};
+
+/// Root mean square joint acceleration at which the penalty is full (rad/s²): that of a turn by 90°
+/// in 1 s with the minimum-jerk profile, sqrt(120 / 7) · (π / 2) / (1 s)², were all joints to make
+/// it.
+inline constexpr double kJointAcceleration = 6.5;
+/// Sets the scale of the criterion joint_acceleration: how hard joints are sped up and slowed down.
+struct JointAccelerationSettings {
+  double acceleration = kJointAcceleration;  ///< rad/s², > 0
+};
+
+/// Work at which the penalty is full, as a share of the body's weight times its stature: about what
+/// it takes to lower a body into a deep squat, and as much again.
+inline constexpr double kWorkShare = 0.4;
+/// Sets the scale of the criterion work: the mechanical work of all joints.
+struct WorkSettings {
+  double share = kWorkShare;  ///< of weight times stature, > 0
+};
+
+/// Share of strength at which the penalty is full: all of it. 0.75 is about 180 N·m in a man of 73
+/// kg: with a muscle lever of 6 cm and the upper body's own weight the disc then bears the 3400 N
+/// that NIOSH takes for the limit of what is harmless (Waters et al., Ergonomics 36 (1993)
+/// 749-776). The penalty grows on beyond it, or a heavy load would say nothing about how to lift
+/// it.
+inline constexpr double kLowBackShare = 1.0;
+/// Sets the scale of the criterion low_back: the moment about the lowest lumbar joint.
+struct LowBackSettings {
+  double share = kLowBackShare;  ///< of strength, > 0
+};
+
+/// Height of the head above the pelvis, as a share of their distance, from which on nothing is
+/// amiss: a trunk that leans by 60°.
+inline constexpr double kHeadHeight = 0.5;
+/// Sets the scale of the criterion head: whether the head stays up and can look at the goal.
+struct HeadSettings {
+  double height = kHeadHeight;  ///< share, > 0
+  /// m, world: the point that the eyes are on. A task's first goal where none is given; without one
+  /// only the head's height counts.
+  std::optional<Vec3d> gaze_target{};
+};
+
+/// Depth (m) of a collision at which the penalty is full.
+inline constexpr double kCollisionFull = 0.05;
+/// Sets the scale of the criterion collision: how deep parts are in one another, in obstacles or in
+/// the floor.
+struct CollisionSettings {
+  double full = kCollisionFull;       ///< m, > 0
+  std::vector<Obstacle> obstacles{};  ///< of the task
+};
+
+/// How far outside the support polygon (m) the penalty is full.
+inline constexpr double kPressureOutside = 0.10;
+/// Sets the scale of the criterion centre_of_pressure: how far the floor would press outside the
+/// feet.
+struct PressureSettings {
+  double outside = kPressureOutside;  ///< m, > 0
+};
+
+/// How far outside the support polygon (m) a pressure weighs as much as a joint that needs twice
+/// its strength.
+inline constexpr double kFeasibilityOutside = 0.05;
+/// Sets the scale of the criterion feasibility: whether the body could make the motion at all.
+struct FeasibilitySettings {
+  double outside = kFeasibilityOutside;  ///< m, > 0
+};
+
+/// A criterion of the user's own: any scalar function of the motion; smaller is better. Its penalty
+/// is value / scale, held to [0, 1] as the built-in ones are. NaN makes the motion the worst of
+/// all.
+struct UserCriterion {
+  std::string name;     ///< in scores and messages
+  double weight = 0.1;  ///< ≥ 0
+  double scale = 1.0;   ///< value at which the penalty is full, > 0
+  /// gives the value of a whole motion; called from one thread at a time
+  std::function<double(const BodyModel&, const Motion&)> value{};
+};
+
+/// The criteria that a motion is scored by: score = Σ weight · penalty, lower is better. Weights
+/// are 0 or more; a criterion whose weight is 0 is not computed.
+struct CriteriaSettings {
+  double joint_range_weight = kPaperRangeWeight;   ///< of joints beyond their limits
+  double balance_weight = kPaperBalanceWeight;     ///< of the lean from the feet
+  double torque_weight = kPaperTorqueWeight;       ///< of the torque
+  double balance_zone_weight = 0.0;                ///< of the way to the edge of the feet
+  double discomfort_weight = 0.0;                  ///< of joints far from neutral
+  double joint_acceleration_weight = 0.0;          ///< of joint accelerations
+  double work_weight = 0.0;                        ///< of mechanical work
+  double low_back_weight = 0.0;                    ///< of the moment about L5/S1
+  double head_weight = 0.0;                        ///< of the head's height and gaze
+  double collision_weight = 0.0;                   ///< of collisions
+  double pressure_weight = 0.0;                    ///< of a pressure outside the feet
+  double feasibility_weight = 0.0;                 ///< of what the body cannot do
+  JointRangeSettings joint_range{};                ///< scale of joint_range
+  BalanceSettings balance{};                       ///< scale of balance
+  TorqueSettings torque{};                         ///< scale of torque
+  BalanceZoneSettings balance_zone{};              ///< scale of balance_zone
+  DiscomfortSettings discomfort{};                 ///< scale of discomfort
+  JointAccelerationSettings joint_acceleration{};  ///< scale of joint_acceleration
+  WorkSettings work{};                             ///< scale of work
+  LowBackSettings low_back{};                      ///< scale of low_back
+  HeadSettings head{};                             ///< scale of head
+  CollisionSettings collision{};                   ///< scale of collision
+  PressureSettings pressure{};                     ///< scale of centre_of_pressure
+  FeasibilitySettings feasibility{};               ///< scale of feasibility
+  std::vector<UserCriterion> user{};               ///< the user's own
+};
+
+/// The paper's three by rule R8's weights: what CriteriaSettings is by default.
+[[nodiscard]] CriteriaSettings paper_criteria();
+
+/// The mixture that came nearest to a recorded man's reaches to the floor among those tried, with
+/// more of the low back (docs/criteria.md): joint range 0.25, balance zone 0.20, discomfort 0.27,
+/// joint acceleration 0.22, low back 0.20; and, of no weight against what is free, stands and is
+/// within the body's strength, collision 0.5, centre of pressure 0.35 and feasibility 1.
+[[nodiscard]] CriteriaSettings default_criteria();
+
+/// The criteria that a Pareto view weighs against each other: joint range, as discomfort near its
+/// ends (no motion within limits has any of the paper's own), balance and torque, a third each.
+[[nodiscard]] CriteriaSettings pareto_criteria();
+
+/// A mixture that files and the command line call by its name.
+struct CriteriaPreset {
+  std::string_view name;           ///< "default"
+  CriteriaSettings (*settings)();  ///< makes the mixture
+};
+/// "paper", "default" and "pareto".
+[[nodiscard]] std::span<const CriteriaPreset> criteria_presets();
+
+/// One line of a score's breakdown.
+struct ScoreTerm {
+  std::string name;      ///< of the criterion
+  double weight = 0.0;   ///< of the penalty in the total
+  double penalty = 0.0;  ///< 0..1
+};
+
+/// The score of one motion, lower is better, with its breakdown.
+struct Score {
+  double total = 0.0;  ///< Σ weight · penalty
+  /// the built-in criteria whose weight is above 0, in the table's order, then the user's in theirs
+  std::vector<ScoreTerm> terms;
+};
+
+/// The score that a motion gets which misses its goal, leaves its path or moves a planted foot: no
+/// other is worse.
+[[nodiscard]] double worst_score(const CriteriaSettings& settings);
+
+/// Scores a whole motion.
+[[nodiscard]] Score score_motion(const BodyModel& body, const Motion& motion,
+                                 const CriteriaSettings& settings);
+
+}  // namespace shigusa

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/generate.hpp>
+#include <shigusa/progress.hpp>
+#include <shigusa/result_file.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+/// The kinds of editable numbers.
+enum class EditableKind { weight, angle, share };
+
+/// One of the numbers that a person edits of a motion. "name=value" is an assignment (see
+/// assign_parameter); so is, of a weight, "joint.locked=true", with `joint` the name without
+/// ".weight".
+struct EditableParameter {
+  std::string name;  ///< "right_knee.flexion.weight", "squat_deg", "bow"
+  /// "right_leg", "left_arm", "trunk", "posture", "path"
+  std::string group;
+  EditableKind kind = EditableKind::weight;  ///< what the number is
+  double value = 0.0;                        ///< angles in degrees
+  double low = 0.0;                          ///< what makes sense; of a posture more is allowed
+  double high = 0.0;                         ///< the same
+  bool locked = false;                       ///< of a weight: the freedom keeps its start angle
+  std::string_view sentence{};               ///< what it does
+};
+
+/// All of a candidate's, in the order of the body and the posture; of layered presets those of
+/// their layers.
+[[nodiscard]] Result<std::vector<EditableParameter>> editable_parameters(
+    const Task& task, const Candidate& candidate);
+
+/// The same as JSON text: a list of {"name", "group", "kind", "value", "low", "high", "scale"
+/// ("linear" or "log"), "unit" ("" or "deg"), "locked", "sentence"}.
+[[nodiscard]] std::string format_parameters(const std::vector<EditableParameter>& parameters);
+
+/// One layer of a plan.
+struct Layer;
+
+/// "left_hand" of "right_hand" and the other way round; what has no side is as it was.
+[[nodiscard]] std::string mirrored_name(std::string_view name);
+
+/// The task on the other side of the body's middle, x = 0: goals, contacts, obstacles and what is
+/// fixed change sides. The person is the same, with their own left and right, and stands at the
+/// start as before: of somebody who is alike on both sides, and stands so, the motion is the mirror
+/// image; anybody else reaches the mirrored goal from their own posture. Fails on a body of one
+/// side.
+[[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
+
+/// The values of a motion's mirror image: each goes to the parameter of the other side, and a turn
+/// of the trunk changes its sign. `from` and `to` are the plans of both tasks, whose bodies may
+/// stand on either foot.
+[[nodiscard]] Parameters mirrored(std::span<const Layer> from, std::span<const Layer> to,
+                                  const Parameters& values);
+
+/// Parses a JSON list of assignments: ["squat_deg=60", "right_knee.weight=3"].
+[[nodiscard]] Result<std::vector<std::string>> parse_assignments(std::string_view text,
+                                                                 std::string_view name);
+
+/// Motions of stored parameters; `task` is make_task of the result's. Candidates count from 1;
+/// these fail where there is none of that number, naming how many there are.
+
+/// One candidate's anew from what the assignments (see assign_parameter) make of its parameters,
+/// which stay changed.
+[[nodiscard]] Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
+                                        std::span<const std::string> assignments = {});
+/// All of them, in the result's order. Fails with ErrorCode::cancelled where it is stopped between
+/// two of them; scores that it reports are of the first.
+[[nodiscard]] Result<Generation> replay_all(const Task& task, StoredResult& stored,
+                                            const Progress& progress = {});
+
+/// Takes task and parameters to the other side (see mirrored). What stands of files stays, and is
+/// of the motions that there were.
+[[nodiscard]] Result<void> mirror_result(StoredResult& stored);
+
+/// A result as it would be read back from its file.
+[[nodiscard]] StoredResult stored_result(const TaskFile& file, const Generation& generation);
+
+}  // namespace shigusa

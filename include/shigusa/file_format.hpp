@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <shigusa/words.hpp>
+#include <string>
+#include <string_view>
+
+namespace shigusa {
+
+/// The formats of files that are read or written.
+enum class FileFormat { bvh, csv, svg, png, pdf, glb, vrma, vrm, fbx, urdf, mjcf };
+
+/// The file that a character must have come from for its motions to leave in a format.
+enum class NeededFile { none, gltf, vrm };
+
+/// The libraries that a build may lack, and with them the formats that need one.
+enum class NeededLibrary { none, cairo, urdfdom };
+
+/// What there is to know of a format. Whatever reads, writes, lists or describes files goes by this
+/// table; a format that is written has a function write_as (src/document/export_file.hpp), one of
+/// people a function read_person (src/character/character_file.hpp).
+struct FormatInfo {
+  FileFormat format;
+  std::string_view word;                    ///< it is asked for by, and written files end in
+  std::array<std::string_view, 2> endings;  ///< of files that are read: ".glb"; "" where there is
+                                            ///< no other
+  std::string_view media_type;
+  std::string_view about;     ///< one sentence
+  bool person = false;        ///< people are read from it,
+  bool robot = false;         ///< robots,
+  bool clip = false;          ///< and recorded motion
+  bool written = false;       ///< a motion can leave in it
+  bool usual = false;         ///< it does where nothing is said and the character can
+  bool rated = false;         ///< it has the motion at the rate that is asked for
+  std::size_t max_bytes = 0;  ///< of a file that is read
+  NeededFile needs = NeededFile::none;
+  NeededLibrary library = NeededLibrary::none;
+};
+
+inline constexpr std::size_t kMebibyte = std::size_t{1} << 20;
+
+inline constexpr std::array kFileFormats{
+    FormatInfo{.format = FileFormat::bvh,
+               .word = "bvh",
+               .endings = {".bvh"},
+               .media_type = "text/plain",
+               .about = "The skeleton and its motion, as motion capture has them.",
+               .person = true,
+               .clip = true,
+               .written = true,
+               .usual = true,
+               .rated = true,
+               .max_bytes = 64 * kMebibyte},
+    FormatInfo{.format = FileFormat::csv,
+               .word = "csv",
+               .endings = {".csv"},
+               .media_type = "text/csv",
+               .about = "Joint angles, torques, the centre of mass and the effectors over time.",
+               .written = true,
+               .usual = true},
+    FormatInfo{.format = FileFormat::svg,
+               .word = "svg",
+               .endings = {".svg"},
+               .media_type = "image/svg+xml",
+               .about = "The strip figure: poses from left to right, as curves.",
+               .written = true,
+               .usual = true},
+    FormatInfo{.format = FileFormat::png,
+               .word = "png",
+               .endings = {".png"},
+               .media_type = "image/png",
+               .about = "The strip figure as a picture.",
+               .written = true,
+               .usual = true,
+               .library = NeededLibrary::cairo},
+    FormatInfo{.format = FileFormat::pdf,
+               .word = "pdf",
+               .endings = {".pdf"},
+               .media_type = "application/pdf",
+               .about = "The strip figure as a page.",
+               .written = true,
+               .library = NeededLibrary::cairo},
+    FormatInfo{.format = FileFormat::glb,
+               .word = "glb",
+               .endings = {".glb", ".gltf"},
+               .media_type = "model/gltf-binary",
+               .about = "The character's own glTF file with the motion added.",
+               .person = true,
+               .clip = true,
+               .written = true,
+               .usual = true,
+               .rated = true,
+               .max_bytes = 128 * kMebibyte,
+               .needs = NeededFile::gltf},
+    FormatInfo{.format = FileFormat::vrma,
+               .word = "vrma",
+               .endings = {".vrma"},
+               .media_type = "model/gltf-binary",
+               .about = "The motion alone, for any VRM character.",
+               .clip = true,
+               .written = true,
+               .usual = true,
+               .rated = true,
+               .max_bytes = 128 * kMebibyte,
+               .needs = NeededFile::vrm},
+    FormatInfo{.format = FileFormat::vrm,
+               .word = "vrm",
+               .endings = {".vrm"},
+               .media_type = "model/gltf-binary",
+               .about = "A glTF character whose bones are told.",
+               .person = true,
+               .clip = true,
+               .max_bytes = 128 * kMebibyte},
+    FormatInfo{.format = FileFormat::fbx,
+               .word = "fbx",
+               .endings = {".fbx"},
+               .media_type = "application/octet-stream",
+               .about = "A character's skeleton, taken as the glTF file of it.",
+               .person = true,
+               .max_bytes = 128 * kMebibyte},
+    FormatInfo{.format = FileFormat::urdf,
+               .word = "urdf",
+               .endings = {".urdf"},
+               .media_type = "application/xml",
+               .about = "A robot's links and joints.",
+               .robot = true,
+               .max_bytes = 16 * kMebibyte,
+               .library = NeededLibrary::urdfdom},
+    FormatInfo{.format = FileFormat::mjcf,
+               .word = "mjcf",
+               .endings = {".xml", ".mjcf"},
+               .media_type = "application/xml",
+               .about = "A robot as MuJoCo has it.",
+               .robot = true,
+               .max_bytes = 4 * kMebibyte,
+               .library = NeededLibrary::urdfdom},
+};
+template <>
+inline constexpr auto kEnumWords<FileFormat> = words_of_table(kFileFormats, &FormatInfo::format);
+
+[[nodiscard]] constexpr const FormatInfo& info_of(FileFormat format) {
+  return kFileFormats[static_cast<std::size_t>(format)];
+}
+
+/// Whether a character's file of a format is what another format needs. An FBX file is taken as the
+/// glTF file of its skeleton.
+[[nodiscard]] constexpr bool is_file(FileFormat character, NeededFile needed) {
+  const bool vrm = character == FileFormat::vrm;
+  const bool gltf = vrm || character == FileFormat::glb || character == FileFormat::fbx;
+  return needed == NeededFile::none || (needed == NeededFile::vrm ? vrm : gltf);
+}
+
+/// Whether this build has the library.
+[[nodiscard]] bool is_built_with(NeededLibrary library);
+
+/// The ending of a file's name in lower case: ".bvh".
+[[nodiscard]] std::string file_ending(const std::string& name);
+
+/// The format of a file by its name's ending, in any case; nothing where that is none that is read.
+[[nodiscard]] std::optional<FileFormat> format_of_file(const std::string& name);
+
+/// The words or the endings of the formats that are so, for messages: "bvh, glb and vrma".
+[[nodiscard]] std::string format_words(bool (*is_so)(const FormatInfo&),
+                                       std::string_view last = "and");
+[[nodiscard]] std::string format_endings(bool (*is_so)(const FormatInfo&),
+                                         std::string_view last = "or");
+
+}  // namespace shigusa

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/motion.hpp>
+#include <shigusa/parameters.hpp>
+#include <shigusa/progress.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/task.hpp>
+#include <shigusa/verdict.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+/// Whether the candidates meet their goals.
+enum class ReachStatus {
+  reached,      ///< every candidate meets every goal within 1 mm and 0.5°
+  unsteady,     ///< so they do, and every one of them is impossible: see Judgement
+  unreachable,  ///< the body cannot; candidates end at the closest point
+};
+/// The words of ReachStatus.
+template <>
+inline constexpr std::array kEnumWords<ReachStatus>{
+    EnumWord{ReachStatus::reached, "reached"},
+    EnumWord{ReachStatus::unsteady, "unsteady"},
+    EnumWord{ReachStatus::unreachable, "unreachable"},
+};
+
+/// How an effector goes to its goal.
+enum class PathKind {
+  straight,  ///< along the minimum-jerk line
+  bowed,     ///< beside that line, by bow and sway among the parameters
+  detour,    ///< by way of a via point around the body
+  free,      ///< as the posture takes it: no path leads there with these parameters
+};
+/// The words of PathKind.
+template <>
+inline constexpr std::array kEnumWords<PathKind>{
+    EnumWord{PathKind::straight, "straight"},
+    EnumWord{PathKind::bowed, "bowed"},
+    EnumWord{PathKind::detour, "detour"},
+    EnumWord{PathKind::free, "free"},
+};
+
+/// How a goal's effector is turned.
+struct TurnResult {
+  Quatd start{};    ///< R_WE in the start posture, see GoalAxis
+  Quatd reached{};  ///< R_WE at the end
+  /// rad, from the goal's rotation or between its axis and direction
+  std::optional<double> error{};
+};
+
+/// Where a goal's effector ends.
+struct GoalResult {
+  std::string effector;                ///< that the goal is for
+  std::string node;                    ///< node of the exported skeleton whose origin it is
+  Vec3d goal{};                        ///< m, world
+  Vec3d reached{};                     ///< m, world
+  double error = 0.0;                  ///< m, from the goal or its box
+  PathKind path = PathKind::straight;  ///< how it went there
+  Vec3d tolerance{};                   ///< m, see Goal
+  TurnResult turn;                     ///< how it is turned
+};
+
+/// How far a heel lifts, at any frame.
+struct HeelLift {
+  double angle = 0.0;   ///< rad, of the toes
+  double height = 0.0;  ///< m, of the hindmost place of its sole above where it stood
+};
+
+/// How well a planted foot stood.
+struct ContactResult {
+  std::string effector;            ///< name of the foot
+  std::string node;                ///< node of the exported skeleton that moves with it
+  double max_slide = 0.0;          ///< m, at any frame
+  std::optional<HeelLift> heel{};  ///< of one that may lift
+};
+
+/// How far the arms of the goals pass through the body (rule R11).
+struct ArmCollision {
+  double depth = 0.0;  ///< m, collision_depth of these arms, the deepest
+  int searches = 0;    ///< that the arms took in all
+  bool left = false;   ///< it is deeper than kCollisionDepth all the same
+};
+
+/// One way to get there.
+struct Candidate {
+  Parameters parameters;          ///< that the motion is generated from
+  Motion motion;                  ///< from the start posture to the goals
+  Score score;                    ///< by the task's criteria
+  std::vector<GoalResult> goals;  ///< in the task's order
+  /// m, largest distance from the path at any frame that follows it
+  double path_error = 0.0;
+  std::vector<ContactResult> contacts;          ///< of planted feet
+  MotionMeasures measures;                      ///< what the motion asks of the body
+  Judgement judgement;                          ///< whether the body could make the motion
+  FinalPosture final_posture;                   ///< how it ends
+  std::optional<ArmCollision> arm_collision{};  ///< of plans with several layers
+};
+
+/// The result of a search for motions.
+struct Generation {
+  ReachStatus status = ReachStatus::reached;  ///< whether the goals are met
+  double remaining_distance = 0.0;  ///< m, of the best candidate to its goals; 0 when reached
+  double remaining_turn = 0.0;      ///< rad, the largest that is left of a goal's turn; the same
+  /// At least one: the possible ones first, then the impossible ones, each by score, the lowest
+  /// first.
+  std::vector<Candidate> candidates;
+  std::string fewer;      ///< why there are fewer than asked for; else empty
+  double duration = 0.0;  ///< s
+  /// The task gives no duration, and nothing that was found is possible in the usual one: this is
+  /// one in which something is. See played_task.
+  bool slowed = false;
+  int evaluations = 0;   ///< motions scored by the search
+  int runs = 1;          ///< of the preset paper: with other random numbers each, see generate
+  int generations = 0;   ///< of the search, in all runs
+  int rejected_nan = 0;  ///< motions that a criterion scored NaN
+  int near_copies = 0;   ///< distinct genomes whose motions were all but a better one's
+  int missed = 0;        ///< final genomes that missed a goal, left the path or moved a foot
+  int collided = 0;      ///< left out as others pass through nothing
+  int over_limit = 0;    ///< of layers that hold limits: left out as others are within them
+  /// candidates whose score in the search was off by over kReplayTolerance
+  int replay_differs = 0;
+  double replay_difference = 0.0;  ///< the most that a candidate's score in the search was off by
+  std::optional<Parameters> best_seen;   ///< the best of all genomes evaluated, kept or not
+  double best_seen_score = 0.0;          ///< of that genome
+  int cells_searched = 0;                ///< of the arms' libraries, which were in no store
+  SearchEnd end = SearchEnd::converged;  ///< why the search ended
+
+  /// Whether the candidates end at their goals.
+  [[nodiscard]] bool meets_goals() const { return status != ReachStatus::unreachable; }
+};
+
+/// The task that plays a search's motions again: with the duration that it came to.
+[[nodiscard]] Task played_task(Task task, const Generation& generation);
+
+/// Two motions whose joint angles never differ by more than this, root mean square over the dofs,
+/// are one candidate (rad).
+inline constexpr double kDistinctPosture = radians(5.0);
+/// Presets other than the paper's tell candidates apart by how they end: root mean square (rad).
+inline constexpr double kDistinctEnd = radians(10.0);
+/// Where fewer than asked for differ by so much, this is enough (rad): a hand's own way, such as an
+/// elbow held higher.
+inline constexpr double kNearEnd = radians(5.0);
+/// A replay in double may bring two ends nearer by this (rad).
+inline constexpr double kEndSlack = radians(0.1);
+/// Candidates score at most this much worse than the best.
+inline constexpr double kCandidateSpread = 0.15;
+/// Where the best bends down, one that is the best of its style may be worse by this: people squat
+/// although it costs more.
+inline constexpr double kStyleSpread = 0.3;
+/// Searches score in single precision; every candidate is played again in double and scored anew.
+/// Scores may differ by this without being counted: feasibility takes the worst moment of
+/// accelerations, which single precision puts off by some 2e-3 rad/s².
+inline constexpr double kReplayTolerance = 5e-3;
+/// How near (m) a candidate must come to the closest point where the goal is out of reach.
+inline constexpr double kEdgeTolerance = 5e-3;
+
+/// Fails as generate would, at once.
+[[nodiscard]] Result<void> check_task(const Task& task);
+
+/// Finds natural motions for a task: the distinct genomes that the search ends with, ranked
+/// (paper, sections 3.2 and 4). Fails where check_task does; an unreachable
+/// goal is a status. When cancelled, returns the best so far. Same task, same result. What a
+/// user's own criterion or search throws passes through.
+///
+/// Where nothing that was found is possible, the presets flat and human search again: in the least
+/// duration in which one of the motions is, where the task gives none, and then for three times as
+/// many motions, where the task does not say how many.
+///
+/// The preset paper runs again with other random numbers, while fewer than three candidates are
+/// distinct, up to Task::most_runs in all, where the task does not say how many motions are scored.
+///
+/// The preset layers searches as the paper's section 3.4 has it: the genes of the upper layer
+/// alone, in the paper's code (paper_ga, annealing, random) or in one even in the weights'
+/// logarithms, while arms come from their libraries. Motions are those of the whole body and scored
+/// by the task's criteria. The preset human does so with the best of a few swivels for each upper
+/// motion; the upper motions that are kept are given the best swivel of all, then the best final
+/// angles of free arms.
+[[nodiscard]] Result<Generation> generate(const Task& task, const Progress& progress = {});
+
+/// Generates one motion from given values of the plan's parameters (plan_of), without a search: the
+/// parameter editor (paper, section 4.2 and figure 7). The hand still meets its goal, or comes as
+/// near as the given locks allow; the status tells. Fails on a task that is wrong, and where
+/// check_parameters does.
+[[nodiscard]] Result<Generation> regenerate(const Task& task, const Parameters& parameters);
+
+}  // namespace shigusa

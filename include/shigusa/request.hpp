@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <shigusa/criteria.hpp>
+#include <shigusa/field.hpp>
+#include <shigusa/goal.hpp>
+#include <shigusa/layered_settings.hpp>
+#include <shigusa/search.hpp>
+#include <shigusa/words.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shigusa {
+
+/// Motions that the preset flat scores where a task says nothing else.
+inline constexpr int kFlatEvaluations = 1800;
+/// The same of the preset human, whose upper motions are played in double one by one, each with a
+/// few swivels of its arms.
+inline constexpr int kHumanEvaluations = 600;
+/// The same of the preset flat by NLP-IK, which takes some ten times as long for one and knows no
+/// lanes.
+inline constexpr int kNlpEvaluations = 300;
+
+/// Candidates of the preset flat: what a person can look over.
+inline constexpr int kFlatCandidates = 5;
+
+/// How the parameters are searched and what they are.
+enum class Preset {
+  paper,   ///< the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
+  flat,    ///< all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
+  layers,  ///< the paper's hierarchy: first trunk and limb lengths, then arms from a limb library
+  human,   ///< three layers: trunk and limb lengths, the swivel of arms, then what no goal moves
+};
+
+/// What a preset is, and has where a task says nothing else.
+struct PresetTraits {
+  Preset preset;
+  std::string_view word;
+  SearchMethod search;
+  CriteriaSettings (*criteria)();
+  int candidates;                    ///< delivered at most
+  int evaluations;                   ///< scored by searches that do not converge by themselves
+  std::optional<LayerStack> layers;  ///< that it goes by
+  /// As people do: joints keep to their limits, eyes and free limbs go by PostureLaw, and
+  /// candidates differ by how they end. The paper knows none of these, and tells whole motions
+  /// apart.
+  bool natural;
+};
+inline constexpr std::array kPresets{
+    PresetTraits{Preset::paper,
+                 "paper",
+                 SearchMethod::paper_ga,
+                 paper_criteria,
+                 kPaperPopulation,
+                 kFlatEvaluations,
+                 {},
+                 false},
+    PresetTraits{Preset::flat,
+                 "flat",
+                 SearchMethod::cma_es,
+                 default_criteria,
+                 kFlatCandidates,
+                 kFlatEvaluations,
+                 {},
+                 true},
+    PresetTraits{Preset::layers, "layers", SearchMethod::paper_ga, paper_criteria, kPaperPopulation,
+                 kFlatEvaluations, LayerStack::paper, false},
+    PresetTraits{Preset::human, "human", SearchMethod::cma_es, default_criteria, kFlatCandidates,
+                 kHumanEvaluations, LayerStack::human, true},
+};
+template <>
+inline constexpr auto kEnumWords<Preset> = words_of_table(kPresets, &PresetTraits::preset);
+
+[[nodiscard]] constexpr const PresetTraits& traits_of(Preset preset) {
+  return kPresets[static_cast<std::size_t>(preset)];
+}
+
+inline constexpr std::size_t kGoalsMax = 64;  ///< more than any body can meet
+inline constexpr std::size_t kObstaclesMax = 64;
+inline constexpr double kTaskDurationMin = 0.05;  ///< s
+inline constexpr double kTaskDurationMax = 60.0;  ///< s
+inline constexpr int kPhasesMax = 2;              ///< weights and posture change once at most
+
+/// What generates a motion from parameters.
+enum class MotionGenerator {
+  weighted_ik,  ///< the weighted pseudo-inverse (WeightedIk)
+  nlp_ik,       ///< constrained minimisation in each frame (Zhao and Badler), always within limits
+};
+
+template <>
+inline constexpr std::array kEnumWords<MotionGenerator>{
+    EnumWord{MotionGenerator::weighted_ik, "weighted_ik"},
+    EnumWord{MotionGenerator::nlp_ik, "nlp_ik"},
+};
+
+/// The plain data of a task: all that its file says beside the character. Its table of fields,
+/// below, says what each member is.
+struct Request {
+  std::vector<Goal> goals{};
+  std::optional<Vec3d> look_at{};  ///< m, world
+  /// Names of feet, the base among them. A foot that lifts does so by kFootLift.
+  std::optional<std::vector<std::string>> contacts{};
+  std::vector<Obstacle> obstacles{};
+  std::optional<double> duration{};  ///< s
+  Preset preset = Preset::flat;
+  LayerReading layer_reading = LayerReading::shared_contractions;
+  std::optional<SearchMethod> search{};
+  bool pareto = false;  ///< see pareto_criteria
+  CriteriaSettings criteria = traits_of(Preset::flat).criteria();
+  std::vector<std::string> fixed_assignments{};              ///< "squat_deg=60"
+  MotionGenerator generator = MotionGenerator::weighted_ik;  ///< the other not of layered presets
+  int phases = 1;  ///< 2: a LaterPhase is searched too, twice as many parameters
+  std::uint64_t seed = 0;
+  int candidates = traits_of(Preset::flat).candidates;
+  /// Without it the paper's genetic algorithm runs until it converges, and the others score
+  /// usual_evaluations.
+  std::optional<int> evaluations{};
+};
+
+/// Gives the request a preset, with its criteria and number of candidates where it is another one.
+void adopt_preset(Request& request, const Preset& preset);
+/// Asks for a front of the criteria or for none; a front brings its own mixture of them.
+void adopt_pareto(Request& request, const bool& pareto);
+
+template <>
+inline constexpr FieldTable kFields<Request>{
+    "task",
+    "A request: a body and the final places of its hands, feet or other joints. Metres, kilograms, "
+    "seconds, radians; +Y up, the body faces +Z, its left is +X, origin on the floor between the "
+    "feet.",
+    std::tuple{
+        Field{"goals",
+              &Request::goals,
+              "The final places of effectors, such as right_hand, head, hips, left_elbow, "
+              "right_knee, left_foot or any joint that `shigusa body` names: metres, +Y up, the "
+              "body faces +Z, its left is +X. One for each effector at most; one at least is "
+              "given, or a foot is left out of contacts.",
+              {.high = kGoalsMax,
+               .option = "--goal",
+               .form = "EFFECTOR=X,Y,Z",
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+        Field{"look_at_m",
+              &Request::look_at,
+              "The point that the eyes are on; the first goal of a limb when not given.",
+              {.low = -kGoalRange,
+               .high = kGoalRange,
+               .option = "--look-at",
+               .form = "X,Y,Z",
+               .mirroring = Mirroring::other_side}},
+        Field{"contacts",
+              &Request::contacts,
+              "Feet that stay on the floor, one at least; all without a goal when not given. A "
+              "foot that is not named and has no goal lifts.",
+              {.option = "--contacts",
+               .form = "left_foot,right_foot",
+               .mirroring = Mirroring::other_side}},
+        Field{"obstacles",
+              &Request::obstacles,
+              "Things that nothing of the body should pass through; the command line knows boxes, "
+              "by their middle and size in metres.",
+              {.high = kObstaclesMax,
+               .option = "--obstacle",
+               .form = "NAME=X,Y,Z,SX,SY,SZ",
+               .mirroring = Mirroring::other_side}},
+        Field{"duration_s",
+              &Request::duration,
+              "Seconds of the motion; from the distance when not given.",
+              {.low = kTaskDurationMin, .high = kTaskDurationMax, .option = "--duration"}},
+        Field{"preset",
+              &Request::preset,
+              "paper, as published; flat, when not given: all parameters at once, within joint "
+              "limits; layers: the paper's hierarchy, first trunk and limb lengths, then arms; or "
+              "human: trunk and limb lengths, then the elbows' swivel, then free arms. Criteria, "
+              "search and number of candidates are its own where nothing else is said.",
+              {.option = "--preset", .written = always, .adopt = adopt_preset}},
+        Field{"layer_reading",
+              &Request::layer_reading,
+              "Of the presets layers and human, the meaning of the paper's 14 parameters of the "
+              "whole body: shared_contractions, when not given: 12 weights and 2 contractions, or "
+              "contraction_a_limb: 10 and 4.",
+              {.option = "--layer-reading",
+               .written =
+                   [](const Request& request) {
+                     return traits_of(request.preset).layers.has_value();
+                   }}},
+        Field{"search",
+              &Request::search,
+              "The algorithm; the preset's own when not given.",
+              {.option = "--search"}},
+        Field{"pareto",
+              &Request::pareto,
+              "Of the preset flat: candidates are a front of the criteria, motions of which none "
+              "is better by all of them; criteria are then the mixture pareto where nothing else "
+              "is said.",
+              {.option = "--pareto", .adopt = adopt_pareto}},
+        Field{"criteria",
+              &Request::criteria,
+              "The mixture that motions are scored by: paper, default or pareto, or in files "
+              "weights and scales; the preset's own when not given.",
+              {.option = "--criteria", .written = always}},
+        Field{"fixed",
+              &Request::fixed_assignments,
+              "Parameters that the search leaves as given, such as squat_deg=60 or "
+              "right_shoulder.flexion.locked=true (as --set of edit); of two phases these hold in "
+              "both, and later.squat_deg=30 in the second.",
+              {.option = "--fix", .form = "NAME=VALUE", .mirroring = Mirroring::assignments}},
+        Field{"generator",
+              &Request::generator,
+              "The maker of motions from parameters: weighted_ik when not given, or nlp_ik, "
+              "constrained minimisation in each frame, ten times slower.",
+              {.option = "--generator"}},
+        Field{"phases",
+              &Request::phases,
+              "Of the preset flat: with 2, weights and postures change once during the motion; 1 "
+              "when not given.",
+              {.low = 1, .high = kPhasesMax, .option = "--phases"}},
+        Field{"seed",
+              &Request::seed,
+              "Same seed, same bytes; 0 when not given.",
+              {.high = UINT64_MAX, .option = "--seed", .written = always}},
+        Field{"candidates",
+              &Request::candidates,
+              "Candidates to deliver, at most; the preset's own number when not given.",
+              {.low = 1, .high = 1000, .option = "--candidates", .written = always}},
+        Field{"evaluations",
+              &Request::evaluations,
+              "Motions that the search may score: it starts again, with other random numbers, "
+              "until they are used up. When not given, it runs once.",
+              {.low = kPaperPopulation, .high = 1'000'000'000, .option = "--evaluations"}},
+    }};
+
+}  // namespace shigusa

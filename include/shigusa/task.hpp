@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/body_model.hpp>
+#include <shigusa/criteria.hpp>
+#include <shigusa/layered_settings.hpp>
+#include <shigusa/parallel.hpp>
+#include <shigusa/parameters.hpp>
+#include <shigusa/request.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/search.hpp>
+#include <utility>
+
+namespace shigusa {
+
+/// A foot that neither stands nor has a goal lifts by this (m).
+inline constexpr double kFootLift = 0.10;
+
+/// A request on a body, with the settings of its run: `generate` takes it. Another preset's
+/// criteria and number of candidates come by with_preset.
+struct Task : Request {
+  /// The request on that body.
+  explicit Task(BodyModel of, Request asked = {})
+      : Request(std::move(asked)), body(std::move(of)) {}
+
+  BodyModel body;               ///< in its start posture
+  SearchFunction own_search{};  ///< in the place of the named ones, when given; not of layers
+  GeneticSettings genetic{};    ///< of the searches paper_ga and log_ga, which take the task's seed
+  /// The values of fixed_assignments, decoded: the search leaves them as they are.
+  std::optional<FixedParameters> fixed{};
+  int most_runs = 10;        ///< of the preset paper, see generate; ≥ 1
+  LayeredSettings layers{};  ///< of layered presets
+  BatchSettings batch{};     ///< SIMD set and threads; change no result
+};
+
+/// Motions that are scored for a task that does not say how many, but for the paper's search.
+[[nodiscard]] int usual_evaluations(const Task& task);
+
+/// The search of a task: the method that it names, or its preset's.
+[[nodiscard]] SearchMethod search_of(const Task& task);
+
+/// The task by a preset, with its criteria and number of candidates.
+[[nodiscard]] Task with_preset(Task task, Preset preset);
+
+/// The criteria that the task's motions are scored by: its own, with the eyes on look_at, or on the
+/// first goal of a limb where nothing else is said.
+[[nodiscard]] CriteriaSettings task_criteria(const Task& task);
+
+/// The task with its goals' loads in the body's hands, standing on its contacts; fails as
+/// make_problem does, and where a foot has no way to be what is asked of it.
+[[nodiscard]] Result<Task> prepared(const Task& task);
+/// Whether that is another task.
+[[nodiscard]] bool needs_preparing(const Task& task);
+
+}  // namespace shigusa

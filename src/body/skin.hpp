@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+// A point of the mesh that a character's skeleton moves, as it stands in one posture.
+struct SkinVertex {
+  Vec3d position{};  // the world of that posture, in the skeleton's own units and axes
+  int node = -1;     // of the skeleton: the one that moves the vertex most
+  // Its mesh is not skinned but hangs on the node as one piece: a robot's part, a hat, a sword.
+  bool rigid = false;
+};
+
+// What a file has of a character's mesh. A reader of any format gives this.
+struct Skin {
+  std::vector<SkinVertex> vertices;  // none where the file has no mesh, or none that is read
+  std::vector<std::string> doubts;   // parts that were not read, and why
+};
+
+}  // namespace shigusa

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body_model.hpp>
+#include <shigusa/criteria.hpp>
+
+#include "criteria/mean_and_worst.hpp"
+#include "criteria/motion_frame.hpp"
+#include "criteria/support_zone.hpp"
+
+namespace shigusa {
+
+// How near the centre of mass's plumb line comes to the edge of the feet's support polygon, or how
+// far it leaves it, in [0, 1]. Anywhere well inside is as good as the middle: people who reach let
+// it wander (Stapley et al., Biological Cybernetics 82 (2000) 161).
+//   p(t) = (margin - d(t)) / (2 margin), held to [0, 1];   P = ½ mean_t p + ½ max_t p,
+// d being the distance to the nearest edge, less than 0 outside: 0 from `margin` inside on, ½ at
+// the edge, 1 from `margin` outside on. Near a corner, outside, d is the distance to the nearest
+// edge's line. A body without feet, or with feet of no size, has no penalty.
+template <class S>
+class BalanceZone {
+ public:
+  using Settings = BalanceZoneSettings;
+
+  explicit BalanceZone(const BodyModel& body, const BalanceZoneSettings& settings = {})
+      : zone_(body),
+        margin_(static_cast<T>(settings.margin)),
+        per_width_(static_cast<T>(0.5 / settings.margin)) {}
+
+  // Forgets the frames seen.
+  void reset() { seen_.reset(); }
+
+  void add(const MotionFrame<S>& frame) {
+    const Vec3<S>& c = frame.centre_of_mass;
+    const S inside = zone_.inside({c.x, S(1), c.z}, frame.angles);
+    // how far outside the margin, of the edge that it is nearest to
+    const S outside = max(S(0), S(margin_) - inside);
+    const S share = min(outside * S(per_width_), S(1));
+    seen_.add(share);
+  }
+
+  [[nodiscard]] S penalty() const { return seen_.penalty(); }
+
+ private:
+  using T = Element<S>;
+
+  SupportZone<S> zone_;
+  T margin_;
+  T per_width_;
+  MeanAndWorst<S> seen_;
+};
+
+}  // namespace shigusa

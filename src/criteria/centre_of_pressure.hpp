@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/criteria.hpp>
+
+#include "criteria/motion_frame.hpp"
+#include "criteria/support_zone.hpp"
+#include "dynamics/inverse_dynamics.hpp"
+
+namespace shigusa {
+
+// How far the motion would have the floor's force outside what the feet stand on, in [0, 1]: no
+// floor gives that, and the body would tip over the edge of its feet, however well its centre of
+// mass stands. With d(t) the moment by which it tips over the edge that it tips over most, 0 where
+// the floor can hold it, as a share of the body's weight times `outside`, held to 1:
+// P = √ mean_t d². Where the floor bears the body's weight, d is how far outside the centre of
+// pressure is. A body without feet, or with feet of no size, has no penalty.
+//
+// Source: the condition that a zero-moment point stays in the support polygon, M. Vukobratović and
+// B. Borovac, Int. J. Humanoid Robotics 1 (2004) 157-173.
+template <class S>
+class PressureZone {
+ public:
+  using Settings = PressureSettings;
+
+  explicit PressureZone(const BodyModel& body, const PressureSettings& settings = {})
+      : zone_(body),
+        per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {}
+
+  // Forgets the frames seen.
+  void reset() {
+    squares_ = S(0);
+    frames_ = 0;
+  }
+
+  void add(const PlacedFrame<S>& frame) {
+    const S tips = max(S(0), -zone_.inside(frame.pressure, frame.angles));  // N·m
+    const S share = min(tips * S(per_outside_), S(1));
+    squares_ = squares_ + share * share;
+    frames_ += 1;
+  }
+
+  [[nodiscard]] S penalty() const {
+    return frames_ == 0 ? S(0) : min(S(1), sqrt(squares_ * S(1.0 / frames_)));
+  }
+
+ private:
+  using T = Element<S>;
+
+  SupportZone<S> zone_;
+  T per_outside_;
+  S squares_{};
+  int frames_ = 0;
+};
+
+}  // namespace shigusa

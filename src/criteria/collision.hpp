@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/criteria.hpp>
+#include <shigusa/motion.hpp>
+#include <shigusa/motion_measures.hpp>
+#include <string>
+#include <vector>
+
+#include "core/check.hpp"
+#include "criteria/mean_and_worst.hpp"
+#include "criteria/motion_frame.hpp"
+#include "kinematics/penetration.hpp"
+
+namespace shigusa {
+
+// What can collide in a body, and by how much it does at the start: that is not held against a
+// motion.
+struct CollisionPairs {
+  struct Pair {
+    int limb = 0;          // capsule
+    int other = 0;         // capsule or obstacle
+    double allowed = 0.0;  // m, depth of the start posture where it is above 0
+    double near = 0.0;  // m², of parts: squared distance of the middles beyond which they are apart
+  };
+  std::vector<Pair> parts;      // limbs and parts of the body
+  std::vector<Pair> obstacles;  // any capsule and an obstacle
+  std::vector<Pair> floor;      // capsules of arms that have a wrist; `other` is not used
+  std::vector<Mat3d> axes;      // (obstacles) R_WO
+};
+[[nodiscard]] CollisionPairs collision_pairs(const BodyModel& body,
+                                             const CollisionSettings& settings);
+
+enum class CollisionKind { part, obstacle, floor };
+
+// Calls visit(pair, kind, depth in m beyond what is allowed) for all that can collide, but for
+// parts that are far from each other in all lanes. `placed` is scratch memory, one for each of the
+// body's capsules.
+template <class S, class Pairs, class Visitor>
+void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obstacle> obstacles,
+                      const Kinematics<S>& kinematics, std::span<PlacedCapsule<S>> placed,
+                      Visitor&& visit) {
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  const auto radius = [&](int c) { return body.capsules()[index(c)].radius; };
+  for (std::size_t c = 0; c < placed.size(); ++c) {
+    placed[c] = placed_capsule(body.capsules()[c], kinematics);
+  }
+  for (auto& pair : pairs.parts) {
+    const Vec3<S> between = placed[index(pair.limb)].middle - placed[index(pair.other)].middle;
+    if (!any(dot(between, between) < S(pair.near))) continue;
+    const S apart = sqrt(square_distance(placed[index(pair.limb)], placed[index(pair.other)]));
+    const double radii = radius(pair.limb) + radius(pair.other);
+    visit(pair, CollisionKind::part, S(radii - pair.allowed) - apart);
+  }
+  for (auto& pair : pairs.obstacles) {
+    const Obstacle& obstacle = obstacles[index(pair.other)];
+    const PlacedCapsule<S>& limb = placed[index(pair.limb)];
+    const auto distance = [&](const Vec3<S>& point) {
+      return obstacle_distance(obstacle, pairs.axes[index(pair.other)], point);
+    };
+    const S ends = min(distance(limb.from), distance(limb.to));
+    const S apart = min(ends, distance(limb.middle));
+    visit(pair, CollisionKind::obstacle, S(radius(pair.limb) - pair.allowed) - apart);
+  }
+  for (auto& pair : pairs.floor) {
+    const PlacedCapsule<S>& limb = placed[index(pair.limb)];
+    const S height = min(limb.from.y, limb.to.y);
+    visit(pair, CollisionKind::floor, S(radius(pair.limb) - pair.allowed) - height);
+  }
+}
+
+// Whether arms pass through the body, and any part through obstacles, or arms that have a wrist
+// through the floor at y = 0, in [0, 1]. With d the depth of the deepest such pair of capsules
+// beyond what it has in the start posture, as a share of `full`, held to [0, 1]:  P = ½ mean_t d +
+// ½ max_t d. An obstacle is asked about a capsule's ends and middle.
+template <class S>
+class Collision {
+ public:
+  using Settings = CollisionSettings;
+
+  explicit Collision(const BodyModel& body, const CollisionSettings& settings = {})
+      : body_(&body),
+        pairs_(collision_pairs(body, settings)),
+        obstacles_(settings.obstacles),
+        per_full_(1.0 / settings.full),
+        placed_(body.capsules().size()) {}
+
+  // Forgets the frames seen.
+  void reset() { seen_.reset(); }
+
+  void add(const PlacedFrame<S>& frame) {
+    const S share = clamp(deepest(frame.kinematics) * S(per_full_), S(0), S(1));
+    seen_.add(share);
+  }
+
+  [[nodiscard]] S penalty() const { return seen_.penalty(); }
+
+ private:
+  [[nodiscard]] S deepest(const Kinematics<S>& kinematics) {
+    S most(0);
+    const auto keep = [&most](const auto&, CollisionKind, const S& depth) {
+      most = max(most, depth);
+    };
+    visit_collisions<S>(*body_, pairs_, obstacles_, kinematics, placed_, keep);
+    return most;
+  }
+
+  const BodyModel* body_;
+  CollisionPairs pairs_;
+  std::vector<Obstacle> obstacles_;
+  double per_full_;
+  std::vector<PlacedCapsule<S>> placed_;
+  MeanAndWorst<S> seen_;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/criteria.hpp>
+#include <vector>
+
+#include "body/coupled_limits.hpp"
+#include "criteria/mean_and_worst.hpp"
+#include "criteria/motion_frame.hpp"
+
+namespace shigusa {
+
+// Part of the way from neutral to a limit, at its end, where discomfort rises steeply.
+inline constexpr double kDiscomfortEnd = 0.12;
+// A limit nearer to neutral than this share of the range is where the joint rests: there knees and
+// elbows are straight.
+inline constexpr double kRestingShare = 0.10;
+
+// How far the joints are from neutral and how near the ends of their range, in [0, 1]. Neutral is
+// upright with hanging arms, all angles 0. With u the share of the way from neutral to the limit
+// on that side, 1 at the limit and beyond:
+//   d(u) = ½ u² + ½ (max(0, u - 0.88) / 0.12)²,   D(t) = mean_i d(u_i(t)),
+//   P = min(1, (½ mean_t D + ½ max_t D) / share).
+// Upper limits grow with the body's couplings. Both parts are those of joint discomfort in
+// Abdel-Malek and Arora, Human Motion Simulation (2013), equations 3.13 to 3.16: a square around
+// neutral, and at either end a term that stays at 0 until the last tenth or so of the range; its
+// (½ sin + 1)^100, over its own maximum, is met by this parabola within 0.16. The weights by groups
+// of joints are left out.
+template <class S>
+class Discomfort {
+ public:
+  using Settings = DiscomfortSettings;
+
+  explicit Discomfort(const BodyModel& body, const DiscomfortSettings& settings = {})
+      : per_share_(1.0 / settings.share), coupled_(body) {
+    for (const Dof& dof : body.dofs()) {
+      const double neutral = clamp_to(0.0, dof.lower, dof.upper);
+      const double resting = kRestingShare * (dof.upper - dof.lower);
+      const double up = dof.upper - neutral;
+      const double down = neutral - dof.lower;
+      ways_.push_back({static_cast<T>(neutral), static_cast<T>(up),
+                       static_cast<T>(up > resting ? 1.0 / up : 0.0),
+                       static_cast<T>(down > resting ? 1.0 / down : 0.0), false});
+    }
+    for (const std::size_t d : coupled_.coupled()) ways_[d].coupled = ways_[d].per_up > T(0);
+  }
+
+  // Forgets the frames seen.
+  void reset() { seen_.reset(); }
+
+  void add(const MotionFrame<S>& frame) {
+    coupled_.update(frame.angles);
+    S discomfort(0);
+    for (std::size_t k = 0; k < ways_.size(); ++k) {
+      const Way& way = ways_[k];
+      const S per_up = way.coupled ? S(1) / (S(way.up) + coupled_.added()[k]) : S(way.per_up);
+      const S from_neutral = frame.angles[k] - S(way.neutral);
+      const S u = clamp(max(from_neutral * per_up, -from_neutral * S(way.per_down)), S(0), S(1));
+      const S end = max(u - S(1.0 - kDiscomfortEnd), S(0)) * S(1.0 / kDiscomfortEnd);
+      discomfort = discomfort + (u * u + end * end);
+    }
+    seen_.add(discomfort);
+  }
+
+  [[nodiscard]] S penalty() const {
+    // half of each of the two terms
+    return seen_.penalty(0.5 * per_share_ / static_cast<double>(ways_.size()));
+  }
+
+ private:
+  using T = Element<S>;
+  struct Way {
+    T neutral;   // rad
+    T up;        // rad, to the upper limit
+    T per_up;    // 1/rad; 0 where the limit is where the joint rests
+    T per_down;  // 1/rad
+    bool coupled;
+  };
+  static double clamp_to(double x, double low, double high) {
+    return x < low ? low : x > high ? high : x;
+  }
+
+  double per_share_;
+  std::vector<Way> ways_;  // (dofs)
+  CoupledLimits<S> coupled_;
+  MeanAndWorst<S> seen_;
+};
+
+}  // namespace shigusa

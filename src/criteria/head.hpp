@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/body_model.hpp>
+#include <shigusa/criteria.hpp>
+
+#include "core/check.hpp"
+#include "criteria/mean_and_worst.hpp"
+#include "criteria/motion_frame.hpp"
+
+namespace shigusa {
+
+// Angle (rad) between the trunk's forward direction and the way from the head to the goal, up to
+// which neck and eyes turn to it whichever way it is: 45° of the neck, its range in flexion and in
+// extension (AAOS), and 35° of the eyes (MIL-STD-1472) …
+inline constexpr double kGazeFree = radians(80);
+// … and where they cannot any more: to the side, where the neck rotates by 60° (AAOS).
+inline constexpr double kGazeLimit = radians(95);
+
+// The same of a body that has a neck: what is left to the eyes.
+inline constexpr double kEyesFree = radians(35);
+inline constexpr double kEyesLimit = radians(60);
+
+// Head and pelvis of a body.
+struct HeadPoints {
+  int head_link = kBaseLink;
+  Vec3d head{};  // m, link frame
+  int pelvis_link = kBaseLink;
+  Vec3d pelvis{};         // m, link frame
+  double distance = 0.0;  // m, between them in the start posture; 0 where the body lacks one
+  bool neck = false;      // the head turns on the trunk
+};
+// By the names of the body's nodes, "head" and "hips".
+[[nodiscard]] HeadPoints head_points(const BodyModel& body);
+
+// Whether the head stays above the pelvis and can look at the goal, in [0, 1]: people who reach to
+// the floor keep their head up and their eyes on the goal, which gaze reaches before the hand does
+// (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
+//   low(t) = 1 - (y_head - y_pelvis) / (height · distance),
+//   away(t) = (cos 80° - cos a) / (cos 80° - cos 95°),
+// each held to [0, 1], a being the angle between the trunk's forward direction and the way from the
+// head to the goal; p(t) = max(low, away);   P = ½ mean_t p + ½ max_t p.
+// Where the head is rigid on its trunk, the neck's share is taken off rather than seen; a body with
+// a neck has a as the angle from where its head faces, and 35° and 60° for the two. A body without
+// these points has no penalty.
+template <class S>
+class Head {
+ public:
+  using Settings = HeadSettings;
+
+  explicit Head(const BodyModel& body, const HeadSettings& settings = {})
+      : points_(head_points(body)),
+        per_height_(points_.distance > 0.0 ? 1.0 / (settings.height * points_.distance) : 0.0),
+        looks_(settings.gaze_target.has_value()),
+        target_(to_scalar<S>(settings.gaze_target.value_or(Vec3d{}))),
+        free_(points_.neck ? kCosEyesFree : kCosFree),
+        per_cosine_(1.0 / (free_ - (points_.neck ? kCosEyesLimit : kCosLimit))) {}
+
+  // Forgets the frames seen.
+  void reset() { seen_.reset(); }
+
+  void add(const PlacedFrame<S>& frame) {
+    if (!(points_.distance > 0.0)) return;
+    const Kinematics<S>& placed = frame.kinematics;
+    const Vec3<S> head = placed.point(points_.head_link, points_.head);
+    const Vec3<S> pelvis = placed.point(points_.pelvis_link, points_.pelvis);
+    S share = S(1) - (head.y - pelvis.y) * S(per_height_);
+    if (looks_) share = max(share, away(placed, head));
+    share = clamp(share, S(0), S(1));
+    seen_.add(share);
+  }
+
+  [[nodiscard]] S penalty() const { return seen_.penalty(); }
+
+ private:
+  // cosines of kGazeFree, kGazeLimit, kEyesFree and kEyesLimit
+  static constexpr double kCosFree = 0.17364817766693;
+  static constexpr double kCosLimit = -0.08715574274766;
+  static constexpr double kCosEyesFree = 0.81915204428899;
+  static constexpr double kCosEyesLimit = 0.5;
+
+  [[nodiscard]] S away(const Kinematics<S>& placed, const Vec3<S>& head) const {
+    const Vec3<S> forward = placed.link_rotation(points_.head_link).cz;
+    const Vec3<S> way = target_ - head;
+    // a goal at the head itself is in no direction
+    const S cosine = dot(forward, way) / max(sqrt(dot(way, way)), S(1e-3));
+    return (S(free_) - cosine) * S(per_cosine_);
+  }
+
+  HeadPoints points_;
+  double per_height_;  // 1/m
+  bool looks_;
+  Vec3<S> target_;  // m, world
+  double free_;     // cosine
+  double per_cosine_;
+  MeanAndWorst<S> seen_;
+};
+
+}  // namespace shigusa

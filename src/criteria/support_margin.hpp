@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/motion_measures.hpp>
+#include <vector>
+
+#include "criteria/motion_frame.hpp"
+#include "criteria/support_zone.hpp"
+
+namespace shigusa {
+
+// Takes a motion frame by frame.
+class SupportMeter {
+ public:
+  explicit SupportMeter(const BodyModel& body);
+
+  void add(const PlacedFrame<double>& frame);
+
+  // (frames), or none of a body without feet, or with feet of no size.
+  [[nodiscard]] const std::vector<SupportFrame>& frames() const { return frames_; }
+  // The least of each. Nothing of a body without feet, or with feet of no size.
+  [[nodiscard]] std::optional<SupportMargins> margins() const;
+
+ private:
+  bool stands_;
+  double per_weight_;  // 1/N
+  SupportZone<double> zone_;
+  std::vector<SupportFrame> frames_;
+  double frame_time_ = 0.0;  // s
+};
+
+// Of a whole motion that is at rest before and after.
+[[nodiscard]] SupportMeter measure_support(const BodyModel& body, const Motion& motion);
+
+}  // namespace shigusa

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "body/body_constants.hpp"
+#include "kinematics/forward_kinematics.hpp"
+
+namespace shigusa {
+
+inline constexpr double kGravity = 9.80665;  // m/s², standard
+
+// A force and its moment about a stated point, world axes.
+template <class S>
+struct Wrench {
+  Vec3<S> force{};   // N
+  Vec3<S> moment{};  // N·m
+};
+
+// Scratch of inverse_dynamics; make one per thread.
+template <class S>
+struct DynamicsWorkspace {
+  // What is known of one rigid piece of the body (BodyConstants::Joint), in its own frame.
+  struct Piece {
+    Vec3<S> spin{};          // rad/s
+    Vec3<S> spin_rate{};     // rad/s²
+    Vec3<S> acceleration{};  // m/s², of the joint's centre, less gravity
+    // 1/s²: times a point's place in the piece, its acceleration beside the centre's; of an upright
+    // piece only cy
+    Mat3<S> turning{};
+    Wrench<S> carried{};  // through the joint, moment about its centre
+  };
+  std::vector<Piece> pieces;
+  // Σ mass · place of the pieces' centres of mass (kg·m, world), the base's included: a by-product
+  Vec3<S> mass_moment{};
+
+  explicit DynamicsWorkspace(const BodyModel& body)
+      : pieces(body.constants<Element<S>>().joints.size()) {}
+};
+
+// Centre of mass of the whole body (m, world) at the placement that inverse_dynamics saw last.
+template <class S>
+[[nodiscard]] Vec3<S> centre_of_mass(const BodyModel& body, const DynamicsWorkspace<S>& work) {
+  return work.mass_moment * S(Element<S>(1) / body.constants<Element<S>>().total_mass);
+}
+
+namespace dynamics_detail {
+
+// column y of [α]× + [ω]× [ω]×
+template <class S>
+[[nodiscard]] Vec3<S> turning_y(const Vec3<S>& spin, const Vec3<S>& rate) {
+  return {spin.x * spin.y - rate.z, -(spin.x * spin.x + spin.z * spin.z), spin.y * spin.z + rate.x};
+}
+
+// [α]× + [ω]× [ω]×: the acceleration of a rigid piece's points, per place
+template <class S>
+[[nodiscard]] Mat3<S> turning(const Vec3<S>& spin, const Vec3<S>& rate) {
+  const S xy = spin.x * spin.y;
+  const S xz = spin.x * spin.z;
+  const S yz = spin.y * spin.z;
+  const S yy = spin.y * spin.y;
+  return {{-(yy + spin.z * spin.z), xy + rate.z, xz - rate.y},
+          turning_y(spin, rate),
+          {xz + rate.y, yz - rate.x, -(spin.x * spin.x + yy)}};
+}
+
+template <class S, class T>
+[[nodiscard]] Vec3<S> cross_place(const Vec3<T>& place, const Vec3<S>& force, bool upright) {
+  if (!upright) return cross(to_scalar<S>(place), force);
+  return {force.z * S(place.y), S(0), -(force.x * S(place.y))};
+}
+
+template <class S>
+[[nodiscard]] S component(const Vec3<S>& v, Axis axis) {
+  return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
+}
+
+// How a piece moves, seen from a frame.
+template <class S>
+struct Movement {
+  Vec3<S> spin{};
+  Vec3<S> spin_rate{};
+  Vec3<S> acceleration{};
+};
+
+// the movement beyond one more freedom, which turns with speed qd and acceleration qdd
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Movement<S> turned_on(const Movement<S>& m, Axis axis,
+                                                               const SinCos<S>& turn, const S& qd,
+                                                               const S& qdd) {
+  Vec3<S> w = turned_back(m.spin, axis, turn);
+  Vec3<S> r = turned_back(m.spin_rate, axis, turn);
+  const Vec3<S> a = turned_back(m.acceleration, axis, turn);
+  switch (axis) {
+    case Axis::x:
+      r += Vec3<S>{qdd, w.z * qd, -(w.y * qd)};
+      w.x = w.x + qd;
+      break;
+    case Axis::y:
+      r += Vec3<S>{-(w.z * qd), qdd, w.x * qd};
+      w.y = w.y + qd;
+      break;
+    default:
+      r += Vec3<S>{w.y * qd, -(w.x * qd), qdd};
+      w.z = w.z + qd;
+  }
+  return {w, r, a};
+}
+
+// the movement seen from a frame that is turned against the one before by the inverse of `to`
+template <class S, class T>
+[[nodiscard]] Movement<S> seen_from(const Movement<S>& m, const Mat3<T>& to) {
+  const Mat3<S> r = to_scalar<S>(to);
+  return {r * m.spin, r * m.spin_rate, r * m.acceleration};
+}
+
+// moment that turning the piece takes, about its centre of mass: I α + ω × I ω
+template <class S, class Joint>
+[[nodiscard]] Vec3<S> spinning_moment(const Joint& joint, const Vec3<S>& spin,
+                                      const Vec3<S>& rate) {
+  if (!joint.principal) {
+    const Mat3<S> inertia = to_scalar<S>(joint.inertia);
+    return inertia * rate + cross(spin, inertia * spin);
+  }
+  return {rate.x * S(joint.inertia.cx.x) + spin.y * spin.z * S(joint.gyroscopic.x),
+          rate.y * S(joint.inertia.cy.y) + spin.x * spin.z * S(joint.gyroscopic.y),
+          rate.z * S(joint.inertia.cz.z) + spin.x * spin.y * S(joint.gyroscopic.z)};
+}
+
+}  // namespace dynamics_detail
+
+// Joint torques of a body on its fixed base by the recursive Newton-Euler algorithm: tau_i is what
+// joint i must give (N·m, positive towards larger angles) for the speeds qd (rad/s) and
+// accelerations qdd (rad/s²) at the placement `kinematics`, under gravity along -Y. Returns the
+// wrench that the floor gives to the base, moment about the world's origin.
+// Source: R. Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5; each piece in its own
+// frame, where its constants are mostly 0.
+template <class S>
+Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematics,
+                           std::span<const S> qd, std::span<const S> qdd,
+                           DynamicsWorkspace<S>& work, std::span<S> tau) {
+  using namespace dynamics_detail;
+  const BodyConstants<Element<S>>& constants = body.constants<Element<S>>();
+  const std::size_t count = constants.joints.size();
+  // accelerating upwards by g replaces the weight
+  const Vec3<S> lift = transpose_times(kinematics.base_rotation, Vec3<S>{S(0), S(kGravity), S(0)});
+  Vec3<S> mass_moment = kinematics.point(kBaseLink, constants.base_com) * S(constants.base_mass);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& joint = constants.joints[i];
+    auto& piece = work.pieces[i];
+    const auto first = static_cast<std::size_t>(joint.first);
+    Movement<S> m{{}, {}, lift};
+    if (joint.parent >= 0) {
+      const auto p = static_cast<std::size_t>(joint.parent);
+      const auto& parent = work.pieces[p];
+      m = {parent.spin, parent.spin_rate,
+           parent.acceleration +
+               times_place(parent.turning, constants.dofs[first].offset, joint.hangs)};
+    }
+    if (joint.slants) m = seen_from(m, transpose(constants.turns[i]));
+    for (std::size_t d = first; d <= static_cast<std::size_t>(joint.link); ++d) {
+      const auto& dof = constants.dofs[d];
+      m = turned_on(m, dof.axis, kinematics.turn[d], dof.negative ? -qd[d] : qd[d],
+                    dof.negative ? -qdd[d] : qdd[d]);
+    }
+    if (joint.slants) m = seen_from(m, constants.turns[i]);
+    piece.spin = m.spin;
+    piece.spin_rate = m.spin_rate;
+    piece.acceleration = m.acceleration;
+    Mat3<S> turns{{}, {}, {}};
+    if (joint.upright) {
+      turns.cy = turning_y(m.spin, m.spin_rate);
+      piece.turning.cy = turns.cy;
+    } else {
+      turns = turning(m.spin, m.spin_rate);
+      piece.turning = turns;
+    }
+    if (!joint.massive) {
+      piece.carried = {};
+      continue;
+    }
+    const auto link = static_cast<std::size_t>(joint.link);
+    const Vec3<S> force =
+        (m.acceleration + times_place(turns, joint.com, joint.upright)) * S(joint.mass);
+    piece.carried = {force, spinning_moment(joint, m.spin, m.spin_rate) +
+                                cross_place(joint.com, force, joint.upright)};
+    mass_moment += (kinematics.origin[link] +
+                    times_place(kinematics.rotation[link], joint.com, joint.upright)) *
+                   S(joint.mass);
+  }
+  work.mass_moment = mass_moment;
+  Wrench<S> base;
+  base.force = lift * S(constants.base_mass);
+  base.moment = cross(to_scalar<S>(constants.base_com), base.force);
+  // what a joint passes on to the one before it need not go through memory
+  Vec3<S> passed_force{};
+  Vec3<S> passed_moment{};
+  for (std::size_t i = count; i-- > 0;) {
+    const auto& joint = constants.joints[i];
+    const auto first = static_cast<std::size_t>(joint.first);
+    Vec3<S> force = work.pieces[i].carried.force + passed_force;
+    Vec3<S> moment = work.pieces[i].carried.moment + passed_moment;
+    if (joint.slants) {
+      const Mat3<S> turn = to_scalar<S>(constants.turns[i]);
+      force = transpose_times(turn, force);
+      moment = transpose_times(turn, moment);
+    }
+    for (std::size_t d = static_cast<std::size_t>(joint.link) + 1; d-- > first;) {
+      const auto& dof = constants.dofs[d];
+      const S along = component(moment, dof.axis);
+      tau[d] = dof.negative ? -along : along;
+      force = turned(force, dof.axis, kinematics.turn[d]);
+      moment = turned(moment, dof.axis, kinematics.turn[d]);
+    }
+    if (joint.slants) {
+      const Mat3<S> turn = to_scalar<S>(constants.turns[i]);
+      force = turn * force;
+      moment = turn * moment;
+    }
+    const bool at_base = joint.parent < 0;
+    const auto p = static_cast<std::size_t>(at_base ? 0 : joint.parent);
+    moment += cross_place(constants.dofs[first].offset, force, joint.hangs);
+    const bool next = !at_base && p + 1 == i;
+    passed_force = next ? force : Vec3<S>{};
+    passed_moment = next ? moment : Vec3<S>{};
+    if (next) continue;
+    Wrench<S>& to = at_base ? base : work.pieces[p].carried;
+    to.force += force;
+    to.moment += moment;
+  }
+  base.force = kinematics.base_rotation * base.force;
+  base.moment = kinematics.base_rotation * base.moment + cross(kinematics.base_origin, base.force);
+  return base;
+}
+
+}  // namespace shigusa

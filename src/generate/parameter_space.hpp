@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "body/posture_modes.hpp"
+#include "layers/plan.hpp"
+#include "rollout/motion_input.hpp"
+#include "rollout/reach_problem.hpp"
+
+namespace shigusa {
+
+// What a point of a search's unit cube means.
+enum class GeneCode {
+  paper,        // a 4-bit weight 0..15 for each freedom, 0 locks it
+  logarithmic,  // a weight for each freedom, even in its logarithm
+  natural,      // logarithmic weights, postures, bow and sway: see ParameterSpace
+  every,        // these, and delay and skew, which bring no search anything (docs/experiments.md)
+};
+
+// The parameters that a search looks for. The natural code has one weight for each freedom that
+// moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
+// mode that moves one of these; bow and sway. Of two phases it has the weights and modes of the
+// later one too, and the switch. What is fixed is no coordinate, or of the paper's code one that
+// changes nothing.
+class ParameterSpace {
+ public:
+  // Two phases have the natural code alone.
+  ParameterSpace(const ReachProblem& problem, GeneCode code,
+                 const std::optional<FixedParameters>& fixed = {}, int phases = 1);
+
+  [[nodiscard]] int genes() const { return static_cast<int>(genes_.size()); }
+  // What each coordinate is: "right_knee.flexion", "squat", "delay", "later.squat", "switch".
+  [[nodiscard]] std::vector<std::string> names() const;
+  // (genes) the plain pseudo-inverse on a straight path, in both phases.
+  [[nodiscard]] std::vector<double> start() const;
+  [[nodiscard]] Parameters decode(std::span<const double> point) const;
+
+  // Index of the coordinate of that name, or -1.
+  [[nodiscard]] int find(std::string_view name) const;
+  // Where a coordinate is when its parameter has that value, held to [0, 1].
+  [[nodiscard]] double coordinate(int gene, double value) const;
+
+  // The same of many points, one after the other, as BatchRollout takes them; valid until the next
+  // call.
+  [[nodiscard]] MotionInputs rows(std::span<const double> points);
+
+ private:
+  struct Gene {
+    ParameterKind kind = ParameterKind::weight;
+    std::string name;
+    std::vector<std::size_t> dofs{};  // whose weight it is
+    std::size_t index = 0;            // of the freedom, the posture mode or the timing
+    double lower = 0.0;               // of what x = 0 stands for; the logarithm of a weight
+    double upper = 1.0;
+    bool later = false;  // of the later phase
+    double start = 0.0;  // what the search starts from
+
+    [[nodiscard]] double at(double x) const { return lower + x * (upper - lower); }
+    [[nodiscard]] double of(double value) const { return (value - lower) / (upper - lower); }
+  };
+
+  // `useful`: (dofs) which move a target: the others do nothing in weighted IK
+  void add(const Parameter& parameter, const std::vector<bool>& useful);
+  void add_weight(Gene gene, const std::vector<bool>& useful);
+  void start_rows(const Parameters& base, std::size_t motions);
+  void fill_row(std::size_t row, std::span<const double> point);
+
+  void keep_fixed(Parameters& parameters) const;
+
+  const BodyModel* body_;
+  GeneCode code_;
+  bool named_;  // weights and postures by what they mean
+  FixedParameters fixed_;
+  std::vector<bool> fixed_joints_;
+  std::vector<bool> fixed_later_joints_;
+  bool posed_;  // motions have a posture
+  std::vector<PostureMode> modes_;
+  std::vector<Gene> genes_;
+  std::vector<float> weights_;
+  std::vector<float> postures_;
+  std::vector<float> timing_;
+  std::vector<float> later_weights_;
+  std::vector<float> later_postures_;
+  std::vector<float> switches_;
+};
+
+}  // namespace shigusa

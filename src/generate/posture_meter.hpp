@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <shigusa/body_model.hpp>
+#include <shigusa/verdict.hpp>
+#include <span>
+
+#include "kinematics/forward_kinematics.hpp"
+
+namespace shigusa {
+
+// Measures postures of one body, which outlives it, beside its start.
+class PostureMeter {
+ public:
+  explicit PostureMeter(const BodyModel& body);
+
+  // Of angles (dofs, rad); `effector` is the index of the hand that the elbow belongs to.
+  [[nodiscard]] FinalPosture measure(std::span<const double> angles, int effector);
+  // The stoop-squat index alone.
+  [[nodiscard]] std::optional<double> index(std::span<const double> angles);
+
+ private:
+  enum Place { kLeftHip, kRightHip, kLeftShoulder, kRightShoulder, kLeftElbow, kRightElbow };
+  static constexpr std::size_t kPlaces = 8;  // and the wrists, in the same order
+
+  [[nodiscard]] bool known(std::size_t place) const { return nodes_[place] != nullptr; }
+  [[nodiscard]] Vec3d at(std::size_t place) const;
+  [[nodiscard]] Vec3d between(std::size_t left) const;  // that place and the next, or one of them
+  [[nodiscard]] std::optional<double> index_now() const;
+  [[nodiscard]] double heading() const;
+  [[nodiscard]] double elbow_swivel(int effector) const;
+
+  const BodyModel& body_;
+  std::array<const BodyNode*, kPlaces> nodes_{};
+  Kinematics<double> kinematics_;
+  double hip_height_ = 0.0;       // m, at the start …
+  double shoulder_height_ = 0.0;  // m …
+  double heading_ = 0.0;          // rad
+};
+
+}  // namespace shigusa

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body_model.hpp>
+#include <shigusa/goal.hpp>
+#include <vector>
+
+#include "kinematics/forward_kinematics.hpp"
+
+namespace shigusa {
+
+// Nearest points of two line segments.
+struct SegmentPair {
+  Vec3d on_a{};
+  Vec3d on_b{};
+};
+
+// The points of the segments a0-a1 and b0-b1 that are nearest to each other; of equally near ones
+// any. Segments may be points.
+[[nodiscard]] SegmentPair nearest_points(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0,
+                                         const Vec3d& b1);
+
+// Two capsules of a body (indices) that should not meet: one of an effector's limb, but not of its
+// first segment, which its joint holds to the trunk, and one that the limb does not move.
+struct CapsulePair {
+  int limb = 0;
+  int part = 0;
+};
+// Those of one effector's limb.
+[[nodiscard]] std::vector<CapsulePair> limb_pairs(const BodyModel& body, const Effector& effector);
+// Those of one leg and the other.
+[[nodiscard]] std::vector<CapsulePair> leg_pairs(const BodyModel& body);
+// Those of all arms and of the legs, each pair once.
+[[nodiscard]] std::vector<CapsulePair> all_limb_pairs(const BodyModel& body);
+
+// How deep a limb is inside the rest of the body.
+struct Penetration {
+  double depth = -1e9;  // m; negative: that far apart
+  Vec3d outward{};      // unit vector, world: the shortest way out for the limb
+};
+
+// The deepest of the effector's pairs.
+[[nodiscard]] Penetration limb_penetration(const BodyModel& body,
+                                           const Kinematics<double>& kinematics,
+                                           const Effector& effector);
+
+// A capsule's ends and middle in the world (m).
+template <class S>
+struct PlacedCapsule {
+  Vec3<S> from{};
+  Vec3<S> to{};
+  Vec3<S> middle{};
+};
+template <class S>
+[[nodiscard]] PlacedCapsule<S> placed_capsule(const Capsule& capsule,
+                                              const Kinematics<S>& kinematics) {
+  const Vec3<S> from = kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.from));
+  const Vec3<S> to = kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.to));
+  return {from, to, (from + to) * S(0.5)};
+}
+
+// Squared distance (m²) of two segments, which may be points. Of parallel ones, that at some point
+// which both have beside each other.
+template <class S>
+[[nodiscard]] S square_distance(const PlacedCapsule<S>& a, const PlacedCapsule<S>& b) {
+  const Vec3<S> along_a = a.to - a.from;
+  const Vec3<S> along_b = b.to - b.from;
+  const Vec3<S> between = a.from - b.from;
+  constexpr double kPoint = 1e-12;  // m², so that a point is divided by something
+  const S aa = max(dot(along_a, along_a), S(kPoint));
+  const S bb = max(dot(along_b, along_b), S(kPoint));
+  const S ab = dot(along_a, along_b);
+  const S a_between = dot(along_a, between);
+  const S b_between = dot(along_b, between);
+  const S square = aa * bb;
+  const S lines = (ab * b_between - bb * a_between) / max(square - ab * ab, square * S(1e-6));
+  const S t = clamp((ab * clamp(lines, S(0), S(1)) + b_between) / bb, S(0), S(1));
+  const S s = clamp((ab * t - a_between) / aa, S(0), S(1));
+  const Vec3<S> apart = between + along_a * s - along_b * t;
+  return dot(apart, apart);
+}
+
+// Signed distance (m) of a point from an obstacle, less than 0 inside. axes: R_WO of its rotation.
+template <class S>
+[[nodiscard]] S obstacle_distance(const Obstacle& obstacle, const Mat3d& axes,
+                                  const Vec3<S>& point) {
+  const Vec3<S> p = transpose_times(to_scalar<S>(axes), point - to_scalar<S>(obstacle.position));
+  const Vec3d half = obstacle.size * 0.5;
+  const Vec3<S> over{abs(p.x) - S(half.x), abs(p.y) - S(half.y), abs(p.z) - S(half.z)};
+  const Vec3<S> outside{max(over.x, S(0)), max(over.y, S(0)), max(over.z, S(0))};
+  const S inside = min(max(over.x, max(over.y, over.z)), S(0));
+  return sqrt(dot(outside, outside)) + inside - S(obstacle.radius);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "body/body_constants.hpp"
+#include "core/check.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "math/ldlt.hpp"
+#include "motion/effector_turn.hpp"
+
+namespace shigusa {
+
+// Where one point of the body is to be, and how its link is to be turned. A contact is met exactly
+// and also keeps its orientation; a goal gives way (is damped) where it cannot be met.
+template <class S>
+struct IkTarget {
+  int link = 0;
+  Vec3<Element<S>> point{};  // m, in the link frame
+  Vec3<S> position{};        // m, world: where the point is to be
+  bool contact = false;      // a planted foot: position and orientation
+  Mat3<S> orientation{};     // R_WL wanted of the link; of contacts and Turning::whole
+  S lag{};                   // m, how far the goal was missed before: raises its damping
+  // What the step is known to fall short by, as joints move on arcs; added to the way that is left.
+  Vec3<S> lead{};                   // m
+  Vec3<S> tilt_lead{};              // rad; read where turns() is true
+  Turning turning = Turning::free;  // of a goal
+  Vec3<Element<S>> axis{};          // of Turning::axis: unit vector in the link's frame …
+  Vec3<S> direction{};              // … and where it is to point, unit vector in the world
+
+  [[nodiscard]] bool turns() const { return contact || turning != Turning::free; }
+};
+
+struct IkSettings {
+  // Damping of the goals, as a share of the mean diagonal of J W⁻¹ Jᵀ: what is always there …
+  double damping = 1e-6;
+  // … and what is added where the goal lags behind by `lag_scale`; grows with the lag squared.
+  double lag_damping = 1.0;
+  double lag_scale = 0.1;  // m
+  // Contacts are all but undamped: just enough for redundant rows.
+  double contact_damping = 1e-9;
+  double max_step = 0.25;  // rad, no angle changes by more in one step
+};
+
+// Size of the largest system: a foot and two hands that turn × 6 rows, head and hips × 3 rows.
+inline constexpr int kMaxIkRows = 24;
+// Pivots below this share of the diagonal are rounding: their rows depend on others.
+template <class T>
+inline constexpr double kIkPivotFloor = 1e-14;
+template <>
+inline constexpr double kIkPivotFloor<float> = 1e-7;
+// m; one radian of a contact's tilt counts as this much displacement, about a foot's half length.
+inline constexpr double kContactLength = 0.1;
+
+// Scratch of weighted_ik_step; make one per thread.
+template <class S>
+struct IkWorkspace {
+  // A target has a block of three rows for its position, and one that turns another for that. Of a
+  // block's columns only those along the chain of dofs that move the target are not 0.
+  struct Block {
+    std::span<const int> chain;
+    const Vec3<S>* columns = nullptr;  // (dofs), of those in the chain: m/rad, or a tilt's axis
+    Element<S> scale{1};               // m/rad that a tilt counts as; 1 of a position
+  };
+  std::vector<Vec3<S>> columns;  // of positions, and of turns about two axes, (blocks × dofs)
+  Block blocks[kMaxIkRows / 3];
+  std::vector<S> pull;  // (dofs) Jᵀ y: times the inverse weight, the step of the last solve
+  SmallSymmetric<S, kMaxIkRows> system;
+  S residual[kMaxIkRows];
+
+  explicit IkWorkspace(const BodyModel& body)
+      : columns(body.dofs().size() * kMaxIkRows / 3), pull(body.dofs().size()) {}
+};
+
+// How far the target's point is from where it is to be (m, world).
+template <class S>
+[[nodiscard]] Vec3<S> position_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
+  return target.position - kinematics.point(target.link, target.point);
+}
+
+// How a contact's link must turn to have its orientation again (rad for small ones, world).
+template <class S>
+[[nodiscard]] Vec3<S> tilt_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
+  return rotation_sine(kinematics.link_rotation(target.link), target.orientation);
+}
+
+// How far a contact's link is turned from its orientation (rad for small turns, see
+// rotation_chord).
+template <class S>
+[[nodiscard]] S tilt(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
+  return rotation_chord(kinematics.link_rotation(target.link), target.orientation);
+}
+
+// How the link must turn to have what the target wants of its orientation (rotation vector, rad,
+// world); of contacts as tilt_error.
+template <class S>
+[[nodiscard]] Vec3<S> turn_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
+  const Mat3<S>& now = kinematics.link_rotation(target.link);
+  if (target.contact) return tilt_error(kinematics, target);
+  if (target.turning == Turning::axis) {
+    return turn_between(now * to_scalar<S>(target.axis), target.direction);
+  }
+  return rotation_vector(target.orientation * transpose(now));
+}
+
+// Rows that a target takes in the IK.
+template <class S>
+[[nodiscard]] int row_count(const IkTarget<S>& target) {
+  return target.turns() ? 6 : 3;
+}
+
+namespace ik_detail {
+
+template <class S>
+[[nodiscard]] int row_count(std::span<const IkTarget<S>> targets) {
+  int rows = 0;
+  for (const IkTarget<S>& target : targets) rows += shigusa::row_count(target);
+  return rows;
+}
+
+template <class S>
+void put(S* rows, const Vec3<S>& v) {
+  rows[0] = v.x;
+  rows[1] = v.y;
+  rows[2] = v.z;
+}
+
+// fills the blocks and the residual, target by target
+template <class S>
+void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
+               std::span<const IkTarget<S>> targets, IkWorkspace<S>& workspace) {
+  const auto& dofs = body.constants<Element<S>>().dofs;
+  Vec3<S>* columns = workspace.columns.data();
+  std::size_t b = 0;
+  for (const IkTarget<S>& target : targets) {
+    const std::span<const int> chain = body.chain(target.link);
+    const Vec3<S> at = kinematics.point(target.link, target.point);
+    put(workspace.residual + 3 * b, target.position - at + target.lead);
+    workspace.blocks[b++] = {chain, columns, Element<S>(1)};
+    Vec3<S> arm{};  // from the joint
+    for (const int d : chain) {
+      const auto k = static_cast<std::size_t>(d);
+      if (dofs[k].starts_joint) arm = at - kinematics.origin[k];
+      columns[k] = cross(kinematics.axis[k], arm);
+    }
+    columns += dofs.size();
+    if (!target.turns()) continue;
+    const Vec3<S> tilt = turn_error(kinematics, target) + target.tilt_lead;
+    put(workspace.residual + 3 * b, tilt * S(kContactLength));
+    const Vec3<S>* axes = kinematics.axis.data();
+    if (target.turning == Turning::axis) {
+      // a turn about the axis itself changes nothing: of each joint's only what is square to it
+      const Vec3<S> along = kinematics.link_rotation(target.link) * to_scalar<S>(target.axis);
+      for (const int d : chain) {
+        const auto k = static_cast<std::size_t>(d);
+        columns[k] = axes[k] - along * dot(along, axes[k]);
+      }
+      axes = columns;
+      columns += dofs.size();
+    }
+    workspace.blocks[b++] = {chain, axes, static_cast<Element<S>>(kContactLength)};
+  }
+}
+
+// one 3 × 3 block of J A Jᵀ, below the diagonal: Σ a_d A_d b_dᵀ over the dofs of the chain
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Mat3<S> block_product(const Vec3<S>* a, const Vec3<S>* b,
+                                                               std::span<const int> chain,
+                                                               std::span<const S> inverse_weights) {
+  Vec3<S> x{};
+  Vec3<S> y{};
+  Vec3<S> z{};
+  for (const int dof : chain) {
+    const auto d = static_cast<std::size_t>(dof);
+    const Vec3<S> weighted = b[d] * inverse_weights[d];
+    x += a[d] * weighted.x;
+    y += a[d] * weighted.y;
+    z += a[d] * weighted.z;
+  }
+  return {x, y, z};
+}
+
+// the same on the diagonal, where the block is symmetric; what lies above its diagonal stays 0
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Mat3<S> square_product(
+    const Vec3<S>* a, std::span<const int> chain, std::span<const S> inverse_weights) {
+  Vec3<S> x{};
+  S yy(0);
+  S yz(0);
+  S zz(0);
+  for (const int dof : chain) {
+    const auto d = static_cast<std::size_t>(dof);
+    const Vec3<S> weighted = a[d] * inverse_weights[d];
+    x += a[d] * weighted.x;
+    yy = yy + a[d].y * weighted.y;
+    yz = yz + a[d].z * weighted.y;
+    zz = zz + a[d].z * weighted.z;
+  }
+  return {x, {S(0), yy, yz}, {S(0), S(0), zz}};
+}
+
+template <class S>
+void scale_block(Mat3<S>& m, S scale) {
+  m = {m.cx * scale, m.cy * scale, m.cz * scale};
+}
+
+// fills J A Jᵀ, block by block: chains of two targets share what lies before they part
+template <class S>
+void fill_products(int blocks, std::span<const S> inverse_weights, IkWorkspace<S>& workspace) {
+  for (int i = 0; i < blocks; ++i) {
+    const auto& a = workspace.blocks[i];
+    for (int j = 0; j <= i; ++j) {
+      const auto& b = workspace.blocks[j];
+      const Element<S> scale = a.scale * b.scale;
+      if (i == j) {
+        Mat3<S> m = square_product(a.columns, a.chain, inverse_weights);
+        if (scale != Element<S>(1)) scale_block(m, S(scale));
+        workspace.system(3 * i, 3 * i) = m.cx.x;
+        workspace.system(3 * i + 1, 3 * i) = m.cx.y;
+        workspace.system(3 * i + 1, 3 * i + 1) = m.cy.y;
+        put(&workspace.system(3 * i + 2, 3 * i), {m.cx.z, m.cy.z, m.cz.z});
+        continue;
+      }
+      const std::size_t most = a.chain.size() < b.chain.size() ? a.chain.size() : b.chain.size();
+      std::size_t shared = 0;
+      while (shared < most && a.chain[shared] == b.chain[shared]) ++shared;
+      Mat3<S> m = block_product(a.columns, b.columns, a.chain.first(shared), inverse_weights);
+      if (scale != Element<S>(1)) scale_block(m, S(scale));
+      put(&workspace.system(3 * i, 3 * j), {m.cx.x, m.cy.x, m.cz.x});
+      put(&workspace.system(3 * i + 1, 3 * j), {m.cx.y, m.cy.y, m.cz.y});
+      put(&workspace.system(3 * i + 2, 3 * j), {m.cx.z, m.cy.z, m.cz.z});
+    }
+  }
+}
+
+// e - J Δq_ref, without the locked dofs' part
+template <class S>
+void take_off_reference(int blocks, std::span<const S> inverse_weights,
+                        std::span<const S> reference, IkWorkspace<S>& workspace) {
+  for (int b = 0; b < blocks; ++b) {
+    const auto& block = workspace.blocks[b];
+    Vec3<S> done{};
+    for (const int dof : block.chain) {
+      const auto d = static_cast<std::size_t>(dof);
+      done += block.columns[d] * select(inverse_weights[d] > S(0), reference[d], S(0));
+    }
+    S* residual = workspace.residual + 3 * b;
+    put(residual, Vec3<S>{residual[0], residual[1], residual[2]} - done * S(block.scale));
+  }
+}
+
+// solves the system for the residual in place
+template <class S>
+void solve(int rows, S pivot_floor, IkWorkspace<S>& workspace) {
+  switch (rows) {
+    case 3:  // a hand
+      return ldlt_solve_fixed<3>(workspace.system, workspace.residual, pivot_floor);
+    case 6:  // two hands, or a foot
+      return ldlt_solve_fixed<6>(workspace.system, workspace.residual, pivot_floor);
+    case 9:  // a hand and a foot
+      return ldlt_solve_fixed<9>(workspace.system, workspace.residual, pivot_floor);
+    case 12:  // two hands and a foot
+      return ldlt_solve_fixed<12>(workspace.system, workspace.residual, pivot_floor);
+    default:
+      return ldlt_solve(workspace.system, workspace.residual, rows, pivot_floor);
+  }
+}
+
+// adds the damping of each target to its rows; returns the largest mean diagonal of a target
+template <class S>
+S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
+              IkWorkspace<S>& workspace) {
+  int row = 0;
+  S largest(0);
+  for (const IkTarget<S>& target : targets) {
+    const int count = shigusa::row_count(target);
+    S trace(0);
+    for (int i = row; i < row + count; ++i) trace = trace + workspace.system(i, i);
+    const S mean = trace * S(1.0 / count);
+    const S ratio = target.lag * S(1.0 / settings.lag_scale);
+    const S share = target.contact ? S(settings.contact_damping)
+                                   : S(settings.damping) + S(settings.lag_damping) * ratio * ratio;
+    const S added = share * mean;
+    for (int i = row; i < row + count; ++i) workspace.system(i, i) = workspace.system(i, i) + added;
+    largest = max(largest, mean);
+    row += count;
+  }
+  return largest;
+}
+
+}  // namespace ik_detail
+
+// One step of weighted inverse kinematics (paper, section 3; rule R6):
+//
+//   min Σ w_i (Δq_i - Δq_ref,i)²   s.t.   J Δq = e,
+//   Δq = Δq_ref + A Jᵀ (J A Jᵀ + D)⁻¹ (e - J Δq_ref),   A = diag(1 / w_i), 0 where locked,
+//
+// where e is the whole way from where the points are to where they are to be (closed loop with
+// gain 1), with the targets' leads, and D damps the goals, not the contacts. The step is scaled
+// down as a whole where an angle would change by more than settings.max_step. Scaling all weights
+// changes nothing.
+//
+// inverse_weights (dofs): 1 / w_i > 0, or 0 for a locked joint, which then does not move at all.
+// reference (dofs, rad) or empty. At most kMaxIkRows rows in all. Result: dq (dofs, rad).
+template <class S>
+void weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
+                      std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
+                      std::span<const S> reference, const IkSettings& settings,
+                      IkWorkspace<S>& workspace, std::span<S> dq) {
+  const int rows = ik_detail::row_count(targets);
+  SHG_CHECK(rows <= kMaxIkRows, "too many goals for one motion");
+  const int blocks = rows / 3;
+  ik_detail::fill_rows(body, kinematics, targets, workspace);
+  ik_detail::fill_products(blocks, inverse_weights, workspace);
+  const S diagonal = ik_detail::add_damping(targets, settings, workspace);
+  if (!reference.empty()) {
+    ik_detail::take_off_reference(blocks, inverse_weights, reference, workspace);
+  }
+  ik_detail::solve(rows, diagonal * S(kIkPivotFloor<Element<S>>), workspace);
+  for (S& pull : workspace.pull) pull = S(0);
+  for (int b = 0; b < blocks; ++b) {
+    const auto& block = workspace.blocks[b];
+    const Vec3<S> force = Vec3<S>{workspace.residual[3 * b], workspace.residual[3 * b + 1],
+                                  workspace.residual[3 * b + 2]} *
+                          S(block.scale);
+    for (const int dof : block.chain) {
+      const auto d = static_cast<std::size_t>(dof);
+      workspace.pull[d] = workspace.pull[d] + dot(block.columns[d], force);
+    }
+  }
+  S largest(0);
+  for (std::size_t d = 0; d < dq.size(); ++d) {
+    dq[d] = workspace.pull[d] * inverse_weights[d];
+    if (!reference.empty()) {
+      dq[d] = dq[d] + select(inverse_weights[d] > S(0), reference[d], S(0));
+    }
+    largest = max(largest, abs(dq[d]));
+  }
+  const S limit(settings.max_step);
+  const S scale = limit / max(largest, limit);
+  for (S& step : dq) step = step * scale;
+}
+
+}  // namespace shigusa

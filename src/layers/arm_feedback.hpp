@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/criteria.hpp>
+
+#include "layers/arm_search.hpp"
+#include "layers/layered_player.hpp"
+
+namespace shigusa {
+
+// Rule R11: a forearm that passes deeper than kCollisionDepth into the rest of the body, and deeper
+// than at the start, goes back to the lower layer, which searches the arm anew with a penalty
+// P = min(1, depth / kCollisionFull) of this weight …
+inline constexpr double kCollisionWeight = 0.5;
+// … that is so many times as heavy in each further round, of kCollisionRounds.
+inline constexpr double kCollisionGrowth = 4.0;
+
+// The deepest that a goal's forearm and hand are inside the rest of the body at any frame (m, less
+// what they are at the start, if they are; negative: that far apart).
+[[nodiscard]] double collision_depth(const BodyModel& body, const Clip& clip,
+                                     const Effector& effector);
+
+// What the lower layer is told for its search: one motion of the upper layer.
+struct ArmFeedback {
+  const BodyModel* arm = nullptr;  // an arm_body
+  HandPath path;
+  EffectorTurn turn{};    // of the hand at the end, in the frame of `path`
+  double duration = 1.0;  // s
+  // the capsules of the rest of the body, frame after frame, in the frame of `path`; (frames)
+  std::vector<std::vector<Capsule>> obstacles;
+  std::vector<Capsule> limb;  // of the arm from the elbow on, by its own links
+};
+
+// `clip` is the whole body's motion, in which the arm may be anything; `turn` is of a hand that
+// turns.
+[[nodiscard]] ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal,
+                                       const HandPath& path, const Clip& clip,
+                                       const EffectorTurn& turn = {});
+
+// How deep the arm gets from the elbow on (m, at least 0, less what it is at the start) in what is
+// told of in a motion of the arm alone; 0 where nothing is. `placed` is scratch memory.
+[[nodiscard]] double depth_along(const ArmFeedback& feedback, const Clip& clip,
+                                 Kinematics<double>& placed);
+
+// How deep (m, as collision_depth) the hand is in the body on its path whatever the arm does: with
+// more than kCollisionDepth no search of the arm helps.
+[[nodiscard]] double unavoidable_depth(const ArmFeedback& feedback);
+
+// The genome that moves the arm along the path best by the lower layer's criteria, penetration
+// counted by `weight`. Nothing where none can follow the path.
+[[nodiscard]] std::optional<FoundArm> search_free_arm(const ArmFeedback& feedback,
+                                                      const CriteriaSettings& criteria,
+                                                      double weight, LimbSearch search,
+                                                      int threads);
+
+}  // namespace shigusa

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/motion.hpp>
+
+#include "dynamics/inverse_dynamics.hpp"
+
+namespace shigusa {
+
+// What a body's joint angles take: torques and centre of mass of each frame, as a rollout of the
+// whole body finds them. Holds its scratch memory: make one per thread. The body outlives it.
+class ClipDynamics {
+ public:
+  explicit ClipDynamics(const BodyModel& body);
+
+  // The motion of the clip, without effectors.
+  [[nodiscard]] Motion completed(Clip clip);
+
+ private:
+  const BodyModel* body_;
+  Kinematics<double> placed_;
+  DynamicsWorkspace<double> work_;
+  std::vector<double> speeds_;
+  std::vector<double> accelerations_;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/mat3.hpp>
+
+namespace shigusa {
+
+// What a goal wants of the orientation of an effector's link.
+enum class Turning {
+  free,   // nothing
+  whole,  // all of it
+  axis,   // where one of its axes points; it may turn about that
+};
+
+// How an effector turns on its way: by the shortest turn, with the minimum-jerk profile.
+struct EffectorTurn {
+  Turning kind = Turning::free;
+  Mat3d start{};             // R_WL in the start posture
+  Mat3d goal{};              // R_WL wanted; of Turning::whole
+  Vec3d axis{0, 0, 1};       // unit vector in the link's frame; of Turning::axis …
+  Vec3d direction{0, 1, 0};  // … and where it is to point, unit vector in the world
+
+  // What is wanted at tau = time / duration in [0, 1]: R_WL, and of Turning::axis a turn whose x is
+  // the axis' direction.
+  [[nodiscard]] Mat3d at(double tau) const;
+
+  // How far the orientation R_WL is from the one wanted at the end: rad, in 0..π.
+  [[nodiscard]] double miss(const Mat3d& orientation) const;
+
+  // The same turn to where the orientation R_WL has it.
+  [[nodiscard]] EffectorTurn ending_at(const Mat3d& orientation) const;
+};
+
+// Rotation by a rotation vector (axis · angle, rad).
+[[nodiscard]] Mat3d rotation_by(const Vec3d& vector);
+
+// The shortest turn (rotation vector, rad, in their frame) that takes unit vector a to b; of
+// opposite ones it is about any axis square to them.
+template <class S>
+[[nodiscard]] Vec3<S> turn_between(const Vec3<S>& a, const Vec3<S>& b) {
+  const Vec3<S> across = cross(a, b);
+  const S sine = norm(across);
+  const S cosine = dot(a, b);
+  // a sine below this is divided by no more: the angle is its own sine, or the axis is any
+  const auto tiny = sine < S(1e-6);
+  const Vec3<S> near =
+      across * (select(tiny, S(1), atan2(sine, cosine)) / select(tiny, S(1), sine));
+  const auto slants = abs(a.x) > S(0.7);
+  const Vec3<S> square =
+      cross(a, select(slants, Vec3<S>{S(0), S(1), S(0)}, Vec3<S>{S(1), S(0), S(0)}));
+  const Vec3<S> opposite = square * (S(kPi) / norm(square));
+  return select(tiny & (cosine < S(0)), opposite, near);
+}
+
+}  // namespace shigusa

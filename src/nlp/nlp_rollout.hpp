@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "dynamics/centre_of_mass.hpp"
+#include "dynamics/contact_forces.hpp"
+#include "nlp/nlp_ik.hpp"
+#include "rollout/rollout.hpp"
+
+namespace shigusa {
+
+// From parameters to a motion by nonlinear programming (see NlpIk) in place of weighted IK: the
+// same problems, inputs, frames and outcomes as Rollout<double>, so that both can be scored alike.
+//
+//   for each frame:
+//     targets := where the paths are then
+//     weights := the phase's, see PhaseBlend
+//     reference := the null space's change of posture in this frame, or its way into the guide
+//     posture := NlpIk's, after the posture of the frame before
+//
+// Of a ReachProblem's settings it does without those of weighted IK, which make up for steps that
+// are linear: damping, leads, corrections and their slacks. NlpIkSettings stands for them. Limits
+// are always kept, whatever problem.hold_limits says: they belong to the program.
+class NlpRollout {
+ public:
+  // The problem and its body outlive this.
+  explicit NlpRollout(const ReachProblem& problem, const NlpIkSettings& settings = {});
+
+  // visit(const PlacedFrame<double>&) is called for the frames 0..steps in order.
+  template <class Visitor>
+  ReachOutcome run(const MotionInput<double>& input, Visitor&& visit) {
+    ReachOutcome outcome;
+    begin(input);
+    for (int frame = 1; frame <= problem_->steps; ++frame) {
+      follow(frame, input, outcome);
+      visit(moving_frame());
+      advance();
+    }
+    // the motion ends at rest
+    angles_[2] = angles_[1];
+    visit(moving_frame());
+    return outcome;
+  }
+
+  // (dofs, rad) where the last motion ended.
+  [[nodiscard]] std::span<const double> final_angles() const { return angles_[1]; }
+
+  // Of the last motion: frames that did not converge, and evaluations of all.
+  [[nodiscard]] int unconverged_frames() const { return unconverged_; }
+  [[nodiscard]] int evaluations() const { return evaluations_; }
+
+ private:
+  void begin(const MotionInput<double>& input);
+  void follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome);
+  void advance();
+  PlacedFrame<double> moving_frame();
+  void place_goals(int frame, const MotionInput<double>& input);
+  void change_phase(int frame, const MotionInput<double>& input);
+  void draw_null_space(int frame, const MotionInput<double>& input);
+  void measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome);
+
+  const ReachProblem* problem_;
+  std::size_t contacts_from_;              // index of the first contact among the targets
+  std::vector<IkTarget<double>> targets_;  // the goals, then the contacts
+  NlpIk ik_;
+  LimitGuard<double> limits_;
+  DynamicsWorkspace<double> dynamics_;
+  Kinematics<double> now_;                   // placement in this frame …
+  Kinematics<double> next_;                  // … and in the next
+  std::vector<std::vector<double>> angles_;  // of the frame before, this one and the next
+  std::vector<double> speeds_;
+  std::vector<double> accelerations_;
+  std::vector<double> torques_;
+  bool drawn_ = false;             // the null space is drawn somewhere, by …
+  std::vector<double> reference_;  // … (dofs, rad) in this frame
+  PhaseBlend<double> blend_;       // of a motion in two phases …
+  double later_share_ = 0.0;       // … and how much of the later there is in this frame
+  int unconverged_ = 0;
+  int evaluations_ = 0;
+};
+
+// Generates and keeps the whole motion for the parameters.
+[[nodiscard]] RolledOut roll_out_nlp(const ReachProblem& problem, const Parameters& parameters);
+
+}  // namespace shigusa

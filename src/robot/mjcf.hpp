@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <shigusa/file_format.hpp>
+#include <shigusa/result.hpp>
+#include <string>
+#include <string_view>
+
+#include "robot/robot.hpp"
+
+namespace shigusa {
+
+// What an MJCF model may hold at most; more is refused before memory is taken.
+inline constexpr std::size_t kMjcfMaxBytes =
+    info_of(FileFormat::mjcf).max_bytes;             // of each of its files
+inline constexpr std::size_t kMjcfMaxTags = 50'000;  // of all of them
+inline constexpr int kMjcfMaxFiles = 32;
+inline constexpr int kMjcfMaxDepth = 64;  // of bodies and frames in one another
+inline constexpr int kMjcfMaxLinks = 1024;
+// Lengths, masses, moments and angles beyond this are refused.
+inline constexpr double kMjcfMaxValue = 1e6;
+
+// Gives the text of a file that a model includes, by the name that it is included by. A model
+// without such a file is read without it, with a doubt, where the error is ErrorCode::not_found.
+using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
+
+// Files of that folder and of folders in it; any other is an error.
+[[nodiscard]] MjcfInclude included_from(std::filesystem::path folder);
+
+// Parses the text of an MJCF file, MuJoCo's own format, by tinyxml2, as MuJoCo does. `name` stands
+// for the file in errors, which tell the line, the value seen and what is allowed.
+//
+// - The robot is the body of the world with the most joints; its own joints, the free one mostly,
+//   are left out: a robot's root is free.
+// - Each hinge is a joint. Of several hinges of one body all but the last get a link of their own,
+//   without mass, called as the hinge; a ball is three hinges, NAME_x, NAME_y and NAME_z. A link's
+//   frame has the body's axes and stands where its last hinge is, else where the body is.
+// - A shape that is called a hand, of a forearm that no body follows, is a link.
+// - Efforts are what actuators and actuatorfrcrange allow; a joint that no actuator drives, or one
+//   without a limit, has none.
+// - Masses are the file's or by the density of its shapes, and what collides is boxed in. Meshes,
+//   height fields, sites, tendons, sensors, key frames and skins are left out.
+// - What is not given is as in MuJoCo 3: angles in degrees, limits wherever there is a range.
+// - Sliding joints, and those that an equality makes follow another, are kept at 0, with a doubt.
+//
+// Fails with ErrorCode::unsupported in a build without tinyxml2.
+[[nodiscard]] Result<Robot> parse_mjcf(std::string_view text, std::string_view name,
+                                       const MjcfInclude& include = {});
+
+}  // namespace shigusa

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body_model.hpp>
+#include <shigusa/landmarks.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/skeleton.hpp>
+#include <string>
+#include <vector>
+
+namespace shigusa {
+
+// A robot as files describe it: links that joints hold together. Metres, kilograms, radians, in the
+// file's own axes.
+struct Robot {
+  struct Link {
+    std::string name;                                // unique
+    double mass = 0.0;                               // kg; 0 where the file has none
+    Vec3d com{};                                     // m, link frame
+    Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the com, link axes
+    std::vector<Vec3d> corners;  // m, link frame: of boxes around what it collides with
+  };
+  struct Joint {
+    std::string name;      // unique
+    int parent = 0;        // link
+    int child = 0;         // link
+    Transformd origin;     // the child's frame in the parent's, at the angle 0
+    Vec3d axis{1, 0, 0};   // unit vector, child's frame
+    bool turns = false;    // revolute or continuous; what slides or follows another stays fixed
+    bool moves = false;    // as the file has it, by one number
+    bool slides = false;   // that number is a length (m)
+    double lower = -kPi;   // rad, or m
+    double upper = kPi;    // rad, or m
+    bool limited = false;  // by the file, to less than a whole turn
+    double effort = 0.0;   // N·m; 0 where the file has none
+  };
+  std::string name;
+  std::vector<Link> links;    // parents before children; the first is the root
+  std::vector<Joint> joints;  // in the file's order, one for each link but the root
+  std::vector<std::string> doubts;
+};
+
+// Places of the links (links) where all angles are 0, in the root's frame.
+[[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);
+
+// The robot with a link for the hand, fixed at the end of the forearm, where an arm ends at its
+// elbow, with a doubt.
+[[nodiscard]] Robot with_hands(Robot robot);
+
+// The robot with ankles, where no joint turns between shank and foot, with a doubt: each turns
+// about the knee's axis, as high above the sole as a person's. Links keep their indices; the frame
+// of such a foot moves into its ankle.
+[[nodiscard]] Robot with_ankles(Robot robot, const HumanoidMap& map);
+
+// The joints of a robot's limbs where all angles are 0, in the root's frame; other landmarks are 0.
+[[nodiscard]] Landmarks limbs_of(const Robot& robot, const HumanoidMap& map);
+
+// The humanoid bones among a robot's links (see find_humanoid). Where neither names nor feet tell
+// left from right, +y of a robot with z up is left. Toes are only what is called so, or asked for.
+[[nodiscard]] Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked = {});
+
+// The robot as a body that stands on its right foot, the left one planted beside it. Its start
+// posture has every angle at 0, or as near to that as limits allow, and may leave the left foot in
+// the air: see settled_posture.
+//
+// - The kernel's tree grows from the right foot, so joints on the way to the pelvis are turned
+//   round. Links between fixed joints are one. Joints of toes, fingers and what the head carries
+//   keep their angle, with a doubt.
+// - Freedoms are named as a person's, where the map and the axis tell: "right_knee.flexion"; the
+//   sign is the anatomical one. In `robot()` stands which joint of the file each is.
+// - Limits and strengths are the file's. A joint that may turn all the way round has a person's
+//   limits where it is a person's joint; one without effort gets a person's strength, by the
+//   robot's weight.
+// - The sole is where what the foot collides with ends, else the lowest frame that is fixed to it,
+//   else a person's.
+// - Hands end at the frame of a gripper, palm or hand that is fixed beyond the wrist, else at the
+//   wrist's link.
+// - Stature is that of a person with such legs and trunk.
+// - Links without mass weigh nothing, with a doubt.
+//
+// Fails where the map's bones are no chain of turning joints, or no link has a mass.
+[[nodiscard]] Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map);
+
+}  // namespace shigusa

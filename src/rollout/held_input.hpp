@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/parameters.hpp>
+#include <vector>
+
+#include "rollout/motion_input.hpp"
+
+namespace shigusa {
+
+// Parameters with the memory that a MotionInput looks into.
+class HeldInput {
+ public:
+  HeldInput(const BodyModel& body, const Parameters& parameters);
+
+  [[nodiscard]] MotionInput<double> input() const;
+
+ private:
+  std::vector<double> weights_;
+  std::vector<double> change_;  // empty without modes
+  PostureParameters posture_;
+  std::vector<double> later_weights_;  // empty without a later phase …
+  std::vector<double> later_change_;   // … and without modes
+  double switch_at_ = 0.0;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/parameters.hpp>
+#include <shigusa/scalar.hpp>
+#include <span>
+#include <vector>
+
+namespace shigusa {
+
+// What a motion's weights and posture change into, see PhaseBlend.
+template <class S>
+struct LaterInput {
+  std::span<const S> inverse_weights{};  // (dofs), or empty: the motion has one phase
+  std::span<const S> posture{};          // (dofs, rad), or empty as the first phase's is
+  S switch_at{};                         // share of the duration about which they change
+};
+
+// Parameters of one motion as the kernel computes with them; S is double, or a pack whose lanes are
+// motions of their own.
+template <class S>
+struct MotionInput {
+  std::span<const S> inverse_weights;  // (dofs) see weighted_ik_step
+  // (dofs, rad) by how much the null space is drawn away from the start posture until the end, or
+  // empty
+  std::span<const S> posture{};
+  Timing<S> timing{};
+  LaterInput<S> later{};
+
+  // weights alone
+  MotionInput(std::span<const S> weights) : inverse_weights(weights) {}     // NOLINT
+  MotionInput(const std::vector<S>& weights) : inverse_weights(weights) {}  // NOLINT
+  MotionInput(std::span<const S> weights, std::span<const S> change, const Timing<S>& when)
+      : inverse_weights(weights), posture(change), timing(when) {}
+
+  [[nodiscard]] bool has_later() const { return !later.inverse_weights.empty(); }
+};
+
+// Later phases of many motions: of all, or of none.
+struct LaterInputs {
+  std::span<const float> inverse_weights{};  // (motions × dofs) or empty
+  std::span<const float> posture{};          // (motions × dofs), or empty as the first phases' are
+  std::span<const float> switch_at{};        // (motions)
+};
+
+// The same of many motions, one after the other, in single precision.
+struct MotionInputs {
+  std::span<const float> inverse_weights;  // (motions × dofs)
+  std::span<const float> posture{};        // (motions × dofs) or empty
+  // (motions × kTimings), in the order of kTimingNumbers; empty as posture is
+  std::span<const float> timing{};
+  LaterInputs later{};
+
+  MotionInputs(std::span<const float> weights) : inverse_weights(weights) {}     // NOLINT
+  MotionInputs(const std::vector<float>& weights) : inverse_weights(weights) {}  // NOLINT
+  MotionInputs(std::span<const float> weights, std::span<const float> change,
+               std::span<const float> times)
+      : inverse_weights(weights), posture(change), timing(times) {}
+
+  // `count` motions from `first` on, of a body with so many dofs.
+  [[nodiscard]] MotionInputs part(std::size_t first, std::size_t count, std::size_t dofs) const {
+    const auto rows = [&](std::span<const float> all, std::size_t columns) {
+      return all.empty() ? all : all.subspan(first * columns, count * columns);
+    };
+    MotionInputs some{rows(inverse_weights, dofs), rows(posture, dofs), rows(timing, kTimings)};
+    some.later = {rows(later.inverse_weights, dofs), rows(later.posture, dofs),
+                  rows(later.switch_at, 1)};
+    return some;
+  }
+};
+
+}  // namespace shigusa

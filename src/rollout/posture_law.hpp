@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kinematics/forward_kinematics.hpp"
+#include "motion/minimum_jerk.hpp"
+#include "rollout/reach_problem.hpp"
+
+namespace shigusa {
+
+// The head has turned to the goal by this share of the duration: gaze gets there before the hand
+// does (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
+inline constexpr double kGazeArrives = 0.7;
+// What the head does of a turn of the gaze; eyes do the rest.
+inline constexpr double kHeadOfGaze = 0.75;
+// How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
+inline constexpr double kArmHangs = 0.8;
+// The clavicle's elevation with the arm straight up, and its protraction with the arm straight
+// ahead: a part of what the shoulder blade turns in raising an arm (V. Inman, J. Saunders and L.
+// Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
+inline constexpr double kClavicleRises = radians(28);
+inline constexpr double kClavicleAhead = radians(14);
+
+// What the parts of a whole human do that no goal moves, frame by frame: the head turns to the
+// goal, a free arm hangs, clavicles go with their arms. The law says by how much the null space is
+// drawn; goals, contacts and limits stay what they are. For bodies with a neck; others have none.
+template <class S>
+class PostureLaw {
+ public:
+  explicit PostureLaw(const ReachProblem& problem) {
+    const BodyModel& body = *problem.body;
+    if (!problem.posture_law || !body.find_dof("neck.flexion")) return;
+    find_head(problem);
+    for (const char* side : {"left_", "right_"}) find_arm(problem, side);
+  }
+
+  [[nodiscard]] bool empty() const { return !looks_ && arms_.empty(); }
+
+  // Sets what the step to `frame` is drawn by (dofs, rad), from the placement and the angles (dofs,
+  // rad) before it. `guided`: the rest of the body is drawn to a posture; arms with goals are left
+  // to it.
+  void draw(int frame, int steps, const Kinematics<S>& now, std::span<const S> angles, bool guided,
+            std::span<S> reference) const {
+    if (looks_) look(gaze_share(frame, steps), now, angles, reference);
+    for (const Arm& arm : arms_) {
+      if (arm.free) hang(arm, now, angles, reference);
+      if (arm.has_clavicle && (arm.free || !guided)) shrug(arm, now, angles, reference);
+    }
+  }
+
+  // Elevation and protraction (rad) that go with an arm that points along a unit vector in the
+  // frame of the chest, beside those of one that hangs.
+  template <class U>
+  struct Shrug {
+    U elevation;
+    U protraction;
+  };
+  template <class U>
+  static Shrug<U> shrugged(const Vec3<U>& along) {
+    return {(U(1) + along.y) * U(0.5 * kClavicleRises), along.z * U(kClavicleAhead)};
+  }
+
+ private:
+  using T = Element<S>;
+  struct Freedom {
+    std::size_t dof = 0;
+    T lower{};  // rad
+    T upper{};
+    T start{};  // from which it does what is wanted: where the body starts it wants nothing
+    T share{};  // of what is wanted of the joints together
+  };
+  struct Arm {
+    bool free = false;
+    bool has_clavicle = false;
+    T side{};        // +1 left, -1 right
+    int parent = 0;  // link that carries the shoulder
+    int chest = 0;   // link that carries the clavicle
+    int upper = 0;   // the upper arm's link
+    Freedom flexion, abduction, elevation, protraction;
+  };
+
+  static Freedom freedom(const BodyModel& body, int d, double share = 1.0) {
+    const Dof& dof = body.dof(d);
+    const double start = body.start()[static_cast<std::size_t>(d)];
+    return {static_cast<std::size_t>(d), static_cast<T>(dof.lower), static_cast<T>(dof.upper),
+            static_cast<T>(start), static_cast<T>(share)};
+  }
+
+  void find_head(const ReachProblem& problem) {
+    const BodyModel& body = *problem.body;
+    const auto neck = body.find_dof("neck.flexion");
+    if (!problem.gaze || !neck) return;
+    looks_ = true;
+    target_ = to_scalar<S>(*problem.gaze);
+    chest_ = body.dof(*neck).parent;
+    const bool two = body.find_dof("head.flexion").has_value();
+    for (const char* joint : {"neck", "head"}) {
+      const auto nod = body.find_dof(std::string(joint) + ".flexion");
+      const auto turn = body.find_dof(std::string(joint) + ".rotation");
+      if (!nod || !turn) continue;
+      head_ = *nod;
+      nods_.push_back(freedom(body, *nod, two ? 0.5 : 1.0));
+      turns_.push_back(freedom(body, *turn, two ? 0.5 : 1.0));
+    }
+  }
+
+  void find_arm(const ReachProblem& problem, const std::string& side) {
+    const BodyModel& body = *problem.body;
+    const auto dof = [&](const char* name) { return body.find_dof(side + name); };
+    const auto flexion = dof("shoulder.flexion");
+    const auto abduction = dof("shoulder.abduction");
+    const auto rotation = dof("shoulder.rotation");
+    if (!flexion || !abduction || !rotation) return;
+    Arm arm;
+    arm.free = true;
+    for (const ReachGoal& goal : problem.goals) {
+      const int link = body.effector(goal.effector).link;
+      arm.free = arm.free && !body.moves(*flexion, link);
+    }
+    arm.side = static_cast<T>(side == "left_" ? 1.0 : -1.0);
+    arm.parent = body.dof(*flexion).parent;
+    arm.upper = *rotation;
+    arm.flexion = freedom(body, *flexion);
+    arm.abduction = freedom(body, *abduction);
+    const auto elevation = dof("clavicle.elevation");
+    const auto protraction = dof("clavicle.protraction");
+    arm.has_clavicle = elevation && protraction;
+    if (arm.has_clavicle) {
+      arm.chest = body.dof(*elevation).parent;
+      arm.elevation = freedom(body, *elevation);
+      arm.protraction = freedom(body, *protraction);
+    }
+    begin_at_start(body, arm);
+    arms_.push_back(arm);
+  }
+
+  // Somebody who starts as a file has them may stoop or hold up an arm: the law goes on from there,
+  // and does not draw them to where it would have them at once.
+  static void begin_at_start(const BodyModel& body, Arm& arm) {
+    const Kinematics<double> standing = start_kinematics(body);
+    const double side = arm.side;
+    const Pair<double> hangs = hanging(standing.link_rotation(arm.parent), side);
+    arm.flexion.start -= static_cast<T>(hangs.first);
+    arm.abduction.start -= static_cast<T>(hangs.second);
+    if (!arm.has_clavicle) return;
+    const Shrug<double> rises = shrugged(
+        transpose_times(standing.link_rotation(arm.chest), -standing.link_rotation(arm.upper).cy));
+    arm.elevation.start -= static_cast<T>(rises.elevation);
+    arm.protraction.start -= static_cast<T>(rises.protraction);
+  }
+
+  // of the way that is left
+  static S gaze_share(int frame, int steps) {
+    const auto done = [steps](int f) {
+      return minimum_jerk(min(1.0, static_cast<double>(f) / (kGazeArrives * steps)));
+    };
+    return S(share_of_rest(done(frame - 1), done(frame)));
+  }
+
+  // draws a freedom by a share of the way to the angle wanted
+  static void draw_to(const Freedom& f, const S& wanted, const S& share, std::span<const S> angles,
+                      std::span<S> reference) {
+    const S held = clamp(S(f.start) + wanted * S(f.share), S(f.lower), S(f.upper));
+    reference[f.dof] = (held - angles[f.dof]) * share;
+  }
+
+  void look(const S& share, const Kinematics<S>& now, std::span<const S> angles,
+            std::span<S> reference) const {
+    const Vec3<S> eye = now.origin[static_cast<std::size_t>(head_)];
+    const Vec3<S> way = transpose_times(now.link_rotation(chest_), target_ - eye);
+    const S across = sqrt(way.x * way.x + way.z * way.z);
+    // what is behind is looked for sideways, and from one side to the other without a jump
+    const S turn = atan2(way.x, max(way.z, across * S(0.2)));
+    const S nod = atan2(-way.y, across);
+    for (const Freedom& f : turns_) draw_to(f, turn * S(kHeadOfGaze), share, angles, reference);
+    for (const Freedom& f : nods_) draw_to(f, nod * S(kHeadOfGaze), share, angles, reference);
+  }
+
+  template <class U>
+  struct Pair {
+    U first;
+    U second;
+  };
+
+  // flexion and abduction of a shoulder's link that hangs from this one
+  template <class U>
+  static Pair<U> hanging(const Mat3<U>& parent, const U& side) {
+    const Vec3<U> down{-parent.cx.y, -parent.cy.y, -parent.cz.y};
+    const U level = sqrt(down.y * down.y + down.z * down.z);
+    return {atan2(down.z, -down.y) * U(kArmHangs), atan2(down.x, level) * side * U(kArmHangs)};
+  }
+
+  void hang(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
+            std::span<S> reference) const {
+    const Pair<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
+    draw_to(arm.flexion, wanted.first, S(1), angles, reference);
+    draw_to(arm.abduction, wanted.second, S(1), angles, reference);
+  }
+
+  void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
+             std::span<S> reference) const {
+    const Shrug<S> wanted =
+        shrugged(transpose_times(now.link_rotation(arm.chest), -now.link_rotation(arm.upper).cy));
+    draw_to(arm.elevation, wanted.elevation, S(1), angles, reference);
+    draw_to(arm.protraction, wanted.protraction, S(1), angles, reference);
+  }
+
+  bool looks_ = false;
+  Vec3<S> target_{};  // m, world
+  int chest_ = 0;     // link that carries the neck
+  int head_ = 0;      // dof whose centre is where the eyes are taken to be
+  std::vector<Freedom> nods_;
+  std::vector<Freedom> turns_;
+  std::vector<Arm> arms_;
+};
+
+}  // namespace shigusa

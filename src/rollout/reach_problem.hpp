@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/body_model.hpp>
+#include <vector>
+
+#include "kinematics/weighted_ik.hpp"
+#include "motion/effector_turn.hpp"
+#include "motion/minimum_jerk.hpp"
+
+namespace shigusa {
+
+inline constexpr int kMotionSteps = 60;          // IK steps per motion (rule R6)
+inline constexpr double kReachTolerance = 1e-3;  // m: what counts as met, of goals and planted feet
+inline constexpr double kTiltTolerance = radians(0.1);  // rad: what a planted foot may turn
+inline constexpr double kTurnTolerance = radians(0.5);  // rad: what counts as met, of goals' turns
+// m/rad: a goal's turn counts as the distance that has the same share of its tolerance …
+inline constexpr double kTurnLength = kReachTolerance / kTurnTolerance;
+// … and by this share of it on the way, where nobody asks for it.
+inline constexpr double kTurnOnWay = 0.1;
+// A goal's box is aimed at this far within its sides (m), so that what is left of the way at the
+// end is inside.
+inline constexpr double kBoxInset = 1e-4;
+
+// What counts as met.
+struct ReachTolerance {
+  double goal = kReachTolerance;  // m, of effectors at the end
+  double path = kReachTolerance;  // m, of effectors at each frame
+};
+
+// One effector with its way to the goal.
+struct ReachGoal {
+  int effector = 0;  // see BodyModel::effector
+  EffectorPath path;
+  // m, world: how far the path leaves its line at mid-way for a bow of 1 (see path_bow)
+  Vec3d bow{};
+  Vec3d sway{};         // m, world: the same for a sway of 1
+  EffectorTurn turn{};  // what it also turns to
+  // m, world axes: half the sides of the box about the path's goal of which any place will do
+  Vec3d tolerance{};
+
+  // The place of the box that is nearest to `at` (m, world), its sides moved inwards by `inset`.
+  [[nodiscard]] Vec3d nearest(const Vec3d& at, double inset = 0.0) const;
+};
+
+// Everything that is the same for all motions of one search.
+struct ReachProblem {
+  const BodyModel* body = nullptr;  // outlives the problem
+  std::vector<ReachGoal> goals;
+  double duration = 1.0;  // s
+  int steps = kMotionSteps;
+  ReachTolerance tolerance;
+  // (dofs, rad) or empty: a posture that the null space is drawn to and the motion ends near; for
+  // goals that a straight path alone does not lead to, such as the very edge of reach
+  std::vector<double> guide;
+  // false: the hands go where the guide takes them, and only the last frame has them at their goals
+  bool follow_path = true;
+  IkSettings ik;
+  bool hold_limits = false;     // no joint passes a limit (see LimitGuard)
+  bool posture_law = false;     // head, free arms and clavicles follow PostureLaw
+  std::optional<Vec3d> gaze{};  // m, world: what the head turns to by that law
+  // A step falls short of its path by what joints on arcs leave the straight line. The shortfall
+  // changes little from frame to frame, so the next step allows for the last one's, up to this
+  // much; farther off, the goal is one that the body cannot follow.
+  double lead_limit = 2e-3;  // m
+  // the last frame has the hand at rest: there the goal itself is to be met, by this many steps …
+  double goal_tolerance = 1e-5;  // m
+  int goal_corrections = 12;
+  // … and by so many in every other frame that is off by more than path_slack: for goals at the
+  // very edge of reach, and where limits hold joints back …
+  int corrections = 0;
+  double path_slack = 1e-5;  // m
+  // … but where more than this is missed, nothing is to be gained
+  double rescue_limit = 0.05;  // m
+  // where a planted foot is off by more than this after all, up to so many steps correct it alone;
+  // a tilt counts as the slide that has the same share of its tolerance
+  double contact_slack = 5e-4;  // m
+  int contact_corrections = 8;
+};
+
+// What a motion must keep whatever its score: met goals, effectors on their paths, planted feet.
+template <class S>
+struct BasicReachOutcome {
+  S goal_error{};     // m, largest distance of an effector from its path's end, turns included
+  S path_error{};     // m, largest distance from the path at any frame that follows it
+  S contact_slide{};  // m, largest displacement of a planted foot at any frame
+  S contact_tilt{};   // rad (see rotation_chord), largest rotation of a planted foot at any frame
+
+  // The planted feet stay where they are.
+  [[nodiscard]] auto stands() const {
+    return (contact_slide <= S(kReachTolerance)) & (contact_tilt <= S(kTiltTolerance));
+  }
+  [[nodiscard]] auto met(const ReachTolerance& tolerance = {}) const {
+    return (goal_error <= S(tolerance.goal)) & (path_error <= S(tolerance.path)) & stands();
+  }
+};
+using ReachOutcome = BasicReachOutcome<double>;
+
+// The targets of weighted IK for a problem: its goals, then each planted foot but the base, held
+// where it stands in the start posture.
+[[nodiscard]] std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem);
+
+}  // namespace shigusa

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <shigusa/parameters.hpp>
+#include <vector>
+
+#include "criteria/built_in_criteria.hpp"
+#include "dynamics/centre_of_mass.hpp"
+#include "dynamics/contact_forces.hpp"
+#include "rollout/limit_guard.hpp"
+#include "rollout/motion_input.hpp"
+#include "rollout/phase_blend.hpp"
+#include "rollout/posture_law.hpp"
+#include "rollout/reach_problem.hpp"
+
+namespace shigusa {
+
+// The share of the duration before heels lift to a guide's posture.
+inline constexpr double kHeelsBegin = 0.55;
+
+// From parameters to a motion: follows the problem's paths by weighted IK, frame by frame, and
+// shows each frame, with torques and centre of mass, to a visitor. S is double, or a pack: then
+// each lane has parameters of its own. Holds its scratch memory, so make one per thread and use it
+// again and again.
+template <class S>
+class Rollout {
+ public:
+  explicit Rollout(const ReachProblem& problem)
+      : problem_(&problem),
+        contacts_from_(problem.goals.size()),
+        ik_(*problem.body),
+        dynamics_(*problem.body),
+        kinematics_{Kinematics<S>(*problem.body), Kinematics<S>(*problem.body)},
+        angles_(3, std::vector<S>(problem.body->dofs().size())),
+        speeds_(problem.body->dofs().size()),
+        accelerations_(speeds_),
+        torques_(speeds_),
+        step_(speeds_),
+        unlocked_(speeds_),
+        reference_(speeds_),
+        blend_(speeds_.size()),
+        law_(problem) {
+    if (problem.hold_limits) limits_.emplace(*problem.body);
+    for (const IkTarget<double>& target : ik_targets(problem)) {
+      targets_.push_back({.link = target.link,
+                          .point = to_scalar<Element<S>>(target.point),
+                          .position = to_scalar<S>(target.position),
+                          .contact = target.contact,
+                          .orientation = to_scalar<S>(target.orientation),
+                          .turning = target.turning,
+                          .axis = to_scalar<Element<S>>(target.axis),
+                          .direction = to_scalar<S>(target.direction)});
+      turning_ = turning_ || target.turning != Turning::free;
+    }
+    leads_.reserve(targets_.size());
+    for (int frame = 0; frame <= problem.steps; ++frame) {
+      const double tau = static_cast<double>(frame) / problem.steps;
+      for (const ReachGoal& goal : problem.goals) {
+        paths_.push_back(to_scalar<Element<S>>(goal.path.at(tau)));
+        if (turning_) turns_.push_back(to_scalar<Element<S>>(goal.turn.at(tau)));
+      }
+    }
+  }
+
+  // visit(const PlacedFrame<S>&) is called for the frames 0..steps in order.
+  template <class Visitor>
+  BasicReachOutcome<S> run(const MotionInput<S>& input, Visitor&& visit) {
+    const BodyModel& body = *problem_->body;
+    BasicReachOutcome<S> outcome;
+    for (IkTarget<S>& target : targets_) {
+      target.lag = S(0);
+      target.lead = target.tilt_lead = {};
+    }
+    now_ = 0;
+    drawn_ = !problem_->guide.empty() || !input.posture.empty() || !law_.empty();
+    if (limits_) limits_->reset();
+    if (input.has_later()) blend_.begin(input);
+    for (std::size_t d = 0; d < speeds_.size(); ++d) {
+      angles_[0][d] = angles_[1][d] = S(body.start()[d]);
+      unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
+    }
+    forward_kinematics<S>(body, angles_[1], now());
+    for (int frame = 1; frame <= problem_->steps; ++frame) {
+      follow(frame, input, outcome);
+      show_frame(visit);
+      std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
+      now_ = 1 - now_;
+    }
+    // the motion ends at rest
+    angles_[2] = angles_[1];
+    show_frame(visit);
+    return outcome;
+  }
+
+  // (dofs, rad) where the last motion ended.
+  [[nodiscard]] std::span<const S> final_angles() const { return angles_[1]; }
+
+ private:
+  // placements in this frame and in the next
+  [[nodiscard]] Kinematics<S>& now() { return kinematics_[now_]; }
+  [[nodiscard]] Kinematics<S>& next() { return kinematics_[1 - now_]; }
+
+  // moves the angles of the next frame to where the paths are then
+  void follow(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
+    const bool last = frame == problem_->steps;
+    const std::span<const S> inverse_weights = change_phase(frame, input);
+    place_goals(frame, input);
+    const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
+    const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
+    const auto contacts = std::span<IkTarget<S>>(targets_).subspan(contacts_from_);
+    draw_null_space(frame, input);
+    step(targets, inverse_weights);
+    const double turn_share = last ? 1.0 : kTurnOnWay;
+    BasicReachOutcome<S> missed = measure(targets, turn_share, true);
+    const int corrections = last ? problem_->goal_corrections : problem_->corrections;
+    const S slack(last ? problem_->goal_tolerance : problem_->path_slack);
+    for (int k = 0; k < corrections; ++k) {
+      const S worst = max(missed.path_error, contact_error(missed));
+      const auto off = (worst > slack) & (worst < S(problem_->rescue_limit));
+      if (!any(off)) break;
+      correct(targets, inverse_weights, off);
+      missed = measure(targets, turn_share, false);
+    }
+    // a goal out of reach, or weights that are far apart, do not take a planted foot along
+    for (int k = 0; k < problem_->contact_corrections; ++k) {
+      const S tilt_as_slide = missed.contact_tilt * S(kReachTolerance / kTiltTolerance);
+      const auto off = max(missed.contact_slide, tilt_as_slide) > S(problem_->contact_slack);
+      if (!any(off)) break;
+      correct(contacts, unlocked_, off);
+      missed = measure(targets, turn_share, false);
+    }
+    outcome.path_error = worse(outcome.path_error, missed.path_error);
+    outcome.contact_slide = worse(outcome.contact_slide, missed.contact_slide);
+    outcome.contact_tilt = worse(outcome.contact_tilt, missed.contact_tilt);
+    if (last) outcome.goal_error = missed.path_error;
+  }
+
+  // the inverse weights of the step to this frame
+  std::span<const S> change_phase(int frame, const MotionInput<S>& input) {
+    if (!input.has_later()) return input.inverse_weights;
+    blend_.step(input, (frame - 0.5) / problem_->steps);
+    for (std::size_t d = 0; d < unlocked_.size(); ++d) {
+      unlocked_[d] = select(blend_.inverse_weights()[d] > S(0), S(1), S(0));
+    }
+    return blend_.inverse_weights();
+  }
+
+  // one step of IK from this frame to the next
+  void step(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights) {
+    const std::span<const S> weights = within_limits(inverse_weights, angles_[1]);
+    const std::span<const S> reference =
+        drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
+    // a guide is within the limits, and so is the way there
+    const bool yields = limits_ && drawn_ && problem_->guide.empty();
+    weighted_ik_step<S>(*problem_->body, now(), targets, weights,
+                        yields ? limits_->allowed(reference) : reference, problem_->ik, ik_, step_);
+    for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[1][d] + step_[d];
+    if (limits_) {
+      limits_->learn(inverse_weights, ik_.pull, reference);
+      limits_->hold(angles_[2]);
+    }
+    forward_kinematics<S>(*problem_->body, angles_[2], next());
+  }
+
+  // one more step within the next frame, in the lanes that are off; what is left to go is small, so
+  // it takes no lead
+  template <class Condition>
+  void correct(std::span<IkTarget<S>> targets, std::span<const S> inverse_weights,
+               const Condition& off) {
+    leads_.clear();
+    for (IkTarget<S>& target : targets) {
+      leads_.push_back({target.lead, target.tilt_lead});
+      target.lead = target.tilt_lead = {};
+    }
+    weighted_ik_step<S>(*problem_->body, next(), targets,
+                        within_limits(inverse_weights, angles_[2]), {}, problem_->ik, ik_, step_);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      targets[i].lead = leads_[i].position;
+      targets[i].tilt_lead = leads_[i].tilt;
+    }
+    for (std::size_t d = 0; d < step_.size(); ++d) {
+      angles_[2][d] = select(off, angles_[2][d] + step_[d], angles_[2][d]);
+    }
+    if (limits_) limits_->hold(angles_[2]);
+    forward_kinematics<S>(*problem_->body, angles_[2], next());
+  }
+
+  // the inverse weights to step with from these angles
+  std::span<const S> within_limits(std::span<const S> inverse_weights, std::span<const S> angles) {
+    return limits_ ? limits_->soften(inverse_weights, angles) : inverse_weights;
+  }
+
+  // where the effectors are to be in this frame
+  void place_goals(int frame, const MotionInput<S>& input) {
+    const double way = minimum_jerk(static_cast<double>(frame) / problem_->steps);
+    const S off = path_bow(S(way), input.timing.skew) * input.timing.bow;
+    const S aside = path_bow(S(way), S(0)) * input.timing.sway;
+    for (std::size_t g = 0; g < contacts_from_; ++g) {
+      const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
+      targets_[g].position = to_scalar<S>(paths_[k]);
+      if (turning_) {
+        targets_[g].orientation = to_scalar<S>(turns_[k]);
+        targets_[g].direction = targets_[g].orientation.cx;
+      }
+      if (input.posture.empty()) continue;
+      targets_[g].position += to_scalar<S>(problem_->goals[g].bow) * off;
+      targets_[g].position += to_scalar<S>(problem_->goals[g].sway) * aside;
+    }
+  }
+
+  // how far the null space is drawn in this frame: so that, drawn in every frame, it follows the
+  // minimum-jerk profile into the guide posture, or makes the input's change of posture
+  void draw_null_space(int frame, const MotionInput<S>& input) {
+    const bool guided = !problem_->guide.empty();
+    if (guided) {
+      draw_to_guide(frame);
+    } else if (!input.posture.empty()) {
+      const S share = posture_share(frame, input) - posture_share(frame - 1, input);
+      const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
+      for (std::size_t d = 0; d < reference_.size(); ++d) reference_[d] = posture[d] * share;
+    } else if (drawn_) {
+      for (S& way : reference_) way = S(0);
+    }
+    if (!law_.empty()) law_.draw(frame, problem_->steps, now(), angles_[1], guided, reference_);
+  }
+
+  // how much of the change of posture is made by then
+  S posture_share(int frame, const MotionInput<S>& input) const {
+    const S tau(static_cast<double>(frame) / problem_->steps);
+    return minimum_jerk((tau - input.timing.delay) / (S(1) - input.timing.delay));
+  }
+
+  void draw_to_guide(int frame) {
+    const double share = guide_share(frame, 0.0);
+    for (std::size_t d = 0; d < reference_.size(); ++d) {
+      reference_[d] = (S(problem_->guide[d]) - angles_[1][d]) * S(share);
+    }
+    // heels lift late, when the weight is over the forefeet; the shank leans as it would with them
+    const double late = guide_share(frame, kHeelsBegin);
+    for (const Foot& foot : problem_->body->feet()) {
+      if (!foot.heel) continue;
+      S& toes = reference_[static_cast<std::size_t>(foot.heel->toes)];
+      S& ankle = reference_[static_cast<std::size_t>(foot.heel->ankle)];
+      const S lean = toes + ankle;
+      toes = toes * S(late / share);
+      ankle = lean - toes;
+    }
+  }
+
+  // of the way that is left to the guide, what this frame makes of it where it begins at that share
+  // of the duration
+  double guide_share(int frame, double begin) const {
+    const auto done = [&](int f) {
+      const double tau = static_cast<double>(f) / problem_->steps;
+      return minimum_jerk(max(tau - begin, 0.0) / (1.0 - begin));
+    };
+    return share_of_rest(done(frame - 1), done(frame));
+  }
+
+  // how far the targets are missed now, goals' turns by a share of theirs; `learn`: adds that to
+  // the leads
+  BasicReachOutcome<S> measure(std::span<IkTarget<S>> targets, double turn_share, bool learn) {
+    BasicReachOutcome<S> missed;
+    const S limit(problem_->lead_limit);
+    for (IkTarget<S>& target : targets) {
+      const Vec3<S> error = position_error(next(), target);
+      const S miss = norm(error);
+      target.lag = miss;
+      const auto follows = miss < limit;
+      if (learn) target.lead = select(follows, target.lead + error, Vec3<S>{});
+      if (!target.contact) {
+        const S off = target.turns() ? turn_miss(target, miss, turn_share, learn) : miss;
+        missed.path_error = worse(missed.path_error, off);
+        continue;
+      }
+      const Vec3<S> error_tilt = tilt_error(next(), target);
+      if (learn) target.tilt_lead = select(follows, target.tilt_lead + error_tilt, Vec3<S>{});
+      missed.contact_slide = worse(missed.contact_slide, miss);
+      missed.contact_tilt = worse(missed.contact_tilt, tilt(next(), target));
+    }
+    return missed;
+  }
+
+  // of a goal that turns: the larger of its distance and its turn
+  S turn_miss(IkTarget<S>& target, const S& miss, double turn_share, bool learn) {
+    const Vec3<S> error = turn_error(next(), target);
+    const S turn = norm(error) * S(kTurnLength);
+    if (learn) {
+      const auto follows = turn < S(problem_->lead_limit);
+      target.tilt_lead = select(follows, target.tilt_lead + error, Vec3<S>{});
+    }
+    target.lag = max(target.lag, turn);
+    return worse(miss, turn * S(turn_share));
+  }
+
+  // the larger of both, and NaN once either was
+  static S worse(const S& before, const S& now) { return max(now, before) + (before - before); }
+
+  static S contact_error(const BasicReachOutcome<S>& outcome) {
+    return max(outcome.contact_slide, S(kContactLength) * outcome.contact_tilt);
+  }
+
+  // shows the current frame: speeds by central differences to its neighbours
+  template <class Visitor>
+  void show_frame(Visitor&& visit) {
+    const BodyModel& body = *problem_->body;
+    const double rate = problem_->steps / problem_->duration;
+    const S half_rate(0.5 * rate);
+    const S square_rate(rate * rate);
+    for (std::size_t d = 0; d < speeds_.size(); ++d) {
+      const S to_come = angles_[2][d] - angles_[1][d];
+      const S gone = angles_[1][d] - angles_[0][d];
+      speeds_[d] = (to_come + gone) * half_rate;
+      accelerations_[d] = (to_come - gone) * square_rate;
+    }
+    const Wrench<S> ground =
+        inverse_dynamics<S>(body, now(), speeds_, accelerations_, dynamics_, torques_);
+    bear_on_feet<S>(body, now(), angles_[1], ground, torques_);
+    const Vec3<S> centre = shigusa::centre_of_mass(body, dynamics_);
+    visit(PlacedFrame<S>{{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
+                         now(),
+                         pressure(ground, S(floor_))});
+  }
+
+  struct Lead {
+    Vec3<S> position;  // m
+    Vec3<S> tilt;      // rad
+  };
+
+  const ReachProblem* problem_;
+  double floor_ = floor_height(*problem_->body);  // m
+  std::size_t contacts_from_;                     // index of the first contact among the targets
+  std::vector<IkTarget<S>> targets_;              // the goals, then the contacts
+  std::vector<Lead> leads_;                       // put aside while a frame is corrected
+  std::vector<Vec3<Element<S>>> paths_;           // (frames × goals) m, world
+  bool turning_ = false;                          // some goal turns, as …
+  std::vector<Mat3<Element<S>>> turns_;           // … (frames × goals) R_WL, or empty
+  IkWorkspace<S> ik_;
+  DynamicsWorkspace<S> dynamics_;
+  std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, taking turns …
+  std::size_t now_ = 0;                    // … and which is this frame's
+  std::vector<std::vector<S>> angles_;     // of the frame before, this one and the next
+  std::vector<S> speeds_;
+  std::vector<S> accelerations_;
+  std::vector<S> torques_;
+  std::vector<S> step_;
+  std::vector<S> unlocked_;   // (dofs) 1, or 0 where locked now
+  bool drawn_ = false;        // the null space is drawn somewhere, by …
+  std::vector<S> reference_;  // … (dofs, rad) in this frame
+  PhaseBlend<S> blend_;       // of a motion in two phases
+  PostureLaw<S> law_;
+  std::optional<LimitGuard<S>> limits_;
+};
+
+// A motion with all that is known of it.
+struct RolledOut {
+  Motion motion;
+  ReachOutcome outcome;
+};
+
+// Generates and keeps the whole motion for the parameters.
+[[nodiscard]] RolledOut roll_out(const ReachProblem& problem, const Parameters& parameters);
+
+}  // namespace shigusa

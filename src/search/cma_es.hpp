@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <shigusa/search.hpp>
+
+namespace shigusa {
+
+// The covariance is a matrix of so many rows at most; it takes genes³ / 6 operations a generation.
+inline constexpr int kCmaMaxGenes = 500;
+
+struct CmaEsSettings {
+  int evaluations = 1000;    // ≥ 1
+  int population = 0;        // 4..10000; 0: the least multiple of 16 from 4 + 3 ln(genes) on
+  double step = 0.3;         // standard deviation that a run begins with, 1e-6..1
+  double polish_step = 0.1;  // the same for a run from the best, 1e-6..1
+  double precision = 1e-9;   // a fall of the best score that counts as none, ≥ 0
+  std::uint64_t seed = 0;
+};
+
+// Covariance matrix adaptation (N. Hansen: The CMA evolution strategy: a tutorial, arXiv
+// 1604.00772), with restarts: the default search.
+//
+//   one run from the problem's start, then again and again
+//     a run from a random mean, with `step`, or, while those from the best have had fewer
+//       evaluations than all others, from the best point seen, with `polish_step`
+//   run: repeat
+//     `population` points := mean + step · L z, with z normal and L Lᵀ = C
+//     bring them into the cube, score them in one call, rank them
+//     mean := weighted mean of the better half; C and step adapt along the two paths
+//   until the best of the run has not fallen by `precision`, nor by a thousandth of itself, for
+//     10 + 12 genes / population generations, or the points lie within 1e-8 of each other, or C has
+//     lost its rank
+//
+// All constants are the tutorial's, negative weights with them (active CMA). Two things are not its
+// own. C = L Lᵀ is Cholesky's factor, not the symmetric root: it is exact in few operations, always
+// in the same order, and only turns the path of steps (O. Krause, D. R. Arbonès, C. Igel: CMA-ES
+// with optimal covariance update and storage complexity, NIPS 2016, do the same). And a point
+// beyond the cube is scored at the nearest point of the cube and ranked by that score plus a
+// penalty which grows with the square of the way, in units of the spread of scores. Reflection at
+// the faces was ten times as far from an optimum on a face after 1000 evaluations, as mirrored
+// points crowd in front of it; moving the sample itself to the face ended runs before their
+// optimum.
+//
+// The first point scored is the start. The final population is the best point of each run, in their
+// order, and then the last generation that was scored as a whole.
+//
+// Left out: growing populations (IPOP, BIPOP): with budgets of some thousand evaluations they find
+// no more than restarts of one size, and sizes that are multiples of 16 fill vector registers.
+//
+// The result depends on problem and settings only, for any compiler and instruction set. Settings
+// or a problem outside the stated ranges throw PreconditionError; what problem.evaluate throws
+// passes through.
+[[nodiscard]] SearchResult cma_es_search(const SearchProblem& problem,
+                                         const CmaEsSettings& settings,
+                                         const Progress& progress = {});
+
+}  // namespace shigusa

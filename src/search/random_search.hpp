@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <shigusa/search.hpp>
+
+namespace shigusa {
+
+struct RandomSettings {
+  int batch = 64;          // points scored in one call, 1..10000; changes no point
+  int keep = 16;           // points of the final population, 1..10000
+  int evaluations = 1000;  // ≥ 1
+  std::uint64_t seed = 0;
+};
+
+// Uniformly random points, the yardstick of every search:
+//
+//   score the start, if the problem has one, and then points drawn uniformly from the unit cube,
+//   `batch` at a time
+//
+// The final population is the `keep` best, the best first. J. Bergstra, Y. Bengio: Random search
+// for hyper-parameter optimization, JMLR 13, 2012, on why this is a better yardstick than a grid.
+// The result depends on problem and settings only; what problem.evaluate throws passes through, and
+// settings or a problem out of range throw PreconditionError.
+[[nodiscard]] SearchResult random_search(const SearchProblem& problem,
+                                         const RandomSettings& settings,
+                                         const Progress& progress = {});
+
+}  // namespace shigusa
