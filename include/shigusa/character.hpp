@@ -41,10 +41,13 @@ using BoneRequest = std::vector<std::pair<std::string, std::string>>;
 inline constexpr int kRestPose = -1;
 
 inline constexpr double kStatureMin = 0.5;  ///< m
+/// The greatest stature, m.
 inline constexpr double kStatureMax = 2.5;
 inline constexpr double kMassMin = 2.0;  ///< kg
+/// The greatest mass, kg.
 inline constexpr double kMassMax = 300.0;
 inline constexpr double kSeatMin = 0.1;  ///< m
+/// The highest seat, m.
 inline constexpr double kSeatMax = 1.2;
 /// The last frame that a file may be asked for.
 inline constexpr int kFrameMax = 1'000'000;
@@ -96,6 +99,7 @@ struct CharacterSpec {
   return !spec.urdf && !is_built_in(spec);
 }
 
+/// The fields of a character.
 template <>
 inline constexpr FieldTable kFields<CharacterSpec>{
     "character_spec", "A built-in body, or a person or a robot from a file.",

@@ -22,14 +22,19 @@ enum class Mirroring {
 /// The type of a value's bounds: whole numbers and lengths of lists have whole ones.
 template <class Value>
 struct BoundOf {
+  /// The type of bounds of other numbers.
   using type = double;
 };
+/// Bounds of whole numbers.
 template <std::integral Value>
 struct BoundOf<Value> {
+  /// The type of such bounds.
   using type = std::uint64_t;
 };
+/// Bounds of the length of a list.
 template <class Item>
 struct BoundOf<std::vector<Item>> {
+  /// The type of such bounds.
   using type = std::uint64_t;
 };
 template <class Value>
@@ -41,12 +46,14 @@ struct FieldTraits {
   /// Allowed of numbers, of each coordinate of a point and, the upper one, of the length of a list
   /// of structs.
   typename BoundOf<Value>::type low{};
+  /// The upper one of these bounds.
   typename BoundOf<Value>::type high{};
   /// A word that may stand for one number in its place; none when empty.
   EnumWord<int> word{};
   bool required = false;         ///< in files
   const char* option = nullptr;  ///< of `shigusa reach`: "--look-at"
   const char* form = nullptr;    ///< of the option's text: "X,Y,Z"
+  /// What mirroring does to the value.
   Mirroring mirroring = Mirroring::same;
   /// Files hold the value where it differs from that of a new Holder, or where this is so.
   bool (*written)(const Holder&) = nullptr;
@@ -61,8 +68,10 @@ struct FieldTraits {
 template <class Holder, class Value>
 struct Field {
   const char* key;  ///< in files, with its unit: "duration_s"
+  /// The place of the value in the struct.
   Value Holder::*member;
   const char* says;  ///< the sentence of schema and --help
+  /// The facts that most fields do without.
   FieldTraits<Holder, Value> traits{};
 
   /// Puts a value that is told into its place, with what follows from it.
@@ -71,18 +80,24 @@ struct Field {
     into.*member = std::move(value);
   }
 };
+/// A field without further facts.
 template <class Holder, class Value>
 Field(const char*, Value Holder::*, const char*) -> Field<Holder, Value>;
+/// A field with further facts.
 template <class Holder, class Value>
 Field(const char*, Value Holder::*, const char*, FieldTraits<Holder, Value>)
     -> Field<Holder, Value>;
 
+/// All fields of a struct.
 template <class... Fields>
 struct FieldTable {
   const char* name;  ///< of the struct in schemas: "goal"
+  /// The sentence of the schema.
   const char* says;
+  /// The fields, in the order of files.
   std::tuple<Fields...> fields;
 };
+/// A table of the fields that are given.
 template <class... Fields>
 FieldTable(const char*, const char*, std::tuple<Fields...>) -> FieldTable<Fields...>;
 

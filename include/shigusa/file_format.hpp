@@ -23,10 +23,12 @@ enum class NeededLibrary { none, cairo, urdfdom };
 /// table; a format that is written has a function write_as (src/document/export_file.hpp), one of
 /// people a function read_person (src/character/character_file.hpp).
 struct FormatInfo {
+  /// The format that the row is of.
   FileFormat format;
   std::string_view word;                    ///< it is asked for by, and written files end in
   std::array<std::string_view, 2> endings;  ///< of files that are read: ".glb"; "" where there is
                                             ///< no other
+  /// The media type of its files.
   std::string_view media_type;
   std::string_view about;     ///< one sentence
   bool person = false;        ///< people are read from it,
@@ -36,12 +38,16 @@ struct FormatInfo {
   bool usual = false;         ///< it does where nothing is said and the character can
   bool rated = false;         ///< it has the motion at the rate that is asked for
   std::size_t max_bytes = 0;  ///< of a file that is read
+  /// The character's file that writing needs.
   NeededFile needs = NeededFile::none;
+  /// The library that reading or writing needs.
   NeededLibrary library = NeededLibrary::none;
 };
 
+/// Bytes.
 inline constexpr std::size_t kMebibyte = std::size_t{1} << 20;
 
+/// All formats, in the order of FileFormat.
 inline constexpr std::array kFileFormats{
     FormatInfo{.format = FileFormat::bvh,
                .word = "bvh",
@@ -138,9 +144,11 @@ inline constexpr std::array kFileFormats{
                .max_bytes = 4 * kMebibyte,
                .library = NeededLibrary::urdfdom},
 };
+/// The words of FileFormat.
 template <>
 inline constexpr auto kEnumWords<FileFormat> = words_of_table(kFileFormats, &FormatInfo::format);
 
+/// The row of a format.
 [[nodiscard]] constexpr const FormatInfo& info_of(FileFormat format) {
   return kFileFormats[static_cast<std::size_t>(format)];
 }
@@ -165,6 +173,7 @@ inline constexpr auto kEnumWords<FileFormat> = words_of_table(kFileFormats, &For
 /// The words or the endings of the formats that are so, for messages: "bvh, glb and vrma".
 [[nodiscard]] std::string format_words(bool (*is_so)(const FormatInfo&),
                                        std::string_view last = "and");
+/// The endings of such formats.
 [[nodiscard]] std::string format_endings(bool (*is_so)(const FormatInfo&),
                                          std::string_view last = "or");
 

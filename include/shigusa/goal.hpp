@@ -33,6 +33,7 @@ struct Obstacle {
   double radius = 0.0;  ///< m, ≥ 0, beyond the size on all sides
 };
 
+/// The fields of an obstacle.
 template <>
 inline constexpr FieldTable kFields<Obstacle>{
     "obstacle",
@@ -72,6 +73,7 @@ struct GoalAxis {
   friend bool operator==(const GoalAxis&, const GoalAxis&) = default;
 };
 
+/// The fields of a goal's axis.
 template <>
 inline constexpr FieldTable kFields<GoalAxis>{
     "goal_axis", "An axis of the effector and the direction that it is to have.",
@@ -108,6 +110,7 @@ struct Goal {
   friend bool operator==(const Goal&, const Goal&) = default;
 };
 
+/// The fields of a goal.
 template <>
 inline constexpr FieldTable kFields<Goal>{
     "goal", "The final place of one effector, and how it is turned there.",

@@ -17,6 +17,7 @@ enum class BodyExtent {
   /// freedom as well, as far as the landmarks tell of them
   human,
 };
+/// The words of BodyExtent.
 template <>
 inline constexpr std::array kEnumWords<BodyExtent>{
     EnumWord{BodyExtent::half, "half"},

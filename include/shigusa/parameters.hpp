@@ -111,6 +111,7 @@ inline constexpr std::string_view kSwitchName = "switch";
   return name.starts_with(kLaterPrefix) ? name.substr(kLaterPrefix.size()) : name;
 }
 
+/// The freedoms of an arm that moves by weights.
 inline constexpr int kArmDofs = 4;
 /// The weights of shoulder flexion, abduction and rotation, and of elbow flexion.
 using ArmWeights = std::array<JointWeight, kArmDofs>;
@@ -131,6 +132,7 @@ struct Parameters {
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
+/// The parts of a limb's range; so many make it shortest.
 inline constexpr int kContractionMax = 15;
 
 /// Gives a motion of one phase a later one that is like the first.

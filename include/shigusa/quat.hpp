@@ -27,6 +27,7 @@ using Quatd = Quat<double>;
 
 inline constexpr double kUnitSlack = 1e-3;  ///< of a unit quaternion's squared length
 
+/// The square of the length: 1 of a rotation.
 [[nodiscard]] inline double squared_length(const Quatd& q) {
   return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
 }

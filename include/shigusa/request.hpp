@@ -38,9 +38,13 @@ enum class Preset {
 
 /// What a preset is, and has where a task says nothing else.
 struct PresetTraits {
+  /// The preset that these are of.
   Preset preset;
+  /// Its word in files.
   std::string_view word;
+  /// The search of its parameters.
   SearchMethod search;
+  /// The criteria that score its motions.
   CriteriaSettings (*criteria)();
   int candidates;                    ///< delivered at most
   int evaluations;                   ///< scored by searches that do not converge by themselves
@@ -50,6 +54,7 @@ struct PresetTraits {
   /// apart.
   bool natural;
 };
+/// All presets, in the order of Preset.
 inline constexpr std::array kPresets{
     PresetTraits{Preset::paper,
                  "paper",
@@ -72,14 +77,17 @@ inline constexpr std::array kPresets{
     PresetTraits{Preset::human, "human", SearchMethod::cma_es, default_criteria, kFlatCandidates,
                  kHumanEvaluations, LayerStack::human, true},
 };
+/// The words of Preset.
 template <>
 inline constexpr auto kEnumWords<Preset> = words_of_table(kPresets, &PresetTraits::preset);
 
+/// The traits of one preset.
 [[nodiscard]] constexpr const PresetTraits& traits_of(Preset preset) {
   return kPresets[static_cast<std::size_t>(preset)];
 }
 
 inline constexpr std::size_t kGoalsMax = 64;  ///< more than any body can meet
+/// The most obstacles of a task.
 inline constexpr std::size_t kObstaclesMax = 64;
 inline constexpr double kTaskDurationMin = 0.05;  ///< s
 inline constexpr double kTaskDurationMax = 60.0;  ///< s
@@ -91,6 +99,7 @@ enum class MotionGenerator {
   nlp_ik,       ///< constrained minimisation in each frame (Zhao and Badler), always within limits
 };
 
+/// The words of MotionGenerator.
 template <>
 inline constexpr std::array kEnumWords<MotionGenerator>{
     EnumWord{MotionGenerator::weighted_ik, "weighted_ik"},
@@ -100,21 +109,29 @@ inline constexpr std::array kEnumWords<MotionGenerator>{
 /// The plain data of a task: all that its file says beside the character. Its table of fields,
 /// below, says what each member is.
 struct Request {
+  /// The final places of effectors, each of another one.
   std::vector<Goal> goals{};
   std::optional<Vec3d> look_at{};  ///< m, world
   /// Names of feet, the base among them. A foot that lifts does so by kFootLift.
   std::optional<std::vector<std::string>> contacts{};
+  /// Things that the criterion `collision` sees.
   std::vector<Obstacle> obstacles{};
   std::optional<double> duration{};  ///< s
+  /// The way in which parameters are searched.
   Preset preset = Preset::flat;
+  /// The parameters of the first layer, of layered presets.
   LayerReading layer_reading = LayerReading::shared_contractions;
+  /// The preset's own when not given.
   std::optional<SearchMethod> search{};
   bool pareto = false;  ///< see pareto_criteria
+  /// The criteria that score its motions.
   CriteriaSettings criteria = traits_of(Preset::flat).criteria();
   std::vector<std::string> fixed_assignments{};              ///< "squat_deg=60"
   MotionGenerator generator = MotionGenerator::weighted_ik;  ///< the other not of layered presets
   int phases = 1;  ///< 2: a LaterPhase is searched too, twice as many parameters
+  /// The same seed gives the same motions.
   std::uint64_t seed = 0;
+  /// The most candidates that are delivered.
   int candidates = traits_of(Preset::flat).candidates;
   /// Without it the paper's genetic algorithm runs until it converges, and the others score
   /// usual_evaluations.
@@ -126,6 +143,7 @@ void adopt_preset(Request& request, const Preset& preset);
 /// Asks for a front of the criteria or for none; a front brings its own mixture of them.
 void adopt_pareto(Request& request, const bool& pareto);
 
+/// The fields of a request.
 template <>
 inline constexpr FieldTable kFields<Request>{
     "task",
