@@ -2,6 +2,7 @@
 #include <shigusa/goal.hpp>
 
 #include "character/landmarks_json.hpp"
+#include "criteria/built_in_criteria.hpp"
 #include "task_values.hpp"
 
 namespace shigusa {

@@ -7,6 +7,7 @@
 #include "character/character_places.hpp"
 #include "character/humanoid_request.hpp"
 #include "character/landmarks_json.hpp"
+#include "criteria/built_in_criteria.hpp"
 
 namespace shigusa {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <shigusa/bvh.hpp>
 
+#include "character/character_rig.hpp"
 #include "character_export.hpp"
 #include "export_file.hpp"
 #include "kinematics/skeleton_motion.hpp"
@@ -44,7 +45,7 @@ Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& 
 // Of any body; a character from a file keeps its own nodes.
 template <>
 Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
-  const std::optional<CharacterRig>& rig = request.character.rig;
+  const std::shared_ptr<const CharacterRig>& rig = request.character.rig;
   const BodyModel& body = request.task.body;
   const auto make = [&](const Clip& clip) -> Result<std::string> {
     if (!rig) return format_bvh(skeleton_motion(body, clip));
