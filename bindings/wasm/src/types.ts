@@ -175,9 +175,12 @@ export interface FormatFacts {
   max_bytes: number; // that are read
 }
 
+/** The name of a preset. */
+export type PresetName = NonNullable<Task['preset']>;
+
 /** What a preset is, and has where a task says nothing else. */
 export interface PresetFacts {
-  name: string;
+  name: PresetName;
   mixture: string; // that it ranks by
   search: string;
   candidates: number;
@@ -193,7 +196,7 @@ export interface Facts {
   mixtures: Record<string, Readonly<Record<string, number>>>; // weights by criterion
   presets: PresetFacts[];
   pareto_mixture: string; // that a task with `pareto` ranks by, whatever its preset
-  default_preset: string; // of a task that names none
+  default_preset: PresetName; // of a task that names none
   default_body: string; // the same
   searches: string[];
   generators: string[];

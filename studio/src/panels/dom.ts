@@ -58,8 +58,8 @@ export function button(label: string, onClick: () => void, props: Props = {}): H
   return h('button', { type: 'button', onClick, ...props }, label);
 }
 
-export function select(label: string, options: readonly (readonly [value: string, text: string])[], value: string, onChange: (value: string) => void): HTMLSelectElement {
-  const element = h('select', { 'aria-label': label, onChange: () => onChange(element.value) },
+export function select<Value extends string>(label: string, options: readonly (readonly [value: Value, text: string])[], value: Value, onChange: (value: Value) => void): HTMLSelectElement {
+  const element = h('select', { 'aria-label': label, onChange: () => onChange(element.value as Value) },
     ...options.map(([key, text]) => h('option', { value: key }, text)));
   element.value = value;
   return element;

@@ -36,7 +36,7 @@ export class GoalsPanel implements Panel {
     const presets = studio.facts.presets.map(({ name }) => [name, engineWord('presets', name)] as const);
     this.method = select(t('method'), presets, studio.facts.default_preset, (value) => this.search(value));
     this.effort = select(t('effort'), efforts.map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
-      this.change({ evaluations: this.evaluations(this.method.value, key as Effort) }));
+      this.change({ evaluations: this.evaluations(this.method.value, key) }));
     this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.list,
       h('div', { class: 'fields' },
@@ -59,7 +59,7 @@ export class GoalsPanel implements Panel {
   }
 
   /** By another preset, with the same effort. */
-  private search(preset: string): void {
+  private search(preset: SearchSettings['preset']): void {
     const { settings } = this.studio.document!;
     const effort = this.effortOf(settings);
     this.change({ ...withPreset(settings, preset), evaluations: effort ? this.evaluations(preset, effort) : settings.evaluations });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { type Language, t } from '../i18n';
-import type { State } from '../state/model';
+import { t } from '../i18n';
 import type { Studio } from '../state/studio';
 import { h, iconButton, type Panel, select } from './dom';
 
@@ -14,9 +13,9 @@ export class TopBar implements Panel {
     const redo = iconButton('redo', t('redo'), () => studio.redo());
     const mirror = iconButton('mirror', t('mirror'), () => void studio.mirror());
     const language = select(t('language'), [['en', 'English'], ['ja', '日本語']], store.state.language, (value) =>
-      store.set({ language: value as Language }));
+      store.set({ language: value }));
     const theme = select(t('theme'), [['auto', t('themeAuto')], ['light', t('themeLight')], ['dark', t('themeDark')]], store.state.theme, (value) =>
-      store.set({ theme: value as State['theme'] }));
+      store.set({ theme: value }));
     this.element = h('header', { class: 'topbar' },
       h('h1', {}, h('img', { src: './favicon.svg', alt: '' }), h('span', {}, 'shigusa'), h('small', {}, t('tagline'))),
       h('div', { class: 'tools' }, undo, redo, mirror),

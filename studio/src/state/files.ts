@@ -60,7 +60,7 @@ async function openJson(studio: Studio, text: string, beside: readonly File[]): 
     if (changed !== undefined) return studio.tell({ kind: 'text', key: 'changedFile', values: { name: changed } });
     await openResult(studio, value as Summary, beside);
   }
-  else if (Array.isArray((value as Task).goals)) await openTask(studio, value as Task);
+  else if (Array.isArray((value as Task).goals)) await openTask(studio, value);
   else throw new SyntaxError('neither a result ("candidates") nor a task ("goals")');
 }
 
@@ -121,6 +121,6 @@ function documentOf(facts: Facts, character: Character, task: Task): Document {
     duration_s: task.duration_s ?? null,
     more: moreOf(task),
   };
-  const goals = (task.goals ?? []).map((goal) => ({ ...goal }));
+  const goals = structuredClone(task.goals ?? []);
   return { ...newDocument(facts, character, goals), settings, weights: weightsOf(facts, task), fixed: task.fixed ?? [] };
 }

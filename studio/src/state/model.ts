@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the page knows. A document is what undo goes back over; it is never changed, only replaced. A session is
 // the rest: what is shown and what is going on.
-import type { Candidate, Character, EngineFailure, Generated, Goal, Summary, Task } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, EngineFailure, Generated, Goal, PresetName, Summary, Task } from '../../../bindings/wasm/src/types';
 
 /** What a person changed of a candidate, and the motion that came of it. */
 export interface Edit {
@@ -12,7 +12,7 @@ export interface Edit {
 
 /** What is asked of the search beside the goals. */
 export interface SearchSettings {
-  readonly preset: string;
+  readonly preset: PresetName;
   readonly seed: number;
   readonly evaluations: number | null; // null: the preset's own
   readonly duration_s: number | null; // null: from the distance

@@ -72,5 +72,5 @@ export function taskOfLink(fragment: string): Task | null {
   if (typeof value !== 'object' || value === null || !Array.isArray((value as Task).goals)) {
     throw new SyntaxError('no task');
   }
-  return value as Task;
+  return value;
 }
