@@ -36,7 +36,7 @@ std::vector<double> angles_of(NlpRollout& rollout, const MotionInput<double>& in
 }
 
 // rad, how far the clip's angles pass their limits at most
-double limit_excess(const BodyModel& body, const Clip& clip) {
+double most_excess(const BodyModel& body, const Clip& clip) {
   double excess = 0.0;
   for (int f = 0; f < clip.frames; ++f) {
     for (int d = 0; d < body.dof_count(); ++d) {
@@ -72,7 +72,7 @@ RC_GTEST_PROP(NlpRolloutProperty, HandIsOnItsPathAndFeetArePlanted,
   RC_ASSERT(measured.contact_slide <= kReachTolerance);
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
   RC_ASSERT(rolled.outcome.met());
-  RC_ASSERT(limit_excess(reach.body, rolled.motion.clip) <= 0.0);
+  RC_ASSERT(most_excess(reach.body, rolled.motion.clip) <= 0.0);
 }
 
 RC_GTEST_PROP(NlpRolloutProperty, FeetStandAndLimitsHoldWhateverIsAsked, (std::uint64_t seed)) {
@@ -92,7 +92,7 @@ RC_GTEST_PROP(NlpRolloutProperty, FeetStandAndLimitsHoldWhateverIsAsked, (std::u
   RC_ASSERT(measured.contact_slide <= kReachTolerance);
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
   RC_ASSERT(measured.largest_step <= NlpIkSettings{}.max_change + 1e-9);
-  RC_ASSERT(limit_excess(full(), clip) <= 0.0);
+  RC_ASSERT(most_excess(full(), clip) <= 0.0);
 }
 
 RC_GTEST_PROP(NlpRolloutProperty, DrawnToAPostureTheHandIsStillOnItsPath,
@@ -109,7 +109,7 @@ RC_GTEST_PROP(NlpRolloutProperty, DrawnToAPostureTheHandIsStillOnItsPath,
   RC_ASSERT(measured.path_error <= kReachTolerance);
   RC_ASSERT(measured.contact_slide <= kReachTolerance);
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
-  RC_ASSERT(limit_excess(reach.body, clip) <= 0.0);
+  RC_ASSERT(most_excess(reach.body, clip) <= 0.0);
   reach.parameters.posture = {};
   RC_ASSERT(roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles != clip.angles);
 }
