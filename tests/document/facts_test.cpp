@@ -76,7 +76,8 @@ TEST(Facts, CriteriaStandInTheOrderOfScoresWithTheKeysOfTheirScales) {
 }
 
 TEST(Facts, FormatsAreThoseThatAreReadAndWritten) {
-  for (const Json& format : facts().at("formats")) {
+  const Json told = facts();
+  for (const Json& format : told.at("formats")) {
     const std::string name = format.at("name");
     EXPECT_EQ(parse_formats(name).has_value(), format.at("written").get<bool>()) << name;
     for (const std::string ending : format.at("endings")) {
