@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # check_c_math.sh [ROOT [LIBRARY]]: fails when include/ or src/, or the built static LIBRARY, uses a
 # transcendental function of the C library. Those give other bits from one C library to the next;
-# shigusa/math/scalar.hpp has its own.
+# shigusa/scalar.hpp has its own.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 library=${2:-}

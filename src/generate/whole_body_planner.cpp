@@ -44,7 +44,6 @@ class WholeBodyPlanner : public Planner {
   [[nodiscard]] std::size_t approaches() const override { return ways_.size(); }
 
   bool go_by_other_posture(int other) override {
-    searched_.reset();
     if (other == 0) {
       ways_ = usual_ways_;
       return true;
@@ -57,19 +56,19 @@ class WholeBodyPlanner : public Planner {
 
   Found search(const Task& task, std::size_t approach, const Progress& progress) override {
     const ReachProblem& way = ways_[approach];
-    searched_.emplace(way, task);
-    Found found{.result = searched_->run(progress), .choice = {}, .best_seen = {}};
-    found.choice =
-        traits_of(task.preset).natural
-            ? distinct_postures(searched_->archive(), kKeptPerCandidate * task.candidates)
-            : Choice{.picked = ranked_population(found.result)};
-    found.best_seen = searched_->space().decode(found.result.best_seen.point);
+    Searched searched(way, task);
+    Found found{.result = searched.run(progress), .choice = {}, .best_seen = {}};
+    space_ = searched.space();
+    found.choice = traits_of(task.preset).natural
+                       ? distinct_postures(searched.archive(), kKeptPerCandidate * task.candidates)
+                       : Choice{.picked = ranked_population(found.result)};
+    found.best_seen = space_->decode(found.result.best_seen.point);
     found.best_seen_score = replayed_score(way, found.best_seen);
     return found;
   }
 
   Expanded expand(std::span<const double> point) override {
-    return {.values = searched_->space().decode(point)};
+    return {.values = space_->decode(point)};
   }
 
   [[nodiscard]] std::optional<Arrival> arrival(const Parameters& values,
@@ -104,7 +103,7 @@ class WholeBodyPlanner : public Planner {
   ClosestReach reach_;
   std::vector<ReachProblem> usual_ways_;
   std::vector<ReachProblem> ways_;
-  std::optional<Searched> searched_;
+  std::optional<ParameterSpace> space_;  // of the last search
 };
 
 }  // namespace

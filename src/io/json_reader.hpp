@@ -50,12 +50,6 @@ class JsonReader {
     into = member.get<double>();
   }
 
-  void number(const char* key, std::optional<double>& into, double low, double high) {
-    double value = 0.0;
-    number(key, value, low, high);
-    if (object_->is_object() && object_->contains(key)) into = value;
-  }
-
   template <class Integer>
   void integer(const char* key, Integer& into, std::uint64_t low, std::uint64_t high) {
     if (!has(key)) return;
