@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   std::vector<double> times;
   for (int round = 0; round < rounds; ++round) {
     const std::clock_t begin = std::clock();
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     times.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     // what is timed is the whole budget, and a goal that is met
     if (generation.evaluations < kFlatEvaluations - kFlatEvaluations / 100) return 1;

@@ -21,7 +21,7 @@ void query(benchmark::State& state, const BodyModel& body, SimdSet simd, int thr
   Task task(body, {.goals = {{"right_hand", {0.25, 0.55, 0.50}}}});
   task.batch = {simd, threads};
   for (auto _ : state) {
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     if (generation.status != ReachStatus::reached) state.SkipWithError("not reached");
     benchmark::DoNotOptimize(generation.candidates.data());
   }

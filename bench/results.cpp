@@ -42,7 +42,7 @@ Task make(const BodyModel& body, const Vec3d& goal, std::uint64_t seed) {
   return task;
 }
 
-double seconds_of(const Task& task, Generation& generation) {
+double seconds_of(const Task& task, GenerateResult& generation) {
   const auto begin = std::chrono::steady_clock::now();
   generation = generate(task).value();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -75,7 +75,7 @@ void single_runs(const BodyModel& body, const Experiment& experiment, std::strin
   std::vector<double> best, random, evaluations, milliseconds, candidates;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Task task = make(body, experiment.goal, seed);
-    Generation g;
+    GenerateResult g;
     milliseconds.push_back(1e3 * seconds_of(task, g));
     best.push_back(g.best_seen_score);
     random.push_back(best_of_random(task, g.evaluations, seed));
@@ -89,7 +89,7 @@ void single_runs(const BodyModel& body, const Experiment& experiment, std::strin
       quantile(random, 0.75), quantile(candidates, 0.5), quantile(milliseconds, 0.5));
 }
 
-void candidate_table(const Generation& generation, std::string& page) {
+void candidate_table(const GenerateResult& generation, std::string& page) {
   page +=
       "| rank | score | joint range | balance | torque | hand's error, mm | foot's slide, mm | "
       "most over its limit |\n|---|---|---|---|---|---|---|---|\n";
@@ -118,7 +118,7 @@ void show(const std::filesystem::path& docs, const BodyModel& body, const Experi
           bool long_search, std::string& page) {
   Task task = make(body, experiment.goal, kShownSeed);
   if (long_search) task.evaluations = kLongBudget;
-  Generation generation;
+  GenerateResult generation;
   const double seconds = seconds_of(task, generation);
   page += fmt::format(
       "\n### {}: {}, {}\n\nGoal ({:g}, {:g}, {:g}) m, seed {}: {} motions of {:.2f} s scored in "

@@ -66,7 +66,7 @@ BEGIN {
 
   face("core", "result progress random words field parallel")
   face("math", "scalar vec3 mat3 quat transform")
-  face("body", "skeleton body_model stature goal")
+  face("body", "skeleton body_model body_build goal")
   face("motion", "motion")
   face("person", "landmarks human_body")
   face("criteria", "criteria motion_measures")

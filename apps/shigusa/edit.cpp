@@ -107,7 +107,7 @@ int edit(const EditOptions& options) {
       options.files, stored->task.character, usual_settings(*stored, options.candidate, *file));
   if (!settings) return report(settings.error());
   const auto begin = std::chrono::steady_clock::now();
-  const Result<Generation> generation =
+  const Result<GenerateResult> generation =
       replay(*task, *stored, options.candidate, options.assignments);
   if (!generation) {
     const Error& error = generation.error();

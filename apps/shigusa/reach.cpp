@@ -98,7 +98,7 @@ int reach(const ReachOptions& options) {
     progress.deadline = begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                     std::chrono::duration<double>(*options.seconds));
   }
-  const Result<Generation> generation = generate(*task, progress);
+  const Result<GenerateResult> generation = generate(*task, progress);
   end_progress_line();
   if (!generation) return report(generation.error());
   RunInfo info;

@@ -68,7 +68,7 @@ std::string score_table(const BodyModel& body, const ClipScore& scored) {
          fmt::format("  {}\n", measures_row(body, scored.measures, scored.final_posture));
 }
 
-std::string candidate_table(const BodyModel& body, const Generation& generation) {
+std::string candidate_table(const BodyModel& body, const GenerateResult& generation) {
   std::string text = fmt::format("{:>4}  {:<10}  {:>7}", "rank", "verdict", "score");
   for (const ScoreTerm& term : generation.candidates.front().score.terms) {
     text += fmt::format("  {:>{}}", term.name, column_width(term));
@@ -109,7 +109,7 @@ std::string candidate_table(const BodyModel& body, const Generation& generation)
   return text;
 }
 
-std::string headline(const Task& task, const Generation& generation, const RunInfo& info) {
+std::string headline(const Task& task, const GenerateResult& generation, const RunInfo& info) {
   std::string text = fmt::format("{}: {}", word_of(generation.status), printable(task.body.name()));
   for (const Goal& goal : task.goals) {
     text += fmt::format(", {} at ({:g}, {:g}, {:g}) m", goal.effector, goal.position.x,
@@ -130,7 +130,7 @@ std::string headline(const Task& task, const Generation& generation, const RunIn
 }
 
 int deliver(const std::filesystem::path& folder, const TaskFile& file, const Task& task,
-            const Generation& generation, const RunInfo& info, const ExportSettings& settings,
+            const GenerateResult& generation, const RunInfo& info, const ExportSettings& settings,
             bool json) {
   const Result<std::string> summary = write_result(folder, file, task, generation, info, settings);
   if (!summary) return report(summary.error());

@@ -70,7 +70,7 @@ Run run_layers(Task task, int evaluations, const LimbStore& store, int* cells) {
   const Stopwatch watch;
   task.layers.store = store;
   task.layers.feedback_rounds = 0;
-  const Generation found = generate(task).value();
+  const GenerateResult found = generate(task).value();
   if (cells != nullptr) *cells = found.cells_searched;
   const double milliseconds = watch.milliseconds();
   // a miss scores the worst of all and more, by what it misses
@@ -84,7 +84,7 @@ Run run_layers(Task task, int evaluations, const LimbStore& store, int* cells) {
 Run run_flat(Task task, int evaluations) {
   task.evaluations = evaluations;
   const Stopwatch watch;
-  const Generation found = generate(task).value();
+  const GenerateResult found = generate(task).value();
   return {found.best_seen_score, watch.milliseconds()};
 }
 

@@ -36,7 +36,7 @@ Found find(const Subject& subject, const Place& place, Preset preset,
   task.seed = seed;
   task.evaluations = evaluations;
   const Stopwatch watch;
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   const double milliseconds = watch.milliseconds();
   const bool arrived = generation.meets_goals();
   return {generation.best_seen_score, milliseconds, arrived,

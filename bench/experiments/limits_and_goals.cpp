@@ -53,7 +53,7 @@ Judged judge(const BodyModel& body, const Vec3d& goal, std::uint64_t number) {
   Task task = goal_task(body, goal, Preset::flat, default_criteria());
   task.evaluations = kEvaluations;
   task.seed = number;
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   Judged judged{.goal = goal};
   judged.met = judged.said = generation.meets_goals();
   Kinematics<double> placed(body);

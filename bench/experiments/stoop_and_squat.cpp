@@ -30,7 +30,7 @@ Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettin
                   std::uint64_t seed) {
   Task task = goal_task(body, goal, Preset::flat, criteria);
   task.seed = seed;
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   Delivered delivered;
   delivered.reached = generation.meets_goals();
   delivered.best = generation.candidates.front().score.total;

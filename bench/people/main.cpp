@@ -27,7 +27,7 @@ Chosen chosen(const Recorded& reach, std::string way, const Candidate& candidate
 }
 
 // The best-scored candidate and the one that ends nearest to the record.
-void add_two(const Recorded& reach, const std::string& of, const Generation& generation,
+void add_two(const Recorded& reach, const std::string& of, const GenerateResult& generation,
              std::vector<Chosen>& into) {
   into.push_back(chosen(reach, "best-scored" + of, generation.candidates.front()));
   std::optional<Chosen> nearest;
@@ -45,13 +45,13 @@ Result<Compared> compared(const std::filesystem::path& clip, const Segment& segm
   const Recorded& record = result.reach;
   Task task = record.task();
   task.candidates = kCandidates;
-  const Result<Generation> flat = generate(task);
+  const Result<GenerateResult> flat = generate(task);
   if (!flat) return tl::unexpected(flat.error());
   result.candidates = static_cast<int>(flat->candidates.size());
   add_two(record, fmt::format(" of {}", kCandidates), *flat, result.chosen);
   const Task paper = with_preset(record.task(), Preset::paper);
-  const Result<Generation> uniform = regenerate(paper, uniform_parameters(task.body));
-  const Result<Generation> searched = generate(paper);
+  const Result<GenerateResult> uniform = regenerate(paper, uniform_parameters(task.body));
+  const Result<GenerateResult> searched = generate(paper);
   if (!uniform || !searched) {
     return tl::unexpected((uniform ? searched : uniform).error());
   }
@@ -66,7 +66,7 @@ Result<Compared> compared(const std::filesystem::path& clip, const Segment& segm
   if (!on_toes) return tl::unexpected(on_toes.error());
   Task lifting = on_toes->task();
   lifting.candidates = kCandidates;
-  const Result<Generation> lifted = generate(lifting);
+  const Result<GenerateResult> lifted = generate(lifting);
   if (!lifted) return tl::unexpected(lifted.error());
   std::vector<Chosen> on_heels;
   add_two(*on_toes, fmt::format(" of {}", kCandidates), *lifted, on_heels);

@@ -66,18 +66,18 @@ struct Layer;
 
 /// One candidate's anew from what the assignments (see assign_parameter) make of its parameters,
 /// which stay changed.
-[[nodiscard]] Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
-                                        std::span<const std::string> assignments = {});
+[[nodiscard]] Result<GenerateResult> replay(const Task& task, StoredResult& stored, int candidate,
+                                            std::span<const std::string> assignments = {});
 /// All of them, in the result's order. Fails with ErrorCode::cancelled where it is stopped between
 /// two of them; scores that it reports are of the first.
-[[nodiscard]] Result<Generation> replay_all(const Task& task, StoredResult& stored,
-                                            const Progress& progress = {});
+[[nodiscard]] Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
+                                                const Progress& progress = {});
 
 /// Takes task and parameters to the other side (see mirrored). What stands of files stays, and is
 /// of the motions that there were.
 [[nodiscard]] Result<void> mirror_result(StoredResult& stored);
 
 /// A result as it would be read back from its file.
-[[nodiscard]] StoredResult stored_result(const TaskFile& file, const Generation& generation);
+[[nodiscard]] StoredResult stored_result(const TaskFile& file, const GenerateResult& generation);
 
 }  // namespace shigusa

@@ -49,8 +49,8 @@ struct ExportSettings {
 /// and figures have the frames of the motion itself.
 [[nodiscard]] Result<std::string> write_result(const std::filesystem::path& folder,
                                                const TaskFile& file, const Task& task,
-                                               const Generation& generation, const RunInfo& info,
-                                               const ExportSettings& settings);
+                                               const GenerateResult& generation,
+                                               const RunInfo& info, const ExportSettings& settings);
 
 /// How one motion is written.
 struct FileSettings {

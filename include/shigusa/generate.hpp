@@ -100,7 +100,7 @@ struct Candidate {
 };
 
 /// The result of a search for motions.
-struct Generation {
+struct GenerateResult {
   ReachStatus status = ReachStatus::reached;  ///< whether the goals are met
   double remaining_distance = 0.0;  ///< m, of the best candidate to its goals; 0 when reached
   double remaining_turn = 0.0;      ///< rad, the largest that is left of a goal's turn; the same
@@ -133,7 +133,7 @@ struct Generation {
 };
 
 /// The task that plays a search's motions again: with the duration that it came to.
-[[nodiscard]] Task played_task(Task task, const Generation& generation);
+[[nodiscard]] Task played_task(Task task, const GenerateResult& generation);
 
 /// Two motions whose joint angles never differ by more than this, root mean square over the dofs,
 /// are one candidate (rad).
@@ -178,12 +178,12 @@ inline constexpr double kEdgeTolerance = 5e-3;
 /// by the task's criteria. The preset human does so with the best of a few swivels for each upper
 /// motion; the upper motions that are kept are given the best swivel of all, then the best final
 /// angles of free arms.
-[[nodiscard]] Result<Generation> generate(const Task& task, const Progress& progress = {});
+[[nodiscard]] Result<GenerateResult> generate(const Task& task, const Progress& progress = {});
 
 /// Generates one motion from given values of the plan's parameters (plan_of), without a search: the
 /// parameter editor (paper, section 4.2 and figure 7). The hand still meets its goal, or comes as
 /// near as the given locks allow; the status tells. Fails on a task that is wrong, and where
 /// check_parameters does.
-[[nodiscard]] Result<Generation> regenerate(const Task& task, const Parameters& parameters);
+[[nodiscard]] Result<GenerateResult> regenerate(const Task& task, const Parameters& parameters);
 
 }  // namespace shigusa

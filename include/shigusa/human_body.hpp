@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/body_build.hpp>
 #include <shigusa/body_model.hpp>
 #include <shigusa/landmarks.hpp>
-#include <shigusa/stature.hpp>
 #include <string>
 #include <vector>
 
@@ -62,10 +62,10 @@ inline constexpr double kLiftedFoot = 0.05;
 inline constexpr double kStandingToeOut = radians(7.0);
 
 /// Makes the body of 9 freedoms, standing at ease (standing_landmarks).
-[[nodiscard]] BodyModel half_body(const Stature& stature = {});
+[[nodiscard]] BodyModel half_body(const BodyBuild& stature = {});
 /// Makes the body of 18 freedoms, standing at ease.
-[[nodiscard]] BodyModel full_body(const Stature& stature = {});
+[[nodiscard]] BodyModel full_body(const BodyBuild& stature = {});
 /// Makes the body of 45 freedoms, standing at ease.
-[[nodiscard]] BodyModel human_body(const Stature& stature = {});
+[[nodiscard]] BodyModel human_body(const BodyBuild& stature = {});
 
 }  // namespace shigusa

@@ -42,7 +42,7 @@ struct ReadBack {
 };
 
 /// The same of a task's file.
-[[nodiscard]] TaskFile played_task(TaskFile file, const Generation& generation);
+[[nodiscard]] TaskFile played_task(TaskFile file, const GenerateResult& generation);
 
 /// A file of a candidate.
 struct CandidateFile {
@@ -64,7 +64,7 @@ struct ResultFiles {
 /// task stands in it with the measured character, so that the result can be edited without any
 /// other file.
 [[nodiscard]] std::string format_result(const TaskFile& file, const Task& task,
-                                        const Generation& generation, const RunInfo& info,
+                                        const GenerateResult& generation, const RunInfo& info,
                                         const ResultFiles& files = {});
 
 /// A result as read back: enough to generate its motions again and to edit them.

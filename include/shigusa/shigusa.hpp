@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/body_build.hpp>
 #include <shigusa/body_model.hpp>
 #include <shigusa/bvh.hpp>
 #include <shigusa/character.hpp>
@@ -32,7 +33,6 @@
 #include <shigusa/score_clip.hpp>
 #include <shigusa/search.hpp>
 #include <shigusa/skeleton.hpp>
-#include <shigusa/stature.hpp>
 #include <shigusa/strip_figure.hpp>
 #include <shigusa/task.hpp>
 #include <shigusa/task_file.hpp>

@@ -120,7 +120,7 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
   Result<PersonStart> found = find_person(*file, spec);
   if (!found) return tl::unexpected(found.error());
   const std::vector<Transformd> world = world_transforms(file->skeleton, found->measured.clip(), 0);
-  tell_bones(
+  list_bones(
       found->map, [&](std::size_t node) { return file->skeleton.nodes[node].name; }, spec);
   MeasuredPerson& start = found->start;
   if (spec.heels) {
@@ -229,7 +229,7 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
     return build_human(seated(standing_landmarks(stature, kStandingToeOut), stature, *spec.seat),
                        settings);
   }
-  const Stature person{stature, mass, spec.sex, base, spec.heels};
+  const BodyBuild person{stature, mass, spec.sex, base, spec.heels};
   if (spec.source == "half_body") return half_body(person);
   return spec.source == "human" ? human_body(person) : full_body(person);
 }

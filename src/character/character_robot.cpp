@@ -79,7 +79,7 @@ Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
   if (!text) return tl::unexpected(text.error());
   const Result<ReadRobot> read = read_robot(*text, spec);
   if (!read) return tl::unexpected(read.error());
-  tell_bones(
+  list_bones(
       read->map, [&](std::size_t link) { return read->robot.links[link].name; }, spec);
   spec.urdf = std::move(*text);
   return {};

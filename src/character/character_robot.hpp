@@ -18,7 +18,7 @@ namespace shigusa {
 [[nodiscard]] Result<BodyModel> build_robot_character(const CharacterSpec& spec);
 
 // Tells the mapped bones by the names of their nodes, which name_of(index) gives.
-inline void tell_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
+inline void list_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
   for (int b = 0; b < kHumanoidBoneCount; ++b) {
     const auto bone = static_cast<HumanoidBone>(b);
     if (map[bone] < 0) continue;

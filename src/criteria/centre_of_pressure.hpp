@@ -19,11 +19,11 @@ namespace shigusa {
 // Source: the condition that a zero-moment point stays in the support polygon, M. Vukobratović and
 // B. Borovac, Int. J. Humanoid Robotics 1 (2004) 157-173.
 template <class S>
-class PressureZone {
+class CentreOfPressure {
  public:
   using Settings = PressureSettings;
 
-  explicit PressureZone(const BodyModel& body, const PressureSettings& settings = {})
+  explicit CentreOfPressure(const BodyModel& body, const PressureSettings& settings = {})
       : zone_(body),
         per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {}
 

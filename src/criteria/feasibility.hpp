@@ -15,9 +15,9 @@ namespace shigusa {
 // strength and the floor can hold the body, and above it the more the worst moment asks for. With
 //   e(t) = max(0, max_i τ_i / τ_i^max - 1, d(t) / outside),
 // τ_i^max being the strength in the direction of τ_i and d(t) how far the centre of pressure would
-// have to be outside the support polygon (see PressureZone), P = e / (1 + e) with e = max_t e(t).
-// It has no upper end: where nothing is possible, less is still better. Of a body without feet, or
-// with feet of no size, strength alone counts.
+// have to be outside the support polygon (see CentreOfPressure), P = e / (1 + e) with e = max_t
+// e(t). It has no upper end: where nothing is possible, less is still better. Of a body without
+// feet, or with feet of no size, strength alone counts.
 template <class S>
 class Feasibility {
  public:

@@ -86,8 +86,8 @@ void add_files(const Candidate& candidate, const CandidateFiles& files, double r
 }
 
 Json candidate_to_json(const CharacterSpec& character, const Task& task,
-                       std::span<const Layer> plan, const Generation& generation, std::size_t index,
-                       const ResultFiles& files) {
+                       std::span<const Layer> plan, const GenerateResult& generation,
+                       std::size_t index, const ResultFiles& files) {
   const Candidate& candidate = generation.candidates[index];
   Json json;
   json["rank"] = index + 1;
@@ -134,7 +134,7 @@ const char* end_name(SearchEnd end) {
   return "";
 }
 
-Json search_to_json(std::span<const Layer> plan, const Generation& generation) {
+Json search_to_json(std::span<const Layer> plan, const GenerateResult& generation) {
   Json json{{"end", end_name(generation.end)},
             {"generations", generation.generations},
             {"missed", generation.missed},
@@ -207,12 +207,12 @@ Result<void> check_version(const Json& json, const std::string& place) {
 
 }  // namespace
 
-TaskFile played_task(TaskFile file, const Generation& generation) {
+TaskFile played_task(TaskFile file, const GenerateResult& generation) {
   if (generation.slowed) file.duration = generation.duration;
   return file;
 }
 
-std::string format_result(const TaskFile& file, const Task& task, const Generation& generation,
+std::string format_result(const TaskFile& file, const Task& task, const GenerateResult& generation,
                           const RunInfo& info, const ResultFiles& files) {
   const Plan plan = plan_of(task).value();
   Json json;

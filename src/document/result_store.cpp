@@ -68,7 +68,7 @@ Result<void> prepare_folder(const fs::path& folder) {
 }
 
 Result<std::string> write_result(const fs::path& folder, const TaskFile& file, const Task& task,
-                                 const Generation& generation, const RunInfo& info,
+                                 const GenerateResult& generation, const RunInfo& info,
                                  const ExportSettings& settings) {
   if (const auto can = check_formats(file.character, settings.formats); !can) {
     return tl::unexpected(can.error());

@@ -27,8 +27,8 @@ Result<std::vector<std::string>> parse_assignments(std::string_view text, std::s
   return json->get<std::vector<std::string>>();
 }
 
-Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
-                          std::span<const std::string> assignments) {
+Result<GenerateResult> replay(const Task& task, StoredResult& stored, int candidate,
+                              std::span<const std::string> assignments) {
   if (candidate < 1 || candidate > count_of(stored)) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("candidate {} does not exist; the result has the candidates 1 to {}",
@@ -45,8 +45,9 @@ Result<Generation> replay(const Task& task, StoredResult& stored, int candidate,
   return regenerate(task, parameters);
 }
 
-Result<Generation> replay_all(const Task& task, StoredResult& stored, const Progress& progress) {
-  Result<Generation> all = replay(task, stored, 1);
+Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
+                                  const Progress& progress) {
+  Result<GenerateResult> all = replay(task, stored, 1);
   for (int k = 2; all && k <= count_of(stored); ++k) {
     if (progress.report) {
       progress.report({"replay", static_cast<double>(k - 1) / count_of(stored), k - 1,
@@ -56,7 +57,7 @@ Result<Generation> replay_all(const Task& task, StoredResult& stored, const Prog
       return fail(ErrorCode::cancelled,
                   fmt::format("stopped after {} of {} candidates", k - 1, count_of(stored)));
     }
-    Result<Generation> next = replay(task, stored, k);
+    Result<GenerateResult> next = replay(task, stored, k);
     if (!next) return next;
     all->candidates.push_back(std::move(next->candidates.front()));
     // what one cannot meet all cannot; what one can make is possible
@@ -83,7 +84,7 @@ Result<void> mirror_result(StoredResult& stored) {
   return {};
 }
 
-StoredResult stored_result(const TaskFile& file, const Generation& generation) {
+StoredResult stored_result(const TaskFile& file, const GenerateResult& generation) {
   StoredResult stored{.task = played_task(file, generation), .candidates = {}};
   for (const Candidate& candidate : generation.candidates) {
     stored.candidates.push_back(candidate.parameters);

@@ -139,7 +139,7 @@ double largest_distance(const Clip& a, const Clip& b) {
 
 double final_distance(const Clip& a, const Clip& b) { return frame_distance(a, b, a.frames - 1); }
 
-void add_counts(const SearchResult& found, Generation& generation) {
+void add_counts(const SearchResult& found, GenerateResult& generation) {
   generation.evaluations += found.evaluations;
   generation.generations = found.generations;
   generation.rejected_nan += found.rejected_nan;

@@ -28,6 +28,6 @@ namespace shigusa {
 [[nodiscard]] double final_distance(const Clip& a, const Clip& b);
 
 // Counts what a search did.
-void add_counts(const SearchResult& found, Generation& generation);
+void add_counts(const SearchResult& found, GenerateResult& generation);
 
 }  // namespace shigusa

@@ -52,8 +52,8 @@ struct Replayed {
 
 class Delivery {
  public:
-  Delivery(const Task& task, Planner& planner, std::size_t approach, const Choice& choice,
-           Generation& generation)
+  Delivery(const Task& task, Planner& planner, std::size_t approach, const Selection& choice,
+           GenerateResult& generation)
       : task_(task),
         policy_(policy_of(task)),
         planner_(planner),
@@ -172,14 +172,14 @@ class Delivery {
   Policy policy_;
   Planner& planner_;
   std::size_t approach_;
-  const Choice& choice_;
-  Generation& generation_;
+  const Selection& choice_;
+  GenerateResult& generation_;
   int taken_ = 0;
 };
 
 // Where a motion passes through nothing, those that do are left out; else those that are deeper in
 // than the least.
-void drop_collisions(Generation& generation) {
+void drop_collisions(GenerateResult& generation) {
   std::vector<Candidate>& all = generation.candidates;
   if (all.empty()) return;
   double least = std::numeric_limits<double>::infinity();
@@ -190,7 +190,7 @@ void drop_collisions(Generation& generation) {
 }
 
 // Where some candidate keeps to its joints' limits, those that do not are not delivered.
-void keep_within_limits(Generation& generation) {
+void keep_within_limits(GenerateResult& generation) {
   const auto passes = [](const Candidate& c) { return !c.measures.over_limit.empty(); };
   std::vector<Candidate>& all = generation.candidates;
   if (std::all_of(all.begin(), all.end(), passes)) return;
@@ -217,10 +217,10 @@ void keep_most(std::size_t most, std::vector<Candidate>& all) {
 }  // namespace
 
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
-                        Generation& generation) {
+                        GenerateResult& generation) {
   generation.missed = generation.over_limit = generation.replay_differs = 0;
   generation.replay_difference = 0.0;
-  Choice& choice = found.choice;
+  Selection& choice = found.choice;
   Delivery delivery(task, planner, approach, choice, generation);
   delivery.take_picked();
   delivery.take_styles();

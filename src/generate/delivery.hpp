@@ -18,6 +18,6 @@ namespace shigusa {
 //  5. Motions that pass a limit or a body go where others do not, then the worst of too many.
 // Which of these steps there are, the task's preset says.
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
-                        Generation& generation);
+                        GenerateResult& generation);
 
 }  // namespace shigusa

@@ -7,8 +7,8 @@
 #include "arm_libraries.hpp"
 #include "candidate.hpp"
 #include "generate/layered_problem.hpp"
+#include "layered_approaches.hpp"
 #include "layered_search.hpp"
-#include "layered_ways.hpp"
 #include "planner.hpp"
 #include "task/task_search.hpp"
 
@@ -25,12 +25,12 @@ constexpr int kKeptPerCandidate = 2;
 // The search of the upper layer on one way to the goals: of the whole body its weights alone.
 class UpperSearch {
  public:
-  UpperSearch(const Task& task, const LayeredProblem& problem, const LayeredWays& ways,
-              LayeredWay way, ArmLibraries& libraries)
+  UpperSearch(const Task& task, const LayeredProblem& problem, const LayeredApproaches& ways,
+              LayeredApproach way, ArmLibraries& libraries)
       : task_(task),
         problem_(problem),
         ways_(ways),
-        layers_(way == LayeredWay::layers),
+        layers_(way == LayeredApproach::layers),
         genes_(searched_genes(problem)),
         archive_(task.body),
         scorer_(problem, problem.layers[0].criteria, task.batch.threads,
@@ -64,9 +64,9 @@ class UpperSearch {
   }
 
   // What is worth expanding of all that was found, best first.
-  [[nodiscard]] Choice choice(const SearchResult& found) const {
+  [[nodiscard]] Selection choice(const SearchResult& found) const {
     return keeps_ends() ? distinct_postures(archive_, kKeptPerCandidate * task_.candidates)
-                        : Choice{.picked = ranked_population(found)};
+                        : Selection{.picked = ranked_population(found)};
   }
 
   // What a point's motion is generated from, with all that the layers below find for it; or as the
@@ -79,7 +79,7 @@ class UpperSearch {
   }
   Parameters as_searched(std::span<const double> point) {
     if (!layers_) return whole(decoded(point));
-    return scorer_.play(decoded(point), {.rounds = 0, .glance = true}).values;
+    return scorer_.play(decoded(point), {.rounds = 0, .coarse = true}).values;
   }
 
  private:
@@ -113,7 +113,7 @@ class UpperSearch {
 
   const Task& task_;
   const LayeredProblem& problem_;
-  const LayeredWays& ways_;
+  const LayeredApproaches& ways_;
   bool layers_;
   std::vector<std::size_t> genes_;
   Archive archive_;
@@ -125,8 +125,8 @@ class LayeredPlanner : public Planner {
  public:
   LayeredPlanner(const Task& task, LayeredProblem problem)
       : task_(task), problem_(std::move(problem)), libraries_(task, problem_), ways_(problem_) {
-    if (problem_.in_reach) tried_.push_back(LayeredWay::layers);
-    tried_.push_back(LayeredWay::body);
+    if (problem_.in_reach) tried_.push_back(LayeredApproach::layers);
+    tried_.push_back(LayeredApproach::body);
   }
 
   [[nodiscard]] std::span<const Layer> plan() const override { return problem_.layers; }
@@ -169,7 +169,7 @@ class LayeredPlanner : public Planner {
     return candidate;
   }
 
-  void finish(Generation& generation) override {
+  void finish(GenerateResult& generation) override {
     generation.cells_searched = libraries_.cells_searched();
     libraries_.keep();
   }
@@ -178,8 +178,8 @@ class LayeredPlanner : public Planner {
   const Task& task_;
   LayeredProblem problem_;
   ArmLibraries libraries_;
-  LayeredWays ways_;
-  std::vector<LayeredWay> tried_;
+  LayeredApproaches ways_;
+  std::vector<LayeredApproach> tried_;
   std::optional<UpperSearch> search_;
 };
 

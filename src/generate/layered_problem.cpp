@@ -5,12 +5,12 @@
 
 #include <utility>
 
+#include "approaches.hpp"
 #include "layers/plan.hpp"
 #include "planner.hpp"
 #include "rollout/reachability.hpp"
 #include "task/make_problem.hpp"
 #include "task/plan_of.hpp"
-#include "ways.hpp"
 
 namespace shigusa {
 
@@ -49,8 +49,8 @@ Result<LayeredProblem> make_layered_problem(const Task& task) {
   // keeps to its path all the same
   const ReachTolerance tolerance = problem.reach.tolerance;
   const ClosestReach closest = closest_reach(problem.reach);
-  problem.body_ways = ways_to_goal(problem.reach, closest);
-  problem.reach = problem.body_ways.front();
+  problem.body_approaches = approaches_to_goal(problem.reach, closest);
+  problem.reach = problem.body_approaches.front();
   problem.reach.tolerance = tolerance;
   problem.in_reach = closest.reached();
   return problem;

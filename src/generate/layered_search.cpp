@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "candidate.hpp"
-#include "layers/rest_search.hpp"
+#include "layers/idle_limb_search.hpp"
 #include "search/genetic.hpp"
 
 namespace shigusa {
@@ -175,7 +175,7 @@ void LayeredScorer::score(std::span<const Parameters> parameters, std::span<doub
     if (paths[k].empty()) return;
     Worker& own = worker(thread);
     for (std::size_t g = 0; g < swivel_goals(); ++g) {
-      below[k].swivels[g] = own.swivels[g].glance(bare(g, clips[k], std::move(paths[k][g])));
+      below[k].swivels[g] = own.swivels[g].coarse(bare(g, clips[k], std::move(paths[k][g])));
     }
     const RolledOut played = own.player.expand_freeing(clips[k], below[k]);
     scores[k] = judged(played);
@@ -196,13 +196,13 @@ Expanded LayeredScorer::play(const Parameters& upper, const Feedback& feedback) 
   Expanded played{.values = below_upper(start_, upper)};
   if (choose_) played.values.arms = choose_(paths);
   for (std::size_t g = 0; g < swivel_goals(); ++g) {
-    played.values.swivels[g] = worker(0).swivels[g].glance(bare(g, clip, paths[g]));
+    played.values.swivels[g] = worker(0).swivels[g].coarse(bare(g, clip, paths[g]));
   }
   if (!player.expand_freeing(clip, played.values).outcome.met(problem_->reach.tolerance)) {
     return played;
   }
   retake_weights(clip, feedback, played);
-  if (feedback.glance) return played;
+  if (feedback.coarse) return played;
   refine_swivels(clip, played.values);
   settle_rest(clip, feedback, played.values);
   return played;
@@ -237,7 +237,7 @@ void LayeredScorer::refine_swivels(const ReducedClip& clip, Parameters& paramete
   const std::vector<HandPath> paths = own.player.hand_paths(clip);
   for (std::size_t g = 0; g < swivel_goals(); ++g) {
     const RolledOut played = own.player.expand(clip, parameters);
-    parameters.swivels[g] = own.swivels[g].find(
+    parameters.swivels[g] = own.swivels[g].fine(
         arm_feedback(*problem_, g, paths[g], played.motion.clip, hand_turn(*problem_, clip, g)));
   }
 }

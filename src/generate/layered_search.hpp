@@ -47,11 +47,11 @@ class LayeredScorer {
   // How much is searched for it. What the upper layer reports to the lower one (rule R11): arms
   // that pass through the body are searched again for this motion alone, up to `rounds` times each.
   // The upper motion stays. Arms that go by their swivel are given the best of all, then what no
-  // goal moves its final angles, unless `glance`: then all is as score() has it.
+  // goal moves its final angles, unless `coarse`: then all is as score() has it.
   struct Feedback {
     int rounds = kCollisionRounds;
     LimbSearch search = LimbSearch::ladder;
-    bool glance = false;
+    bool coarse = false;
     std::uint64_t seed = 0;  // of the search for final angles
   };
   [[nodiscard]] Expanded play(const Parameters& upper, const Feedback& feedback);

@@ -150,7 +150,7 @@ std::vector<Candidate> spread_over(std::vector<Candidate> front, int most) {
 }
 
 void search_front(const Task& task, Planner& planner, std::size_t approach,
-                  const Progress& progress, Generation& generation) {
+                  const Progress& progress, GenerateResult& generation) {
   const std::vector<CriteriaSettings> mixtures = pareto_mixtures(task.criteria);
   const int share = task.evaluations.value_or(kFlatEvaluations) / static_cast<int>(mixtures.size());
   std::vector<Candidate> all;

@@ -25,6 +25,6 @@ namespace shigusa {
 // Searches the last of the ways by each mixture, with an equal share of the budget, and puts the
 // front of all that they keep into the generation's candidates; adds to its counts.
 void search_front(const Task& task, Planner& planner, std::size_t approach,
-                  const Progress& progress, Generation& generation);
+                  const Progress& progress, GenerateResult& generation);
 
 }  // namespace shigusa

@@ -7,9 +7,9 @@
 #include <shigusa/progress.hpp>
 #include <span>
 
-#include "choice.hpp"
 #include "layers/plan.hpp"
 #include "rollout/rollout.hpp"
+#include "selection.hpp"
 
 namespace shigusa {
 
@@ -29,7 +29,7 @@ struct Arrival {
 // What one search came to.
 struct Found {
   SearchResult result;
-  Choice choice;         // what is worth a replay
+  Selection choice;      // what is worth a replay
   Parameters best_seen;  // of the best of all points evaluated, kept or not
   double best_seen_score = 0.0;
 };
@@ -69,7 +69,7 @@ class Planner {
   [[nodiscard]] virtual Candidate candidate(const Expanded& expanded, Arrival arrival) const = 0;
 
   // Takes care of what lasts beyond the search.
-  virtual void finish(Generation& generation) = 0;
+  virtual void finish(GenerateResult& generation) = 0;
 };
 
 // The planner of a task that is prepared. Fails on a task that is wrong: see make_problem, plan_of.

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <shigusa/parallel.hpp>
 
+#include "approaches.hpp"
 #include "generate/posture_meter.hpp"
-#include "ways.hpp"
 
 namespace shigusa {
 
@@ -22,7 +22,7 @@ PointScorer::PointScorer(const ReachProblem& problem, const Task& task,
       threads_(threads),
       batch_(problem, criteria, {.simd = task.batch.simd, .threads = threads}),
       archive_(*problem.body),
-      dial_(SquatDial::of(task)) {}
+      squat_(SquatTarget::of(task)) {}
 
 void PointScorer::score(std::span<const double> points, std::span<double> scores) {
   const std::size_t dofs = problem_.body->dofs().size();
@@ -35,10 +35,10 @@ void PointScorer::score(std::span<const double> points, std::span<double> scores
   }
   if (!kept) return;
   kept_scores_.assign(scores.begin(), scores.end());
-  for (std::size_t i = 0; dial_ && i < scores.size(); ++i) {
-    const double off = dial_->off({angles_.data() + i * dofs, dofs});
-    if (off > kDialSlack) kept_scores_[i] = worst_score(criteria_);
-    scores[i] += kDialPull * max(0.0, off - kDialAim);
+  for (std::size_t i = 0; squat_ && i < scores.size(); ++i) {
+    const double off = squat_->off({angles_.data() + i * dofs, dofs});
+    if (off > kSquatSlack) kept_scores_[i] = worst_score(criteria_);
+    scores[i] += kSquatPull * max(0.0, off - kSquatAim);
   }
   take_guess(points, kept_scores_);
   archive_.add(points, kept_scores_, angles_, worst_score(criteria_));

@@ -9,7 +9,7 @@
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"
 #include "rollout/batch_rollout.hpp"
-#include "squat_dial.hpp"
+#include "squat_target.hpp"
 
 namespace shigusa {
 
@@ -47,7 +47,7 @@ class PointScorer {
   int threads_;
   BatchRollout batch_;
   Archive archive_;
-  std::optional<SquatDial> dial_;
+  std::optional<SquatTarget> squat_;
   Guess guess_;
   int guessed_ = 0;                  // motions
   std::vector<float> angles_;        // (motions × dofs) rad, where they end

@@ -10,14 +10,14 @@
 
 namespace shigusa {
 
-bool runs_again(const Task& task, const Generation& generation) {
+bool runs_again(const Task& task, const GenerateResult& generation) {
   if (task.preset != Preset::paper || task.evaluations || task.own_search) return false;
   if (task.search.value_or(SearchMethod::paper_ga) != SearchMethod::paper_ga) return false;
   if (generation.end == SearchEnd::cancelled || generation.runs >= task.most_runs) return false;
-  return static_cast<int>(generation.candidates.size()) < min(kChoice, task.candidates);
+  return static_cast<int>(generation.candidates.size()) < min(kPaperCandidates, task.candidates);
 }
 
-void add_run(const Task& task, Generation run, Generation& generation) {
+void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
   ++generation.runs;
   generation.evaluations += run.evaluations;
   generation.generations += run.generations;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "approaches.hpp"
 #include "candidate.hpp"
 #include "planner.hpp"
-#include "searched.hpp"
 #include "task/make_problem.hpp"
-#include "ways.hpp"
+#include "whole_body_search.hpp"
 
 namespace shigusa {
 namespace {
@@ -34,7 +34,7 @@ class WholeBodyPlanner : public Planner {
         plan_(whole_body_plan(task.body)),
         problem_(std::move(problem)),
         reach_(closest_reach(problem_)),
-        usual_ways_(ways_to_goal(problem_, reach_)),
+        usual_ways_(approaches_to_goal(problem_, reach_)),
         ways_(usual_ways_) {}
 
   [[nodiscard]] std::span<const Layer> plan() const override { return plan_; }
@@ -50,18 +50,18 @@ class WholeBodyPlanner : public Planner {
     }
     const ClosestReach reach = closest_reach(problem_, {.other = other});
     if (!reach.reached()) return false;
-    ways_ = ways_to_goal(problem_, reach);
+    ways_ = approaches_to_goal(problem_, reach);
     return true;
   }
 
   Found search(const Task& task, std::size_t approach, const Progress& progress) override {
     const ReachProblem& way = ways_[approach];
-    Searched searched(way, task);
+    WholeBodySearch searched(way, task);
     Found found{.result = searched.run(progress), .choice = {}, .best_seen = {}};
     space_ = searched.space();
     found.choice = traits_of(task.preset).natural
                        ? distinct_postures(searched.archive(), kKeptPerCandidate * task.candidates)
-                       : Choice{.picked = ranked_population(found.result)};
+                       : Selection{.picked = ranked_population(found.result)};
     found.best_seen = space_->decode(found.result.best_seen.point);
     found.best_seen_score = replayed_score(way, found.best_seen);
     return found;
@@ -86,7 +86,7 @@ class WholeBodyPlanner : public Planner {
     return make_candidate(task_, *arrival.approach, expanded.values, std::move(arrival.rolled));
   }
 
-  void finish(Generation& /*generation*/) override {}
+  void finish(GenerateResult& /*generation*/) override {}
 
  private:
   // The score in double of what was searched in single precision.

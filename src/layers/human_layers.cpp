@@ -76,16 +76,16 @@ Result<std::vector<Layer>> human_layers(const BodyModel& body, const CriteriaSet
                                         LayerReading reading) {
   Result<std::vector<Layer>> layers = paper_layers(body, criteria, reading);
   if (!layers) return layers;
-  for (HandedLimb& handed : (*layers)[0].hands_down) {
-    if (handed.by != Handover::limb_library) continue;
-    handed.by = Handover::swivel;
+  for (Delegate& handed : (*layers)[0].delegates) {
+    if (handed.by != DelegateMethod::limb_library) continue;
+    handed.by = DelegateMethod::swivel;
     handed.idle = kRest;
   }
   for (ReducedLimb& limb : (*layers)[0].body.limbs) {
     if (limb.joints.kind == LimbKind::arm) limb.law = LengthLaw::way;
   }
   Layer rest{
-      .name = kRest, .body = {}, .parameters = {}, .criteria = rest_criteria(), .hands_down = {}};
+      .name = kRest, .body = {}, .parameters = {}, .criteria = rest_criteria(), .delegates = {}};
   const BodyLimbs limbs = find_limbs(body).value();
   for (std::size_t a = 0; a < limbs.arms.size(); ++a) {
     Layer& arm = (*layers)[1 + a];

@@ -70,7 +70,7 @@ void add_contractions(Layer& layer, LayerReading reading) {
 
 // The arm alone, hung from the trunk (paper, section 3.4): four hinges.
 Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
-  Layer layer{.name = arm.name, .body = {}, .parameters = {}, .criteria = {}, .hands_down = {}};
+  Layer layer{.name = arm.name, .body = {}, .parameters = {}, .criteria = {}, .delegates = {}};
   layer.criteria.balance_weight = 0.0;  // with the trunk held there is nothing to balance
   int parent = -1;
   for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
@@ -97,15 +97,15 @@ Result<std::vector<Layer>> paper_layers(const BodyModel& body, const CriteriaSet
               .body = reduced_body(body, *limbs),
               .parameters = {},
               .criteria = criteria,
-              .hands_down = {}};
+              .delegates = {}};
   add_weights(upper, reading);
   add_contractions(upper, reading);
   for (std::size_t i = 0; i < upper.body.limbs.size(); ++i) {
     const BodyLimb& limb = upper.body.limbs[i].joints;
     const bool leg = limb.kind == LimbKind::leg;
-    upper.hands_down.push_back({static_cast<int>(i),
-                                leg ? Handover::closed_form : Handover::limb_library,
-                                leg ? "" : limb.name});
+    upper.delegates.push_back({static_cast<int>(i),
+                               leg ? DelegateMethod::closed_form : DelegateMethod::limb_library,
+                               leg ? "" : limb.name});
   }
   std::vector<Layer> layers{std::move(upper)};
   for (const BodyLimb& arm : limbs->arms) layers.push_back(arm_layer(body, arm));

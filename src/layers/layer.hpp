@@ -69,15 +69,15 @@ struct ReducedBody {
 };
 
 // How what a layer decides about a limb becomes the limb's joints below.
-enum class Handover {
+enum class DelegateMethod {
   closed_form,   // they follow from the ends of the limb
   limb_library,  // another layer moves the limb along the same path by weights
   swivel,        // they follow from the ends and from the swivel that another layer chooses
 };
 
-struct HandedLimb {
+struct Delegate {
   int limb = 0;  // of the layer's body
-  Handover by = Handover::closed_form;
+  DelegateMethod by = DelegateMethod::closed_form;
   std::string layer;   // name of the layer that it is handed to; none of closed_form
   std::string idle{};  // the layer that has it where no goal moves it; none: it stays as it is
 };
@@ -90,7 +90,7 @@ struct Layer {
   ReducedBody body;
   std::vector<ParameterInfo> parameters;
   CriteriaSettings criteria;
-  std::vector<HandedLimb> hands_down;
+  std::vector<Delegate> delegates;
 };
 
 // The paper's two layers for a body: first the trunk with arms and legs of variable length, scored

@@ -21,7 +21,7 @@ struct LayeredProblem {
   std::vector<int> arms;              // (goals) index in limbs.arms
   std::vector<BodyModel> arm_bodies;  // (goals)
   // how all joints of the whole body at once go to the goals, or to the closest point
-  std::vector<ReachProblem> body_ways{};
+  std::vector<ReachProblem> body_approaches{};
 };
 
 // Where the upper layer leads one arm: the way of its hand as its shoulder sees it.

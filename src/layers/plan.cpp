@@ -222,8 +222,8 @@ void add_idle_layers(const BodyModel& body, std::span<const Layer> all, std::spa
   for (Layer layer : all.subspan(1)) {
     const auto has = [&](const ParameterInfo& info) {
       const std::string& dof = layer.body.dofs[index(info.applies_to[0])].name;
-      return std::any_of(all[0].hands_down.begin(), all[0].hands_down.end(),
-                         [&](const HandedLimb& handed) {
+      return std::any_of(all[0].delegates.begin(), all[0].delegates.end(),
+                         [&](const Delegate& handed) {
                            const BodyLimb& limb = all[0].body.limbs[index(handed.limb)].joints;
                            return handed.idle == layer.name && is_of(body, limb, dof) &&
                                   std::none_of(goals.begin(), goals.end(), [&](const Goal& goal) {
@@ -231,8 +231,8 @@ void add_idle_layers(const BodyModel& body, std::span<const Layer> all, std::spa
                                   });
                          });
     };
-    const bool idle = std::any_of(all[0].hands_down.begin(), all[0].hands_down.end(),
-                                  [&](const HandedLimb& limb) { return limb.idle == layer.name; });
+    const bool idle = std::any_of(all[0].delegates.begin(), all[0].delegates.end(),
+                                  [&](const Delegate& limb) { return limb.idle == layer.name; });
     if (!idle) continue;
     std::erase_if(layer.parameters, [&has](const ParameterInfo& info) { return !has(info); });
     layers.push_back(std::move(layer));
@@ -273,7 +273,7 @@ Result<Plan> layers_to_goals(const BodyModel& body, std::span<const Goal> goals,
 }
 
 Plan whole_body_plan(const BodyModel& body) {
-  Layer layer{.name = "whole_body", .body = {}, .parameters = {}, .criteria = {}, .hands_down = {}};
+  Layer layer{.name = "whole_body", .body = {}, .parameters = {}, .criteria = {}, .delegates = {}};
   add_phase(body, "", layer);
   add_timing(layer);
   add_phase(body, kLaterPrefix, layer);

@@ -20,17 +20,17 @@ class SwivelSearch {
   SwivelSearch(const BodyModel& arm, const BodyLimb& limb, const Layer& layer);
 
   // The best of a few, for the search of the layer above.
-  [[nodiscard]] double glance(const ArmFeedback& told);
+  [[nodiscard]] double coarse(const ArmFeedback& feedback);
   // The best of a finer grid, then of the golden section about it.
-  [[nodiscard]] double find(const ArmFeedback& told);
+  [[nodiscard]] double fine(const ArmFeedback& feedback);
 
  private:
   struct Best {
     double swivel = 0.0;  // rad
     double score = 0.0;
   };
-  [[nodiscard]] Best best_of_grid(const ArmFeedback& told, int points);
-  [[nodiscard]] double score(const ArmFeedback& told, double swivel);
+  [[nodiscard]] Best best_of_grid(const ArmFeedback& feedback, int points);
+  [[nodiscard]] double score(const ArmFeedback& feedback, double swivel);
 
   const BodyModel* arm_;
   const Layer* layer_;

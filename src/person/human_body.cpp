@@ -256,17 +256,17 @@ BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
   return HumanBuilder(landmarks, settings, std::move(doubts)).build();
 }
 
-BodyModel half_body(const Stature& s) {
+BodyModel half_body(const BodyBuild& s) {
   return build_human(standing_landmarks(s.stature, 0.0),
                      {"half_body", BodyExtent::half, s.stature, s.mass, s.sex});
 }
 
-BodyModel full_body(const Stature& s) {
+BodyModel full_body(const BodyBuild& s) {
   return build_human(standing_landmarks(s.stature, kStandingToeOut),
                      {"full_body", BodyExtent::full, s.stature, s.mass, s.sex, s.base});
 }
 
-BodyModel human_body(const Stature& s) {
+BodyModel human_body(const BodyBuild& s) {
   return build_human(standing_landmarks(s.stature, kStandingToeOut), {.name = "human",
                                                                       .extent = BodyExtent::human,
                                                                       .stature = s.stature,

@@ -63,7 +63,7 @@ class RecordedCharacter : public testing::TestWithParam<Recorded> {
 TEST_P(RecordedCharacter, StartsInTheRecordedPosture) {
   TaskFile file = reach_task();
   const Task task = make_task(file, {}).value();
-  const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+  const GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
   const ExportedMotion exported(
       export_candidate(task, generation.candidates[0], FileFormat::bvh).value(), 0.01);
   // a rest pose is no posture
@@ -87,7 +87,7 @@ TEST_P(RecordedCharacter, MeetsItsGoalWithPlantedFeet) {
   TaskFile file = reach_task();
   Task task = make_task(file, {}).value();
   task.genetic.max_generations = 1;
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   for (const Candidate& candidate : generation.candidates) {
     const ExportedMotion exported(export_candidate(task, candidate, FileFormat::bvh).value(), 0.01);

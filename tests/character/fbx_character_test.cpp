@@ -50,7 +50,7 @@ TEST_F(FbxCharacter, IsThePersonOfItsJoints) {
 
 TEST_F(FbxCharacter, LeavesOnItsOwnNodesAsBvhAndGlb) {
   const Task task = task_of(true);
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   ASSERT_TRUE(generation.meets_goals());
   const Candidate& candidate = generation.candidates[0];
   const auto exported = [&](FileFormat format) {

@@ -42,7 +42,7 @@ TEST_P(LayeredCharacter, MeetsItsGoalWithPlantedFeet) {
   const Vec3d shoulder =
       placed(task.body, task.body.start()).origin[static_cast<std::size_t>(arm.flexion)];
   task.goals[0].position = shoulder + Vec3d{0.1, -0.3, 0.9} * arm.segments.longest();
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   const ReachProblem problem = make_layered_problem(task).value().reach;
   for (const Candidate& candidate : generation.candidates) {

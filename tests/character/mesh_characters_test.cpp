@@ -106,7 +106,7 @@ TEST_P(MeshCharacters, StandOnTheirSolesInWhatLeaves) {
   const double s = file.character.stature.value();
   file.goals = {{"right_hand", Vec3d{-0.1, 0.4, 0.3} * s}};
   const Task task = make_task(file, {}).value();
-  const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+  const GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
   const Clip& clip = generation.candidates[0].motion.clip;
   const CharacterExporter exporter(*file.character.rig);
   const GltfAnimation animation = exporter.animation(task.body, clip, kMotion);
@@ -253,7 +253,7 @@ TEST_P(RealMeshes, StandOnTheirSoles) {
   ASSERT_TRUE(measure_character(file.character, {}));
   EXPECT_NEAR(*file.character.stature, GetParam().stature, 0.03);
   const Task task = make_task(file, {}).value();
-  const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+  const GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
   const CharacterExporter exporter(*file.character.rig);
   const GltfAnimation animation =
       exporter.animation(task.body, generation.candidates[0].motion.clip, kMotion);

@@ -77,13 +77,13 @@ TEST_F(MjcfCharacter, ResultIsPlayedAgainWithTheSameBytesAndDoubts) {
   std::string text = research_mjcf();
   text.insert(text.find("<body name=\"torso\""), box);
   const Task task = task_of(text);
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   StoredResult stored =
       parse_result(format_result(file_, task, generation, {}, {}), "summary.json").value();
   const Task again = make_task(stored.task, "/nowhere").value();
   EXPECT_THAT(std::vector(again.body.doubts().begin(), again.body.doubts().end()),
               Contains("body 'box' of the world is no part of the robot"));
-  const Generation replayed = regenerate(again, stored.candidates.at(0)).value();
+  const GenerateResult replayed = regenerate(again, stored.candidates.at(0)).value();
   for (const FileFormat format : {FileFormat::csv, FileFormat::bvh}) {
     EXPECT_EQ(export_candidate(again, replayed.candidates[0], format).value(),
               export_candidate(task, generation.candidates[0], format).value());

@@ -93,7 +93,7 @@ struct Played {
 Result<Played> reach_with_right_hand(TaskFile& file) {
   file.goals = {{"right_hand", Vec3d{-0.1, 0.4, 0.3} * *file.character.stature}};
   const Task task = make_task(file, {}).value();
-  const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+  const GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
   if (!generation.meets_goals()) {
     return fail(ErrorCode::unsupported, "the goal is not reached");
   }

@@ -61,13 +61,13 @@ TEST_F(RobotCharacter, BeginsWithBentKneesOnFlatFeetWithinItsLimits) {
 
 TEST_F(RobotCharacter, ResultIsPlayedAgainWithTheSameBytes) {
   const Task task = make_task(file_, {}).value();
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_LT(generation.replay_difference, 0.02);
   const std::string summary = format_result(file_, task, generation, {});
   StoredResult stored = parse_result(summary, "summary.json").value();
   const Task again = make_task(stored.task, {}).value();
-  const Generation replayed = regenerate(again, stored.candidates.at(0)).value();
+  const GenerateResult replayed = regenerate(again, stored.candidates.at(0)).value();
   for (const FileFormat format : {FileFormat::csv, FileFormat::bvh, FileFormat::svg}) {
     EXPECT_EQ(export_candidate(again, replayed.candidates[0], format).value(),
               export_candidate(task, generation.candidates[0], format).value());
@@ -116,7 +116,7 @@ TEST_F(RobotCharacter, HasItsOwnStature) {
 
 TEST_F(RobotCharacter, LayersSayThatTheyAreForPeople) {
   Task task = with_preset(make_task(file_, {}).value(), Preset::layers);
-  const Result<Generation> generation = generate(task);
+  const Result<GenerateResult> generation = generate(task);
   ASSERT_FALSE(generation);
   EXPECT_THAT(generation.error().message, HasSubstr("layers are for bodies"));
 }

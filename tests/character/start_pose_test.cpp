@@ -264,7 +264,7 @@ TEST(StartPose, MotionFromTheBoundPosePlaysOnTheFile) {
   const double s = *file.character.stature;
   file.goals = {{"right_hand", Vec3d{-0.1, 0.4, 0.3} * s}};
   const Task task = make_task(file, {}).value();
-  const Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+  const GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
   ASSERT_TRUE(generation.meets_goals());
   const Clip& clip = generation.candidates[0].motion.clip;
   const CharacterExporter exporter(*file.character.rig);

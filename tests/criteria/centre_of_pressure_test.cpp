@@ -28,7 +28,7 @@ double penalty_of(const std::vector<double>& angles, double outside = kPressureO
   const BodyModel body = on_a_foot();
   std::vector<std::vector<double>> frames;
   for (const double q : angles) frames.push_back({q});
-  return penalty_by<PressureZone>(body, motion_through(body, frames), {.outside = outside});
+  return penalty_by<CentreOfPressure>(body, motion_through(body, frames), {.outside = outside});
 }
 
 // Where nothing moves the floor presses under the centre of mass.
@@ -61,14 +61,14 @@ TEST(CentreOfPressure, IsMovedByWhatTheMassIsPushedBy) {
 
 TEST(CentreOfPressure, DoesNotMatterToABodyWithoutFeet) {
   const BodyModel body = chain({{Axis::x, 1.0, 1.0}});
-  EXPECT_EQ(penalty_by<PressureZone>(body, motion_through(body, {{1.0}, {-1.0}})), 0.0);
+  EXPECT_EQ(penalty_by<CentreOfPressure>(body, motion_through(body, {{1.0}, {-1.0}})), 0.0);
 }
 
 TEST(CentreOfPressure, ForgetsWhatItSaw) {
   const BodyModel body = on_a_foot();
   const Kinematics<double> kinematics = start_kinematics(body);
   const PlacedFrame<double> frame{{}, kinematics, {0, kGravity, 0.2 * kGravity}};
-  PressureZone<double> zone(body);
+  CentreOfPressure<double> zone(body);
   zone.add(frame);
   EXPECT_GT(zone.penalty(), 0.0);
   zone.reset();

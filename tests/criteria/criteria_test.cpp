@@ -146,7 +146,7 @@ TEST(CriteriaPresets, DefaultIsTheMixtureOfTheDocs) {
 // without one.
 static_assert(looks_at_placement<Head<double>, double>);
 static_assert(looks_at_placement<Collision<double>, double>);
-static_assert(looks_at_placement<PressureZone<double>, double>);
+static_assert(looks_at_placement<CentreOfPressure<double>, double>);
 static_assert(looks_at_placement<Feasibility<double>, double>);
 static_assert(!looks_at_placement<JointRange<double>, double>);
 

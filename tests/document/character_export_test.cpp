@@ -90,7 +90,7 @@ class CharacterExport : public testing::Test {
     const double s = *file_.character.stature;
     file_.goals = {{"right_hand", goal_ * s}};
     const Task task = make_task(file_, work_.path()).value();
-    Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+    GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
     ASSERT_TRUE(generation.meets_goals()) << generation.remaining_distance;
     if (one_file) generation.candidates.push_back(generation.candidates[0]);
     const auto written =
@@ -203,7 +203,7 @@ TEST_F(CharacterExport, AllJointsStandWhereTheBodysDo) {
   reach_with("person.glb", vrm_person(), "glb");
   TaskFile same = file_;
   const Task task = make_task(same, work_.path()).value();
-  const Generation again = regenerate(task, uniform_parameters(task.body)).value();
+  const GenerateResult again = regenerate(task, uniform_parameters(task.body)).value();
   const Clip written = motion_at(task.body, again.candidates[0], kUsualRate);
   const ExportedMotion body(format_bvh(skeleton_motion(task.body, written)), 0.01);
   const ExportedGlb out(work_.get("candidate-1.glb"));

@@ -16,7 +16,7 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 
-Generation small_generation(const Task& task) {
+GenerateResult small_generation(const Task& task) {
   Task quick = task;
   quick.evaluations = 300;
   quick.candidates = 1;
@@ -44,7 +44,7 @@ class ClipScoreTest : public testing::Test {
 TEST_F(ClipScoreTest, AMotionOfItsOwnScoresAsItsSummaryHasIt) {
   for (const char* name : {"full_body", "human"}) {
     const Task task = low_reach(name == std::string("human") ? human_body() : full_body());
-    const Generation generation = small_generation(task);
+    const GenerateResult generation = small_generation(task);
     const Candidate& candidate = generation.candidates.front();
     const std::string path = write(skeleton_motion(task.body, candidate.motion.clip));
     const RecordedMotion recorded = read_recorded(path, {.source = name}, 0).value();

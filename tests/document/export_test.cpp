@@ -64,7 +64,7 @@ class WriteResult : public testing::Test {
 
   Result<std::string> write(const std::string& formats = "bvh,csv", std::size_t candidates = 1) {
     const Task task = make_task(file_, {}).value();
-    Generation generation = regenerate(task, uniform_parameters(task.body)).value();
+    GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
     generation.candidates.resize(candidates, generation.candidates[0]);
     return write_result(work_.path(), file_, task, generation, {},
                         {.formats = parse_formats(formats).value()});

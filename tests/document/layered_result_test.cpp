@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 struct Sample {
   TaskFile file;
   Task task;
-  Generation generation;
+  GenerateResult generation;
 
   explicit Sample(const TaskFile& asked)
       : file(asked), task(make_task(file, {}).value()), generation(generate(task).value()) {}
@@ -69,7 +69,7 @@ TEST(LayeredResult, ParametersAreReadBackBitForBit) {
 TEST(LayeredResult, StoredParametersGiveTheSameMotion) {
   StoredResult stored = parse_result(sample().text(), "summary.json").value();
   const Task task = make_task(stored.task, {}).value();
-  const Generation again = regenerate(task, stored.candidates[0]).value();
+  const GenerateResult again = regenerate(task, stored.candidates[0]).value();
   EXPECT_EQ(again.candidates[0].motion.clip.angles,
             sample().generation.candidates[0].motion.clip.angles);
 }

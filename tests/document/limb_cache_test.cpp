@@ -23,7 +23,7 @@ Task task_for(const Vec3d& goal, const LimbStore& store) {
 
 constexpr Vec3d kGoal{-0.3, 1.0, 0.45};
 
-std::vector<double> numbers(const Generation& generation) {
+std::vector<double> numbers(const GenerateResult& generation) {
   std::vector<double> all{generation.best_seen_score, double(generation.evaluations)};
   for (const Candidate& candidate : generation.candidates) {
     all.push_back(candidate.score.total);
@@ -33,13 +33,15 @@ std::vector<double> numbers(const Generation& generation) {
   return all;
 }
 
-Generation generated(const LimbStore& store) { return generate(task_for(kGoal, store)).value(); }
+GenerateResult generated(const LimbStore& store) {
+  return generate(task_for(kGoal, store)).value();
+}
 
 TEST(LimbCache, ColdWarmAndWithoutGiveTheSameNumbers) {
   const WorkFolder folder;
-  const Generation without = generated({});
-  const Generation cold = generated(limb_store(folder / "new" / "cache"));
-  const Generation warm = generated(limb_store(folder / "new" / "cache"));
+  const GenerateResult without = generated({});
+  const GenerateResult cold = generated(limb_store(folder / "new" / "cache"));
+  const GenerateResult warm = generated(limb_store(folder / "new" / "cache"));
   EXPECT_GT(cold.cells_searched, 0);
   EXPECT_EQ(warm.cells_searched, 0);
   EXPECT_EQ(numbers(cold), numbers(without));
@@ -60,13 +62,13 @@ TEST(LimbCache, GrowsWithTheGoalsAsked) {
 TEST(LimbCache, ReplacesDamagedFiles) {
   const WorkFolder folder;
   const LimbStore store = limb_store(folder.path());
-  const Generation cold = generated(store);
+  const GenerateResult cold = generated(store);
   const auto good = folder.contents();
   const std::string name = good.begin()->first;
   for (const std::string& bad : {std::string(), std::string("not a library"),
                                  good.begin()->second.substr(0, 100), std::string(70000, 'x')}) {
     folder.put(name, bad);
-    const Generation again = generated(store);
+    const GenerateResult again = generated(store);
     EXPECT_EQ(again.cells_searched, cold.cells_searched);
     EXPECT_EQ(numbers(again), numbers(cold));
     EXPECT_EQ(folder.contents(), good);
@@ -76,7 +78,7 @@ TEST(LimbCache, ReplacesDamagedFiles) {
 TEST(LimbCache, FolderThatCannotBeWrittenIsAsGoodAsNone) {
   const WorkFolder folder;
   folder.put("file", "x");
-  const Generation nowhere = generated(limb_store(folder / "file" / "below"));
+  const GenerateResult nowhere = generated(limb_store(folder / "file" / "below"));
   EXPECT_EQ(numbers(nowhere), numbers(generated({})));
 }
 

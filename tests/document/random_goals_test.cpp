@@ -53,7 +53,7 @@ void judge_path(const ExportedMotion& exported, const GoalResult& goal, double d
   }
 }
 
-void judge(const Task& task, const Generation& generation, const Candidate& candidate) {
+void judge(const Task& task, const GenerateResult& generation, const Candidate& candidate) {
   const auto bvh = export_candidate(task, candidate, FileFormat::bvh);
   const ExportedMotion exported(bvh.value(), BvhFormat{}.unit);
   ASSERT_TRUE(exported.finite());
@@ -79,7 +79,7 @@ ReachStatus generate_and_judge(TaskFile& file) {
   if (file.preset == Preset::paper) task.genetic.max_generations = 0;
   task.most_runs = 1;
   task.candidates = 2;
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_FALSE(generation.candidates.empty());
   for (const Candidate& candidate : generation.candidates) judge(task, generation, candidate);
   if (task.goals.size() == 1 && task.preset == Preset::paper) {

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 struct Sample {
   TaskFile file;
   Task task;
-  Generation generation;
+  GenerateResult generation;
 
   explicit Sample(TaskFile asked)
       : file(std::move(asked)), task(make_task(file, {}).value()), generation(make(task)) {}
@@ -30,7 +30,7 @@ struct Sample {
   [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}); }
 
  private:
-  static Generation make(Task& task) {
+  static GenerateResult make(Task& task) {
     task.genetic.max_generations = 1;
     return generate(task).value();
   }
@@ -108,7 +108,7 @@ TEST(ResultFile, TaskAndParametersAreReadBackBitForBit) {
 TEST(ResultFile, StoredParametersGiveTheSameMotion) {
   StoredResult stored = parse_result(sample().text(), "summary.json").value();
   const Task task = make_task(stored.task, {}).value();
-  const Generation again = regenerate(task, stored.candidates[0]).value();
+  const GenerateResult again = regenerate(task, stored.candidates[0]).value();
   EXPECT_EQ(again.candidates[0].motion.clip.angles,
             sample().generation.candidates[0].motion.clip.angles);
 }

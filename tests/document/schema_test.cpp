@@ -27,7 +27,7 @@ const SchemaCheck& result_judge() {
 Json result_of(TaskFile file, bool edit = false) {
   Task task = make_task(file, {}).value();
   task.genetic.max_generations = 1;
-  const Generation generation =
+  const GenerateResult generation =
       edit ? regenerate(task, uniform_parameters(task.body)).value() : generate(task).value();
   RunInfo info;
   if (edit) info.search = "edit";

@@ -52,7 +52,7 @@ class MirroredMotion : public testing::TestWithParam<PresetTraits> {};
 TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
   TaskFile file = asked(GetParam().preset);
   const Task task = make_task(file, {}).value();
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   TaskFile other = mirrored(file).value();
   EXPECT_EQ(other.goals[0].effector, "left_hand");
   EXPECT_EQ(other.goals[0].position, (Vec3d{0.25, 0.5, 0.45}));
@@ -60,7 +60,7 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
   const Candidate& best = generation.candidates.front();
   const Parameters across =
       mirrored(plan_of(task).value(), plan_of(image).value(), best.parameters);
-  const Generation again = regenerate(image, across).value();
+  const GenerateResult again = regenerate(image, across).value();
   EXPECT_TRUE(again.meets_goals());
   EXPECT_LE(again.candidates[0].goals[0].error, kReachTolerance);
   expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
@@ -85,7 +85,7 @@ TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {
   EXPECT_EQ(across.later->joints[left], best.parameters.later->joints[right]);
   EXPECT_EQ(across.later->switch_at, best.parameters.later->switch_at);
   EXPECT_EQ(mirrored(plan_of(image).value(), plan_of(task).value(), across), best.parameters);
-  const Generation again = regenerate(image, across).value();
+  const GenerateResult again = regenerate(image, across).value();
   expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
 }
 
@@ -123,7 +123,7 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
   EXPECT_EQ(person.left_arm.elbow, before.left_arm.elbow);
   ASSERT_TRUE(stored.task.character.rig) << "and so the skeleton is theirs";
   const Task image = make_task(stored.task, {}).value();
-  const Generation mirrored = replay_all(image, stored).value();
+  const GenerateResult mirrored = replay_all(image, stored).value();
   EXPECT_TRUE(mirrored.meets_goals());
   for (const Candidate& candidate : mirrored.candidates) {
     const std::string bvh =

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 struct Written {
   TaskFile file;
   Task task;
-  Generation generation;
+  GenerateResult generation;
   ExportSettings settings;
 
   Written(const Vec3d& goal, std::size_t candidates, const std::string& formats)

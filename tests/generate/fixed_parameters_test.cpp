@@ -34,7 +34,7 @@ TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
   const auto dof = [&](const char* name) {
     return static_cast<std::size_t>(task.body.find_dof(name).value());
   };
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   ASSERT_GE(generation.candidates.size(), 2U);
   for (const Candidate& candidate : generation.candidates) {
     for (const char* name :
@@ -57,26 +57,26 @@ TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
 
 TEST_P(Fixed, MotionsAreThoseThatTheParametersGive) {
   const Task task = fixed_task(GetParam(), {"squat_deg=60", "right_elbow.weight=3"});
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_LT(generation.replay_difference, 0.02);
   const Candidate& best = generation.candidates.front();
-  const Generation again = regenerate(played_task(task, generation), best.parameters).value();
+  const GenerateResult again = regenerate(played_task(task, generation), best.parameters).value();
   EXPECT_NEAR(again.candidates[0].score.total, best.score.total, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Preset, Fixed, testing::Values(Preset::paper, Preset::flat),
                          [](const auto& of) { return std::string(word_of(of.param)); });
 
-TEST(SquatDial, IsTheKneesFlexionAtTheEnd) {
-  for (const double dial : {10.0, 60.0, 100.0}) {
-    const std::string text = "squat_deg=" + std::to_string(dial);
+TEST(SquatTarget, IsTheKneesFlexionAtTheEnd) {
+  for (const double target : {10.0, 60.0, 100.0}) {
+    const std::string text = "squat_deg=" + std::to_string(target);
     Task task = fixed_task(Preset::flat, {text.c_str()});
     task.evaluations = 3000;
     const double start =
         task.body.start()[static_cast<std::size_t>(*task.body.find_dof("right_knee.flexion"))];
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     for (const Candidate& candidate : generation.candidates) {
-      EXPECT_NEAR(degrees(candidate.final_posture.knee_flexion - start), dial, 13.0);
+      EXPECT_NEAR(degrees(candidate.final_posture.knee_flexion - start), target, 13.0);
     }
   }
 }
@@ -95,7 +95,7 @@ TEST(FixedParameters, AreNoCoordinatesOfTheSearch) {
 TEST(FixedParameters, AllOfThemLeaveNothingToSearch) {
   Task task = fixed_task(Preset::flat, {});
   task.fixed->set.assign(task.fixed->set.size(), true);
-  const Result<Generation> generation = generate(task);
+  const Result<GenerateResult> generation = generate(task);
   ASSERT_FALSE(generation);
   EXPECT_THAT(generation.error().message, testing::HasSubstr("every parameter is fixed"));
 }

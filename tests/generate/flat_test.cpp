@@ -137,7 +137,7 @@ class Flat : public testing::TestWithParam<Vec3d> {};
 TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndEndApart) {
   Task task = flat_task(full_body(), GetParam());
   task.duration = 2.0;  // in haste, what strength allows is less varied
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   ASSERT_GE(generation.candidates.size(), 4U);
   const ReachProblem problem = make_problem(task).value();
@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(Goals, Flat,
 TEST(FlatSearch, AtTheFeetItFindsAStoopAndASquat) {
   Task task = flat_task(full_body(), kAtTheFeet);
   task.duration = 3.0;  // what ankles have the strength for to let a body down into a squat
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   double least = 100.0;
   double most = 0.0;
   for (const Candidate& candidate : generation.candidates) {
@@ -182,11 +182,11 @@ TEST(FlatSearch, AtTheFeetItFindsAStoopAndASquat) {
 
 TEST(FlatSearch, SaysWhyThereAreFewerCandidates) {
   Task task = flat_task(full_body(), kAtTheFeet);
-  const Generation all = generate(task).value();
+  const GenerateResult all = generate(task).value();
   EXPECT_EQ(static_cast<int>(all.candidates.size()), task.candidates);
   EXPECT_EQ(all.fewer, "");
   task.candidates = 500;
-  const Generation fewer = generate(task).value();
+  const GenerateResult fewer = generate(task).value();
   EXPECT_LT(fewer.candidates.size(), 500U);
   EXPECT_THAT(fewer.fewer, testing::HasSubstr(std::to_string(fewer.candidates.size()) + " of 500"));
   EXPECT_THAT(fewer.fewer, testing::HasSubstr("end within 5° of a better one"));
@@ -229,7 +229,7 @@ TEST(FlatSearch, EverySearchFindsCandidates) {
     Task task = flat_task(half_body(), {-0.2, 0.6, 0.5});
     task.search = method;
     task.evaluations = 300;
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     EXPECT_TRUE(generation.meets_goals()) << word;
     EXPECT_LE(generation.evaluations, 300) << word;
     EXPECT_GE(generation.evaluations, 290) << word;

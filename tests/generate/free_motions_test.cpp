@@ -57,7 +57,7 @@ Found free_motions(const BodyModel& body) {
     task.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}};
     task.seed = random.next();
     task.evaluations = 400;
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     for (const Candidate& candidate : generation.candidates) {
       if (candidate.measures.collides.depth > kCollisionDepth) continue;
       ++found.free;

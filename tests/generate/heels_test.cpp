@@ -52,7 +52,7 @@ double least_inside(const BodyModel& body, std::span<const double> angles, Lifte
 TEST(Heels, StayDownInPlainReaches) {
   for (const Vec3d& goal :
        {kFrontLow, Vec3d{0.2, 0.35, 0.5}, Vec3d{-0.4, 1.0, 0.4}, Vec3d{-0.25, 2.1, 0.15}}) {
-    const Generation generation = generate(task_for(goal)).value();
+    const GenerateResult generation = generate(task_for(goal)).value();
     EXPECT_TRUE(generation.meets_goals());
     EXPECT_LT(most_lifted(generation.candidates[0]), radians(1.0)) << goal.y;
   }
@@ -60,10 +60,10 @@ TEST(Heels, StayDownInPlainReaches) {
 
 TEST(Heels, LiftForWhatFlatFeetDoNotReach) {
   for (const double rise : {0.01, 0.02, 0.05, 0.08}) {
-    const Generation flat = generate(task_for(above(rise), false)).value();
+    const GenerateResult flat = generate(task_for(above(rise), false)).value();
     EXPECT_EQ(flat.status, ReachStatus::unreachable) << rise;
     const Task task = task_for(above(rise));
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     ASSERT_TRUE(generation.meets_goals()) << rise;
     for (const Candidate& candidate : generation.candidates) {
       EXPECT_GT(most_lifted(candidate), radians(3.0));
@@ -127,7 +127,7 @@ TEST(Heels, ToldHeightIsThatOfTheHeel) {
 TEST(Heels, LiftOfOneFootThatStands) {
   Task task = task_for(above(0.03));
   task.contacts = {"right_foot"};
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   ASSERT_EQ(generation.candidates[0].contacts.size(), 1u);
   EXPECT_EQ(generation.candidates[0].contacts[0].node, "right_toes");
   EXPECT_LE(generation.candidates[0].contacts[0].max_slide, 1e-3);
@@ -144,7 +144,7 @@ TEST(Heels, LiftsForAGoalOfTheAnkle) {
   const double angle = radians(22.0);
   const Vec3d up = hinge + foot * (rotation(Axis::x, angle) * transpose_times(foot, from - hinge));
   task.goals = {{"left_ankle", up}};
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   ASSERT_TRUE(generation.meets_goals());
   const auto& contacts = generation.candidates[0].contacts;
   ASSERT_EQ(contacts.size(), 2u);
@@ -158,7 +158,7 @@ TEST(Heels, AStepLandsLevel) {
   Task task = task_for(kFrontLow);
   const Vec3d from = effector_position(task.body, task.body.start(), "left_foot");
   task.goals = {{"left_foot", from + Vec3d{0.05, 0.0, 0.2}}};
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   ASSERT_TRUE(generation.meets_goals());
   const Clip& clip = generation.candidates[0].motion.clip;
   const auto toes = static_cast<std::size_t>(task.body.feet()[1].heel->toes);

@@ -30,8 +30,8 @@ TEST_P(OwnSearch, TakesThePlaceOfTheLibrarys) {
   library.search = SearchMethod::differential_evolution;
   Task own = asked(GetParam());
   own.own_search = differential_evolution;
-  const Generation expected = generate(library).value();
-  const Generation found = generate(own).value();
+  const GenerateResult expected = generate(library).value();
+  const GenerateResult found = generate(own).value();
   EXPECT_EQ(found.evaluations, expected.evaluations);
   ASSERT_EQ(found.candidates.size(), expected.candidates.size());
   for (std::size_t i = 0; i < found.candidates.size(); ++i) {

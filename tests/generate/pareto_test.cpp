@@ -76,7 +76,7 @@ TEST(ParetoMixtures, AreTheCriteriaAloneInPairsAndTogether) {
 
 TEST(Pareto, CandidatesTradeTheCriteriaAndMeetTheGoalWithinLimits) {
   const Task task = pareto_task();
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   ASSERT_GE(generation.candidates.size(), 3U);
   for (const Candidate& a : generation.candidates) {
@@ -90,7 +90,7 @@ TEST(Pareto, CandidatesTradeTheCriteriaAndMeetTheGoalWithinLimits) {
 TEST(Pareto, EachCriterionIsBetterSomewhereThanByTheMixtureAlone) {
   Task task = pareto_task();
   task.evaluations = 7 * 600;
-  const Generation front = generate(task).value();
+  const GenerateResult front = generate(task).value();
   task.pareto = false;
   task.evaluations = 600;
   const Candidate mixed = generate(task).value().candidates.front();
@@ -114,14 +114,14 @@ TEST(NlpGenerator, MotionsMeetTheGoalWithinLimits) {
   Task task(full_body(), {.goals = {{"right_hand", {-0.05, 0.1, 0.3}}}});
   task.generator = MotionGenerator::nlp_ik;
   task.evaluations = 60;
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_EQ(generation.evaluations, 60);
   EXPECT_EQ(generation.replay_difference, 0.0);
   for (const Candidate& candidate : generation.candidates) {
     EXPECT_LE(candidate.goals[0].error, kReachTolerance);
     EXPECT_TRUE(candidate.measures.over_limit.empty());
-    const Generation again =
+    const GenerateResult again =
         regenerate(played_task(task, generation), candidate.parameters).value();
     EXPECT_EQ(again.candidates[0].score.total, candidate.score.total);
   }

@@ -37,7 +37,7 @@ Task two_phases(const std::vector<const char*>& fixed = {}) {
 }
 
 std::string message(const Task& task) {
-  const Result<Generation> generation = generate(task);
+  const Result<GenerateResult> generation = generate(task);
   return generation ? "" : generation.error().message;
 }
 
@@ -128,7 +128,7 @@ TEST(TwoPhaseSearch, DeliversStoopAndSquatThatReachWithinAllLimits) {
   Task task = two_phases();
   task.duration = 2.0;  // what ankles have the strength for to let a body down into a squat
   const ReachProblem problem = make_problem(task).value();
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_LT(generation.replay_difference, 0.02);
   ASSERT_GE(generation.candidates.size(), 3U);
@@ -153,7 +153,7 @@ TEST(TwoPhaseSearch, DeliversStoopAndSquatThatReachWithinAllLimits) {
 TEST(TwoPhaseSearch, SquatDialIsTheKneesFlexionAtTheEnd) {
   const Task task = two_phases({"squat_deg=60"});
   const auto knee = static_cast<std::size_t>(*task.body.find_dof("right_knee.flexion"));
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   for (const Candidate& candidate : generation.candidates) {
     EXPECT_NEAR(degrees(candidate.final_posture.knee_flexion - task.body.start()[knee]), 60.0,
                 13.0);
@@ -163,7 +163,7 @@ TEST(TwoPhaseSearch, SquatDialIsTheKneesFlexionAtTheEnd) {
 TEST(TwoPhaseSearch, AnotherSquatInTheLaterPhaseIsKept) {
   Task task = two_phases({"squat_deg=20", "later.squat_deg=90"});
   task.evaluations = 600;
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   for (const Candidate& candidate : generation.candidates) {
     EXPECT_EQ(candidate.parameters.posture.modes[0], radians(20.0));
     EXPECT_EQ(candidate.parameters.later->modes[0], radians(90.0));
@@ -174,7 +174,7 @@ TEST(TwoPhaseSearch, ByNlpIkReachesTheGoal) {
   Task task = two_phases();
   task.generator = MotionGenerator::nlp_ik;
   task.evaluations = 40;
-  const Generation generation = generate(task).value();
+  const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_TRUE(generation.candidates[0].measures.over_limit.empty());
 }
@@ -210,7 +210,7 @@ TEST(TwoPhaseMotion, EditedParametersAreChecked) {
   const auto refused = [&](auto change) {
     Parameters parameters = good;
     change(*parameters.later);
-    const Result<Generation> generation = regenerate(task, parameters);
+    const Result<GenerateResult> generation = regenerate(task, parameters);
     EXPECT_FALSE(generation);
     return generation ? "" : generation.error().to_string();
   };

@@ -14,8 +14,8 @@ namespace {
 constexpr Vec3d kLowGoals[] = {
     {-0.15, 0.12, 0.30}, {-0.05, 0.15, 0.30}, {-0.10, 0.25, 0.35}, {-0.20, 0.30, 0.40}};
 
-Generation reached(const Vec3d& goal, double load, std::uint64_t seed,
-                   std::optional<int> evaluations = {}) {
+GenerateResult reached(const Vec3d& goal, double load, std::uint64_t seed,
+                       std::optional<int> evaluations = {}) {
   Task task(human_body(), {.goals = {{.position = goal, .load = load}}});
   task.seed = seed;
   task.evaluations = evaluations;
@@ -49,7 +49,7 @@ TEST(WholeHuman, StandsOnItsFeetAndHasSeveralAnswers) {
   double pressure = 0.0;
   std::size_t candidates = 0;
   for (const Vec3d& goal : kLowGoals) {
-    const Generation generation = reached(goal, 0.0, 0);
+    const GenerateResult generation = reached(goal, 0.0, 0);
     pressure += penalty(generation.candidates[0], "centre_of_pressure") / 4.0;
     candidates += generation.candidates.size();
   }
@@ -60,7 +60,7 @@ TEST(WholeHuman, StandsOnItsFeetAndHasSeveralAnswers) {
 // Straight ahead of the chest two motions end 10° apart, and people have more ways.
 TEST(WholeHuman, HasFiveAnswersToWhatIsEasyAsWell) {
   for (const Vec3d& goal : {Vec3d{-0.08, 0.99, 0.54}, {0.57, 1.71, 0.31}, {-0.24, 1.55, 0.23}}) {
-    const Generation generation = reached(goal, 0.0, 0);
+    const GenerateResult generation = reached(goal, 0.0, 0);
     const std::vector<Candidate>& all = generation.candidates;
     EXPECT_EQ(all.size(), 5U) << generation.fewer;
     std::vector<std::vector<float>> ends;
@@ -79,7 +79,7 @@ TEST(WholeHuman, HasFiveAnswersToWhatIsEasyAsWell) {
 // flat.
 TEST(WholeHuman, HandsStayAboveTheFloor) {
   for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{2}, std::uint64_t{3}}) {
-    const Generation generation = reached({-0.25, 0.05, 0.35}, 0.0, seed);
+    const GenerateResult generation = reached({-0.25, 0.05, 0.35}, 0.0, seed);
     for (const Candidate& candidate : generation.candidates) {
       EXPECT_LE(candidate.measures.collides.depth, kCollisionDepth) << seed;
     }
@@ -93,7 +93,7 @@ TEST(WholeHuman, SquatsBesideStoops) {
     Task task(human_body(), {.goals = {{.position = goal}}});
     task.seed = 1;
     task.duration = 2.0;  // what ankles have the strength for to let a body down into a squat
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     const auto has = [&](Style style) {
       return std::any_of(generation.candidates.begin(), generation.candidates.end(),
                          [style](const Candidate& c) {

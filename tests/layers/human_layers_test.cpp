@@ -50,10 +50,10 @@ TEST(HumanLayers, HandEveryLimbToALayerThatThereIs) {
     return std::any_of(layers.begin() + 1, layers.end(),
                        [&name](const Layer& layer) { return layer.name == name; });
   };
-  ASSERT_EQ(layers[0].hands_down.size(), layers[0].body.limbs.size());
-  for (const HandedLimb& handed : layers[0].hands_down) {
-    const bool arm = handed.by == Handover::swivel;
-    EXPECT_NE(arm, handed.by == Handover::closed_form);
+  ASSERT_EQ(layers[0].delegates.size(), layers[0].body.limbs.size());
+  for (const Delegate& handed : layers[0].delegates) {
+    const bool arm = handed.by == DelegateMethod::swivel;
+    EXPECT_NE(arm, handed.by == DelegateMethod::closed_form);
     EXPECT_EQ(known(handed.layer), arm);
     EXPECT_EQ(known(handed.idle), arm);
   }

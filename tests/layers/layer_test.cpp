@@ -52,11 +52,11 @@ TEST(PaperLayers, HaveFourParametersForAnArm) {
 
 TEST(PaperLayers, HandDownEveryLimbToALayerThatThereIs) {
   const auto layers = paper_layers(full_body()).value();
-  EXPECT_EQ(layers[0].hands_down.size(), layers[0].body.limbs.size());
-  for (const HandedLimb& handed : layers[0].hands_down) {
+  EXPECT_EQ(layers[0].delegates.size(), layers[0].body.limbs.size());
+  for (const Delegate& handed : layers[0].delegates) {
     const bool known = std::any_of(layers.begin() + 1, layers.end(),
                                    [&](const Layer& layer) { return layer.name == handed.layer; });
-    EXPECT_EQ(known, handed.by == Handover::limb_library);
+    EXPECT_EQ(known, handed.by == DelegateMethod::limb_library);
   }
 }
 

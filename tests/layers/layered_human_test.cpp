@@ -278,7 +278,7 @@ TEST(LayeredHuman, HandsAreTurnedAsTheirGoalsSay) {
                            Goal{.position = {-0.25, 1.3, 0.35}, .rotation = palm_left_thumb_up}}) {
     Task task = with_preset(Task(human_body(), {.goals = {goal}}), Preset::human);
     task.evaluations = 120;
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     EXPECT_TRUE(generation.meets_goals());
     for (const Candidate& candidate : generation.candidates) {
       EXPECT_LE(candidate.goals[0].error, kReachTolerance);
@@ -309,7 +309,7 @@ TEST(LayeredHuman, GoalsHighLowAcrossAndOfBothHandsAreMet) {
   for (const std::vector<Goal>& goals : tasks) {
     Task task = with_preset(Task(human_body(), {.goals = goals}), Preset::human);
     task.evaluations = 120;
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     EXPECT_TRUE(generation.meets_goals());
     ASSERT_FALSE(generation.candidates.empty());
     for (const Candidate& candidate : generation.candidates) {

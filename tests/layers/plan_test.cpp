@@ -86,7 +86,7 @@ TEST(Regenerate, TakesTheParametersOfThePreset) {
   EXPECT_EQ(regenerate(task, uniform_parameters(task.body)).error().code,
             ErrorCode::invalid_argument);
   Parameters parameters = start_values(layers_of(LayerReading::shared_contractions));
-  const Generation generation = regenerate(task, parameters).value();
+  const GenerateResult generation = regenerate(task, parameters).value();
   ASSERT_EQ(generation.candidates.size(), 1u);
   EXPECT_EQ(generation.candidates[0].parameters, parameters);
 }

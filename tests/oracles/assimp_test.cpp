@@ -136,7 +136,7 @@ TEST_P(AssimpReadsCharacter, HandEndsWhereItIsToldAndFeetStay) {
       file.evaluations = 400;
       file.candidates = 2;
       const Task task = make_task(file, {}).value();
-      const Generation generation = generate(task).value();
+      const GenerateResult generation = generate(task).value();
       const auto summary = nlohmann::json::parse(
           write_result(work.path(), file, task, generation, {}, {{FileFormat::bvh}}).value());
       for (const auto& candidate : summary.at("candidates")) {

@@ -216,7 +216,7 @@ void expect_replayed(const std::string& path) {
     Task task = make_task(file, {}).value();
     const double aside = hand[0] == 'l' ? 0.15 : -0.15;
     task.goals = {{hand, Vec3d{aside, 0.5, 0.25} * task.body.stature()}};
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     ASSERT_TRUE(generation.meets_goals()) << hand;
     const Candidate& candidate = generation.candidates[0];
     const Table table(export_candidate(task, candidate, FileFormat::csv).value());

@@ -106,7 +106,7 @@ class ManyGoals {
                        random.uniform(-1.3, 1.3)};
       task_.goals = {{task_.body.effectors()[random.below(hands)].name, goal}};
       task_.seed = static_cast<std::uint64_t>(trial);
-      const Result<Generation> generation = generate(task_);
+      const Result<GenerateResult> generation = generate(task_);
       ASSERT_TRUE(generation);
       check_candidates(*generation);
       if (trial % 10 == 0) check_regeneration(*generation);
@@ -121,7 +121,7 @@ class ManyGoals {
   }
 
  private:
-  void check_candidates(const Generation& generation) {
+  void check_candidates(const GenerateResult& generation) {
     ASSERT_FALSE(generation.candidates.empty());
     const ReachProblem problem = make_problem(task_).value();
     for (const Candidate& candidate : generation.candidates) {
@@ -138,9 +138,9 @@ class ManyGoals {
     }
   }
 
-  void check_regeneration(const Generation& generation) {
+  void check_regeneration(const GenerateResult& generation) {
     for (const Candidate& candidate : generation.candidates) {
-      const Generation again = regenerate(task_, candidate.parameters).value();
+      const GenerateResult again = regenerate(task_, candidate.parameters).value();
       ASSERT_EQ(again.meets_goals(), generation.meets_goals());
       ASSERT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
     }
@@ -156,7 +156,7 @@ constexpr double kEdge = kNearEqual + kEdgeTolerance;
 
 TEST(ThousandGoals, OfTheHalfBody) {
   Random random(104);
-  ManyGoals(half_body()).run(random, [](const ReachProblem& problem, const Generation& g) {
+  ManyGoals(half_body()).run(random, [](const ReachProblem& problem, const GenerateResult& g) {
     const double exact = half_body_distance(*problem.body, problem.goals[0].path.goal);
     ASSERT_EQ(g.meets_goals(), exact <= kReachTolerance) << exact;
     if (g.status == ReachStatus::unreachable) {
@@ -167,7 +167,7 @@ TEST(ThousandGoals, OfTheHalfBody) {
 
 TEST(ThousandGoals, OfTheFullBody) {
   Random random(105);
-  ManyGoals(full_body()).run(random, [&](const ReachProblem& problem, const Generation& g) {
+  ManyGoals(full_body()).run(random, [&](const ReachProblem& problem, const GenerateResult& g) {
     if (g.meets_goals()) return;
     const double other = IndependentReach(problem).distance(20, random);
     ASSERT_GT(other, kReachTolerance) << "the library gave up a goal that can be met";

@@ -104,7 +104,7 @@ TEST_P(RobotReach, ReachesWithEitherHandByASecondReader) {
       Result<Task> task = make_task(file, {});
       ASSERT_TRUE(task) << task.error().to_string();
       task->goals = {{hand, spot.at * task->body.stature()}};
-      const Result<Generation> generation = generate(*task);
+      const Result<GenerateResult> generation = generate(*task);
       ASSERT_TRUE(generation) << generation.error().to_string();
       EXPECT_TRUE(generation->meets_goals()) << generation->remaining_distance;
       for (const Candidate& candidate : generation->candidates) {

@@ -110,7 +110,7 @@ TEST(Tracking, NineMotionsOfTenDoNotFall) {
     Task task(body);
     task.goals = {{"right_hand", any_goal(random)}};
     task.seed = seed;
-    const Generation generation = generate(task).value();
+    const GenerateResult generation = generate(task).value();
     if (!generation.meets_goals()) continue;
     ++played;
     fallen += tracking.run(generation.candidates[0].motion) > kFallen ? 1 : 0;

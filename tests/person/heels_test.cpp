@@ -51,8 +51,8 @@ TEST(Heels, AddTheToesAndChangeNothingOfTheStartPosture) {
 
 // The moments of inertia that a part is left with are those of some body.
 TEST(Heels, PartsOfAFootHaveTheMassOfBodies) {
-  for (const Stature& person : {Stature{}, Stature{1.48, 44.0, Sex::female}}) {
-    Stature lifting = person;
+  for (const BodyBuild& person : {BodyBuild{}, BodyBuild{1.48, 44.0, Sex::female}}) {
+    BodyBuild lifting = person;
     lifting.heels = true;
     const BodyModel body = human_body(lifting);
     const double foot = segment_table(person.sex).foot.mass * person.mass;

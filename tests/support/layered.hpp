@@ -25,7 +25,7 @@ struct LayeredChange {
 };
 
 // What every motion of a layered task must keep.
-inline void expect_layers_kept(const Task& task, const Generation& generation) {
+inline void expect_layers_kept(const Task& task, const GenerateResult& generation) {
   EXPECT_TRUE(generation.meets_goals()) << task.body.name();
   EXPECT_EQ(generation.remaining_distance, 0.0);
   const ReachProblem problem = make_layered_problem(task).value().reach;

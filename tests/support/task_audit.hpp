@@ -134,7 +134,7 @@ class Auditor {
     ++audit_.tasks;
     const Result<Task> task = make_task(file, {});
     if (!task) return fail(task.error().to_string());
-    const Result<Generation> generation = generate(*task);
+    const Result<GenerateResult> generation = generate(*task);
     if (!generation) return fail(generation.error().to_string());
     ++audit_.statuses[std::string(word_of(generation->status))];
     judge_ranks(*generation);
@@ -155,7 +155,7 @@ class Auditor {
     if (!(value <= allowed)) fail(fmt::format("{}: {:g}", what, value));
   }
 
-  void judge_ranks(const Generation& generation) {
+  void judge_ranks(const GenerateResult& generation) {
     const std::vector<Candidate>& all = generation.candidates;
     require(!all.empty(), "there is no candidate");
     const auto is_impossible = [](const Candidate& candidate) {
@@ -173,7 +173,8 @@ class Auditor {
     }
   }
 
-  void judge_candidate(const Task& task, const Generation& generation, const Candidate& candidate) {
+  void judge_candidate(const Task& task, const GenerateResult& generation,
+                       const Candidate& candidate) {
     ++audit_.candidates;
     ++audit_.verdicts[std::string(word_of(candidate.judgement.verdict))];
     const auto bvh = export_candidate(task, candidate, FileFormat::bvh);

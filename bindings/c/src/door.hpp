@@ -23,7 +23,7 @@ struct shigusa_character {
 struct shigusa_result {
   shigusa::TaskFile file;
   shigusa::Task task;
-  shigusa::Generation generation;
+  shigusa::GenerateResult generation;
   shigusa::RunInfo info;
   // [candidate][series] tables that were asked for, made at the first time
   mutable std::vector<std::vector<std::vector<double>>> series{};

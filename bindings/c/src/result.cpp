@@ -44,7 +44,7 @@ Progress watched_by(const shigusa_watch* watch, std::atomic<bool>& stop) {
   return progress;
 }
 
-shigusa_status keep(TaskFile file, Task task, Generation generation, RunInfo info,
+shigusa_status keep(TaskFile file, Task task, GenerateResult generation, RunInfo info,
                     shigusa_result** result) {
   *result =
       new shigusa_result{std::move(file), std::move(task), std::move(generation), std::move(info)};
@@ -58,7 +58,7 @@ shigusa_status replayed(StoredResult stored, const char* how, Work&& work,
   Result<Task> task = task_of(stored.task);
   if (!task) return refuse(task.error());
   const auto begin = std::chrono::steady_clock::now();
-  Result<Generation> generation = work(*task, stored);
+  Result<GenerateResult> generation = work(*task, stored);
   if (!generation) return refuse(generation.error());
   RunInfo info{.search = how};
   info.elapsed_ms = milliseconds_since(begin);
@@ -99,7 +99,7 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
     if (const auto checked = check_task(*asked); !checked) return refuse(checked.error());
     std::atomic<bool> stop{false};
     const auto begin = std::chrono::steady_clock::now();
-    Result<Generation> generation = generate(*asked, watched_by(watch, stop));
+    Result<GenerateResult> generation = generate(*asked, watched_by(watch, stop));
     if (!generation) return refuse(generation.error());
     RunInfo info;
     info.search = word_of(search_of(*asked));

@@ -17,7 +17,7 @@ inline constexpr std::array kEnumWords<Sex>{EnumWord{Sex::male, "male"},
                                             EnumWord{Sex::female, "female"}};
 
 /// A standing person's build.
-struct Stature {
+struct BodyBuild {
   double stature = 1.741;   ///< m, 0.5..2.5
   double mass = 73.0;       ///< kg, 2..300
   Sex sex = Sex::male;      ///< of the tables

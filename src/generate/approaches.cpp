@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ways.hpp"
+#include "approaches.hpp"
 
 #include <limits>
 #include <shigusa/generate.hpp>
@@ -37,7 +37,7 @@ bool arrives(const ReachProblem& way, const RolledOut& rolled) {
 
 }  // namespace
 
-std::vector<ReachProblem> ways_to_goal(ReachProblem problem, const ClosestReach& reach) {
+std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const ClosestReach& reach) {
   for (std::size_t g = 0; g < problem.goals.size(); ++g) {
     // of a box the way ends where the posture that is known to arrive has the effector
     ReachGoal& goal = problem.goals[g];

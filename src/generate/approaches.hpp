@@ -14,8 +14,8 @@ namespace shigusa {
 
 // Ways to the goals, tried in this order until one leads there: a straight hand path; the same with
 // the null space drawn to a posture that is known to arrive; that posture alone.
-[[nodiscard]] std::vector<ReachProblem> ways_to_goal(ReachProblem problem,
-                                                     const ClosestReach& reach);
+[[nodiscard]] std::vector<ReachProblem> approaches_to_goal(ReachProblem problem,
+                                                           const ClosestReach& reach);
 
 // The parameters' motion on the first way that brings them to the goal: the same parameters always
 // give the same motion, whichever way they were found on.

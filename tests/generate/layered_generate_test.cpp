@@ -29,10 +29,10 @@ Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) 
   return task;
 }
 
-Generation generated(const Task& task) { return generate(task).value(); }
+GenerateResult generated(const Task& task) { return generate(task).value(); }
 
 // Everything that a generation says, number by number.
-std::vector<double> numbers(const Generation& g) {
+std::vector<double> numbers(const GenerateResult& g) {
   std::vector<double> all{g.remaining_distance,  g.duration,       double(g.evaluations),
                           double(g.near_copies), double(g.missed), g.best_seen_score};
   for (const Candidate& c : g.candidates) {
@@ -85,9 +85,9 @@ TEST(GenerateLayers, EitherHandAndBothTogetherReach) {
 TEST(GenerateLayers, BothReadingsReach) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     Task task = task_for(body, kFront);
-    const Generation shared = generated(task);
+    const GenerateResult shared = generated(task);
     task.layer_reading = LayerReading::contraction_a_limb;
-    const Generation each = generated(task);
+    const GenerateResult each = generated(task);
     expect_layers_kept(task, each);
     EXPECT_NE(numbers(each), numbers(shared));
   }
@@ -123,7 +123,7 @@ TEST(GenerateLayers, MoreEvaluationsFindNoWorse) {
   double best = std::numeric_limits<double>::infinity();
   for (const int evaluations : {8, 100, 300}) {
     task.evaluations = evaluations;
-    const Generation generation = generated(task);
+    const GenerateResult generation = generated(task);
     EXPECT_LE(generation.evaluations, evaluations);
     EXPECT_LE(generation.best_seen_score, best);
     best = generation.best_seen_score;
@@ -135,7 +135,7 @@ TEST(GenerateLayers, EverySearchReaches) {
   task.evaluations = 150;
   for (const auto& [method, word] : kEnumWords<SearchMethod>) {
     task.search = method;
-    const Generation generation = generated(task);
+    const GenerateResult generation = generated(task);
     expect_layers_kept(task, generation);
     EXPECT_EQ(generation.evaluations, 150) << word;
     EXPECT_LT(generation.best_seen_score, worst_score(task.criteria)) << word;
@@ -174,7 +174,7 @@ TEST(GenerateLayers, OwnCriterionDecides) {
   task.criteria.user[0].value = [](const BodyModel&, const Motion&) {
     return std::numeric_limits<double>::quiet_NaN();
   };
-  const Generation generation = generated(task);
+  const GenerateResult generation = generated(task);
   EXPECT_GT(generation.rejected_nan, 0);
   EXPECT_TRUE(generation.meets_goals());
 }
@@ -195,7 +195,7 @@ TEST(GenerateLayers, CallsAUsersCriterionOnTheCallersThread) {
 
 TEST(GenerateLayers, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
   for (const BodyModel& body : {half_body(), full_body()}) {
-    const Generation generation = generated(task_for(body, kOutOfReach));
+    const GenerateResult generation = generated(task_for(body, kOutOfReach));
     EXPECT_EQ(generation.status, ReachStatus::unreachable);
     ASSERT_FALSE(generation.candidates.empty());
     EXPECT_GT(generation.remaining_distance, 0.1);
@@ -212,7 +212,7 @@ TEST(GenerateLayers, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
 TEST(GenerateLayers, GoalsAtTheEdgeOfReachAreMet) {
   for (const Vec3d& goal :
        {Vec3d{-0.83, 1.65, -0.03}, {-0.79, 1.81, 0.26}, {0.46, 1.83, 0.64}, {-0.69, 1.63, 0.68}}) {
-    const Generation generation = generated(task_for(half_body(), goal, 0));
+    const GenerateResult generation = generated(task_for(half_body(), goal, 0));
     EXPECT_TRUE(generation.meets_goals());
     for (const Candidate& candidate : generation.candidates) {
       // by layers in closed form, or by steps of the whole body's IK
@@ -229,7 +229,7 @@ TEST(GenerateLayers, ClosestMotionsEndNearWhereTheBodyCould) {
     for (const Vec3d& goal : {Vec3d{-0.2, 2.36, 0.31}, {0.06, 1.98, 1.67}, {-1.96, 2.45, 0.62}}) {
       const Task task = task_for(body, goal, 0);
       const double closest = closest_reach(make_problem(task).value()).distance;
-      const Generation generation = generated(task);
+      const GenerateResult generation = generated(task);
       EXPECT_EQ(generation.status, ReachStatus::unreachable);
       EXPECT_LT(generation.remaining_distance, closest + kShort);
       for (const Candidate& candidate : generation.candidates) {
@@ -264,9 +264,9 @@ TEST(GenerateLayers, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
   int taken_back = 0;
   for (const Vec3d& goal : {Vec3d{0.1, 1.3, 0.15}, {0.2, 1.3, 0.25}, {0.3, 1.1, 0.25}}) {
     Task task = task_for(half_body(), goal, 0);
-    const Generation with = generated(task);
+    const GenerateResult with = generated(task);
     task.layers.feedback_rounds = 0;
-    const Generation without = generated(task);
+    const GenerateResult without = generated(task);
     expect_layers_kept(task, with);
     for (const Candidate& candidate : without.candidates) {
       EXPECT_EQ(candidate.arm_collision->left, candidate.arm_collision->depth > kCollisionDepth);
@@ -293,7 +293,7 @@ TEST(GenerateLayers, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
 
 TEST(GenerateLayers, CollisionThatNoArmCanAvoidIsSaid) {
   // the hand's own way leads through the thigh
-  const Generation generation = generated(task_for(half_body(), {0.1, 0.5, 0.15}));
+  const GenerateResult generation = generated(task_for(half_body(), {0.1, 0.5, 0.15}));
   const Candidate& candidate = generation.candidates.front();
   EXPECT_TRUE(candidate.arm_collision->left);
   EXPECT_GT(candidate.arm_collision->depth, kCollisionDepth);
@@ -303,7 +303,7 @@ TEST(RegenerateLayers, GivesTheCandidateAgain) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, kFront);
     for (const Candidate& candidate : generated(task).candidates) {
-      const Generation again = regenerate(task, candidate.parameters).value();
+      const GenerateResult again = regenerate(task, candidate.parameters).value();
       ASSERT_EQ(again.candidates.size(), 1u);
       EXPECT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
       EXPECT_EQ(again.candidates[0].score.total, candidate.score.total);

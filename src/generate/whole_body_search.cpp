@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "searched.hpp"
+#include "whole_body_search.hpp"
 
 #include <fmt/format.h>
 
@@ -56,14 +56,14 @@ GeneCode gene_code(const Task& task) {
   return info_of(search_of(task)).paper_code ? GeneCode::paper : GeneCode::logarithmic;
 }
 
-Searched::Searched(const ReachProblem& problem, const Task& task)
+WholeBodySearch::WholeBodySearch(const ReachProblem& problem, const Task& task)
     : problem_(problem),
       task_(task),
       criteria_(task_criteria(task)),
       space_(problem, gene_code(task), task.fixed, task.phases),
       archive_(*problem.body) {}
 
-SearchResult Searched::run(const Progress& progress) {
+SearchResult WholeBodySearch::run(const Progress& progress) {
   const int budget = task_.evaluations.value_or(usual_evaluations(task_));
   PointScorer scorer(problem_, task_, criteria_, space_, task_.batch.threads);
   const bool paper = task_.preset == Preset::paper;
@@ -85,8 +85,8 @@ SearchResult Searched::run(const Progress& progress) {
 }
 
 // Parts know nothing of each other, so that they run side by side.
-void Searched::run_parts(const std::vector<Part>& parts, const std::vector<Progress>& watched,
-                         SearchResult& all) {
+void WholeBodySearch::run_parts(const std::vector<Part>& parts,
+                                const std::vector<Progress>& watched, SearchResult& all) {
   // other people's functions are called from one thread, and whole motions take all of them
   const bool together = !task_.own_search && !scores_whole_motions(task_, criteria_);
   const int threads = task_.batch.threads;
@@ -106,7 +106,7 @@ void Searched::run_parts(const std::vector<Part>& parts, const std::vector<Progr
   }
 }
 
-void Searched::take_in(const Niche& niche, std::span<double> points, std::size_t genes) {
+void WholeBodySearch::take_in(const Niche& niche, std::span<double> points, std::size_t genes) {
   for (const Bound& bound : niche) {
     for (auto k = static_cast<std::size_t>(bound.gene); k < points.size(); k += genes) {
       points[k] = bound.low + points[k] * (bound.high - bound.low);
@@ -114,8 +114,8 @@ void Searched::take_in(const Niche& niche, std::span<double> points, std::size_t
   }
 }
 
-SearchResult Searched::run_part(const Part& part, PointScorer& scorer,
-                                const Progress& progress) const {
+SearchResult WholeBodySearch::run_part(const Part& part, PointScorer& scorer,
+                                       const Progress& progress) const {
   SearchProblem searched;
   searched.genes = space_.genes();
   searched.start = part.from.empty() ? space_.start() : part.from;
@@ -156,7 +156,7 @@ SearchResult Searched::run_part(const Part& part, PointScorer& scorer,
 
 // Where all parameters together may begin, (points × genes): each lean of the trunk with each bend
 // of the knees.
-std::vector<double> Searched::postures() const {
+std::vector<double> WholeBodySearch::postures() const {
   std::vector<double> points;
   const auto set = [&](std::string_view mode, double value) {
     const int gene = space_.find(mode);
@@ -177,7 +177,7 @@ std::vector<double> Searched::postures() const {
 
 // Scores the postures and begins at the best of them: a search that begins upright finds its way
 // down by chance.
-SearchResult Searched::begin_bent(SearchProblem& searched, int budget) const {
+SearchResult WholeBodySearch::begin_bent(SearchProblem& searched, int budget) const {
   std::vector<double> points = postures();
   const auto genes = static_cast<std::size_t>(searched.genes);
   const auto count = std::min(static_cast<std::size_t>(budget), points.size() / genes);
@@ -198,8 +198,8 @@ SearchResult Searched::begin_bent(SearchProblem& searched, int budget) const {
   return found;
 }
 
-SearchResult Searched::search_with(const SearchProblem& searched, int budget,
-                                   const Progress& progress) const {
+SearchResult WholeBodySearch::search_with(const SearchProblem& searched, int budget,
+                                          const Progress& progress) const {
   if (task_.own_search) {
     SearchResult found = task_.own_search(searched, budget, task_.seed, progress);
     check_point(found.best_seen, searched.genes);

@@ -17,9 +17,9 @@ namespace shigusa {
 
 // What is searched on one way to the goal, and what the search came upon. Problem and task outlive
 // it.
-class Searched {
+class WholeBodySearch {
  public:
-  Searched(const ReachProblem& problem, const Task& task);
+  WholeBodySearch(const ReachProblem& problem, const Task& task);
 
   // Of the preset flat, 0.4 of the budget goes to all parameters together, and a tenth or two each
   // to what people do otherwise: squat, stoop, half squat, turn the other way, put the elbow

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "choice.hpp"
+#include "selection.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <string_view>
 
 namespace shigusa {
-Choice distinct_postures(const Archive& archive, int most) {
+Selection distinct_postures(const Archive& archive, int most) {
   const std::vector<Archived> ranked = archive.ranked();
   std::vector<const Archived*> picked;
-  Choice choice;
+  Selection choice;
   const auto near = [](const Archived& a, const Archived& b) {
     return posture_distance(a.posture, b.posture) < kDistinctEnd + kEndSlack;
   };
@@ -49,7 +49,7 @@ bool ends_like(const Candidate& candidate, const Archived& archived, double apar
   return posture_distance(end, archived.posture) < apart;
 }
 
-int count_similar(const Choice& choice, std::span<const Candidate> candidates, int taken) {
+int count_similar(const Selection& choice, std::span<const Candidate> candidates, int taken) {
   if (choice.picked.empty()) return 0;
   const double most = choice.picked.front().score + kCandidateSpread;
   const auto alike = std::count_if(
@@ -61,7 +61,7 @@ int count_similar(const Choice& choice, std::span<const Candidate> candidates, i
   return std::max(static_cast<int>(alike) - taken, 0);
 }
 
-std::string why_fewer(const Task& task, const Generation& generation, const Choice& choice) {
+std::string why_fewer(const Task& task, const GenerateResult& generation, const Selection& choice) {
   if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
   const bool by_end = traits_of(task.preset).natural;
   std::vector<std::string> reasons;

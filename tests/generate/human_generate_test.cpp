@@ -25,7 +25,7 @@ Task task_for(const BodyModel& body, const Vec3d& goal, const char* hand = "righ
   return task;
 }
 
-Generation generated(const Task& task) { return generate(task).value(); }
+GenerateResult generated(const Task& task) { return generate(task).value(); }
 
 // rad, how far a freedom ends from where it began
 double travel(const Task& task, const Candidate& candidate, const char* dof) {
@@ -42,7 +42,7 @@ TEST(GenerateHuman, HandArrivesFeetStayAndLimitsHoldAtRandomGoals) {
       Task task = task_for(body, near_goal(body, random));
       task.evaluations = 100;
       task.candidates = 2;
-      const Generation generation = generated(task);
+      const GenerateResult generation = generated(task);
       expect_layers_kept(task, generation);
       if (!generation.candidates.front().measures.over_limit.empty()) ++over_limit;
     }
@@ -59,7 +59,7 @@ TEST(GenerateHuman, EitherHandAndBothReachLowAndHigh) {
   Task task = task_for(full_body(), {0.3, 1.2, 0.35}, "left_hand");
   expect_layers_kept(task, generated(task));
   task.goals.push_back({"right_hand", {-0.2, 1.1, 0.4}});
-  const Generation both = generated(task);
+  const GenerateResult both = generated(task);
   expect_layers_kept(task, both);
   EXPECT_EQ(both.candidates[0].parameters.swivels.size(), 2u);
   EXPECT_TRUE(both.candidates[0].parameters.finals.empty());
@@ -83,13 +83,13 @@ TEST(GenerateHuman, FreeArmIsACounterweightWhereBalanceCounts) {
   for_each_criterion([&](const auto& entry) { entry.weight(task.criteria) = 0.0; });
   task.criteria.balance_weight = 2.0;
   task.criteria.joint_range_weight = 0.5;
-  const Generation generation = generated(task);
+  const GenerateResult generation = generated(task);
   const Candidate& candidate = *std::min_element(
       generation.candidates.begin(), generation.candidates.end(),
       [](const Candidate& a, const Candidate& b) { return a.score.total < b.score.total; });
   Parameters stiff = candidate.parameters;
   stiff.finals = start_values(plan_of(task).value()).finals;
-  const Generation without = regenerate(task, stiff).value();
+  const GenerateResult without = regenerate(task, stiff).value();
   EXPECT_LT(candidate.score.total, without.candidates[0].score.total - 0.02);
 }
 
@@ -121,9 +121,9 @@ TEST(GenerateHuman, TrunkStaysForWhatTheArmReaches) {
 TEST(GenerateHuman, SameSeedGivesTheSameNumbersOnAnyMachine) {
   Task task = task_for(full_body(), kLowFront);
   task.batch = {SimdSet::scalar, 1};
-  const Generation one = generated(task);
+  const GenerateResult one = generated(task);
   task.batch = {widest_simd_set(), 3};
-  const Generation other = generated(task);
+  const GenerateResult other = generated(task);
   ASSERT_EQ(one.candidates.size(), other.candidates.size());
   for (std::size_t i = 0; i < one.candidates.size(); ++i) {
     EXPECT_EQ(one.candidates[i].parameters, other.candidates[i].parameters);
@@ -156,7 +156,7 @@ TEST(GenerateHuman, CandidatesEndApartAndAreRanked) {
 TEST(GenerateHuman, GoalsAtTheEdgeOfReachAreMet) {
   for (const Vec3d& goal : {Vec3d{-0.79, 1.81, 0.26}, {0.46, 1.83, 0.64}, {-0.69, 1.63, 0.68}}) {
     const Task task = task_for(half_body(), goal);
-    const Generation generation = generated(task);
+    const GenerateResult generation = generated(task);
     EXPECT_LT(generation.remaining_distance, 0.01);
     for (const Candidate& candidate : generation.candidates) {
       EXPECT_EQ(candidate.contacts[0].max_slide, 0.0);
@@ -166,7 +166,7 @@ TEST(GenerateHuman, GoalsAtTheEdgeOfReachAreMet) {
 
 TEST(GenerateHuman, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
   const Task task = task_for(full_body(), {-1.5, 1.5, 1.2});
-  const Generation generation = generated(task);
+  const GenerateResult generation = generated(task);
   EXPECT_EQ(generation.status, ReachStatus::unreachable);
   EXPECT_GT(generation.remaining_distance, 0.1);
   const auto again = regenerate(task, generation.candidates[0].parameters).value();
@@ -177,7 +177,7 @@ TEST(RegenerateHuman, GivesTheCandidateAgain) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, kLowFront);
     for (const Candidate& candidate : generated(task).candidates) {
-      const Generation again = regenerate(task, candidate.parameters).value();
+      const GenerateResult again = regenerate(task, candidate.parameters).value();
       EXPECT_EQ(again.candidates[0].motion.clip.angles, candidate.motion.clip.angles);
       EXPECT_EQ(again.candidates[0].score.total, candidate.score.total);
     }
@@ -190,7 +190,7 @@ TEST(RegenerateHuman, SwivelMovesTheElbowAndNotTheHand) {
   double last = -10.0;
   for (const double degree : {-40.0, 0.0, 40.0}) {
     parameters.swivels[0] = radians(degree);
-    const Generation edited = regenerate(task, parameters).value();
+    const GenerateResult edited = regenerate(task, parameters).value();
     EXPECT_TRUE(edited.meets_goals());
     EXPECT_LT(edited.candidates[0].goals[0].error, 1e-8);
     const double elbow = edited.candidates[0].final_posture.elbow_swivel;

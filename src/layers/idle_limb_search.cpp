@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rest_search.hpp"
+#include "idle_limb_search.hpp"
 
 #include <shigusa/scalar.hpp>
 #include <shigusa/search.hpp>

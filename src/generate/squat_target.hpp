@@ -11,22 +11,22 @@ namespace shigusa {
 
 // The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
 // leave more or less of it, so the search is told how much. A later phase that is fixed to another
-// squat ends somewhere between them, so that then there is no dial.
-class SquatDial {
+// squat ends somewhere between them, so that then there is no such target.
+class SquatTarget {
  public:
   // None where the task fixes no squat.
-  static std::optional<SquatDial> of(const Task& task) {
+  static std::optional<SquatTarget> of(const Task& task) {
     const std::optional<double> squat = fixed_value(task, "squat");
     if (!squat || fixed_value(task, "later.squat").value_or(*squat) != *squat) return std::nullopt;
-    SquatDial dial;
+    SquatTarget target;
     for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
       const std::optional<int> dof = task.body.find_dof(knee);
       if (!dof) continue;
-      dial.knees_.push_back(static_cast<std::size_t>(*dof));
-      dial.wanted_ += *squat + task.body.start()[dial.knees_.back()];
+      target.knees_.push_back(static_cast<std::size_t>(*dof));
+      target.wanted_ += *squat + task.body.start()[target.knees_.back()];
     }
-    if (dial.knees_.empty()) return std::nullopt;
-    return dial;
+    if (target.knees_.empty()) return std::nullopt;
+    return target;
   }
 
   // How far (rad) the mean of the knees' angles is off.
@@ -52,10 +52,10 @@ class SquatDial {
   double wanted_ = 0.0;  // rad, of all knees together
 };
 
-// How near (rad) the dial's motions come to it, what the search aims at, and what a radian off
+// How near (rad) the target's motions come to it, what the search aims at, and what a radian off
 // costs there; no criterion is 1 for more than that.
-inline constexpr double kDialSlack = radians(8.0);
-inline constexpr double kDialAim = radians(4.0);
-inline constexpr double kDialPull = 1.0;
+inline constexpr double kSquatSlack = radians(8.0);
+inline constexpr double kSquatAim = radians(4.0);
+inline constexpr double kSquatPull = 1.0;
 
 }  // namespace shigusa

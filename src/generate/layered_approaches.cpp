@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "layered_ways.hpp"
+#include "layered_approaches.hpp"
 
 #include <array>
 #include <utility>
 
-#include "ways.hpp"
+#include "approaches.hpp"
 
 namespace shigusa {
 namespace {
@@ -46,23 +46,24 @@ Parameters body_parameters(const LayeredProblem& problem, const Parameters& laye
 
 }  // namespace
 
-std::optional<Arrival> LayeredWays::body_arrival(const Parameters& parameters) const {
-  return first_arrival(problem_->body_ways, body_parameters(*problem_, parameters));
+std::optional<Arrival> LayeredApproaches::body_arrival(const Parameters& parameters) const {
+  return first_arrival(problem_->body_approaches, body_parameters(*problem_, parameters));
 }
 
-std::optional<Arrival> LayeredWays::arrival(const Parameters& parameters, LayeredWay last) const {
+std::optional<Arrival> LayeredApproaches::arrival(const Parameters& parameters,
+                                                  LayeredApproach last) const {
   if (problem_->in_reach) {
     RolledOut rolled = play_layers(*problem_, parameters);
     if (rolled.outcome.met(problem_->reach.tolerance)) {
       return Arrival{&problem_->reach, std::move(rolled)};
     }
   }
-  return last == LayeredWay::layers ? std::nullopt : body_arrival(parameters);
+  return last == LayeredApproach::layers ? std::nullopt : body_arrival(parameters);
 }
 
-Arrival LayeredWays::any_arrival(const Parameters& parameters) const {
-  if (auto arrived = arrival(parameters, LayeredWay::body)) return std::move(*arrived);
-  return nearest_arrival(problem_->body_ways, body_parameters(*problem_, parameters));
+Arrival LayeredApproaches::any_arrival(const Parameters& parameters) const {
+  if (auto arrived = arrival(parameters, LayeredApproach::body)) return std::move(*arrived);
+  return nearest_arrival(problem_->body_approaches, body_parameters(*problem_, parameters));
 }
 
 }  // namespace shigusa

@@ -2,13 +2,14 @@
 #include <string>
 #include <utility>
 
-#include "searched.hpp"
+#include "whole_body_search.hpp"
 
 namespace shigusa {
 namespace {
 
 constexpr double kRounding = 1e-6;
-constexpr double kStiffKnee = 1.0;  // logarithm of the least weight of a knee that goes by the dial
+constexpr double kStiffKnee =
+    1.0;  // logarithm of the least weight of a knee that goes by the target
 
 // A range (deg) of a posture mode that is a style of its own.
 struct StyleRange {
@@ -26,7 +27,8 @@ constexpr double kOtherSwivel[] = {20, 60};  // deg, the same of the elbow
 }  // namespace
 
 // What people do otherwise than the guess.
-std::vector<Searched::Part> Searched::styles(const PointScorer::Guess& guess, int budget) const {
+std::vector<WholeBodySearch::Part> WholeBodySearch::styles(const PointScorer::Guess& guess,
+                                                           int budget) const {
   std::vector<Part> parts;
   const Niche knees = stiff_knees();
   const bool given = space_.find("squat") < 0;
@@ -61,7 +63,7 @@ std::vector<Searched::Part> Searched::styles(const PointScorer::Guess& guess, in
 }
 
 // keeps a mode of both phases within a range (deg)
-void Searched::bind(Niche& niche, std::string_view mode, double low, double high) const {
+void WholeBodySearch::bind(Niche& niche, std::string_view mode, double low, double high) const {
   for (const int gene :
        {space_.find(mode), space_.find(std::string(kLaterPrefix) + std::string(mode))}) {
     if (gene < 0) continue;
@@ -71,7 +73,7 @@ void Searched::bind(Niche& niche, std::string_view mode, double low, double high
 }
 
 // Where the knees' flexion is given they go by it: light ones would bend as the hand has it.
-Searched::Niche Searched::stiff_knees() const {
+WholeBodySearch::Niche WholeBodySearch::stiff_knees() const {
   Niche niche;
   for (const char* name : {"knee.flexion", "left_knee.flexion", "right_knee.flexion"}) {
     for (const int gene : {space_.find(name), space_.find(std::string(kLaterPrefix) + name)}) {

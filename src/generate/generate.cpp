@@ -18,7 +18,7 @@ namespace {
 
 // Searches on one approach.
 void search_best(const Task& task, Planner& planner, std::size_t approach, const Progress& progress,
-                 Generation& generation) {
+                 GenerateResult& generation) {
   Found found = planner.search(task, approach, progress);
   add_counts(found.result, generation);
   generation.best_seen = found.best_seen;
@@ -31,7 +31,7 @@ Candidate only_candidate(const Planner& planner, const Parameters& values) {
   return planner.candidate({.values = values}, planner.nearest(values));
 }
 
-void finish(bool in_reach, Generation& generation) {
+void finish(bool in_reach, GenerateResult& generation) {
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
   const Candidate& best = generation.candidates.front();
   const bool met = in_reach && miss_of(best) <= kReachTolerance;
@@ -67,7 +67,7 @@ Result<void> check_choices(const Task& task) {
 // Searches on the approaches from `first` on, one after the other, until something arrives: where
 // the first does it, as nearly always, that is all.
 void search_approaches(const Task& task, Planner& planner, std::size_t first,
-                       JointProgress& progress, Generation& generation) {
+                       JointProgress& progress, GenerateResult& generation) {
   for (std::size_t k = first; k < planner.approaches(); ++k) {
     const auto search = task.pareto ? search_front : search_best;
     search(task, planner, k, progress.part(1.0), generation);
@@ -89,7 +89,7 @@ auto with_prepared(const Task& task, Use&& use) -> decltype(use(task)) {
 
 }  // namespace
 
-Task played_task(Task task, const Generation& generation) {
+Task played_task(Task task, const GenerateResult& generation) {
   if (generation.slowed) task.duration = generation.duration;
   return task;
 }
@@ -97,14 +97,14 @@ Task played_task(Task task, const Generation& generation) {
 namespace {
 
 // One search, of a task that is prepared.
-Result<Generation> search_task(const Task& task, const Progress& progress) {
+Result<GenerateResult> search_task(const Task& task, const Progress& progress) {
   const Result<std::unique_ptr<Planner>> made = make_planner(task);
   if (!made) return tl::unexpected(made.error());
   Planner& planner = **made;
   if (const auto checked = planner.check_search(); !checked) {
     return tl::unexpected(checked.error());
   }
-  Generation generation;
+  GenerateResult generation;
   generation.duration = planner.duration();
   JointProgress joint(progress);
   search_approaches(task, planner, 0, joint, generation);
@@ -118,7 +118,7 @@ Result<Generation> search_task(const Task& task, const Progress& progress) {
   Task other = task;
   while (planner.in_reach() && runs_again(task, generation)) {
     other.genetic.stream = static_cast<std::uint64_t>(generation.runs);
-    Generation run;
+    GenerateResult run;
     search_approaches(other, planner, 0, joint, run);
     add_run(task, std::move(run), generation);
   }
@@ -131,7 +131,7 @@ Result<Generation> search_task(const Task& task, const Progress& progress) {
 }
 
 // The least duration (s) in which a candidate is possible that is not so only for its haste.
-std::optional<double> possible_duration(const Generation& generation) {
+std::optional<double> possible_duration(const GenerateResult& generation) {
   std::optional<double> least;
   for (const Candidate& candidate : generation.candidates) {
     const std::optional<double>& own = candidate.judgement.possible_in;
@@ -141,12 +141,12 @@ std::optional<double> possible_duration(const Generation& generation) {
 }
 
 // The candidates as the task plays them, which has another duration.
-Result<Generation> played_anew(const Task& task, const Generation& generation) {
-  Generation again = generation;
+Result<GenerateResult> played_anew(const Task& task, const GenerateResult& generation) {
+  GenerateResult again = generation;
   again.duration = *task.duration;
   again.candidates.clear();
   for (const Candidate& candidate : generation.candidates) {
-    Result<Generation> one = regenerate(task, candidate.parameters);
+    Result<GenerateResult> one = regenerate(task, candidate.parameters);
     if (!one) return one;
     again.candidates.push_back(std::move(one.value().candidates.front()));
   }
@@ -155,12 +155,12 @@ Result<Generation> played_anew(const Task& task, const Generation& generation) {
   return again;
 }
 
-bool wants_more(const Generation& generation) {
+bool wants_more(const GenerateResult& generation) {
   return generation.status == ReachStatus::unsteady && generation.end != SearchEnd::cancelled;
 }
 
 // Another search of the same task takes the place of one that found nothing possible, if it did.
-bool take_place(Generation other, Generation& found) {
+bool take_place(GenerateResult other, GenerateResult& found) {
   found.evaluations += other.evaluations;
   found.end = other.end;
   if (other.status != ReachStatus::reached) return false;
@@ -171,7 +171,7 @@ bool take_place(Generation other, Generation& found) {
 
 // Where motions are impossible only for their haste, and the task gives no duration, it takes
 // longer.
-void try_slower(const Task& task, JointProgress& progress, Generation& found) {
+void try_slower(const Task& task, JointProgress& progress, GenerateResult& found) {
   const std::optional<double> duration = possible_duration(found);
   if (!wants_more(found) || task.duration || !duration) return;
   Task slower = task;
@@ -179,7 +179,7 @@ void try_slower(const Task& task, JointProgress& progress, Generation& found) {
   // a budget that was given is used up
   const bool spent = task.evaluations.has_value();
   const int evaluations = found.evaluations;
-  Result<Generation> again =
+  Result<GenerateResult> again =
       spent ? played_anew(slower, found) : search_task(slower, progress.part(1.0));
   if (again && take_place(std::move(*again), found)) found.slowed = true;
   if (spent) found.evaluations = evaluations;
@@ -188,11 +188,11 @@ void try_slower(const Task& task, JointProgress& progress, Generation& found) {
 // How many times as many motions are scored where nothing that was found is possible.
 constexpr int kLongerSearch = 3;
 
-void try_longer(const Task& task, JointProgress& progress, Generation& found) {
+void try_longer(const Task& task, JointProgress& progress, GenerateResult& found) {
   if (!wants_more(found) || task.evaluations) return;
   Task longer = task;
   longer.evaluations = kLongerSearch * usual_evaluations(task);
-  Result<Generation> again = search_task(longer, progress.part(1.0));
+  Result<GenerateResult> again = search_task(longer, progress.part(1.0));
   if (again) take_place(std::move(*again), found);
 }
 
@@ -203,11 +203,11 @@ Result<void> check_task(const Task& task) {
   return with_prepared(task, check_plan);
 }
 
-Result<Generation> generate(const Task& task, const Progress& progress) {
+Result<GenerateResult> generate(const Task& task, const Progress& progress) {
   if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
   return with_prepared(task, [&progress](const Task& ready) {
     JointProgress joint(progress);
-    Result<Generation> found = search_task(ready, joint.part(1.0));
+    Result<GenerateResult> found = search_task(ready, joint.part(1.0));
     if (found && traits_of(ready.preset).natural) {
       try_slower(ready, joint, *found);
       try_longer(ready, joint, *found);
@@ -216,15 +216,15 @@ Result<Generation> generate(const Task& task, const Progress& progress) {
   });
 }
 
-Result<Generation> regenerate(const Task& task, const Parameters& values) {
-  return with_prepared(task, [&values](const Task& ready) -> Result<Generation> {
+Result<GenerateResult> regenerate(const Task& task, const Parameters& values) {
+  return with_prepared(task, [&values](const Task& ready) -> Result<GenerateResult> {
     const Result<std::unique_ptr<Planner>> made = make_planner(ready);
     if (!made) return tl::unexpected(made.error());
     Planner& planner = **made;
     if (const auto checked = check_parameters(planner.plan(), values); !checked) {
       return tl::unexpected(checked.error());
     }
-    Generation generation;
+    GenerateResult generation;
     generation.duration = planner.duration();
     generation.candidates.push_back(only_candidate(planner, values));
     for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {

@@ -24,13 +24,13 @@ Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) 
   return task;
 }
 
-Generation generated(const Task& task, const Progress& progress = {}) {
+GenerateResult generated(const Task& task, const Progress& progress = {}) {
   return generate(task, progress).value();
 }
 
 // A search of one task is much work for many claims.
-const Generation& full_generation() {
-  static const Generation generation = generated(task_for(full_body(), kFrontLow));
+const GenerateResult& full_generation() {
+  static const GenerateResult generation = generated(task_for(full_body(), kFrontLow));
   return generation;
 }
 
@@ -66,7 +66,7 @@ std::vector<double> numbers(const Candidate& c) {
   return all;
 }
 
-std::vector<double> numbers(const Generation& g) {
+std::vector<double> numbers(const GenerateResult& g) {
   std::vector<double> all{
       g.remaining_distance,  g.duration,       double(g.evaluations), double(g.generations),
       double(g.near_copies), double(g.missed), g.best_seen_score};
@@ -84,13 +84,13 @@ TEST(Generate, SameSeedGivesTheSameNumbers) {
 }
 
 TEST(Generate, AnotherSeedFindsOtherMotions) {
-  const Generation one = generated(task_for(half_body(), kFrontLow, 5));
-  const Generation other = generated(task_for(half_body(), kFrontLow, 6));
+  const GenerateResult one = generated(task_for(half_body(), kFrontLow, 5));
+  const GenerateResult other = generated(task_for(half_body(), kFrontLow, 6));
   EXPECT_NE(numbers(one.candidates[0]), numbers(other.candidates[0]));
 }
 
 TEST(Generate, CandidatesMeetTheGoal) {
-  const Generation& generation = full_generation();
+  const GenerateResult& generation = full_generation();
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_EQ(generation.remaining_distance, 0.0);
   for (const Candidate& candidate : generation.candidates) {
@@ -150,7 +150,7 @@ TEST(Generate, ScoresAreThoseOfTheMotions) {
 TEST(Generate, KeepsToTheNumberOfCandidates) {
   Task task = task_for(half_body(), kFrontLow);
   task.candidates = 1;
-  const Generation one = generated(task);
+  const GenerateResult one = generated(task);
   ASSERT_EQ(one.candidates.size(), 1u);
   task.candidates = 8;
   EXPECT_EQ(numbers(one.candidates[0]), numbers(generated(task).candidates[0]));
@@ -183,7 +183,7 @@ TEST(Generate, TellsWhichLimitsAreExceeded) {
 TEST(Generate, BothHandsReachTogether) {
   Task task = task_for(full_body(), {-0.2, 0.8, 0.5});
   task.goals.push_back({"left_hand", {0.2, 0.9, 0.45}});
-  const Generation generation = generated(task);
+  const GenerateResult generation = generated(task);
   EXPECT_TRUE(generation.meets_goals());
   for (const Candidate& candidate : generation.candidates) {
     ASSERT_EQ(candidate.goals.size(), 2u);
@@ -223,7 +223,7 @@ TEST(Generate, LimbsThatNoGoalNeedsKeepTheirAngles) {
 TEST(Generate, PeopleOfAllSizesReachInProportion) {
   for (const double stature : {0.5, 1.0, 2.5}) {
     const BodyModel body = full_body({stature, 70.0, Sex::female});
-    const Generation generation = generated(task_for(body, kFrontLow * (stature / 1.741)));
+    const GenerateResult generation = generated(task_for(body, kFrontLow * (stature / 1.741)));
     EXPECT_TRUE(generation.meets_goals()) << stature;
     EXPECT_LE(generation.candidates[0].goals[0].error, kReachTolerance);
   }
@@ -232,14 +232,14 @@ TEST(Generate, PeopleOfAllSizesReachInProportion) {
 TEST(Generate, WrongTaskIsAnError) {
   Task task = task_for(half_body(), kFrontLow);
   task.goals[0].effector = "left_hand";
-  const Result<Generation> generation = generate(task);
+  const Result<GenerateResult> generation = generate(task);
   ASSERT_FALSE(generation);
   EXPECT_EQ(generation.error().code, ErrorCode::not_found);
 }
 
 TEST(Generate, UnreachableGoalIsAStatusWithTheDistanceLeft) {
   for (const BodyModel& body : {half_body(), full_body()}) {
-    const Generation generation = generated(task_for(body, kOutOfReach));
+    const GenerateResult generation = generated(task_for(body, kOutOfReach));
     EXPECT_EQ(generation.status, ReachStatus::unreachable);
     ASSERT_FALSE(generation.candidates.empty());
     const Candidate& best = generation.candidates[0];
@@ -254,7 +254,7 @@ TEST(Generate, UnreachableGoalIsAStatusWithTheDistanceLeft) {
 TEST(Generate, MotionTowardsAnUnreachableGoalIsCalm) {
   // joints turn by no more in a frame than a fast reach asks for, and the hand does not turn back
   const BodyModel body = full_body();
-  const Generation generation = generated(task_for(body, kOutOfReach));
+  const GenerateResult generation = generated(task_for(body, kOutOfReach));
   const ReachProblem problem = reach_with(body, "right_hand", kOutOfReach);
   for (const Candidate& candidate : generation.candidates) {
     const MeasuredMotion measured(problem, candidate.motion.clip);
@@ -271,7 +271,7 @@ TEST(Generate, MotionTowardsAnUnreachableGoalIsCalm) {
 
 TEST(Generate, CancelledBeforeItBeganStillGivesAMotion) {
   const std::atomic<bool> cancel = true;
-  const Generation generation =
+  const GenerateResult generation =
       generated(task_for(full_body(), kFrontLow), {.report = {}, .cancel = &cancel});
   EXPECT_EQ(generation.end, SearchEnd::cancelled);
   ASSERT_FALSE(generation.candidates.empty());
@@ -287,7 +287,7 @@ TEST(Generate, CancelledInTheMiddleGivesTheBestSoFar) {
                                 if (++reports == 3) cancel = true;
                               },
                           .cancel = &cancel};
-  const Generation generation = generated(task_for(full_body(), kFrontLow), progress);
+  const GenerateResult generation = generated(task_for(full_body(), kFrontLow), progress);
   EXPECT_EQ(generation.end, SearchEnd::cancelled);
   EXPECT_EQ(generation.generations, 2);
   EXPECT_FALSE(generation.candidates.empty());
@@ -296,7 +296,7 @@ TEST(Generate, CancelledInTheMiddleGivesTheBestSoFar) {
 TEST(Generate, ReportsItsProgress) {
   std::vector<ProgressReport> reports;
   const Progress progress{.report = [&](const ProgressReport& r) { reports.push_back(r); }};
-  const Generation generation = generated(task_for(half_body(), kFrontLow), progress);
+  const GenerateResult generation = generated(task_for(half_body(), kFrontLow), progress);
   ASSERT_FALSE(reports.empty());
   for (std::size_t i = 1; i < reports.size(); ++i) {
     EXPECT_GE(reports[i].fraction, reports[i - 1].fraction);
@@ -315,7 +315,7 @@ TEST(Generate, ProgressOfASearchInPartsNeverGoesBack) {
     task.batch.threads = threads;
     std::vector<ProgressReport> reports;
     const Progress progress{.report = [&](const ProgressReport& r) { reports.push_back(r); }};
-    const Generation generation = generated(task, progress);
+    const GenerateResult generation = generated(task, progress);
     ASSERT_FALSE(reports.empty());
     for (std::size_t i = 1; i < reports.size(); ++i) {
       EXPECT_GE(reports[i].fraction, reports[i - 1].fraction);
@@ -348,10 +348,10 @@ UserCriterion elbow_bend() {
 
 TEST(Generate, OwnCriterionChangesWhatIsChosen) {
   Task task = task_for(half_body(), {-0.3, 1.2, 0.35});
-  const Generation without = generated(task);
+  const GenerateResult without = generated(task);
   task.criteria.user = {elbow_bend()};
-  const Generation with = generated(task);
-  const auto bend = [&](const Generation& generation) {
+  const GenerateResult with = generated(task);
+  const auto bend = [&](const GenerateResult& generation) {
     return elbow_bend().value(task.body, generation.candidates[0].motion);
   };
   EXPECT_LT(bend(with), bend(without));
@@ -360,12 +360,12 @@ TEST(Generate, OwnCriterionChangesWhatIsChosen) {
 
 TEST(Generate, CriterionThatIsAlwaysZeroChangesNothing) {
   Task task = task_for(half_body(), kFrontLow);
-  const Generation without = generated(task);
+  const GenerateResult without = generated(task);
   task.criteria.user = {
       {.name = "none", .weight = 1.0, .scale = 1.0, .value = [](const BodyModel&, const Motion&) {
          return 0.0;
        }}};
-  const Generation with = generated(task);
+  const GenerateResult with = generated(task);
   ASSERT_EQ(with.candidates.size(), without.candidates.size());
   for (std::size_t i = 0; i < with.candidates.size(); ++i) {
     EXPECT_EQ(with.candidates[i].motion.clip.angles, without.candidates[i].motion.clip.angles);
@@ -381,7 +381,7 @@ TEST(Generate, NaNsOfACriterionAreRejectedAndCounted) {
     const double value = bend(body, motion);
     return value > 1.2 ? std::numeric_limits<double>::quiet_NaN() : value;
   };
-  const Generation generation = generated(task);
+  const GenerateResult generation = generated(task);
   EXPECT_GT(generation.rejected_nan, 0);
   EXPECT_LT(generation.rejected_nan, generation.evaluations);
   EXPECT_TRUE(std::isfinite(generation.candidates[0].score.total));
@@ -393,7 +393,7 @@ TEST(Generate, CriterionThatIsAlwaysNaNStillGivesMotions) {
   task.criteria.user[0].value = [](const BodyModel&, const Motion&) {
     return std::numeric_limits<double>::quiet_NaN();
   };
-  const Generation generation = generated(task);
+  const GenerateResult generation = generated(task);
   EXPECT_EQ(generation.rejected_nan, generation.evaluations);
   ASSERT_FALSE(generation.candidates.empty());
   EXPECT_TRUE(generation.meets_goals());
@@ -405,7 +405,7 @@ TEST(Regenerate, GivesTheCandidateAgain) {
     for (const Vec3d& goal : {kFrontLow, kOutOfReach}) {
       const Task task = task_for(body, goal);
       for (const Candidate& candidate : generated(task).candidates) {
-        const Generation again = regenerate(task, candidate.parameters).value();
+        const GenerateResult again = regenerate(task, candidate.parameters).value();
         ASSERT_EQ(again.candidates.size(), 1u);
         EXPECT_EQ(numbers(again.candidates[0]), numbers(candidate));
       }
@@ -429,14 +429,14 @@ TEST(Regenerate, LargerWeightMovesTheJointLessAndTheHandArrivesAllTheSame) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, kFrontLow);
     const Parameters uniform = uniform_parameters(body);
-    const Generation before = regenerate(task, uniform).value();
+    const GenerateResult before = regenerate(task, uniform).value();
     for (int d = 0; d < body.dof_count(); ++d) {
       if (body.dof(d).name.ends_with("hip.flexion") || body.dof(d).joint.starts_with("left_")) {
         continue;
       }
       Parameters heavier = uniform;
       heavier.joints[static_cast<std::size_t>(d)].weight = 10.0;
-      const Generation after = regenerate(task, heavier).value();
+      const GenerateResult after = regenerate(task, heavier).value();
       EXPECT_TRUE(after.meets_goals());
       EXPECT_LE(after.candidates[0].goals[0].error, kReachTolerance);
       EXPECT_LT(travel(after.candidates[0].motion.clip, d),
@@ -451,7 +451,7 @@ TEST(Regenerate, LockedJointStaysAndTheHandArrivesAllTheSame) {
   Parameters parameters = uniform_parameters(body);
   const int knee = body.find_dof("right_knee.flexion").value();
   parameters.joints[static_cast<std::size_t>(knee)].locked = true;
-  const Generation generation = regenerate(task_for(body, kFrontLow), parameters).value();
+  const GenerateResult generation = regenerate(task_for(body, kFrontLow), parameters).value();
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_EQ(travel(generation.candidates[0].motion.clip, knee), 0.0);
 }
@@ -460,7 +460,7 @@ TEST(Regenerate, WithAllJointsLockedTellsHowFarTheGoalIs) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     Parameters parameters = uniform_parameters(body);
     for (JointWeight& joint : parameters.joints) joint.locked = true;
-    const Generation generation = regenerate(task_for(body, kFrontLow), parameters).value();
+    const GenerateResult generation = regenerate(task_for(body, kFrontLow), parameters).value();
     EXPECT_EQ(generation.status, ReachStatus::unreachable);
     const Vec3d hand = effector_position(body, body.start(), "right_hand");
     EXPECT_NEAR(generation.remaining_distance, norm(hand - kFrontLow), 1e-12);
@@ -468,7 +468,7 @@ TEST(Regenerate, WithAllJointsLockedTellsHowFarTheGoalIs) {
 }
 
 TEST(Regenerate, RefusesParametersOfAnotherBody) {
-  const Result<Generation> generation =
+  const Result<GenerateResult> generation =
       regenerate(task_for(full_body(), kFrontLow), uniform_parameters(half_body()));
   ASSERT_FALSE(generation);
   EXPECT_THAT(generation.error().to_string(), testing::HasSubstr("9 joint weights"));
@@ -479,7 +479,7 @@ TEST(Regenerate, RefusesWeightsOutsideOfTheirRange) {
   for (const double weight : {0.0, -1.0, 1e-7, 1e7, std::numeric_limits<double>::quiet_NaN()}) {
     Parameters parameters = uniform_parameters(body);
     parameters.joints[1].weight = weight;
-    const Result<Generation> generation = regenerate(task_for(body, kFrontLow), parameters);
+    const Result<GenerateResult> generation = regenerate(task_for(body, kFrontLow), parameters);
     ASSERT_FALSE(generation);
     EXPECT_EQ(generation.error().place, "right_knee.flexion");
   }
@@ -492,7 +492,7 @@ TEST(Regenerate, AnyOneWeightMayBeAnythingInItsRange) {
       for (const double weight : {kWeightMin, 0.1, 10.0, kWeightMax}) {
         Parameters parameters = uniform_parameters(body);
         parameters.joints[d].weight = weight;
-        const Generation generation = regenerate(task, parameters).value();
+        const GenerateResult generation = regenerate(task, parameters).value();
         EXPECT_TRUE(generation.meets_goals()) << body.dofs()[d].name << " " << weight;
       }
     }
