@@ -42,6 +42,26 @@ using Result = tl::expected<T, Error>;
   return tl::unexpected<Error>(Error{code, std::move(message), std::move(place)});
 }
 
+/// Returns the expression's error from this function, where it is one; its value is dropped.
+#define SHG_TRY(...)                                    \
+  do {                                                  \
+    if (auto tried_ = (__VA_ARGS__); !tried_) {         \
+      return tl::unexpected(std::move(tried_).error()); \
+    }                                                   \
+  } while (false)
+
+#define SHG_TRY_ASSIGN_TO(tried, target, ...)                  \
+  auto tried = (__VA_ARGS__);                                  \
+  if (!tried) return tl::unexpected(std::move(tried).error()); \
+  target = *std::move(tried)
+#define SHG_TRY_ASSIGN_LINE(line, target, ...) \
+  SHG_TRY_ASSIGN_TO(tried_##line##_, target, __VA_ARGS__)
+#define SHG_TRY_ASSIGN_AT(line, target, ...) SHG_TRY_ASSIGN_LINE(line, target, __VA_ARGS__)
+/// Returns the expression's error from this function, where it is one; else its value goes to the
+/// target, a declaration or what can be assigned to:
+/// SHG_TRY_ASSIGN(const Clip clip, read_clip(path));
+#define SHG_TRY_ASSIGN(target, ...) SHG_TRY_ASSIGN_AT(__LINE__, target, __VA_ARGS__)
+
 /// Thrown by SHG_CHECK: the caller broke a documented precondition.
 class PreconditionError : public std::logic_error {
  public:
