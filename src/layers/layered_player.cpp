@@ -5,11 +5,10 @@
 #include <utility>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // how the knee turns the thigh on the shank, seen from the foot
 double climbing_sign(const BodyModel& body, const BodyLimb& leg) {
