@@ -102,10 +102,9 @@ class PackStages final : public Stages {
 
   void dynamics() {
     const Wrench<S> ground =
-        inverse_dynamics<S>(body_, kinematics_, speeds_, accelerations_, dynamics_, torques_);
+        inverse_dynamics<S>(body_, kinematics_, {speeds_, accelerations_}, dynamics_, torques_);
     if (body_.feet().size() == 2) {
-      share_ground_wrench<S>(body_, kinematics_, ground, body_.feet()[0], body_.feet()[1],
-                             torques_);
+      share_ground_wrench<S>(body_, kinematics_, {}, ground, torques_);
     }
     centre_ = centre_of_mass<S>(body_, dynamics_);
   }

@@ -146,7 +146,7 @@ PlacedFrame<double> NlpRollout::moving_frame() {
     accelerations_[d] = (to_come - gone) * (rate * rate);
   }
   const Wrench<double> ground =
-      inverse_dynamics<double>(body, now_, speeds_, accelerations_, dynamics_, torques_);
+      inverse_dynamics<double>(body, now_, {speeds_, accelerations_}, dynamics_, torques_);
   bear_on_feet<double>(body, now_, angles_[1], ground, torques_);
   const Vec3d centre = shigusa::centre_of_mass(body, dynamics_);
   return {{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},

@@ -316,7 +316,7 @@ class Rollout {
       accelerations_[d] = (to_come - gone) * square_rate;
     }
     const Wrench<S> ground =
-        inverse_dynamics<S>(body, now(), speeds_, accelerations_, dynamics_, torques_);
+        inverse_dynamics<S>(body, now(), {speeds_, accelerations_}, dynamics_, torques_);
     bear_on_feet<S>(body, now(), angles_[1], ground, torques_);
     const Vec3<S> centre = shigusa::centre_of_mass(body, dynamics_);
     visit(PlacedFrame<S>{{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},

@@ -231,9 +231,8 @@ TEST(NlpRollout, FramesSayHowTheBodyMovesThere) {
     }
     const Kinematics<double> kinematics = placed(full(), now);
     const Wrench<double> ground =
-        inverse_dynamics<double>(full(), kinematics, speeds, accelerations, work, torques);
-    share_ground_wrench<double>(full(), kinematics, ground, full().feet()[0], full().feet()[1],
-                                torques);
+        inverse_dynamics<double>(full(), kinematics, {speeds, accelerations}, work, torques);
+    share_ground_wrench<double>(full(), kinematics, {}, ground, torques);
     const auto k = static_cast<std::size_t>(f);
     for (std::size_t d = 0; d < dofs; ++d) {
       EXPECT_NEAR(motion.torques[k * dofs + d], torques[d], 1e-7) << f << ' ' << d;

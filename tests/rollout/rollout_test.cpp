@@ -122,7 +122,8 @@ TEST(RollOut, SlowMotionTakesTheTorqueOfStandingStill) {
   DynamicsWorkspace<double> work(half());
   std::vector<double> tau(9);
   for (int f = 0; f < motion.clip.frames; ++f) {
-    inverse_dynamics<double>(half(), placed(half(), motion.clip.frame(f)), still, still, work, tau);
+    inverse_dynamics<double>(half(), placed(half(), motion.clip.frame(f)), {still, still}, work,
+                             tau);
     for (std::size_t d = 0; d < 9; ++d) {
       EXPECT_NEAR(motion.torques[static_cast<std::size_t>(f) * 9 + d], tau[d], 1e-6);
     }
