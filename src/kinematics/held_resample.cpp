@@ -14,7 +14,7 @@ void append(const Vec3d& v, std::vector<double>& numbers) {
 class Holder {
  public:
   Holder(const BodyModel& body, const Clip& clip, double rate, const Held& held)
-      : body_(body), held_(held), now_(body), workspace_(body), step_(body.dofs().size()) {
+      : body_(body), held_(held), now_(body), workspace_(body) {
     forward_kinematics<double>(body, clip.frame(0), now_);
     for (const Foot& foot : held.feet) standing_.push_back(now_.link_rotation(foot.link));
     ways_ = resampled(ways_of(clip), rate);
@@ -38,8 +38,9 @@ class Holder {
         if (target.contact) off = max(off, kContactLength * norm(tilt_error(now_, target)));
       }
       if (off < kNear) return;
-      weighted_ik_step<double>(body_, now_, targets, inverse_weights_, {}, {}, workspace_, step_);
-      for (std::size_t d = 0; d < step_.size(); ++d) angles[d] += step_[d];
+      const auto step =
+          weighted_ik_step<double>(body_, now_, {targets, inverse_weights_}, {}, workspace_);
+      for (std::size_t d = 0; d < step.size(); ++d) angles[d] += step[d];
     }
   }
 
@@ -94,7 +95,6 @@ class Holder {
   const Held& held_;
   Kinematics<double> now_;
   IkWorkspace<double> workspace_;
-  std::vector<double> step_;             // (dofs)
   std::vector<double> inverse_weights_;  // (dofs)
   std::vector<Mat3d> standing_;          // (feet) R_WL in the first frame
   Clip ways_;

@@ -44,7 +44,6 @@ class Descent {
         body_(*problem.body),
         targets_(ik_targets(problem)),
         weights_(body_.dofs().size(), 1.0),
-        step_(weights_),
         trial_(weights_),
         kinematics_(body_),
         trial_kinematics_(body_),
@@ -183,9 +182,9 @@ class Descent {
       weights = limits_->soften(weights_, trial_);
       if (!reference.empty()) drawn = limits_->allowed(reference);
     }
-    weighted_ik_step<double>(body_, trial_kinematics_, targets, weights, drawn, ik, workspace_,
-                             step_);
-    for (std::size_t d = 0; d < step_.size(); ++d) trial_[d] += step_[d];
+    const auto step = weighted_ik_step<double>(body_, trial_kinematics_, {targets, weights, drawn},
+                                               ik, workspace_);
+    for (std::size_t d = 0; d < step.size(); ++d) trial_[d] += step[d];
     if (limits_) {
       limits_->learn(weights_, workspace_.pull, reference);
       limits_->hold(trial_);
@@ -224,7 +223,6 @@ class Descent {
   const BodyModel& body_;
   std::vector<IkTarget<double>> targets_;  // the goals, then the contacts
   std::vector<double> weights_;
-  std::vector<double> step_;
   std::vector<double> trial_;
   Kinematics<double> kinematics_;
   Kinematics<double> trial_kinematics_;

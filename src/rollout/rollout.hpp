@@ -37,7 +37,6 @@ class Rollout {
         speeds_(problem.body->dofs().size()),
         accelerations_(speeds_),
         torques_(speeds_),
-        step_(speeds_),
         unlocked_(speeds_),
         reference_(speeds_),
         blend_(speeds_.size()),
@@ -154,9 +153,10 @@ class Rollout {
         drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
     // a guide is within the limits, and so is the way there
     const bool yields = limits_ && drawn_ && problem_->guide.empty();
-    weighted_ik_step<S>(*problem_->body, now(), targets, weights,
-                        yields ? limits_->allowed(reference) : reference, problem_->ik, ik_, step_);
-    for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[1][d] + step_[d];
+    const IkStep<S> wanted{targets, weights, yields ? limits_->allowed(reference) : reference};
+    const std::span<const S> dq =
+        weighted_ik_step<S>(*problem_->body, now(), wanted, problem_->ik, ik_);
+    for (std::size_t d = 0; d < dq.size(); ++d) angles_[2][d] = angles_[1][d] + dq[d];
     if (limits_) {
       limits_->learn(inverse_weights, ik_.pull, reference);
       limits_->hold(angles_[2]);
@@ -174,14 +174,15 @@ class Rollout {
       leads_.push_back({target.lead, target.tilt_lead});
       target.lead = target.tilt_lead = {};
     }
-    weighted_ik_step<S>(*problem_->body, next(), targets,
-                        within_limits(inverse_weights, angles_[2]), {}, problem_->ik, ik_, step_);
+    const IkStep<S> wanted{targets, within_limits(inverse_weights, angles_[2])};
+    const std::span<const S> dq =
+        weighted_ik_step<S>(*problem_->body, next(), wanted, problem_->ik, ik_);
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].lead = leads_[i].position;
       targets[i].tilt_lead = leads_[i].tilt;
     }
-    for (std::size_t d = 0; d < step_.size(); ++d) {
-      angles_[2][d] = select(off, angles_[2][d] + step_[d], angles_[2][d]);
+    for (std::size_t d = 0; d < dq.size(); ++d) {
+      angles_[2][d] = select(off, angles_[2][d] + dq[d], angles_[2][d]);
     }
     if (limits_) limits_->hold(angles_[2]);
     forward_kinematics<S>(*problem_->body, angles_[2], next());
@@ -345,7 +346,6 @@ class Rollout {
   std::vector<S> speeds_;
   std::vector<S> accelerations_;
   std::vector<S> torques_;
-  std::vector<S> step_;
   std::vector<S> unlocked_;   // (dofs) 1, or 0 where locked now
   bool drawn_ = false;        // the null space is drawn somewhere, by …
   std::vector<S> reference_;  // … (dofs, rad) in this frame
