@@ -168,7 +168,7 @@ void LayeredPlayer::follow_law(int frame, std::span<double> angles) {
   forward_kinematics<double>(*body_, angles, placed_);
   // "guided": clavicles of arms with goals are the upper layer's
   constexpr bool kGuided = true;
-  law_.draw(frame, problem_->reach.steps, placed_, angles, kGuided, drawn_);
+  law_.draw(frame, placed_, angles, kGuided, drawn_);
   for (std::size_t d = 0; d < drawn_.size(); ++d) angles[d] += drawn_[d];
 }
 

@@ -121,6 +121,8 @@ class NlpIk : private SmoothFunction {
 
   double evaluate(std::span<const double> z, std::span<double> gradient) override;
   void add_limits();
+  void measure_goals(std::span<const IkTarget<double>> targets);
+  void scale_limits();
   double load_links();
   double pull_contact(const IkTarget<double>& target, const Vec3d& at);
   void unload_links(std::span<double> gradient);

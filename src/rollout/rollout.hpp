@@ -151,7 +151,7 @@ class Rollout {
     const std::span<const S> weights = within_limits(inverse_weights, angles_[1]);
     const std::span<const S> reference =
         drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
-    // a guide is within the limits, and so is the way there
+    // a guide is within the limits, and so are all postures between
     const bool yields = limits_ && drawn_ && problem_->guide.empty();
     const IkStep<S> wanted{targets, weights, yields ? limits_->allowed(reference) : reference};
     const std::span<const S> dq =
@@ -195,11 +195,11 @@ class Rollout {
 
   // where the effectors are to be in this frame
   void place_goals(int frame, const MotionInput<S>& input) {
-    const double way = minimum_jerk(static_cast<double>(frame) / problem_->steps);
-    const S off = path_bow(S(way), input.timing.skew) * input.timing.bow;
-    const S aside = path_bow(S(way), S(0)) * input.timing.sway;
+    const double done = minimum_jerk(static_cast<double>(frame) / problem_->steps);
+    const S off = path_bow(S(done), input.timing.skew) * input.timing.bow;
+    const S aside = path_bow(S(done), S(0)) * input.timing.sway;
     for (std::size_t g = 0; g < contacts_from_; ++g) {
-      const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
+      const std::size_t k = index(frame) * contacts_from_ + g;
       targets_[g].position = to_scalar<S>(paths_[k]);
       if (turning_) {
         targets_[g].orientation = to_scalar<S>(turns_[k]);
@@ -222,9 +222,9 @@ class Rollout {
       const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
       for (std::size_t d = 0; d < reference_.size(); ++d) reference_[d] = posture[d] * share;
     } else if (drawn_) {
-      for (S& way : reference_) way = S(0);
+      for (S& change : reference_) change = S(0);
     }
-    if (!law_.empty()) law_.draw(frame, problem_->steps, now(), angles_[1], guided, reference_);
+    if (!law_.empty()) law_.draw(frame, now(), angles_[1], guided, reference_);
   }
 
   // how much of the change of posture is made by then
@@ -242,16 +242,16 @@ class Rollout {
     const double late = guide_share(frame, kHeelsBegin);
     for (const Foot& foot : problem_->body->feet()) {
       if (!foot.heel) continue;
-      S& toes = reference_[static_cast<std::size_t>(foot.heel->toes)];
-      S& ankle = reference_[static_cast<std::size_t>(foot.heel->ankle)];
+      S& toes = reference_[index(foot.heel->toes)];
+      S& ankle = reference_[index(foot.heel->ankle)];
       const S lean = toes + ankle;
       toes = toes * S(late / share);
       ankle = lean - toes;
     }
   }
 
-  // of the way that is left to the guide, what this frame makes of it where it begins at that share
-  // of the duration
+  // of what is left to the guide, the share that this frame makes, where the change begins at a
+  // share of the duration
   double guide_share(int frame, double begin) const {
     const auto done = [&](int f) {
       const double tau = static_cast<double>(f) / problem_->steps;
