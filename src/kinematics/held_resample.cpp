@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/held_resample.hpp"
 
+#include "core/index.hpp"
 #include "kinematics/weighted_ik.hpp"
 
 namespace shigusa {
@@ -106,11 +107,10 @@ Clip resampled(const BodyModel& body, const Clip& clip, double rate, const Held&
   Clip result = resampled(clip, rate);
   if (held.feet.empty() && held.effectors.empty()) return result;
   Holder holder(body, clip, rate, held);
-  const auto dofs = static_cast<std::size_t>(clip.dofs);
+  const std::size_t dofs = index(clip.dofs);
   // the first and the last are the clip's own
   for (int f = 1; f < result.frames - 1; ++f) {
-    holder.hold(f,
-                std::span<double>(result.angles).subspan(static_cast<std::size_t>(f) * dofs, dofs));
+    holder.hold(f, std::span<double>(result.angles).subspan(index(f) * dofs, dofs));
   }
   return result;
 }

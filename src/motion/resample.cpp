@@ -4,6 +4,7 @@
 #include <shigusa/motion.hpp>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
@@ -21,7 +22,7 @@ double slope(const Clip& clip, int frame, std::size_t d) {
 void append_between(const Clip& clip, int frame, double share, std::vector<double>& angles) {
   const double t = share;
   const double u = 1.0 - share;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(clip.dofs); ++d) {
+  for (std::size_t d = 0; d < index(clip.dofs); ++d) {
     angles.push_back(
         u * u * ((1.0 + 2.0 * t) * clip.frame(frame)[d] + t * slope(clip, frame, d)) +
         t * t * ((1.0 + 2.0 * u) * clip.frame(frame + 1)[d] - u * slope(clip, frame + 1, d)));
@@ -43,8 +44,7 @@ Clip resampled(const Clip& clip, double rate) {
               .frames = frames_at(clip.duration(), rate),
               .frame_time = 1.0 / rate,
               .angles = {}};
-  result.angles.reserve(static_cast<std::size_t>(result.frames) *
-                        static_cast<std::size_t>(clip.dofs));
+  result.angles.reserve(index(result.frames) * index(clip.dofs));
   for (int k = 0; k < result.frames; ++k) {
     const double at = k / rate / clip.frame_time;
     const int frame = std::min(static_cast<int>(at + kWhole), clip.frames - 1);

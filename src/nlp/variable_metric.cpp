@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "line_bracket.hpp"
 
 namespace shigusa {
@@ -31,15 +32,15 @@ double inner(std::span<const double> a, std::span<const double> b) {
 
 // normal · v
 double across(const LinearLimit& limit, std::span<const double> v) {
-  double sum = limit.a * v[static_cast<std::size_t>(limit.first)];
-  if (limit.b != 0.0) sum += limit.b * v[static_cast<std::size_t>(limit.second)];
+  double sum = limit.a * v[index(limit.first)];
+  if (limit.b != 0.0) sum += limit.b * v[index(limit.second)];
   return sum;
 }
 
 // v += factor · normal
 void add_normal(const LinearLimit& limit, double factor, std::span<double> v) {
-  v[static_cast<std::size_t>(limit.first)] += factor * limit.a;
-  if (limit.b != 0.0) v[static_cast<std::size_t>(limit.second)] += factor * limit.b;
+  v[index(limit.first)] += factor * limit.a;
+  if (limit.b != 0.0) v[index(limit.second)] += factor * limit.b;
 }
 
 // normal · normal of two limits
@@ -74,16 +75,14 @@ struct VariableMetric::Run {
   const VariableMetricSettings& settings;
   VariableMetricOutcome outcome{};
 
-  [[nodiscard]] const LinearLimit& limit(int i) const {
-    return limits[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] const LinearLimit& limit(int i) const { return limits[index(i)]; }
   double evaluate(std::span<const double> z, std::span<double> gradient) {
     ++outcome.evaluations;
     return function.evaluate(z, gradient);
   }
 };
 
-VariableMetric::VariableMetric(int variables) : n_(static_cast<std::size_t>(variables)) {
+VariableMetric::VariableMetric(int variables) : n_(index(variables)) {
   SHG_CHECK(variables >= 1 && variables <= kMaxMetricVariables, "variables of a variable metric");
   for (std::vector<double>* v : {&z_, &gradient_, &trial_, &trial_gradient_, &direction_, &change_,
                                  &product_, &multipliers_}) {
@@ -154,7 +153,7 @@ void VariableMetric::project(const Run& run, int without, std::span<double> v) {
   int rows = 0;
   for (std::size_t i = 0; i < active_.size(); ++i) {
     if (static_cast<int>(i) == without) continue;
-    multipliers_[static_cast<std::size_t>(rows++)] = across(run.limit(active_[i]), v);
+    multipliers_[index(rows++)] = across(run.limit(active_[i]), v);
   }
   ldlt_substitute(gram_, multipliers_.data(), rows);
   std::size_t row = 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "body/coupled_limits.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 
@@ -41,8 +42,7 @@ class LimitGuard {
     }
     for (const Foot& foot : body.feet()) {
       if (!foot.heel) continue;
-      heels_.push_back({static_cast<std::size_t>(foot.heel->toes),
-                        static_cast<std::size_t>(foot.heel->ankle), S(0)});
+      heels_.push_back({index(foot.heel->toes), index(foot.heel->ankle), S(0)});
     }
     for (const Limit& limit : limits_) upper_.push_back(S(limit.upper));
     for (const std::size_t d : coupled_.coupled()) limits_[d].coupled = true;
