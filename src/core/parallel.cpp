@@ -25,9 +25,10 @@ namespace shigusa {
 namespace {
 
 #ifdef SHIGUSA_THREAD_SANITIZER
-// The thread sanitizer does not see into oneTBB, which orders calls by atomics of its own, and is
-// told: calls come after what was before parallel_for and before what follows it, and a worker's
-// calls come one after the other. Two workers' calls stay unordered, so their races are found.
+// The thread sanitizer does not see into oneTBB, which orders calls by atomics of its own. This
+// tells it: calls come after what was before parallel_for and before what follows it, and a
+// worker's calls come one after the other. Two workers' calls stay unordered, so their races are
+// found.
 class Order {
  public:
   explicit Order(int workers) : workers_(index(workers)) { __tsan_release(&begin_); }

@@ -15,8 +15,8 @@
 
 namespace shigusa {
 
-// What can collide in a body, and by how much it does at the start: that is not held against a
-// motion.
+// All that can collide in a body, and how deep it does at the start: that depth is not held against
+// a motion.
 struct CollisionPairs {
   struct Pair {
     int limb = 0;          // capsule

@@ -97,7 +97,7 @@ class ClipFitter {
     const HumanFrames start = human_frames(rig_.start);
     Kinematics<double> standing(body_);
     forward_kinematics<double>(body_, body_.start(), standing);
-    std::vector<bool> told(body_.dofs().size(), false);
+    std::vector<bool> given(body_.dofs().size(), false);
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const auto bone = static_cast<HumanoidBone>(b);
       if (rig_.bones[bone] < 0) continue;
@@ -109,23 +109,23 @@ class ClipFitter {
       const Vec3d at = driver->to_start * rig_.placement.to_world(rest_[node].translation);
       Target target{bone, node, driver->link, inverse(link) * at,
                     transpose(driver->to_start.rotation) * link.rotation};
-      if (driver->link != kBaseLink) tell_turn(target, link.rotation, told);
+      if (driver->link != kBaseLink) give_turn(target, link.rotation, given);
       targets_.push_back(target);
     }
   }
 
-  // Twist bones take up the twist that such a bone goes without: an upper limb's own turn is not
-  // told by it then, a forearm's but for what it turns about itself.
-  void tell_turn(Target& target, const Mat3d& link, std::vector<bool>& told) const {
+  // Twist bones take up the twist that such a bone goes without. An upper
+  // limb's bone then gives no turn, and a forearm's gives it without the turn about itself.
+  void give_turn(Target& target, const Mat3d& link, std::vector<bool>& given) const {
     const bool apart = untwisted(rig_.twists, target.bone);
     bool upper = false;
     for (const TwistSegment& segment : twist_segments()) {
       upper = upper || (segment.bone == target.bone && !segment.lower);
     }
     const std::size_t d = index(target.link);
-    target.turns = !told[d] && !(apart && upper);
+    target.turns = !given[d] && !(apart && upper);
     if (apart) target.twist = forearm_turn(body_, target.bone);
-    told[d] = told[d] || (target.turns && !target.twist);
+    given[d] = given[d] || (target.turns && !target.twist);
     if (!target.twist) return;
     const bool left = target.bone == HumanoidBone::left_lower_arm;
     const Landmarks::Arm& arm = rig_.start.arm(left ? Side::left : Side::right);

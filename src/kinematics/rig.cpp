@@ -26,7 +26,7 @@ bool same_rotation(const Quatd& a, const Quatd& b) {
              max(abs(a.z - sign * b.z), abs(a.w - sign * b.w))) < kSame;
 }
 
-// What moves a node: a bone's driver, and the share of its limb's twist that it has.
+// The driver of the bone that moves a node, and the share of its limb's twist that the node has.
 struct NodeDriver {
   BoneDriver bone;
   int limb = -1;  // of LimbTwists; -1: all of it

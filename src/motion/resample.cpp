@@ -9,7 +9,7 @@
 namespace shigusa {
 namespace {
 
-// What rounding makes of a whole number of frames or steps.
+// How far rounding takes a whole number of frames or steps.
 constexpr double kWhole = 1e-6;
 
 // The slope of freedom d in a frame of the clip (rad a frame).
@@ -18,7 +18,8 @@ double slope(const Clip& clip, int frame, std::size_t d) {
   return 0.5 * (clip.frame(frame + 1)[d] - clip.frame(frame - 1)[d]);
 }
 
-// Appends the posture between a frame and the next one, at `share` of the way.
+// Appends the posture between a frame and the next one: at the frame for a share of 0, at the next
+// for 1.
 void append_between(const Clip& clip, int frame, double share, std::vector<double>& angles) {
   const double t = share;
   const double u = 1.0 - share;

@@ -16,7 +16,7 @@ namespace shigusa {
 //   for each frame:
 //     targets := where the paths are then
 //     weights := the phase's, see PhaseBlend
-//     reference := the null space's change of posture in this frame, or its way into the guide
+//     reference := the null space's change of posture in this frame, or towards the guide
 //     posture := NlpIk's, after the posture of the frame before
 //
 // Of a ReachProblem's settings it does without those of weighted IK, which make up for steps that

@@ -170,9 +170,9 @@ double VariableMetric::largest_part(const Run& run, std::span<const double> step
 }
 
 // how far the direction may be followed from z, and the limit that is met there, or -1
-double VariableMetric::way_to_limits(const Run& run, int& nearest) const {
+double VariableMetric::length_to_limits(const Run& run, int& nearest) const {
   const double least_speed = kGrazing * sqrt(inner(direction_, direction_));
-  double way = __builtin_inf();
+  double length = __builtin_inf();
   nearest = -1;
   for (std::size_t k = 0; k < run.limits.size(); ++k) {
     const LinearLimit& limit = run.limits[k];
@@ -181,12 +181,12 @@ double VariableMetric::way_to_limits(const Run& run, int& nearest) const {
     const int index = static_cast<int>(k);
     if (std::find(active_.begin(), active_.end(), index) != active_.end()) continue;
     const double room = max(limit.bound - across(limit, z_), 0.0);
-    if (room < way * speed) {
-      way = room / speed;
+    if (room < length * speed) {
+      length = room / speed;
       nearest = index;
     }
   }
-  return way;
+  return length;
 }
 
 // from the origin towards the guess, on the active limits where all of them can be reached
@@ -202,9 +202,9 @@ void VariableMetric::start(Run& run) {
     add_normal(run.limit(active_[j]), multipliers_[j], direction_);
   }
   int nearest = -1;
-  const double way = min(1.0, way_to_limits(run, nearest));
-  if (way < 1.0) release_all();
-  for (std::size_t i = 0; i < n_; ++i) z_[i] = way * direction_[i];
+  const double length = min(1.0, length_to_limits(run, nearest));
+  if (length < 1.0) release_all();
+  for (std::size_t i = 0; i < n_; ++i) z_[i] = length * direction_[i];
   run.outcome.value = run.evaluate(z_, gradient_);
 }
 
@@ -352,18 +352,18 @@ VariableMetricOutcome VariableMetric::minimise(SmoothFunction& function,
       break;
     }
     int nearest = -1;
-    const double way = way_to_limits(run, nearest);
-    if (way * step <= kTouch * settings.tolerance) {
+    const double length = length_to_limits(run, nearest);
+    if (length * step <= kTouch * settings.tolerance) {
       activate(run, nearest);
       continue;
     }
-    const double most = min(way, settings.max_step / step);
+    const double most = min(length, settings.max_step / step);
     const double taken = search_line(run, most);
     if (taken == 0.0) break;
     update_metric();
     z_.swap(trial_);
     gradient_.swap(trial_gradient_);
-    if (taken == way) activate(run, nearest);
+    if (taken == length) activate(run, nearest);
   }
   std::copy(z_.begin(), z_.end(), z.begin());
   return outcome;

@@ -13,7 +13,7 @@ namespace shigusa {
 // The head has turned to the goal by this share of the duration: gaze gets there before the hand
 // does (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
 inline constexpr double kGazeArrives = 0.7;
-// What the head does of a turn of the gaze; eyes do the rest.
+// The head's share of a turn of the gaze; eyes do the rest.
 inline constexpr double kHeadOfGaze = 0.75;
 // How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
 inline constexpr double kArmHangs = 0.8;
@@ -23,7 +23,7 @@ inline constexpr double kArmHangs = 0.8;
 inline constexpr double kClavicleRises = radians(28);
 inline constexpr double kClavicleAhead = radians(14);
 
-// What the parts of a whole human do that no goal moves, frame by frame: the head turns to the
+// How the parts of a whole human move that no goal moves, frame by frame: the head turns to the
 // goal, a free arm hangs, clavicles go with their arms. The law says by how much the null space is
 // drawn; goals, contacts and limits stay what they are. For bodies with a neck; others have none.
 template <class S>
