@@ -95,8 +95,7 @@ class ClipFitter {
   void find_targets() {
     const HumanFrames rest = human_frames(rig_.rest);
     const HumanFrames start = human_frames(rig_.start);
-    Kinematics<double> standing(body_);
-    forward_kinematics<double>(body_, body_.start(), standing);
+    const Kinematics<double> standing = start_kinematics(body_);
     std::vector<bool> given(body_.dofs().size(), false);
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const auto bone = static_cast<HumanoidBone>(b);

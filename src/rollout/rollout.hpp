@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "criteria/built_in_criteria.hpp"
-#include "dynamics/centre_of_mass.hpp"
-#include "dynamics/contact_forces.hpp"
+#include "rollout/frame_dynamics.hpp"
 #include "rollout/limit_guard.hpp"
 #include "rollout/motion_input.hpp"
 #include "rollout/phase_blend.hpp"
@@ -31,15 +30,12 @@ class Rollout {
       : problem_(&problem),
         contacts_from_(problem.goals.size()),
         ik_(*problem.body),
-        dynamics_(*problem.body),
+        dynamics_(problem),
         kinematics_{Kinematics<S>(*problem.body), Kinematics<S>(*problem.body)},
         angles_(3, std::vector<S>(problem.body->dofs().size())),
-        speeds_(problem.body->dofs().size()),
-        accelerations_(speeds_),
-        torques_(speeds_),
-        unlocked_(speeds_),
-        reference_(speeds_),
-        blend_(speeds_.size()),
+        unlocked_(problem.body->dofs().size()),
+        reference_(unlocked_),
+        blend_(unlocked_.size()),
         law_(problem) {
     if (problem.hold_limits) limits_.emplace(*problem.body);
     for (const IkTarget<double>& target : ik_targets(problem)) {
@@ -76,20 +72,20 @@ class Rollout {
     drawn_ = !problem_->guide.empty() || !input.posture.empty() || !law_.empty();
     if (limits_) limits_->reset();
     if (input.has_later()) blend_.begin(input);
-    for (std::size_t d = 0; d < speeds_.size(); ++d) {
+    for (std::size_t d = 0; d < unlocked_.size(); ++d) {
       angles_[0][d] = angles_[1][d] = S(body.start()[d]);
       unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
     }
     forward_kinematics<S>(body, angles_[1], now());
     for (int frame = 1; frame <= problem_->steps; ++frame) {
       follow(frame, input, outcome);
-      show_frame(visit);
+      visit(dynamics_.frame(angles_, now()));
       std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
       now_ = 1 - now_;
     }
     // the motion ends at rest
     angles_[2] = angles_[1];
-    show_frame(visit);
+    visit(dynamics_.frame(angles_, now()));
     return outcome;
   }
 
@@ -303,53 +299,27 @@ class Rollout {
     return max(outcome.contact_slide, S(kContactLength) * outcome.contact_tilt);
   }
 
-  // shows the current frame: speeds by central differences to its neighbours
-  template <class Visitor>
-  void show_frame(Visitor&& visit) {
-    const BodyModel& body = *problem_->body;
-    const double rate = problem_->steps / problem_->duration;
-    const S half_rate(0.5 * rate);
-    const S square_rate(rate * rate);
-    for (std::size_t d = 0; d < speeds_.size(); ++d) {
-      const S to_come = angles_[2][d] - angles_[1][d];
-      const S gone = angles_[1][d] - angles_[0][d];
-      speeds_[d] = (to_come + gone) * half_rate;
-      accelerations_[d] = (to_come - gone) * square_rate;
-    }
-    const Wrench<S> ground =
-        inverse_dynamics<S>(body, now(), {speeds_, accelerations_}, dynamics_, torques_);
-    bear_on_feet<S>(body, now(), angles_[1], ground, torques_);
-    const Vec3<S> centre = shigusa::centre_of_mass(body, dynamics_);
-    visit(PlacedFrame<S>{{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
-                         now(),
-                         pressure(ground, S(floor_))});
-  }
-
   struct Lead {
     Vec3<S> position;  // m
     Vec3<S> tilt;      // rad
   };
 
   const ReachProblem* problem_;
-  double floor_ = floor_height(*problem_->body);  // m
-  std::size_t contacts_from_;                     // index of the first contact among the targets
-  std::vector<IkTarget<S>> targets_;              // the goals, then the contacts
-  std::vector<Lead> leads_;                       // put aside while a frame is corrected
-  std::vector<Vec3<Element<S>>> paths_;           // (frames × goals) m, world
-  bool turning_ = false;                          // some goal turns, as …
-  std::vector<Mat3<Element<S>>> turns_;           // … (frames × goals) R_WL, or empty
+  std::size_t contacts_from_;            // index of the first contact among the targets
+  std::vector<IkTarget<S>> targets_;     // the goals, then the contacts
+  std::vector<Lead> leads_;              // put aside while a frame is corrected
+  std::vector<Vec3<Element<S>>> paths_;  // (frames × goals) m, world
+  bool turning_ = false;                 // some goal turns, as …
+  std::vector<Mat3<Element<S>>> turns_;  // … (frames × goals) R_WL, or empty
   IkWorkspace<S> ik_;
-  DynamicsWorkspace<S> dynamics_;
+  FrameDynamics<S> dynamics_;
   std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, taking turns …
   std::size_t now_ = 0;                    // … and which is this frame's
   std::vector<std::vector<S>> angles_;     // of the frame before, this one and the next
-  std::vector<S> speeds_;
-  std::vector<S> accelerations_;
-  std::vector<S> torques_;
-  std::vector<S> unlocked_;   // (dofs) 1, or 0 where locked now
-  bool drawn_ = false;        // the null space is drawn somewhere, by …
-  std::vector<S> reference_;  // … (dofs, rad) in this frame
-  PhaseBlend<S> blend_;       // of a motion in two phases
+  std::vector<S> unlocked_;                // (dofs) 1, or 0 where locked now
+  bool drawn_ = false;                     // the null space is drawn somewhere, by …
+  std::vector<S> reference_;               // … (dofs, rad) in this frame
+  PhaseBlend<S> blend_;                    // of a motion in two phases
   PostureLaw<S> law_;
   std::optional<LimitGuard<S>> limits_;
 };

@@ -10,6 +10,7 @@
 
 #include "body/posture_modes.hpp"
 #include "criteria/joint_range.hpp"
+#include "dynamics/centre_of_mass.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "dynamics/centre_of_mass.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
