@@ -33,7 +33,7 @@ struct IkTarget {
   [[nodiscard]] bool turns() const { return contact || turning != Turning::free; }
 };
 
-// One step of IK: what it is for, and by which joints.
+// The request of one step of IK.
 template <class S>
 struct IkStep {
   std::span<const IkTarget<S>> targets;
