@@ -25,7 +25,6 @@ class PackStages final : public Stages {
         accelerations_(angles_.size(), S(1.0)),
         torques_(angles_.size()),
         inverse_weights_(angles_.size(), S(1)),
-        step_(angles_.size()),
         kinematics_(body_),
         ik_(body_),
         dynamics_(body_),
@@ -62,8 +61,9 @@ class PackStages final : public Stages {
         for (int i = 0; i < rows_; ++i) ik_.residual[i] = residual_[i];
         return ik_detail::solve<S>(rows_, diagonal_ * S(kIkPivotFloor<float>), ik_);
       case Stage::ik:
-        return weighted_ik_step<S>(body_, kinematics_, targets_, inverse_weights_, {}, problem_.ik,
-                                   ik_, step_);
+        (void)weighted_ik_step<S>(body_, kinematics_, {targets_, inverse_weights_}, problem_.ik,
+                                  ik_);
+        return;
       case Stage::dynamics:
         return dynamics();
       case Stage::criteria:
@@ -102,10 +102,9 @@ class PackStages final : public Stages {
 
   void dynamics() {
     const Wrench<S> ground =
-        inverse_dynamics<S>(body_, kinematics_, speeds_, accelerations_, dynamics_, torques_);
+        inverse_dynamics<S>(body_, kinematics_, {speeds_, accelerations_}, dynamics_, torques_);
     if (body_.feet().size() == 2) {
-      share_ground_wrench<S>(body_, kinematics_, ground, body_.feet()[0], body_.feet()[1],
-                             torques_);
+      share_ground_wrench<S>(body_, kinematics_, {}, ground, torques_);
     }
     centre_ = centre_of_mass<S>(body_, dynamics_);
   }
@@ -137,7 +136,6 @@ class PackStages final : public Stages {
   std::vector<S> torques_;
   std::vector<S> inverse_weights_;
   std::vector<S> motion_weights_ = inverse_weights_;
-  std::vector<S> step_;
   std::vector<IkTarget<S>> targets_;
   int rows_ = 0;
   S residual_[kMaxIkRows];

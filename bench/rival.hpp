@@ -86,7 +86,7 @@ class Rival {
     DynamicsWorkspace<double> work(body);
     const std::vector<double> still(body.dofs().size(), 0.0);
     std::vector<double> tau(still);
-    inverse_dynamics<double>(body, kinematics, still, still, work, tau);
+    inverse_dynamics<double>(body, kinematics, {still, still}, work, tau);
     engine_.place(start_);
     engine_.torques(Vector::Zero(dofs_), Vector::Zero(dofs_), tau_);
     const double off = (tau_ - in_order(tau)).cwiseAbs().maxCoeff();

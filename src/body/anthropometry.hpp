@@ -64,12 +64,12 @@ struct StatureFractions {
   static constexpr double kClavicleRise = 0.010;
 };
 
-// Where the joints of a spine of three stand for its 17: shares of the way from between the hips
+// Where the joints of a spine of three stand for its 17: shares of the line from between the hips
 // to C7. L5/S1 is some 0.10 m above the hips of a man of 1.74 m (criteria/low_back.hpp), T12/L1
 // 0.18 m higher, and the third in the middle of the chest.
 inline constexpr std::size_t kSpineJoints = 3;
 inline constexpr std::array<double, kSpineJoints> kSpineShares{0.17, 0.47, 0.72};
-// The joint of neck and skull, as a share of the way from C7 to the vertex.
+// The joint of neck and skull, as a share of the line from C7 to the vertex.
 inline constexpr double kHeadJointShare = 0.35;
 
 // Radii of capsules around the bones, as fractions of stature: rough, from a trunk about 0.23 m
@@ -139,16 +139,16 @@ inline constexpr JointLimits kToesFlexion{0, radians(58), 4.7, 14.2};
 // Their share of the foot's mass: 0.217 of 1.467 kg in the lower limb model of S. Delp et al., IEEE
 // Trans. Biomedical Engineering 37 (1990) 757-767, as OpenSim has it.
 inline constexpr double kToesMass = 0.15;
-// What the toes give beside other freedoms of the same weight: feet stay flat where anything else
-// brings the hand to its goal.
+// How much the toes give beside other freedoms of the same weight: feet stay flat where anything
+// else brings the hand to its goal.
 inline constexpr double kToesGive = 1e-3;
 // All of the spine between pelvis and neck: AAOS' thoracolumbar range of motion, and strengths
 // about L5/S1. Positive: forwards, to the left, turned to the left.
 inline constexpr JointLimits kSpineFlexion{radians(-25), radians(80), 150, 240};
 inline constexpr JointLimits kSpineLateral{radians(-35), radians(35), 140, 140};
 inline constexpr JointLimits kSpineRotation{radians(-45), radians(45), 75, 75};
-// What each of three joints has of it: the lumbar spine bends, the thoracic one turns (A. White and
-// M. Panjabi, Clinical Biomechanics of the Spine).
+// The shares of it that each of three joints has: the lumbar spine bends, the thoracic one turns
+// (A. White and M. Panjabi, Clinical Biomechanics of the Spine).
 struct SpineShares {
   double flexion;
   double lateral;

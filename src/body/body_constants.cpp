@@ -12,7 +12,7 @@ Mat3<T> matrix(const Mat3d& m) {
   return {to_scalar<T>(m.cx), to_scalar<T>(m.cy), to_scalar<T>(m.cz)};
 }
 
-// What is as small beside its neighbours is left over from rounding, and taken for 0.
+// A number as small as this beside its neighbours is rounding, and taken for 0.
 constexpr double kRounding = 1e-12;
 
 bool is_upright(const Vec3d& v) { return max(abs(v.x), abs(v.z)) <= kRounding * abs(v.y); }

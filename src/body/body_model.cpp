@@ -6,6 +6,7 @@
 #include "body/body_constants.hpp"
 #include "body/coupled_limits.hpp"
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "further_effectors.hpp"
 
 namespace shigusa {
@@ -23,7 +24,7 @@ BodyDefinition checked(BodyDefinition body) {
   SHG_CHECK(body.masses.size() == body.dofs.size(), "one mass per dof of " + body.name);
   SHG_CHECK(body.start.size() == body.dofs.size(), "one start angle per dof of " + body.name);
   for (int i = 0; i < count; ++i) {
-    const Dof& dof = body.dofs[static_cast<std::size_t>(i)];
+    const Dof& dof = body.dofs[index(i)];
     SHG_CHECK(dof.parent >= kBaseLink && dof.parent < i, "parent of " + dof.name);
     SHG_CHECK(dof.lower < dof.upper, "limits of " + dof.name);
     SHG_CHECK(dof.sign == 1.0 || dof.sign == -1.0, "sign of " + dof.name);
@@ -81,9 +82,8 @@ BodyModel::BodyModel(BodyDefinition definition)
   const std::size_t count = definition_.dofs.size();
   ancestry_.assign(count * count, 0);
   for (std::size_t link = 0; link < count; ++link) {
-    for (int d = static_cast<int>(link); d != kBaseLink;
-         d = definition_.dofs[static_cast<std::size_t>(d)].parent) {
-      ancestry_[link * count + static_cast<std::size_t>(d)] = 1;
+    for (int d = static_cast<int>(link); d != kBaseLink; d = definition_.dofs[index(d)].parent) {
+      ancestry_[link * count + index(d)] = 1;
     }
     chain_begin_.push_back(chains_.size());
     for (std::size_t d = 0; d < count; ++d) {
@@ -96,7 +96,7 @@ BodyModel::BodyModel(BodyDefinition definition)
 double upper_limit(const BodyModel& body, int dof, std::span<const double> angles) {
   CoupledLimits<double> limits(body);
   limits.update(angles);
-  return body.dof(dof).upper + limits.added()[static_cast<std::size_t>(dof)];
+  return body.dof(dof).upper + limits.added()[index(dof)];
 }
 
 BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places) {

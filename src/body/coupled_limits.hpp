@@ -7,7 +7,7 @@
 
 namespace shigusa {
 
-// What a body's couplings add to the upper limits of its freedoms (LimitCoupling).
+// The angles that a body's couplings add to the upper limits of its freedoms (LimitCoupling).
 template <class S>
 class CoupledLimits {
  public:

@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-// What goals can be given for beside a body's own effectors: each named node on a link that can
+// The effectors that goals can be given for beside a body's own: each named node on a link that can
 // move. Joints have the words that their freedoms have, "right_elbow" of the node
 // "right_lower_arm", and other nodes their own names.
 [[nodiscard]] std::vector<Effector> further_effectors(const BodyDefinition& body);

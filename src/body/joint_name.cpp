@@ -17,7 +17,7 @@ bool has_leg_word(std::string_view joint) {
                      [joint](std::string_view word) { return joint.find(word) != joint.npos; });
 }
 
-// What both legs or arms share has no side: "hip" of a weight, "legs" of a contraction.
+// A name that both legs or arms share has no side: "hip" of a weight, "legs" of a contraction.
 bool is_of_both_legs(std::string_view joint) {
   return joint == "legs" || std::find(kLegWords.begin(), kLegWords.end(), joint) != kLegWords.end();
 }

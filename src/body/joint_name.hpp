@@ -11,8 +11,8 @@ namespace shigusa {
 // The limb that a joint is of.
 enum class LimbKind { trunk, arm, leg };
 
-// What the name of a joint, freedom or effector says: "left_hip.flexion" is the freedom "flexion"
-// of the joint "hip" on the left.
+// The parts of the name of a joint, freedom or effector: "left_hip.flexion" is the freedom
+// "flexion" of the joint "hip" on the left.
 struct JointName {
   std::optional<Side> side{};  // none of the trunk, and of what both sides share
   std::string_view joint;      // "hip", "upper_chest", "hand"

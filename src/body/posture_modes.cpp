@@ -11,14 +11,14 @@
 namespace shigusa {
 namespace {
 
-// Who leans forwards puts the hips back, by the ankles, so that the centre of mass stays over the
-// feet (A. Alexandrov, A. Frolov, J. Massion, Experimental Brain Research 118 (1998) 210-220:
-// ankle, knee and hip move as one). A share of the hips' angle. Without it 3000 motions of `human`
-// end with 1.6 times the score, mean of ten goals, and 60,000 do not make up for it; 0.2 to 0.5 are
-// much the same.
+// A person who leans forwards puts the hips back, by the ankles, so that the centre of mass stays
+// over the feet (A. Alexandrov, A. Frolov, J. Massion, Experimental Brain Research 118 (1998)
+// 210-220: ankle, knee and hip move as one). A share of the hips' angle. Without it 3000 motions of
+// `human` end with 1.6 times the score, mean of ten goals, and 60,000 do not make up for it; 0.2 to
+// 0.5 are much the same.
 constexpr double kHipsBack = 0.3;
 
-// What each mode does, as users read it.
+// A sentence on each mode, for users.
 constexpr std::string_view kSquatSentence =
     "The knees bend by the angle and the trunk stays upright: half of the angle goes to each hip "
     "and ankle, which keeps the leg's line for a thigh as long as the shank.";

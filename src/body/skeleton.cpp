@@ -2,6 +2,7 @@
 #include <shigusa/skeleton.hpp>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 
@@ -15,8 +16,7 @@ int Skeleton::find(std::string_view name) const {
 std::vector<Vec3d> rest_origins(const Skeleton& skeleton) {
   std::vector<Vec3d> at;
   for (const SkeletonNode& node : skeleton.nodes) {
-    at.push_back(node.parent < 0 ? node.offset
-                                 : at[static_cast<std::size_t>(node.parent)] + node.offset);
+    at.push_back(node.parent < 0 ? node.offset : at[index(node.parent)] + node.offset);
   }
   return at;
 }
@@ -30,7 +30,7 @@ std::vector<Transformd> world_transforms(const Skeleton& skeleton, const Skeleto
   for (std::size_t i = 0; i < world.size(); ++i) {
     const Transformd x{to_matrix(local[i].rotation), local[i].translation};
     const int parent = skeleton.nodes[i].parent;
-    world[i] = parent < 0 ? x : world[static_cast<std::size_t>(parent)] * x;
+    world[i] = parent < 0 ? x : world[index(parent)] * x;
   }
   return world;
 }

@@ -15,7 +15,7 @@ struct SkinVertex {
   bool rigid = false;
 };
 
-// What a file has of a character's mesh. A reader of any format gives this.
+// A character's mesh, as a reader of any file format gives it.
 struct Skin {
   std::vector<SkinVertex> vertices;  // none where the file has no mesh, or none that is read
   std::vector<std::string> doubts;   // parts that were not read, and why

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 
 #ifdef SHIGUSA_HAS_TBB
 #include <tbb/global_control.h>
@@ -24,22 +25,20 @@ namespace shigusa {
 namespace {
 
 #ifdef SHIGUSA_THREAD_SANITIZER
-// The thread sanitizer does not see into oneTBB, which orders calls by atomics of its own, and is
-// told: calls come after what was before parallel_for and before what follows it, and a worker's
-// calls come one after the other. Two workers' calls stay unordered, so their races are found.
+// The thread sanitizer does not see into oneTBB, which orders calls by atomics of its own. This
+// tells it: calls come after what was before parallel_for and before what follows it, and a
+// worker's calls come one after the other. Two workers' calls stay unordered, so their races are
+// found.
 class Order {
  public:
-  explicit Order(int workers) : workers_(static_cast<std::size_t>(workers)) {
-    __tsan_release(&begin_);
-  }
+  explicit Order(int workers) : workers_(index(workers)) { __tsan_release(&begin_); }
   ~Order() { __tsan_acquire(&end_); }
   Order(const Order&) = delete;
   Order& operator=(const Order&) = delete;
 
   class Call {
    public:
-    Call(Order& order, int worker)
-        : order_(order), worker_(&order.workers_[static_cast<std::size_t>(worker)]) {
+    Call(Order& order, int worker) : order_(order), worker_(&order.workers_[index(worker)]) {
       __tsan_acquire(&order_.begin_);
       __tsan_acquire(worker_);
     }
@@ -80,7 +79,7 @@ class Arenas {
       allowed_ = workers;
       control_.reset();  // the least of two would hold
       control_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                       static_cast<std::size_t>(workers));
+                                                       index(workers));
     }
     for (auto kept = idle_.rbegin(); kept != idle_.rend(); ++kept) {
       if ((*kept)->max_concurrency() != workers) continue;

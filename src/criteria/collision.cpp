@@ -8,8 +8,8 @@ namespace {
 constexpr double kRounding = 1.0001;  // of single precision, and more
 
 // m, of a capsule from its middle
-double reach_of(const BodyModel& body, int index) {
-  const Capsule& capsule = body.capsules()[static_cast<std::size_t>(index)];
+double reach_of(const BodyModel& body, int number) {
+  const Capsule& capsule = body.capsules()[index(number)];
   return capsule.radius + 0.5 * norm(capsule.to - capsule.from);
 }
 
@@ -18,7 +18,7 @@ void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& 
   if (!body.dof(effector.link).joint.ends_with("_wrist")) return;
   const int count = static_cast<int>(body.capsules().size());
   for (int c = 0; c < count; ++c) {
-    const int link = body.capsules()[static_cast<std::size_t>(c)].link;
+    const int link = body.capsules()[index(c)].link;
     if (body.moves(effector.limb_root, link)) pairs.floor.push_back({c, 0});
   }
 }
@@ -37,12 +37,13 @@ CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& s
       pairs.obstacles.push_back({c, o});
     }
   }
+  pairs.shapes = settings.obstacles;
   for (const Obstacle& obstacle : settings.obstacles) {
     pairs.axes.push_back(to_matrix(obstacle.rotation));
   }
   const Kinematics<double> start = start_kinematics(body);
   std::vector<PlacedCapsule<double>> placed(body.capsules().size());
-  visit_collisions<double>(body, pairs, settings.obstacles, start, placed,
+  visit_collisions<double>(body, pairs, start, placed,
                            [](CollisionPairs::Pair& pair, CollisionKind, double depth) {
                              pair.allowed = max(depth, 0.0);
                            });
@@ -56,7 +57,7 @@ CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
   Kinematics<double> kinematics(body);
   CollisionFound found;
   const auto name = [&](const CollisionPairs::Pair& pair, CollisionKind kind) -> std::string {
-    const auto other = static_cast<std::size_t>(pair.other);
+    const std::size_t other = index(pair.other);
     if (kind == CollisionKind::floor) return "floor";
     return kind == CollisionKind::part ? body.capsules()[other].name
                                        : settings.obstacles[other].name;
@@ -64,11 +65,11 @@ CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
   for (int f = 0; f < clip.frames; ++f) {
     forward_kinematics<double>(body, clip.frame(f), kinematics);
     visit_collisions<double>(
-        body, pairs, settings.obstacles, kinematics, placed,
+        body, pairs, kinematics, placed,
         [&](const CollisionPairs::Pair& pair, CollisionKind kind, double depth) {
           if (!(depth > found.depth)) return;
-          const auto limb = static_cast<std::size_t>(pair.limb);
-          found = {depth, body.capsules()[limb].name, name(pair, kind), f * clip.frame_time};
+          found = {depth, body.capsules()[index(pair.limb)].name, name(pair, kind),
+                   f * clip.frame_time};
         });
   }
   return found;

@@ -8,14 +8,15 @@
 #include <vector>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "criteria/mean_and_worst.hpp"
 #include "criteria/motion_frame.hpp"
 #include "kinematics/penetration.hpp"
 
 namespace shigusa {
 
-// What can collide in a body, and by how much it does at the start: that is not held against a
-// motion.
+// All that can collide in a body, and how deep it does at the start: that depth is not held against
+// a motion.
 struct CollisionPairs {
   struct Pair {
     int limb = 0;          // capsule
@@ -24,9 +25,10 @@ struct CollisionPairs {
     double near = 0.0;  // m², of parts: squared distance of the middles beyond which they are apart
   };
   std::vector<Pair> parts;      // limbs and parts of the body
-  std::vector<Pair> obstacles;  // any capsule and an obstacle
+  std::vector<Pair> obstacles;  // any capsule and one of `shapes`
   std::vector<Pair> floor;      // capsules of arms that have a wrist; `other` is not used
-  std::vector<Mat3d> axes;      // (obstacles) R_WO
+  std::vector<Obstacle> shapes;
+  std::vector<Mat3d> axes;  // (shapes) R_WO
 };
 [[nodiscard]] CollisionPairs collision_pairs(const BodyModel& body,
                                              const CollisionSettings& settings);
@@ -37,10 +39,8 @@ enum class CollisionKind { part, obstacle, floor };
 // parts that are far from each other in all lanes. `placed` is scratch memory, one for each of the
 // body's capsules.
 template <class S, class Pairs, class Visitor>
-void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obstacle> obstacles,
-                      const Kinematics<S>& kinematics, std::span<PlacedCapsule<S>> placed,
-                      Visitor&& visit) {
-  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& kinematics,
+                      std::span<PlacedCapsule<S>> placed, Visitor&& visit) {
   const auto radius = [&](int c) { return body.capsules()[index(c)].radius; };
   for (std::size_t c = 0; c < placed.size(); ++c) {
     placed[c] = placed_capsule(body.capsules()[c], kinematics);
@@ -53,7 +53,7 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, std::span<const Obsta
     visit(pair, CollisionKind::part, S(radii - pair.allowed) - apart);
   }
   for (auto& pair : pairs.obstacles) {
-    const Obstacle& obstacle = obstacles[index(pair.other)];
+    const Obstacle& obstacle = pairs.shapes[index(pair.other)];
     const PlacedCapsule<S>& limb = placed[index(pair.limb)];
     const auto distance = [&](const Vec3<S>& point) {
       return obstacle_distance(obstacle, pairs.axes[index(pair.other)], point);
@@ -81,7 +81,6 @@ class Collision {
   explicit Collision(const BodyModel& body, const CollisionSettings& settings = {})
       : body_(&body),
         pairs_(collision_pairs(body, settings)),
-        obstacles_(settings.obstacles),
         per_full_(1.0 / settings.full),
         placed_(body.capsules().size()) {}
 
@@ -101,13 +100,12 @@ class Collision {
     const auto keep = [&most](const auto&, CollisionKind, const S& depth) {
       most = max(most, depth);
     };
-    visit_collisions<S>(*body_, pairs_, obstacles_, kinematics, placed_, keep);
+    visit_collisions<S>(*body_, pairs_, kinematics, placed_, keep);
     return most;
   }
 
   const BodyModel* body_;
   CollisionPairs pairs_;
-  std::vector<Obstacle> obstacles_;
   double per_full_;
   std::vector<PlacedCapsule<S>> placed_;
   MeanAndWorst<S> seen_;

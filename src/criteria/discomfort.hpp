@@ -10,14 +10,14 @@
 
 namespace shigusa {
 
-// Part of the way from neutral to a limit, at its end, where discomfort rises steeply.
+// The last share of the range from neutral to a limit, where discomfort rises steeply.
 inline constexpr double kDiscomfortEnd = 0.12;
 // A limit nearer to neutral than this share of the range is where the joint rests: there knees and
 // elbows are straight.
 inline constexpr double kRestingShare = 0.10;
 
 // How far the joints are from neutral and how near the ends of their range, in [0, 1]. Neutral is
-// upright with hanging arms, all angles 0. With u the share of the way from neutral to the limit
+// upright with hanging arms, all angles 0. With u the share of the range from neutral to the limit
 // on that side, 1 at the limit and beyond:
 //   d(u) = ½ u² + ½ (max(0, u - 0.88) / 0.12)²,   D(t) = mean_i d(u_i(t)),
 //   P = min(1, (½ mean_t D + ½ max_t D) / share).
@@ -38,11 +38,11 @@ class Discomfort {
       const double resting = kRestingShare * (dof.upper - dof.lower);
       const double up = dof.upper - neutral;
       const double down = neutral - dof.lower;
-      ways_.push_back({static_cast<T>(neutral), static_cast<T>(up),
-                       static_cast<T>(up > resting ? 1.0 / up : 0.0),
-                       static_cast<T>(down > resting ? 1.0 / down : 0.0), false});
+      ranges_.push_back({static_cast<T>(neutral), static_cast<T>(up),
+                         static_cast<T>(up > resting ? 1.0 / up : 0.0),
+                         static_cast<T>(down > resting ? 1.0 / down : 0.0), false});
     }
-    for (const std::size_t d : coupled_.coupled()) ways_[d].coupled = ways_[d].per_up > T(0);
+    for (const std::size_t d : coupled_.coupled()) ranges_[d].coupled = ranges_[d].per_up > T(0);
   }
 
   // Forgets the frames seen.
@@ -51,11 +51,11 @@ class Discomfort {
   void add(const MotionFrame<S>& frame) {
     coupled_.update(frame.angles);
     S discomfort(0);
-    for (std::size_t k = 0; k < ways_.size(); ++k) {
-      const Way& way = ways_[k];
-      const S per_up = way.coupled ? S(1) / (S(way.up) + coupled_.added()[k]) : S(way.per_up);
-      const S from_neutral = frame.angles[k] - S(way.neutral);
-      const S u = clamp(max(from_neutral * per_up, -from_neutral * S(way.per_down)), S(0), S(1));
+    for (std::size_t k = 0; k < ranges_.size(); ++k) {
+      const Range& range = ranges_[k];
+      const S per_up = range.coupled ? S(1) / (S(range.up) + coupled_.added()[k]) : S(range.per_up);
+      const S from_neutral = frame.angles[k] - S(range.neutral);
+      const S u = clamp(max(from_neutral * per_up, -from_neutral * S(range.per_down)), S(0), S(1));
       const S end = max(u - S(1.0 - kDiscomfortEnd), S(0)) * S(1.0 / kDiscomfortEnd);
       discomfort = discomfort + (u * u + end * end);
     }
@@ -64,12 +64,12 @@ class Discomfort {
 
   [[nodiscard]] S penalty() const {
     // half of each of the two terms
-    return seen_.penalty(0.5 * per_share_ / static_cast<double>(ways_.size()));
+    return seen_.penalty(0.5 * per_share_ / static_cast<double>(ranges_.size()));
   }
 
  private:
   using T = Element<S>;
-  struct Way {
+  struct Range {
     T neutral;   // rad
     T up;        // rad, to the upper limit
     T per_up;    // 1/rad; 0 where the limit is where the joint rests
@@ -81,7 +81,7 @@ class Discomfort {
   }
 
   double per_share_;
-  std::vector<Way> ways_;  // (dofs)
+  std::vector<Range> ranges_;  // (dofs)
   CoupledLimits<S> coupled_;
   MeanAndWorst<S> seen_;
 };

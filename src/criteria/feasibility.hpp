@@ -53,7 +53,7 @@ class Feasibility {
   using T = Element<S>;
   struct Strength {
     T per_positive;  // 1/(N·m)
-    T per_negative;  // the same of torques below 0, < 0
+    T per_negative;  // of torques below 0, < 0
   };
 
   std::vector<Strength> strengths_;  // (dofs)

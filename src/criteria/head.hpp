@@ -11,14 +11,14 @@
 
 namespace shigusa {
 
-// Angle (rad) between the trunk's forward direction and the way from the head to the goal, up to
-// which neck and eyes turn to it whichever way it is: 45° of the neck, its range in flexion and in
+// Angle (rad) between the trunk's forward direction and the direction from the head to the goal, up
+// to which neck and eyes turn to it on any side: 45° of the neck, its range in flexion and in
 // extension (AAOS), and 35° of the eyes (MIL-STD-1472) …
 inline constexpr double kGazeFree = radians(80);
 // … and where they cannot any more: to the side, where the neck rotates by 60° (AAOS).
 inline constexpr double kGazeLimit = radians(95);
 
-// The same of a body that has a neck: what is left to the eyes.
+// Both angles of a body that has a neck: only the eyes turn on.
 inline constexpr double kEyesFree = radians(35);
 inline constexpr double kEyesLimit = radians(60);
 
@@ -39,11 +39,11 @@ struct HeadPoints {
 // (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
 //   low(t) = 1 - (y_head - y_pelvis) / (height · distance),
 //   away(t) = (cos 80° - cos a) / (cos 80° - cos 95°),
-// each held to [0, 1], a being the angle between the trunk's forward direction and the way from the
-// head to the goal; p(t) = max(low, away);   P = ½ mean_t p + ½ max_t p.
-// Where the head is rigid on its trunk, the neck's share is taken off rather than seen; a body with
-// a neck has a as the angle from where its head faces, and 35° and 60° for the two. A body without
-// these points has no penalty.
+// each held to [0, 1], a being the angle between the trunk's forward direction and the direction
+// from the head to the goal; p(t) = max(low, away);   P = ½ mean_t p + ½ max_t p. Where the head is
+// rigid on its trunk, the neck's share is taken off rather than seen; a body with a neck has a as
+// the angle from where its head faces, and 35° and 60° for the two. A body without these points has
+// no penalty.
 template <class S>
 class Head {
  public:
@@ -82,9 +82,9 @@ class Head {
 
   [[nodiscard]] S away(const Kinematics<S>& placed, const Vec3<S>& head) const {
     const Vec3<S> forward = placed.link_rotation(points_.head_link).cz;
-    const Vec3<S> way = target_ - head;
+    const Vec3<S> offset = target_ - head;
     // a goal at the head itself is in no direction
-    const S cosine = dot(forward, way) / max(sqrt(dot(way, way)), S(1e-3));
+    const S cosine = dot(forward, offset) / max(sqrt(dot(offset, offset)), S(1e-3));
     return (S(free_) - cosine) * S(per_cosine_);
   }
 

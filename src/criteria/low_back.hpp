@@ -20,7 +20,7 @@ inline constexpr double kBackFlexion = 150.0;
 // 0.12 m.
 inline constexpr double kBackShareOfHips = 0.76;
 
-// The dofs whose torques' sum is told as a share of the lower back's strength: both hips' flexion,
+// The dofs whose torques' sum is compared with the lower back's strength: both hips' flexion,
 // or the lowest joint's of a spine.
 struct BackConstants {
   std::vector<int> dofs;

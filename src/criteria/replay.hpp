@@ -50,7 +50,7 @@ void show_motion(const BodyModel& body, const Motion& motion, Criteria& criteria
     if (placed) {
       forward_kinematics<double>(body, now, kinematics);
       const Wrench<double> ground =
-          inverse_dynamics<double>(body, kinematics, speeds, accelerations, dynamics, torques);
+          inverse_dynamics<double>(body, kinematics, {speeds, accelerations}, dynamics, torques);
       criteria.add(PlacedFrame<double>{frame, kinematics, pressure(ground, floor_height(body))});
     } else if constexpr (!looks_at_placement<Criteria, double>) {
       criteria.add(frame);

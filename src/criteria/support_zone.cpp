@@ -54,7 +54,7 @@ std::vector<SupportEdge> support_edges(const BodyModel& body, LiftedHeels lifted
     const double length =
         sqrt((to.x - from.x) * (to.x - from.x) + (to.z - from.z) * (to.z - from.z));
     if (!(length > 0.0)) continue;
-    // to the left of the way, seen from above
+    // to the left of the edge, seen from above
     const double x = (to.z - from.z) / length;
     const double z = -(to.x - from.x) / length;
     edges.push_back({x, z, -(x * from.x + z * from.z)});

@@ -26,7 +26,7 @@ struct SupportEdge {
 };
 [[nodiscard]] std::vector<SupportEdge> support_edges(const BodyModel& body, LiftedHeels lifted = 0);
 
-// What the planted feet stand on, as the criteria see it in each frame: the support polygon of
+// The support of the planted feet, as the criteria see it in each frame: the support polygon of
 // whole soles, and of forefeet once their heels are lifted. While a heel begins to lift
 // (heel_lifted) the distance to the edge goes over from the one polygon's to the other's.
 template <class S>

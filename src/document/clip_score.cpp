@@ -114,7 +114,7 @@ class ClipPlayer {
       }
       forward_kinematics<double>(body_, now, placed_);
       const Wrench<double> ground =
-          inverse_dynamics<double>(body_, placed_, speeds, accelerations, work_, torques);
+          inverse_dynamics<double>(body_, placed_, {speeds, accelerations}, work_, torques);
       bear_on_feet<double>(body_, placed_, now, ground, torques);
       const Vec3d com = centre_of_mass(body_, work_);
       const PlacedFrame<double> frame{{now, torques, com, speeds, accelerations, clip.frame_time},

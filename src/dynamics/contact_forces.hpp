@@ -34,7 +34,7 @@ inline constexpr double kHeelLifts = radians(3.0);
 // is its Heel::toes.
 template <class S>
 [[nodiscard]] S heel_lifted(int toes, std::span<const S> angles) {
-  return clamp(angles[static_cast<std::size_t>(toes)] * S(1.0 / kHeelLifts), S(0), S(1));
+  return clamp(angles[index(toes)] * S(1.0 / kHeelLifts), S(0), S(1));
 }
 
 // The middle (m, world) of what a foot bears weight with: of its sole, or of its forefoot where the
@@ -61,15 +61,16 @@ template <class S>
   return {force, cross(foot + (cop - on_line), force) + left_over * share};
 }
 
-// Shares the floor's wrench between two standing feet by the lever rule along the line between
-// them and takes the second foot's part out of the joint torques. `second` stands on the far end
-// of the chain, the first foot is the base. Both parts together are the wrench, exactly. Returns
-// the second foot's wrench, moment about the world's origin. `angles` (dofs, rad): of the body,
-// read where heels lift.
+// Shares the floor's wrench between the body's two standing feet by the lever rule along the line
+// between them and takes the second foot's part out of the joint torques tau (dofs, N·m). The first
+// foot is the base. Both parts together are the wrench, exactly. Returns the second foot's wrench,
+// moment about the world's origin. `angles` (dofs, rad): of the body, read where heels lift.
 template <class S>
 Wrench<S> share_ground_wrench(const BodyModel& body, const Kinematics<S>& kinematics,
-                              const Wrench<S>& ground, const Foot& first, const Foot& second,
-                              std::span<S> tau, std::span<const S> angles = {}) {
+                              std::span<const S> angles, const Wrench<S>& ground,
+                              std::span<S> tau) {
+  const Foot& first = body.feet()[0];
+  const Foot& second = body.feet()[1];
   const Vec3<S> a = bearing_centre(first, kinematics, angles);
   const Vec3<S> b = bearing_centre(second, kinematics, angles);
   const Vec3<S> cop = centre_of_pressure(ground, a.y);
@@ -80,26 +81,23 @@ Wrench<S> share_ground_wrench(const BodyModel& body, const Kinematics<S>& kinema
   const auto& dofs = body.constants<Element<S>>().dofs;
   Vec3<S> about{};  // the part's moment about the joint
   for (const int d : body.chain(second.link)) {
-    const auto k = static_cast<std::size_t>(d);
+    const std::size_t k = index(d);
     if (dofs[k].starts_joint) about = part.moment - cross(kinematics.origin[k], part.force);
     tau[k] = tau[k] - dot(kinematics.axis[k], about);
   }
   return part;
 }
 
-// What the floor takes of the joint torques (dofs, N·m) that its whole wrench on the base would
-// need: the second foot's part (share_ground_wrench) and, of a heel that is down, the toes' torque.
-// `angles`: (dofs, rad).
+// Takes out of the joint torques tau (dofs, N·m), which its whole wrench on the base would need,
+// the part that the floor bears: the second foot's part (share_ground_wrench) and, of a heel that
+// is down, the toes' torque. `angles`: (dofs, rad).
 template <class S>
 void bear_on_feet(const BodyModel& body, const Kinematics<S>& kinematics, std::span<const S> angles,
                   const Wrench<S>& ground, std::span<S> tau) {
-  const std::span<const Foot> feet = body.feet();
-  if (feet.size() == 2) {
-    share_ground_wrench<S>(body, kinematics, ground, feet[0], feet[1], tau, angles);
-  }
-  for (const Foot& foot : feet) {
+  if (body.feet().size() == 2) share_ground_wrench<S>(body, kinematics, angles, ground, tau);
+  for (const Foot& foot : body.feet()) {
     if (!foot.heel) continue;
-    S& toes = tau[static_cast<std::size_t>(foot.heel->toes)];
+    S& toes = tau[index(foot.heel->toes)];
     toes = toes * heel_lifted<S>(foot.heel->toes, angles);
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "body/body_constants.hpp"
+#include "core/index.hpp"
 #include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
@@ -18,14 +19,27 @@ struct Wrench {
   Vec3<S> moment{};  // N·m
 };
 
+// How the angles of a body change.
+template <class S>
+struct JointRates {
+  std::span<const S> speeds;         // (dofs) rad/s
+  std::span<const S> accelerations;  // (dofs) rad/s²
+};
+
+// How a rigid piece moves, seen from a frame.
+template <class S>
+struct Movement {
+  Vec3<S> spin{};          // rad/s
+  Vec3<S> spin_rate{};     // rad/s²
+  Vec3<S> acceleration{};  // m/s², of the joint's centre, less gravity
+};
+
 // Scratch of inverse_dynamics; make one per thread.
 template <class S>
 struct DynamicsWorkspace {
-  // What is known of one rigid piece of the body (BodyConstants::Joint), in its own frame.
+  // One rigid piece of the body (BodyConstants::Joint), in its own frame.
   struct Piece {
-    Vec3<S> spin{};          // rad/s
-    Vec3<S> spin_rate{};     // rad/s²
-    Vec3<S> acceleration{};  // m/s², of the joint's centre, less gravity
+    Movement<S> movement;
     // 1/s²: times a point's place in the piece, its acceleration beside the centre's; of an upright
     // piece only cy
     Mat3<S> turning{};
@@ -76,14 +90,6 @@ template <class S>
   return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
 }
 
-// How a piece moves, seen from a frame.
-template <class S>
-struct Movement {
-  Vec3<S> spin{};
-  Vec3<S> spin_rate{};
-  Vec3<S> acceleration{};
-};
-
 // the movement beyond one more freedom, which turns with speed qd and acceleration qdd
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Movement<S> turned_on(const Movement<S>& m, Axis axis,
@@ -117,8 +123,9 @@ template <class S, class T>
 
 // moment that turning the piece takes, about its centre of mass: I α + ω × I ω
 template <class S, class Joint>
-[[nodiscard]] Vec3<S> spinning_moment(const Joint& joint, const Vec3<S>& spin,
-                                      const Vec3<S>& rate) {
+[[nodiscard]] Vec3<S> spinning_moment(const Joint& joint, const Movement<S>& m) {
+  const Vec3<S>& spin = m.spin;
+  const Vec3<S>& rate = m.spin_rate;
   if (!joint.principal) {
     const Mat3<S> inertia = to_scalar<S>(joint.inertia);
     return inertia * rate + cross(spin, inertia * spin);
@@ -128,46 +135,43 @@ template <class S, class Joint>
           rate.z * S(joint.inertia.cz.z) + spin.x * spin.y * S(joint.gyroscopic.z)};
 }
 
-}  // namespace dynamics_detail
-
-// Joint torques of a body on its fixed base by the recursive Newton-Euler algorithm: tau_i is what
-// joint i must give (N·m, positive towards larger angles) for the speeds qd (rad/s) and
-// accelerations qdd (rad/s²) at the placement `kinematics`, under gravity along -Y. Returns the
-// wrench that the floor gives to the base, moment about the world's origin.
-// Source: R. Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5; each piece in its own
-// frame, where its constants are mostly 0.
+// the movement beyond all freedoms of a joint
 template <class S>
-Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematics,
-                           std::span<const S> qd, std::span<const S> qdd,
-                           DynamicsWorkspace<S>& work, std::span<S> tau) {
-  using namespace dynamics_detail;
-  const BodyConstants<Element<S>>& constants = body.constants<Element<S>>();
-  const std::size_t count = constants.joints.size();
-  // accelerating upwards by g replaces the weight
-  const Vec3<S> lift = transpose_times(kinematics.base_rotation, Vec3<S>{S(0), S(kGravity), S(0)});
+[[nodiscard, gnu::always_inline]] inline Movement<S> beyond_joint(
+    std::size_t i, Movement<S> m, const BodyConstants<Element<S>>& constants,
+    const Kinematics<S>& kinematics, const JointRates<S>& rates) {
+  const auto& joint = constants.joints[i];
+  if (joint.slants) m = seen_from(m, transpose(constants.turns[i]));
+  for (std::size_t d = index(joint.first); d <= index(joint.link); ++d) {
+    const auto& dof = constants.dofs[d];
+    const S qd = dof.negative ? -rates.speeds[d] : rates.speeds[d];
+    const S qdd = dof.negative ? -rates.accelerations[d] : rates.accelerations[d];
+    m = turned_on(m, dof.axis, kinematics.turn[d], qd, qdd);
+  }
+  if (joint.slants) m = seen_from(m, constants.turns[i]);
+  return m;
+}
+
+// From the base outwards: how each piece moves, and what its own mass takes of its joint. `lift`
+// (m/s², of the base, in its frame): accelerating upwards by g replaces the weight.
+template <class S>
+[[gnu::always_inline]] inline void pass_outwards(const BodyConstants<Element<S>>& constants,
+                                                 const Kinematics<S>& kinematics,
+                                                 const JointRates<S>& rates, const Vec3<S>& lift,
+                                                 DynamicsWorkspace<S>& work) {
   Vec3<S> mass_moment = kinematics.point(kBaseLink, constants.base_com) * S(constants.base_mass);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < constants.joints.size(); ++i) {
     const auto& joint = constants.joints[i];
     auto& piece = work.pieces[i];
-    const auto first = static_cast<std::size_t>(joint.first);
     Movement<S> m{{}, {}, lift};
     if (joint.parent >= 0) {
-      const auto p = static_cast<std::size_t>(joint.parent);
-      const auto& parent = work.pieces[p];
-      m = {parent.spin, parent.spin_rate,
-           parent.acceleration +
-               times_place(parent.turning, constants.dofs[first].offset, joint.hangs)};
+      const auto& parent = work.pieces[index(joint.parent)];
+      const auto& offset = constants.dofs[index(joint.first)].offset;
+      m = parent.movement;
+      m.acceleration += times_place(parent.turning, offset, joint.hangs);
     }
-    if (joint.slants) m = seen_from(m, transpose(constants.turns[i]));
-    for (std::size_t d = first; d <= static_cast<std::size_t>(joint.link); ++d) {
-      const auto& dof = constants.dofs[d];
-      m = turned_on(m, dof.axis, kinematics.turn[d], dof.negative ? -qd[d] : qd[d],
-                    dof.negative ? -qdd[d] : qdd[d]);
-    }
-    if (joint.slants) m = seen_from(m, constants.turns[i]);
-    piece.spin = m.spin;
-    piece.spin_rate = m.spin_rate;
-    piece.acceleration = m.acceleration;
+    m = beyond_joint(i, m, constants, kinematics, rates);
+    piece.movement = m;
     Mat3<S> turns{{}, {}, {}};
     if (joint.upright) {
       turns.cy = turning_y(m.spin, m.spin_rate);
@@ -180,25 +184,31 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
       piece.carried = {};
       continue;
     }
-    const auto link = static_cast<std::size_t>(joint.link);
     const Vec3<S> force =
         (m.acceleration + times_place(turns, joint.com, joint.upright)) * S(joint.mass);
-    piece.carried = {force, spinning_moment(joint, m.spin, m.spin_rate) +
-                                cross_place(joint.com, force, joint.upright)};
+    piece.carried = {force,
+                     spinning_moment(joint, m) + cross_place(joint.com, force, joint.upright)};
+    const std::size_t link = index(joint.link);
     mass_moment += (kinematics.origin[link] +
                     times_place(kinematics.rotation[link], joint.com, joint.upright)) *
                    S(joint.mass);
   }
   work.mass_moment = mass_moment;
-  Wrench<S> base;
-  base.force = lift * S(constants.base_mass);
-  base.moment = cross(to_scalar<S>(constants.base_com), base.force);
+}
+
+// From the tips inwards: the torque of each joint. Adds to `base`, in the base's frame, what its
+// joints pass on to it.
+template <class S>
+[[gnu::always_inline]] inline void pass_inwards(const BodyConstants<Element<S>>& constants,
+                                                const Kinematics<S>& kinematics,
+                                                DynamicsWorkspace<S>& work, std::span<S> tau,
+                                                Wrench<S>& base) {
   // what a joint passes on to the one before it need not go through memory
   Vec3<S> passed_force{};
   Vec3<S> passed_moment{};
-  for (std::size_t i = count; i-- > 0;) {
+  for (std::size_t i = constants.joints.size(); i-- > 0;) {
     const auto& joint = constants.joints[i];
-    const auto first = static_cast<std::size_t>(joint.first);
+    const std::size_t first = index(joint.first);
     Vec3<S> force = work.pieces[i].carried.force + passed_force;
     Vec3<S> moment = work.pieces[i].carried.moment + passed_moment;
     if (joint.slants) {
@@ -206,7 +216,7 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
       force = transpose_times(turn, force);
       moment = transpose_times(turn, moment);
     }
-    for (std::size_t d = static_cast<std::size_t>(joint.link) + 1; d-- > first;) {
+    for (std::size_t d = index(joint.link) + 1; d-- > first;) {
       const auto& dof = constants.dofs[d];
       const S along = component(moment, dof.axis);
       tau[d] = dof.negative ? -along : along;
@@ -219,7 +229,7 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
       moment = turn * moment;
     }
     const bool at_base = joint.parent < 0;
-    const auto p = static_cast<std::size_t>(at_base ? 0 : joint.parent);
+    const std::size_t p = at_base ? 0 : index(joint.parent);
     moment += cross_place(constants.dofs[first].offset, force, joint.hangs);
     const bool next = !at_base && p + 1 == i;
     passed_force = next ? force : Vec3<S>{};
@@ -229,6 +239,27 @@ Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematic
     to.force += force;
     to.moment += moment;
   }
+}
+
+}  // namespace dynamics_detail
+
+// Joint torques of a body on its fixed base by the recursive Newton-Euler algorithm: tau_i is what
+// joint i must give (N·m, positive towards larger angles) for these speeds and accelerations at the
+// placement `kinematics`, under gravity along -Y. Returns the wrench that the floor gives to the
+// base, moment about the world's origin.
+// Source: R. Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5; each piece in its own
+// frame, where its constants are mostly 0.
+template <class S>
+Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematics,
+                           const JointRates<S>& rates, DynamicsWorkspace<S>& work,
+                           std::span<S> tau) {
+  const BodyConstants<Element<S>>& constants = body.constants<Element<S>>();
+  const Vec3<S> lift = transpose_times(kinematics.base_rotation, Vec3<S>{S(0), S(kGravity), S(0)});
+  dynamics_detail::pass_outwards(constants, kinematics, rates, lift, work);
+  Wrench<S> base;
+  base.force = lift * S(constants.base_mass);
+  base.moment = cross(to_scalar<S>(constants.base_com), base.force);
+  dynamics_detail::pass_inwards(constants, kinematics, work, tau, base);
   base.force = kinematics.base_rotation * base.force;
   base.moment = kinematics.base_rotation * base.moment + cross(kinematics.base_origin, base.force);
   return base;

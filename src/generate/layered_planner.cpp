@@ -6,6 +6,7 @@
 
 #include "arm_libraries.hpp"
 #include "candidate.hpp"
+#include "core/index.hpp"
 #include "generate/layered_problem.hpp"
 #include "layered_approaches.hpp"
 #include "layered_search.hpp"
@@ -14,8 +15,6 @@
 
 namespace shigusa {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool searches_paper_code(const Task& task) { return info_of(search_of(task)).paper_code; }
 

@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "candidate.hpp"
+#include "core/index.hpp"
 #include "layers/idle_limb_search.hpp"
 #include "search/genetic.hpp"
 
 namespace shigusa {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool has_goal(const LayeredProblem& problem, const BodyLimb& arm) {
   return std::any_of(problem.arms.begin(), problem.arms.end(),

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <shigusa/quat.hpp>
 
+#include "core/index.hpp"
 #include "fbx_records.hpp"
 #include "glb.hpp"
 
@@ -222,7 +223,6 @@ class FbxReader {
     }
   }
 
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   static bool is_limb(std::string_view kind) {
     return kind == "LimbNode" || kind == "Limb" || kind == "Root";
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "core/index.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 #include "io/gltf_animation.hpp"
@@ -13,8 +14,6 @@ using Json = nlohmann::json;
 
 // Poses that differ by less (share of the figure's size) are one.
 constexpr double kSame = 0.01;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 std::optional<Transformd> inverse_affine(const Transformd& x) {
   const std::optional<Mat3d> back = inverse_of(x.rotation);

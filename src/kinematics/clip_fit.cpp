@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "kinematics/fit_clip.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "math/ldlt.hpp"
@@ -55,11 +56,11 @@ class ClipFitter {
     ClipFit result;
     result.before = first - from;
     result.clip = {body_.dof_count(), to - from + 1, clip.frame_time, {}};
-    result.clip.angles.resize(static_cast<std::size_t>(to - from + 1) * dofs);
+    result.clip.angles.resize(index(to - from + 1) * dofs);
     const auto bring = [&](int frame, int steps) {
       show(world_transforms(recorded.skeleton, clip, frame));
       settle(steps);
-      const auto k = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(frame - from) * dofs);
+      const auto k = static_cast<std::ptrdiff_t>(index(frame - from) * dofs);
       std::copy(angles_.begin(), angles_.end(), result.clip.angles.begin() + k);
     };
     double sum = 0.0;
@@ -94,37 +95,36 @@ class ClipFitter {
   void find_targets() {
     const HumanFrames rest = human_frames(rig_.rest);
     const HumanFrames start = human_frames(rig_.start);
-    Kinematics<double> standing(body_);
-    forward_kinematics<double>(body_, body_.start(), standing);
-    std::vector<bool> told(body_.dofs().size(), false);
+    const Kinematics<double> standing = start_kinematics(body_);
+    std::vector<bool> given(body_.dofs().size(), false);
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const auto bone = static_cast<HumanoidBone>(b);
       if (rig_.bones[bone] < 0) continue;
       const auto driver = bone_driver(bone, body_, rig_, rest, start);
       if (!driver || !driver->carries) continue;
-      const auto node = static_cast<std::size_t>(rig_.bones[bone]);
+      const std::size_t node = index(rig_.bones[bone]);
       const Transformd link{standing.link_rotation(driver->link),
                             standing.link_origin(driver->link)};
       const Vec3d at = driver->to_start * rig_.placement.to_world(rest_[node].translation);
       Target target{bone, node, driver->link, inverse(link) * at,
                     transpose(driver->to_start.rotation) * link.rotation};
-      if (driver->link != kBaseLink) tell_turn(target, link.rotation, told);
+      if (driver->link != kBaseLink) give_turn(target, link.rotation, given);
       targets_.push_back(target);
     }
   }
 
-  // Twist bones take up the twist that such a bone goes without: an upper limb's own turn is not
-  // told by it then, a forearm's but for what it turns about itself.
-  void tell_turn(Target& target, const Mat3d& link, std::vector<bool>& told) const {
+  // Twist bones take up the twist that such a bone goes without. An upper
+  // limb's bone then gives no turn, and a forearm's gives it without the turn about itself.
+  void give_turn(Target& target, const Mat3d& link, std::vector<bool>& given) const {
     const bool apart = untwisted(rig_.twists, target.bone);
     bool upper = false;
     for (const TwistSegment& segment : twist_segments()) {
       upper = upper || (segment.bone == target.bone && !segment.lower);
     }
-    const auto d = static_cast<std::size_t>(target.link);
-    target.turns = !told[d] && !(apart && upper);
+    const std::size_t d = index(target.link);
+    target.turns = !given[d] && !(apart && upper);
     if (apart) target.twist = forearm_turn(body_, target.bone);
-    told[d] = told[d] || (target.turns && !target.twist);
+    given[d] = given[d] || (target.turns && !target.twist);
     if (!target.twist) return;
     const bool left = target.bone == HumanoidBone::left_lower_arm;
     const Landmarks::Arm& arm = rig_.start.arm(left ? Side::left : Side::right);
@@ -188,7 +188,7 @@ class ClipFitter {
     const int dofs = body_.dof_count();
     SmallSymmetric<double, kMaxDofs>& a = *normal_;
     for (int i = 0; i < dofs; ++i) {
-      step_[static_cast<std::size_t>(i)] = 0.0;
+      step_[index(i)] = 0.0;
       for (int j = 0; j <= i; ++j) a(i, j) = 0.0;
     }
     for (const Target& target : targets_) {
@@ -200,13 +200,13 @@ class ClipFitter {
       const auto turns = [&](int dof) { return target.turns && dof != own ? kTurnLength : 0.0; };
       const std::span<const int> chain = body_.chain(target.link);
       for (std::size_t m = 0; m < chain.size(); ++m) {
-        const auto i = static_cast<std::size_t>(chain[m]);
+        const std::size_t i = index(chain[m]);
         const Vec3d column = position_column(placed_, chain[m], at);
         const Vec3d axis = placed_.axis[i] * turns(chain[m]);
         step_[i] += dot(column, off) + dot(axis, turn);
         for (std::size_t n = 0; n <= m; ++n) {
           const Vec3d other = position_column(placed_, chain[n], at);
-          const Vec3d about = placed_.axis[static_cast<std::size_t>(chain[n])] * turns(chain[n]);
+          const Vec3d about = placed_.axis[index(chain[n])] * turns(chain[n]);
           a(chain[m], chain[n]) += dot(column, other) + dot(axis, about);
         }
       }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "body/body_constants.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 
@@ -27,10 +28,10 @@ struct Kinematics {
         turn(body.dofs().size()) {}
 
   [[nodiscard]] const Mat3<S>& link_rotation(int link) const {
-    return link == kBaseLink ? base_rotation : rotation[static_cast<std::size_t>(link)];
+    return link == kBaseLink ? base_rotation : rotation[index(link)];
   }
   [[nodiscard]] const Vec3<S>& link_origin(int link) const {
-    return link == kBaseLink ? base_origin : origin[static_cast<std::size_t>(link)];
+    return link == kBaseLink ? base_origin : origin[index(link)];
   }
   // World position (m) of a point that is fixed in a link.
   template <class T = double>
@@ -51,7 +52,7 @@ template <class S, class T>
 template <class S>
 void turn_slanting(const BodyConstants<Element<S>>& constants, std::size_t joint,
                    const Mat3<S>& carrier, Kinematics<S>& kinematics) {
-  const auto d = static_cast<std::size_t>(constants.joints[joint].link);
+  const std::size_t d = index(constants.joints[joint].link);
   const auto& dof = constants.dofs[d];
   const Mat3<S> turn = to_scalar<S>(constants.turns[joint]);
   const Mat3<S> before = carrier * turn;
@@ -61,6 +62,42 @@ void turn_slanting(const BodyConstants<Element<S>>& constants, std::size_t joint
   kinematics.origin[d] = kinematics.link_origin(dof.parent) + carrier * to_scalar<S>(dof.offset);
   kinematics.axis[d] = dof.negative ? -axis : axis;
   kinematics.rotation[d] = rotated(before, dof.axis, kinematics.turn[d]) * transpose(turn);
+}
+
+// Places the links of a joint whose axes are coordinate axes. The turns must be known.
+template <class S>
+[[gnu::always_inline]] inline void turn_joint(
+    const BodyConstants<Element<S>>& constants,
+    const typename BodyConstants<Element<S>>::Joint& joint, const Mat3<S>& carrier,
+    Kinematics<S>& kinematics) {
+  const std::size_t first = index(joint.first);
+  const std::size_t link = index(joint.link);
+  // by columns, each in registers
+  Vec3<S> x = carrier.cx;
+  Vec3<S> y = carrier.cy;
+  Vec3<S> z = carrier.cz;
+  const Vec3<S> centre = kinematics.link_origin(constants.dofs[first].parent) +
+                         times_place(carrier, constants.dofs[first].offset, joint.hangs);
+  for (std::size_t d = first; d <= link; ++d) {
+    const auto& dof = constants.dofs[d];
+    const SinCos<S>& turn = kinematics.turn[d];
+    Vec3<S>& axis = kinematics.axis[d];
+    kinematics.origin[d] = {centre.x, centre.y, centre.z};
+    switch (dof.axis) {
+      case Axis::x:
+        axis = dof.negative ? -x : x;
+        turn_columns(y, z, turn);
+        break;
+      case Axis::y:
+        axis = dof.negative ? -y : y;
+        turn_columns(z, x, turn);
+        break;
+      default:
+        axis = dof.negative ? -z : z;
+        turn_columns(x, y, turn);
+    }
+  }
+  kinematics.rotation[link] = {x, y, z};
 }
 
 // Places all links for the joint angles q (dofs, rad).
@@ -75,40 +112,12 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
   }
   for (std::size_t j = 0; j < constants.joints.size(); ++j) {
     const auto& joint = constants.joints[j];
-    const auto first = static_cast<std::size_t>(joint.first);
-    const auto link = static_cast<std::size_t>(joint.link);
-    const int parent = constants.dofs[first].parent;
-    const Mat3<S>& carrier = kinematics.link_rotation(parent);
+    const Mat3<S>& carrier = kinematics.link_rotation(constants.dofs[index(joint.first)].parent);
     if (joint.slants) {
       turn_slanting(constants, j, carrier, kinematics);
-      continue;
+    } else {
+      turn_joint(constants, joint, carrier, kinematics);
     }
-    // by columns, each in registers
-    Vec3<S> x = carrier.cx;
-    Vec3<S> y = carrier.cy;
-    Vec3<S> z = carrier.cz;
-    const Vec3<S> centre = kinematics.link_origin(parent) +
-                           times_place(carrier, constants.dofs[first].offset, joint.hangs);
-    for (std::size_t d = first; d <= link; ++d) {
-      const auto& dof = constants.dofs[d];
-      const SinCos<S>& turn = kinematics.turn[d];
-      Vec3<S>& axis = kinematics.axis[d];
-      kinematics.origin[d] = {centre.x, centre.y, centre.z};
-      switch (dof.axis) {
-        case Axis::x:
-          axis = dof.negative ? -x : x;
-          turn_columns(y, z, turn);
-          break;
-        case Axis::y:
-          axis = dof.negative ? -y : y;
-          turn_columns(z, x, turn);
-          break;
-        default:
-          axis = dof.negative ? -z : z;
-          turn_columns(x, y, turn);
-      }
-    }
-    kinematics.rotation[link] = {x, y, z};
   }
 }
 
@@ -119,7 +128,7 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
 // dof's speed: column of the position Jacobian.
 template <class S>
 [[nodiscard]] Vec3<S> position_column(const Kinematics<S>& kinematics, int dof, const Vec3<S>& at) {
-  const auto i = static_cast<std::size_t>(dof);
+  const std::size_t i = index(dof);
   return cross(kinematics.axis[i], at - kinematics.origin[i]);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/held_resample.hpp"
 
+#include "core/index.hpp"
 #include "kinematics/weighted_ik.hpp"
 
 namespace shigusa {
@@ -14,7 +15,7 @@ void append(const Vec3d& v, std::vector<double>& numbers) {
 class Holder {
  public:
   Holder(const BodyModel& body, const Clip& clip, double rate, const Held& held)
-      : body_(body), held_(held), now_(body), workspace_(body), step_(body.dofs().size()) {
+      : body_(body), held_(held), now_(body), workspace_(body) {
     forward_kinematics<double>(body, clip.frame(0), now_);
     for (const Foot& foot : held.feet) standing_.push_back(now_.link_rotation(foot.link));
     ways_ = resampled(ways_of(clip), rate);
@@ -38,8 +39,9 @@ class Holder {
         if (target.contact) off = max(off, kContactLength * norm(tilt_error(now_, target)));
       }
       if (off < kNear) return;
-      weighted_ik_step<double>(body_, now_, targets, inverse_weights_, {}, {}, workspace_, step_);
-      for (std::size_t d = 0; d < step_.size(); ++d) angles[d] += step_[d];
+      const auto step =
+          weighted_ik_step<double>(body_, now_, {targets, inverse_weights_}, {}, workspace_);
+      for (std::size_t d = 0; d < step.size(); ++d) angles[d] += step[d];
     }
   }
 
@@ -94,7 +96,6 @@ class Holder {
   const Held& held_;
   Kinematics<double> now_;
   IkWorkspace<double> workspace_;
-  std::vector<double> step_;             // (dofs)
   std::vector<double> inverse_weights_;  // (dofs)
   std::vector<Mat3d> standing_;          // (feet) R_WL in the first frame
   Clip ways_;
@@ -106,11 +107,10 @@ Clip resampled(const BodyModel& body, const Clip& clip, double rate, const Held&
   Clip result = resampled(clip, rate);
   if (held.feet.empty() && held.effectors.empty()) return result;
   Holder holder(body, clip, rate, held);
-  const auto dofs = static_cast<std::size_t>(clip.dofs);
+  const std::size_t dofs = index(clip.dofs);
   // the first and the last are the clip's own
   for (int f = 1; f < result.frames - 1; ++f) {
-    holder.hold(f,
-                std::span<double>(result.angles).subspan(static_cast<std::size_t>(f) * dofs, dofs));
+    holder.hold(f, std::span<double>(result.angles).subspan(index(f) * dofs, dofs));
   }
   return result;
 }

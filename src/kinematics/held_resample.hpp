@@ -7,7 +7,7 @@
 
 namespace shigusa {
 
-// What stays on its way between a clip's frames.
+// The points that stay on their paths between a clip's frames.
 struct Held {
   std::vector<Foot> feet;           // planted ones: their soles, and how these are turned
   std::vector<Effector> effectors;  // the points of goals

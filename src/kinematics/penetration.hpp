@@ -36,7 +36,7 @@ struct CapsulePair {
 // How deep a limb is inside the rest of the body.
 struct Penetration {
   double depth = -1e9;  // m; negative: that far apart
-  Vec3d outward{};      // unit vector, world: the shortest way out for the limb
+  Vec3d outward{};      // unit vector, world: where the limb is out soonest
 };
 
 // The deepest of the effector's pairs.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "math/linear_map.hpp"
 #include "rig_drivers.hpp"
@@ -25,7 +26,7 @@ bool same_rotation(const Quatd& a, const Quatd& b) {
              max(abs(a.z - sign * b.z), abs(a.w - sign * b.w))) < kSame;
 }
 
-// What moves a node: a bone's driver, and the share of its limb's twist that it has.
+// The driver of the bone that moves a node, and the share of its limb's twist that the node has.
 struct NodeDriver {
   BoneDriver bone;
   int limb = -1;  // of LimbTwists; -1: all of it
@@ -45,7 +46,7 @@ class RigMover {
         twists_(body, rig, rest, start, start_),
         driver_(rig.nodes.size(), -1) {
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
-      const int node = rig.bones.node[static_cast<std::size_t>(b)];
+      const int node = rig.bones.node[index(b)];
       if (node < 0) continue;
       const auto driver = bone_driver(static_cast<Bone>(b), body, rig, rest, start);
       if (!driver) continue;
@@ -64,7 +65,7 @@ class RigMover {
       // one that a hand's other node is goes with the hand, and is where goals are to be
       const int grip = rig.grips[static_cast<std::size_t>(side)];
       const auto hand = side == Side::left ? Bone::left_hand : Bone::right_hand;
-      if (grip < 0 || driver_[static_cast<std::size_t>(grip)] >= 0) continue;
+      if (grip < 0 || driver_[index(grip)] >= 0) continue;
       if (const auto driver = bone_driver(hand, body, rig, rest, start)) drive(grip, {*driver});
     }
     find_places();
@@ -75,7 +76,7 @@ class RigMover {
     RigMotion motion{clip.frame_time, clip.frames, {}, {}, {}};
     motion.turns.resize(nodes);
     motion.moves.resize(nodes);
-    motion.local.reserve(static_cast<std::size_t>(clip.frames) * nodes);
+    motion.local.reserve(index(clip.frames) * nodes);
     for (int f = 0; f < clip.frames; ++f) {
       forward_kinematics<double>(body_, clip.frame(f), now_);
       twists_.show(now_);
@@ -86,12 +87,12 @@ class RigMover {
 
  private:
   [[nodiscard]] bool hangs_on(int node, int ancestor) const {
-    while (node > ancestor) node = rig_.nodes[static_cast<std::size_t>(node)].parent;
+    while (node > ancestor) node = rig_.nodes[index(node)].parent;
     return node == ancestor;
   }
 
   void drive(int node, const NodeDriver& driver) {
-    driver_[static_cast<std::size_t>(node)] = static_cast<int>(drivers_.size());
+    driver_[index(node)] = static_cast<int>(drivers_.size());
     drivers_.push_back(driver);
   }
 
@@ -107,7 +108,7 @@ class RigMover {
         rest_.push_back(local);
         continue;
       }
-      const auto parent = static_cast<std::size_t>(node.parent);
+      const std::size_t parent = index(node.parent);
       rest_.push_back(rest_[parent] * local);
       if (driver_[i] < 0) driver_[i] = driver_[parent];
     }
@@ -134,7 +135,7 @@ class RigMover {
   LocalTransform place(std::size_t i, RigMotion& motion) {
     const RigNode& node = rig_.nodes[i];
     LocalTransform local{node.translation, node.rotation};
-    const auto parent = static_cast<std::size_t>(node.parent);
+    const std::size_t parent = index(node.parent);
     const Affine above = node.parent < 0 ? Affine{} : placed_[parent];
     const bool changes = driver_[i] >= 0 && (node.parent < 0 || driver_[i] != driver_[parent]);
     const std::optional<Mat3d> to_parent = changes ? inverse_of(above.rotation) : std::nullopt;
@@ -148,7 +149,7 @@ class RigMover {
   void turn(std::size_t i, const Affine& above, const Mat3d& to_parent, LocalTransform& local,
             RigMotion& motion) const {
     const RigNode& node = rig_.nodes[i];
-    const NodeDriver& driver = drivers_[static_cast<std::size_t>(driver_[i])];
+    const NodeDriver& driver = drivers_[index(driver_[i])];
     const Affine goal = moved(driver, rest_[i]);
     Mat3d m = to_parent * goal.rotation;
     const Vec3d& s = node.scale;
@@ -165,7 +166,7 @@ class RigMover {
     // what rounding alone moves stays
     constexpr double kStill = 1e-6;  // m
     const double off = norm(above.rotation * (at - node.translation)) * rig_.placement.unit;
-    if (node.parent >= 0 && driver_[static_cast<std::size_t>(node.parent)] >= 0 && off < kStill) {
+    if (node.parent >= 0 && driver_[index(node.parent)] >= 0 && off < kStill) {
       return;
     }
     local.translation = at;

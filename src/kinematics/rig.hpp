@@ -22,7 +22,7 @@ struct RigNode {
   Vec3d scale{1, 1, 1};
 };
 
-// What ties a character's own skeleton to its body.
+// The tie between a character's own skeleton and its body.
 struct Rig {
   std::vector<RigNode> nodes;
   HumanoidMap bones;                 // index in `nodes`

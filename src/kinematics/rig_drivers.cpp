@@ -12,7 +12,7 @@ Transformd segment(const Mat3d& frame, const Vec3d& joint, const Vec3d& far) {
   return {along_segment(frame, joint, far), joint};
 }
 
-// What a bone's segment is in one posture: its orientation, and the joint that it hangs on.
+// A bone's segment in one posture: its orientation, and the joint that it hangs on.
 Transformd segment(Bone bone, const Landmarks& person, const HumanFrames& frames) {
   const Landmarks::Leg& left_leg = person.left_leg;
   const Landmarks::Leg& right_leg = person.right_leg;

@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-// What moves a bone: a link of the body, from the posture at rest on.
+// The link of the body that moves a bone, from the posture at rest on.
 struct BoneDriver {
   int link = kBaseLink;
   Transformd to_start;  // world at rest -> world in the start posture

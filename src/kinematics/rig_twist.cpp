@@ -26,7 +26,7 @@ std::array<Vec3d, 2> ends_of(const TwistSegment& segment, const Landmarks& perso
   return segment.lower ? std::array{leg.knee, leg.ankle} : std::array{leg.hip, leg.knee};
 }
 
-// What an upper limb hangs on, the nearest first.
+// The bones that an upper limb hangs on, the nearest first.
 std::vector<Bone> bones_above(Bone bone) {
   if (!is_arm(bone)) return {Bone::hips};
   return {is_left(bone) ? Bone::left_shoulder : Bone::right_shoulder, Bone::upper_chest,

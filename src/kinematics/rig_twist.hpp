@@ -26,7 +26,7 @@ struct ForearmTurn {
 //   upper limb:  θ of the limb against what it hangs on (clavicle or trunk, pelvis)
 //   lower limb:  ψ of the forearm at its elbow, φ of hand or foot against the limb.
 //
-// A share s of the way along, a bone is turned against the body's limb by -(1 - s) θ, or by
+// At a share s of the limb's length a bone is turned against the body's limb by -(1 - s) θ, or by
 // -ψ + s (ψ + φ). θ and φ are the twist of swing and twist, R = S T: of an arm from stretched out
 // sideways, of a leg from hanging, so that the swing stays away from half a turn.
 // Source: P. Dobrowolski, "Swing-twist decomposition in Clifford algebra", 2015.
@@ -42,7 +42,7 @@ class LimbTwists {
   // Of those whose bones share a twist: index for turn(), or -1.
   [[nodiscard]] int find(HumanoidBone bone) const;
 
-  // What moves (world) a bone at that share of the limb from where the body's limb has it.
+  // Moves (world) a bone at that share of the limb from where the body's limb has it.
   [[nodiscard]] Transformd turn(int limb, double share) const;
 
  private:

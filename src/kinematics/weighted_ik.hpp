@@ -6,6 +6,7 @@
 
 #include "body/body_constants.hpp"
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "math/ldlt.hpp"
 #include "motion/effector_turn.hpp"
@@ -22,7 +23,7 @@ struct IkTarget {
   bool contact = false;      // a planted foot: position and orientation
   Mat3<S> orientation{};     // R_WL wanted of the link; of contacts and Turning::whole
   S lag{};                   // m, how far the goal was missed before: raises its damping
-  // What the step is known to fall short by, as joints move on arcs; added to the way that is left.
+  // How much the step is known to fall short, as joints move on arcs: added to what is left to go.
   Vec3<S> lead{};                   // m
   Vec3<S> tilt_lead{};              // rad; read where turns() is true
   Turning turning = Turning::free;  // of a goal
@@ -32,13 +33,23 @@ struct IkTarget {
   [[nodiscard]] bool turns() const { return contact || turning != Turning::free; }
 };
 
+// The request of one step of IK.
+template <class S>
+struct IkStep {
+  std::span<const IkTarget<S>> targets;
+  // (dofs) 1 / w_i > 0, or 0 for a locked joint, which then does not move at all
+  std::span<const S> inverse_weights;
+  // (dofs, rad) Δq_ref: the change that is made as far as the targets leave it open; or empty
+  std::span<const S> reference{};
+};
+
 struct IkSettings {
   // Damping of the goals, as a share of the mean diagonal of J W⁻¹ Jᵀ: what is always there …
   double damping = 1e-6;
   // … and what is added where the goal lags behind by `lag_scale`; grows with the lag squared.
   double lag_damping = 1.0;
   double lag_scale = 0.1;  // m
-  // Contacts are all but undamped: just enough for redundant rows.
+  // The damping of contacts, just enough for redundant rows.
   double contact_damping = 1e-9;
   double max_step = 0.25;  // rad, no angle changes by more in one step
 };
@@ -65,12 +76,13 @@ struct IkWorkspace {
   };
   std::vector<Vec3<S>> columns;  // of positions, and of turns about two axes, (blocks × dofs)
   Block blocks[kMaxIkRows / 3];
-  std::vector<S> pull;  // (dofs) Jᵀ y: times the inverse weight, the step of the last solve
+  std::vector<S> pull;  // (dofs) Jᵀ y: times the inverse weight, the step of the last solve …
+  std::vector<S> step;  // (dofs, rad) … and that step as it was returned
   SmallSymmetric<S, kMaxIkRows> system;
   S residual[kMaxIkRows];
 
   explicit IkWorkspace(const BodyModel& body)
-      : columns(body.dofs().size() * kMaxIkRows / 3), pull(body.dofs().size()) {}
+      : columns(body.dofs().size() * kMaxIkRows / 3), pull(body.dofs().size()), step(pull) {}
 };
 
 // How far the target's point is from where it is to be (m, world).
@@ -140,7 +152,7 @@ void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
     workspace.blocks[b++] = {chain, columns, Element<S>(1)};
     Vec3<S> arm{};  // from the joint
     for (const int d : chain) {
-      const auto k = static_cast<std::size_t>(d);
+      const std::size_t k = index(d);
       if (dofs[k].starts_joint) arm = at - kinematics.origin[k];
       columns[k] = cross(kinematics.axis[k], arm);
     }
@@ -153,7 +165,7 @@ void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
       // a turn about the axis itself changes nothing: of each joint's only what is square to it
       const Vec3<S> along = kinematics.link_rotation(target.link) * to_scalar<S>(target.axis);
       for (const int d : chain) {
-        const auto k = static_cast<std::size_t>(d);
+        const std::size_t k = index(d);
         columns[k] = axes[k] - along * dot(along, axes[k]);
       }
       axes = columns;
@@ -172,7 +184,7 @@ template <class S>
   Vec3<S> y{};
   Vec3<S> z{};
   for (const int dof : chain) {
-    const auto d = static_cast<std::size_t>(dof);
+    const std::size_t d = index(dof);
     const Vec3<S> weighted = b[d] * inverse_weights[d];
     x += a[d] * weighted.x;
     y += a[d] * weighted.y;
@@ -181,7 +193,7 @@ template <class S>
   return {x, y, z};
 }
 
-// the same on the diagonal, where the block is symmetric; what lies above its diagonal stays 0
+// one block on the diagonal: it is symmetric, and what lies above its own diagonal stays 0
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Mat3<S> square_product(
     const Vec3<S>* a, std::span<const int> chain, std::span<const S> inverse_weights) {
@@ -190,7 +202,7 @@ template <class S>
   S yz(0);
   S zz(0);
   for (const int dof : chain) {
-    const auto d = static_cast<std::size_t>(dof);
+    const std::size_t d = index(dof);
     const Vec3<S> weighted = a[d] * inverse_weights[d];
     x += a[d] * weighted.x;
     yy = yy + a[d].y * weighted.y;
@@ -242,7 +254,7 @@ void take_off_reference(int blocks, std::span<const S> inverse_weights,
     const auto& block = workspace.blocks[b];
     Vec3<S> done{};
     for (const int dof : block.chain) {
-      const auto d = static_cast<std::size_t>(dof);
+      const std::size_t d = index(dof);
       done += block.columns[d] * select(inverse_weights[d] > S(0), reference[d], S(0));
     }
     S* residual = workspace.residual + 3 * b;
@@ -289,46 +301,57 @@ S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
   return largest;
 }
 
+// Jᵀ y, y being the solution that stands in the residual
+template <class S>
+void pull_joints(int blocks, IkWorkspace<S>& workspace) {
+  for (S& pull : workspace.pull) pull = S(0);
+  for (int b = 0; b < blocks; ++b) {
+    const auto& block = workspace.blocks[b];
+    const S* solution = workspace.residual + 3 * b;
+    const Vec3<S> force = Vec3<S>{solution[0], solution[1], solution[2]} * S(block.scale);
+    for (const int dof : block.chain) {
+      const std::size_t d = index(dof);
+      workspace.pull[d] = workspace.pull[d] + dot(block.columns[d], force);
+    }
+  }
+}
+
 }  // namespace ik_detail
 
-// One step of weighted inverse kinematics (paper, section 3; rule R6):
+// One step of weighted inverse kinematics, by a damped and weighted pseudo-inverse of the Jacobian
+// (paper, section 3; rule R6):
 //
 //   min Σ w_i (Δq_i - Δq_ref,i)²   s.t.   J Δq = e,
 //   Δq = Δq_ref + A Jᵀ (J A Jᵀ + D)⁻¹ (e - J Δq_ref),   A = diag(1 / w_i), 0 where locked,
 //
-// where e is the whole way from where the points are to where they are to be (closed loop with
-// gain 1), with the targets' leads, and D damps the goals, not the contacts. The step is scaled
-// down as a whole where an angle would change by more than settings.max_step. Scaling all weights
-// changes nothing.
+// where e is all that is left from where the points are to where they are to be (closed loop with
+// gain 1), with the targets' leads. D is diagonal and damps each goal on its own:
 //
-// inverse_weights (dofs): 1 / w_i > 0, or 0 for a locked joint, which then does not move at all.
-// reference (dofs, rad) or empty. At most kMaxIkRows rows in all. Result: dq (dofs, rad).
+//   D = (ε + λ (lag / ℓ)²) · mean diag(J A Jᵀ),   over the rows of the goal,
+//
+// ε, λ and ℓ being IkSettings' damping, lag_damping and lag_scale; contacts have contact_damping
+// for the bracket. The step is scaled down as a whole where an angle would change by more than
+// settings.max_step. Scaling all weights changes nothing.
+//
+// At most kMaxIkRows rows in all. Returns Δq (dofs, rad), which stays in the workspace.
 template <class S>
-void weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
-                      std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights,
-                      std::span<const S> reference, const IkSettings& settings,
-                      IkWorkspace<S>& workspace, std::span<S> dq) {
-  const int rows = ik_detail::row_count(targets);
+std::span<const S> weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
+                                    const IkStep<S>& step, const IkSettings& settings,
+                                    IkWorkspace<S>& workspace) {
+  const int rows = ik_detail::row_count(step.targets);
   SHG_CHECK(rows <= kMaxIkRows, "too many goals for one motion");
   const int blocks = rows / 3;
-  ik_detail::fill_rows(body, kinematics, targets, workspace);
+  const std::span<const S> inverse_weights = step.inverse_weights;
+  const std::span<const S> reference = step.reference;
+  ik_detail::fill_rows(body, kinematics, step.targets, workspace);
   ik_detail::fill_products(blocks, inverse_weights, workspace);
-  const S diagonal = ik_detail::add_damping(targets, settings, workspace);
+  const S diagonal = ik_detail::add_damping(step.targets, settings, workspace);
   if (!reference.empty()) {
     ik_detail::take_off_reference(blocks, inverse_weights, reference, workspace);
   }
   ik_detail::solve(rows, diagonal * S(kIkPivotFloor<Element<S>>), workspace);
-  for (S& pull : workspace.pull) pull = S(0);
-  for (int b = 0; b < blocks; ++b) {
-    const auto& block = workspace.blocks[b];
-    const Vec3<S> force = Vec3<S>{workspace.residual[3 * b], workspace.residual[3 * b + 1],
-                                  workspace.residual[3 * b + 2]} *
-                          S(block.scale);
-    for (const int dof : block.chain) {
-      const auto d = static_cast<std::size_t>(dof);
-      workspace.pull[d] = workspace.pull[d] + dot(block.columns[d], force);
-    }
-  }
+  ik_detail::pull_joints(blocks, workspace);
+  const std::span<S> dq = workspace.step;
   S largest(0);
   for (std::size_t d = 0; d < dq.size(); ++d) {
     dq[d] = workspace.pull[d] * inverse_weights[d];
@@ -339,7 +362,8 @@ void weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
   }
   const S limit(settings.max_step);
   const S scale = limit / max(largest, limit);
-  for (S& step : dq) step = step * scale;
+  for (S& change : dq) change = change * scale;
+  return dq;
 }
 
 }  // namespace shigusa

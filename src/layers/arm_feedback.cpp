@@ -5,14 +5,13 @@
 #include <memory>
 #include <shigusa/parallel.hpp>
 
+#include "core/index.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "kinematics/penetration.hpp"
 #include "layers/clip_dynamics.hpp"
 
 namespace shigusa {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 double capsule_depth(const Capsule& a, const Capsule& b) {
   const SegmentPair pair = nearest_points(a.from, a.to, b.from, b.to);

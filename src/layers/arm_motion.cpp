@@ -79,7 +79,6 @@ double ArmRollout::run(std::span<const Vec3d> path, const ArmWeights& weights,
     inverse[k] = weights[k].locked ? 0.0 : 1.0 / weights[k].weight;
   }
   std::array<double, kArmDofs> q{};
-  std::array<double, kArmDofs> change{};
   std::copy(arm_->start().begin(), arm_->start().end(), q.begin());
   const Effector& hand = arm_->effectors()[0];
   IkTarget<double> target{.link = hand.link, .point = hand.point};
@@ -92,8 +91,8 @@ double ArmRollout::run(std::span<const Vec3d> path, const ArmWeights& weights,
     double miss = 0.0;
     const int most = f + 1 == path.size() ? kStepsPerFrame + kLastSteps : kStepsPerFrame;
     for (int k = 0; k < most && (k < kStepsPerFrame || miss > kLastTolerance); ++k) {
-      weighted_ik_step<double>(*arm_, placed_, std::span(&target, 1), inverse, {}, settings, ik_,
-                               change);
+      const auto change =
+          weighted_ik_step<double>(*arm_, placed_, {std::span(&target, 1), inverse}, settings, ik_);
       for (std::size_t d = 0; d < q.size(); ++d) q[d] += change[d];
       forward_kinematics<double>(*arm_, q, placed_);
       miss = norm(position_error(placed_, target));

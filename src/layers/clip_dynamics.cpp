@@ -32,7 +32,7 @@ Motion ClipDynamics::completed(Clip clip) {
     const std::span<double> torques =
         std::span(motion.torques).subspan(static_cast<std::size_t>(f) * dofs, dofs);
     const Wrench<double> ground =
-        inverse_dynamics<double>(*body_, placed_, speeds_, accelerations_, work_, torques);
+        inverse_dynamics<double>(*body_, placed_, {speeds_, accelerations_}, work_, torques);
     bear_on_feet<double>(*body_, placed_, now, ground, torques);
     motion.centre_of_mass.push_back(centre_of_mass(*body_, work_));
   }

@@ -2,12 +2,11 @@
 #include <shigusa/parameters.hpp>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "layers/reduced_motion.hpp"
 
 namespace shigusa {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // `value`(gene, kind): a contraction, or a weight, which is 0 for locked.
 template <class Value>

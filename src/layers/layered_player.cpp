@@ -5,11 +5,10 @@
 #include <utility>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // how the knee turns the thigh on the shank, seen from the foot
 double climbing_sign(const BodyModel& body, const BodyLimb& leg) {
@@ -169,7 +168,7 @@ void LayeredPlayer::follow_law(int frame, std::span<double> angles) {
   forward_kinematics<double>(*body_, angles, placed_);
   // "guided": clavicles of arms with goals are the upper layer's
   constexpr bool kGuided = true;
-  law_.draw(frame, problem_->reach.steps, placed_, angles, kGuided, drawn_);
+  law_.draw(frame, placed_, angles, kGuided, drawn_);
   for (std::size_t d = 0; d < drawn_.size(); ++d) angles[d] += drawn_[d];
 }
 

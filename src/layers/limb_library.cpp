@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "layers/layer.hpp"
 #include "rollout/detour.hpp"
 
@@ -21,8 +22,6 @@ constexpr std::string_view kMagic = "shigusa-limbs\n";
 constexpr double kShoulderSlack = 0.05;
 // … and is tried farther and farther out, by this (m).
 constexpr double kDetourStep = 0.01;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of numbers as bytes, lowest first on any machine.
 class Hash {

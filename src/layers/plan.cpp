@@ -9,14 +9,13 @@
 #include <utility>
 
 #include "body/posture_modes.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
 
 constexpr std::array kLimbDofs{&BodyLimb::flexion, &BodyLimb::abduction, &BodyLimb::rotation,
                                &BodyLimb::hinge};
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 void add_phase(const BodyModel& body, std::string_view prefix, Layer& layer) {
   const auto add = [&](ParameterKind kind, const std::string& name, std::size_t number) {

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How the clavicles of a reduced body go with their arms.
+#include "core/index.hpp"
 #include "layers/reduced_motion.hpp"
 
 namespace shigusa {
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 void ReducedRollout::add_clavicle(const ReducedLimb& limb) {
   const bool by_law = problem_->posture_law && problem_->body->find_dof("neck.flexion");
   if (!by_law || limb.elevation < 0 || limb.protraction < 0) return;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/index.hpp"
 #include "rollout/limit_guard.hpp"
 
 namespace shigusa {
@@ -15,8 +16,6 @@ constexpr double kMostSlope = 20.0;
 // An ankle carries the whole body, and a squat takes it to its limit fast: in less than this it
 // could not stop without a jerk.
 constexpr double kAnkleMargin = radians(20.0);
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

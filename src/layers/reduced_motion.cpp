@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "math/ldlt.hpp"
 
 namespace shigusa {
@@ -15,8 +16,6 @@ constexpr double kLastTolerance = 1e-10;  // m
 // The most that LengthLaw::way takes of what a hand comes nearer: all of it and the shoulder could
 // stay, but the elbow folds faster than a trunk gives way.
 constexpr double kWayShare = 0.5;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<int> chain_to(const ReducedBody& body, int link) {
   std::vector<int> chain;

@@ -6,7 +6,7 @@
 
 namespace shigusa {
 
-// The rotation nearest to a matrix whose columns are all but orthogonal.
+// The rotation nearest to a matrix whose columns are nearly orthogonal.
 [[nodiscard]] inline Mat3d orthonormal(const Mat3d& m) {
   const Vec3d x = normalized(m.cx, {1, 0, 0});
   const Vec3d z = normalized(cross(x, m.cy), {0, 0, 1});

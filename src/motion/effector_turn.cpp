@@ -30,8 +30,8 @@ Mat3d rotation_by(const Vec3d& vector) {
 Mat3d EffectorTurn::at(double tau) const {
   const double share = minimum_jerk(tau);
   if (kind == Turning::whole) {
-    const Vec3d way = rotation_vector(goal * transpose(start));
-    return share < 1.0 ? rotation_by(way * share) * start : goal;
+    const Vec3d turn = rotation_vector(goal * transpose(start));
+    return share < 1.0 ? rotation_by(turn * share) * start : goal;
   }
   if (kind == Turning::free) return start;
   const Vec3d from = start * axis;

@@ -5,14 +5,14 @@
 
 namespace shigusa {
 
-// What a goal wants of the orientation of an effector's link.
+// How much of the orientation of an effector's link a goal is about.
 enum class Turning {
   free,   // nothing
   whole,  // all of it
   axis,   // where one of its axes points; it may turn about that
 };
 
-// How an effector turns on its way: by the shortest turn, with the minimum-jerk profile.
+// How an effector turns along its path: by the shortest turn, with the minimum-jerk profile.
 struct EffectorTurn {
   Turning kind = Turning::free;
   Mat3d start{};             // R_WL in the start posture
@@ -20,8 +20,8 @@ struct EffectorTurn {
   Vec3d axis{0, 0, 1};       // unit vector in the link's frame; of Turning::axis …
   Vec3d direction{0, 1, 0};  // … and where it is to point, unit vector in the world
 
-  // What is wanted at tau = time / duration in [0, 1]: R_WL, and of Turning::axis a turn whose x is
-  // the axis' direction.
+  // The orientation wanted at tau = time / duration in [0, 1]: R_WL, and of Turning::axis a turn
+  // whose x is the axis' direction.
   [[nodiscard]] Mat3d at(double tau) const;
 
   // How far the orientation R_WL is from the one wanted at the end: rad, in 0..π.

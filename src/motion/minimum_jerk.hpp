@@ -13,8 +13,8 @@ template <class S>
   return t * t * t * (S(10) - t * (S(15) - S(6) * t));
 }
 
-// Of what was left of a change before a step, the share that the step makes: `before` and `now` are
-// what is made of the whole change.
+// The share that a step makes of what was left of a change before it: `before` and `now` are the
+// shares of the whole change that are made before and after the step.
 [[nodiscard]] constexpr double share_of_rest(double before, double now) {
   return before < 1.0 ? (now - before) / (1.0 - before) : 1.0;
 }
@@ -39,15 +39,15 @@ template <class S>
   return (rise(t) + late * late * late * late * late) / rise(peak);
 }
 
-// How far a bowed path has left its line when the share s of the way is done, its whole bow being
+// How far a bowed path has left its line when the share s of the line is done, its whole bow being
 // 1: 4 s (1 - s), and with a skew of up to ±1 more of it early (> 0) or late (< 0).
 template <class S>
 [[nodiscard]] S path_bow(const S& s, const S& skew) {
   return S(4) * s * (S(1) - s) * (S(1) + skew * (S(1) - S(2) * s));
 }
 
-// Where an effector is to be at each moment: a minimum-jerk line from start to goal, straight or by
-// way of a detour.
+// Where an effector is to be at each moment: a minimum-jerk line from start to goal, straight or
+// with a detour.
 struct EffectorPath {
   Vec3d start{};             // m, world
   Vec3d goal{};              // m, world

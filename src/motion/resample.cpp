@@ -4,11 +4,12 @@
 #include <shigusa/motion.hpp>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
 
-// What rounding makes of a whole number of frames or steps.
+// How far rounding takes a whole number of frames or steps.
 constexpr double kWhole = 1e-6;
 
 // The slope of freedom d in a frame of the clip (rad a frame).
@@ -17,11 +18,12 @@ double slope(const Clip& clip, int frame, std::size_t d) {
   return 0.5 * (clip.frame(frame + 1)[d] - clip.frame(frame - 1)[d]);
 }
 
-// Appends the posture between a frame and the next one, at `share` of the way.
+// Appends the posture between a frame and the next one: at the frame for a share of 0, at the next
+// for 1.
 void append_between(const Clip& clip, int frame, double share, std::vector<double>& angles) {
   const double t = share;
   const double u = 1.0 - share;
-  for (std::size_t d = 0; d < static_cast<std::size_t>(clip.dofs); ++d) {
+  for (std::size_t d = 0; d < index(clip.dofs); ++d) {
     angles.push_back(
         u * u * ((1.0 + 2.0 * t) * clip.frame(frame)[d] + t * slope(clip, frame, d)) +
         t * t * ((1.0 + 2.0 * u) * clip.frame(frame + 1)[d] - u * slope(clip, frame + 1, d)));
@@ -43,8 +45,7 @@ Clip resampled(const Clip& clip, double rate) {
               .frames = frames_at(clip.duration(), rate),
               .frame_time = 1.0 / rate,
               .angles = {}};
-  result.angles.reserve(static_cast<std::size_t>(result.frames) *
-                        static_cast<std::size_t>(clip.dofs));
+  result.angles.reserve(index(result.frames) * index(clip.dofs));
   for (int k = 0; k < result.frames; ++k) {
     const double at = k / rate / clip.frame_time;
     const int frame = std::min(static_cast<int>(at + kWhole), clip.frames - 1);

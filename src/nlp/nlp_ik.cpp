@@ -59,13 +59,13 @@ NlpIk::NlpIk(const BodyModel& body, const NlpIkSettings& settings)
 void NlpIk::add_limits() {
   const std::span<const double> start = body_->start();
   for (int d = 0; d < body_->dof_count(); ++d) {
-    const auto k = static_cast<std::size_t>(d);
+    const std::size_t k = index(d);
     double upper = max(body_->dof(d).upper, start[k]);
     for (const LimitCoupling& c : body_->couplings()) {
       if (c.dof != d) continue;
       SHG_CHECK(c.gain >= 0.0, "NLP-IK knows no coupling that lowers a limit");
       const double slope = c.gain / c.driver_full;
-      const double driver = start[static_cast<std::size_t>(c.driver)];
+      const double driver = start[index(c.driver)];
       // a start posture with an overstretched driver has no use for what bending it would allow
       if (start[k] - slope * driver > upper) continue;
       angle_limits_.push_back({d, 1.0, c.driver, slope, upper});
@@ -98,7 +98,13 @@ void NlpIk::weigh(std::span<const IkTarget<double>> targets,
     size_[d] = sqrt(inverse_weights[d] * scale * body_->dofs()[d].give);
     z_[d] = size_[d] > 0.0 ? change / size_[d] : 0.0;
   }
+  measure_goals(targets);
+  metric_.reset();
+  scale_limits();
+}
 
+// the mean diagonal of J W⁻¹ Jᵀ in the start posture, and what goes by it
+void NlpIk::measure_goals(std::span<const IkTarget<double>> targets) {
   forward_kinematics<double>(*body_, body_->start(), kinematics_);
   double sum = 0.0;
   int goals = 0;
@@ -107,22 +113,24 @@ void NlpIk::weigh(std::span<const IkTarget<double>> targets,
     ++goals;
     const Vec3d at = kinematics_.point(target.link, target.point);
     for (const int d : body_->chain(target.link)) {
-      const Vec3d column = position_column(kinematics_, d, at) * size_[static_cast<std::size_t>(d)];
+      const Vec3d column = position_column(kinematics_, d, at) * size_[index(d)];
       sum += dot(column, column);
     }
   }
   // with goals that nothing moves, any scale will do
   mean_diagonal_ = sum > 0.0 ? sum / (3.0 * goals) : 1.0;
   epsilon_ = settings_.damping * mean_diagonal_;
-  metric_.reset();
+}
 
+// the limits that the unlocked dofs can meet, in the variables that are searched
+void NlpIk::scale_limits() {
   limits_.clear();
   limit_of_.clear();
   limit_scale_.clear();
   for (std::size_t i = 0; i < angle_limits_.size(); ++i) {
     const AngleLimit& limit = angle_limits_[i];
-    const double a = limit.sign * size_[static_cast<std::size_t>(limit.dof)];
-    const double b = -limit.gain * size_[static_cast<std::size_t>(limit.driver)];
+    const double a = limit.sign * size_[index(limit.dof)];
+    const double b = -limit.gain * size_[index(limit.driver)];
     const double length = sqrt(a * a + b * b);
     if (!(length > 0.0)) continue;
     limits_.push_back({limit.dof, limit.driver, a / length, b / length, 0.0});
@@ -153,8 +161,8 @@ void NlpIk::bind(std::span<const IkTarget<double>> targets, std::span<const doub
 void NlpIk::set_bounds() {
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     const AngleLimit& limit = angle_limits_[limit_of_[i]];
-    const double now = limit.sign * from_[static_cast<std::size_t>(limit.dof)] -
-                       limit.gain * from_[static_cast<std::size_t>(limit.driver)];
+    const double now =
+        limit.sign * from_[index(limit.dof)] - limit.gain * from_[index(limit.driver)];
     const double room = max(limit.bound - now, 0.0) * settings_.limit_approach;
     const double most = limit.gain == 0.0 ? min(room, settings_.max_change) : room;
     limits_[i].bound = most / limit_scale_[i];
@@ -256,7 +264,7 @@ void NlpIk::set_curvature() {
     const Vec3d along = kinematics_.link_rotation(target.link) * target.axis;
     const bool one_axis = target.turning == Turning::axis;
     add_rows(target.link, scale * kContactLength, [&](int d) {
-      const Vec3d& axis = kinematics_.axis[static_cast<std::size_t>(d)];
+      const Vec3d& axis = kinematics_.axis[index(d)];
       return one_axis ? axis - along * dot(along, axis) : axis;
     });
   }
@@ -270,7 +278,7 @@ void NlpIk::add_rows(int link, double scale, Column&& column) {
   const std::size_t begin = rows_.size();
   rows_.resize(begin + 3 * n, 0.0);
   for (const int d : body_->chain(link)) {
-    const auto k = static_cast<std::size_t>(d);
+    const std::size_t k = index(d);
     const Vec3d v = column(d) * (scale * size_[k]);
     for (std::size_t i = 0; i < 3; ++i) rows_[begin + i * n + k] = v[static_cast<int>(i)];
   }
@@ -317,7 +325,7 @@ double NlpIk::load_links() {
       continue;
     }
     const Vec3d miss = at - target.position - target.lead;
-    Load& load = loads_[static_cast<std::size_t>(target.link)];
+    Load& load = loads_[index(target.link)];
     load.force += miss;
     load.moment += cross(at, miss);
     value += 0.5 * dot(miss, miss);
@@ -335,7 +343,7 @@ double NlpIk::pull_contact(const IkTarget<double>& target, const Vec3d& at) {
   const Vec3d sine = rotation_sine(now, target.orientation);
   const double chord = rotation_chord(now, target.orientation);
   const double turning = stiffness_ * kContactLength * kContactLength;
-  Load& load = loads_[static_cast<std::size_t>(target.link)];
+  Load& load = loads_[index(target.link)];
   load.force += miss * stiffness_;
   load.moment += cross(at, miss) * stiffness_ +
                  (lead_moment(now, target.orientation, target.tilt_lead) - sine) * turning;
@@ -350,7 +358,7 @@ void NlpIk::unload_links(std::span<double> gradient) {
     gradient[d] = dot(kinematics_.axis[d], load.moment - cross(kinematics_.origin[d], load.force));
     const int parent = body_->dof(static_cast<int>(d)).parent;
     if (parent == kBaseLink) continue;
-    Load& carrier = loads_[static_cast<std::size_t>(parent)];
+    Load& carrier = loads_[index(parent)];
     carrier.force += load.force;
     carrier.moment += load.moment;
   }

@@ -47,7 +47,8 @@ struct NlpIkOutcome {
 //   s.t. planted feet stand, joints keep their limits,
 //
 // the same sum as weighted_ik_step's, but with the kinematics as they are instead of linear ones,
-// and solved until it is least. For a way that gets shorter and shorter, both take the same step.
+// and solved until it is least. The shorter the path between two postures, the more both
+// take the same step.
 //
 //   J, W, ε := Jacobian, the weights' diagonal, damping · mean diagonal of J W⁻¹ Jᵀ at the start
 //   z := √w_i (q_i - q_i,from), guessed to be the last posture's
@@ -121,6 +122,8 @@ class NlpIk : private SmoothFunction {
 
   double evaluate(std::span<const double> z, std::span<double> gradient) override;
   void add_limits();
+  void measure_goals(std::span<const IkTarget<double>> targets);
+  void scale_limits();
   double load_links();
   double pull_contact(const IkTarget<double>& target, const Vec3d& at);
   void unload_links(std::span<double> gradient);
@@ -148,7 +151,7 @@ class NlpIk : private SmoothFunction {
   std::vector<double> limit_scale_;    // … and how many radians one unit of it is
   std::vector<double> size_;           // (dofs) √(1 / w_i), the largest being 1: radians per z
   std::vector<double> z_;              // (dofs) (q - from) / size
-  std::vector<double> reference_;      // (dofs) the same of the reference
+  std::vector<double> reference_;      // (dofs) the reference, in the unit of z
   std::vector<double> angles_;         // (dofs, rad)
   std::vector<Load> loads_;            // (dofs)
   std::vector<double> rows_;           // (rows × dofs) m, of the scaled Jacobian

@@ -13,24 +13,21 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
       targets_(ik_targets(problem)),
       ik_(*problem.body, settings),
       limits_(*problem.body),
-      dynamics_(*problem.body),
+      dynamics_(problem),
       now_(*problem.body),
       next_(*problem.body),
       angles_(3, std::vector<double>(problem.body->dofs().size())),
-      speeds_(problem.body->dofs().size()),
-      accelerations_(speeds_),
-      torques_(speeds_),
-      reference_(speeds_),
-      blend_(speeds_.size()) {
+      reference_(problem.body->dofs().size()),
+      blend_(reference_.size()) {
   SHG_CHECK(problem.steps >= 1 && problem.duration > 0.0, "steps and duration of a motion");
-  SHG_CHECK(problem.guide.empty() || problem.guide.size() == speeds_.size(),
+  SHG_CHECK(problem.guide.empty() || problem.guide.size() == reference_.size(),
             "one angle of the guide per dof");
 }
 
 void NlpRollout::begin(const MotionInput<double>& input) {
-  SHG_CHECK(input.posture.empty() || input.posture.size() == speeds_.size(),
+  SHG_CHECK(input.posture.empty() || input.posture.size() == reference_.size(),
             "one change of posture per dof");
-  SHG_CHECK(!input.has_later() || (input.later.inverse_weights.size() == speeds_.size() &&
+  SHG_CHECK(!input.has_later() || (input.later.inverse_weights.size() == reference_.size() &&
                                    input.later.posture.size() == input.posture.size()),
             "one inverse weight and change of posture of the later phase per dof");
   const std::span<const double> start = problem_->body->start();
@@ -133,25 +130,6 @@ void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOu
   }
   outcome.path_error = worse(outcome.path_error, missed);
   if (last) outcome.goal_error = missed;
-}
-
-// this frame, with speeds by central differences to its neighbours
-PlacedFrame<double> NlpRollout::moving_frame() {
-  const BodyModel& body = *problem_->body;
-  const double rate = problem_->steps / problem_->duration;
-  for (std::size_t d = 0; d < speeds_.size(); ++d) {
-    const double to_come = angles_[2][d] - angles_[1][d];
-    const double gone = angles_[1][d] - angles_[0][d];
-    speeds_[d] = (to_come + gone) * (0.5 * rate);
-    accelerations_[d] = (to_come - gone) * (rate * rate);
-  }
-  const Wrench<double> ground =
-      inverse_dynamics<double>(body, now_, speeds_, accelerations_, dynamics_, torques_);
-  bear_on_feet<double>(body, now_, angles_[1], ground, torques_);
-  const Vec3d centre = shigusa::centre_of_mass(body, dynamics_);
-  return {{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
-          now_,
-          pressure(ground, floor_height(body))};
 }
 
 RolledOut roll_out_nlp(const ReachProblem& problem, const Parameters& parameters) {

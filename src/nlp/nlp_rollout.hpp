@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "dynamics/centre_of_mass.hpp"
-#include "dynamics/contact_forces.hpp"
 #include "nlp/nlp_ik.hpp"
 #include "rollout/rollout.hpp"
 
@@ -16,7 +14,7 @@ namespace shigusa {
 //   for each frame:
 //     targets := where the paths are then
 //     weights := the phase's, see PhaseBlend
-//     reference := the null space's change of posture in this frame, or its way into the guide
+//     reference := the null space's change of posture in this frame, or towards the guide
 //     posture := NlpIk's, after the posture of the frame before
 //
 // Of a ReachProblem's settings it does without those of weighted IK, which make up for steps that
@@ -34,12 +32,12 @@ class NlpRollout {
     begin(input);
     for (int frame = 1; frame <= problem_->steps; ++frame) {
       follow(frame, input, outcome);
-      visit(moving_frame());
+      visit(dynamics_.frame(angles_, now_));
       advance();
     }
     // the motion ends at rest
     angles_[2] = angles_[1];
-    visit(moving_frame());
+    visit(dynamics_.frame(angles_, now_));
     return outcome;
   }
 
@@ -54,7 +52,6 @@ class NlpRollout {
   void begin(const MotionInput<double>& input);
   void follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome);
   void advance();
-  PlacedFrame<double> moving_frame();
   void place_goals(int frame, const MotionInput<double>& input);
   void change_phase(int frame, const MotionInput<double>& input);
   void draw_null_space(int frame, const MotionInput<double>& input);
@@ -65,17 +62,14 @@ class NlpRollout {
   std::vector<IkTarget<double>> targets_;  // the goals, then the contacts
   NlpIk ik_;
   LimitGuard<double> limits_;
-  DynamicsWorkspace<double> dynamics_;
+  FrameDynamics<double> dynamics_;
   Kinematics<double> now_;                   // placement in this frame …
   Kinematics<double> next_;                  // … and in the next
   std::vector<std::vector<double>> angles_;  // of the frame before, this one and the next
-  std::vector<double> speeds_;
-  std::vector<double> accelerations_;
-  std::vector<double> torques_;
-  bool drawn_ = false;             // the null space is drawn somewhere, by …
-  std::vector<double> reference_;  // … (dofs, rad) in this frame
-  PhaseBlend<double> blend_;       // of a motion in two phases …
-  double later_share_ = 0.0;       // … and how much of the later there is in this frame
+  bool drawn_ = false;                       // the null space is drawn somewhere, by …
+  std::vector<double> reference_;            // … (dofs, rad) in this frame
+  PhaseBlend<double> blend_;                 // of a motion in two phases …
+  double later_share_ = 0.0;                 // … and how much of the later there is in this frame
   int unconverged_ = 0;
   int evaluations_ = 0;
 };

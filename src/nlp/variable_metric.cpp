@@ -2,9 +2,10 @@
 #include "nlp/variable_metric.hpp"
 
 #include <algorithm>
+#include <shigusa/scalar.hpp>
 
 #include "core/check.hpp"
-#include "line_bracket.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
@@ -22,6 +23,45 @@ constexpr double kGrazing = 1e-12;
 constexpr double kCurvatureFloor = 1e-2;
 // So many trials of a line search may go wherever their secant points.
 constexpr int kFreeSecants = 3;
+// How far beyond the last trial a line search goes on, at most.
+constexpr double kStretch = 8.0;
+// How far from both ends of an interval a trial stays that is not free, as a share of it.
+constexpr double kSecantMargin = 0.1;
+
+// Where along a line the slope's root lies.
+struct Bracket {
+  double low = 0.0;  // the function falls there …
+  double low_slope = 0.0;
+  double high = -1.0;  // … but not there; -1: not known yet
+  double high_slope = 0.0;
+  double before = 0.0;  // of two trials that fell, the former
+  double before_slope = 0.0;
+
+  void take(double t, double slope, bool falls) {
+    if (falls) {
+      before = low;
+      before_slope = low_slope;
+      low = t;
+      low_slope = slope;
+    } else {
+      high = t;
+      high_slope = slope;
+    }
+  }
+
+  // Where to try next, by secants; `freely`: however near to an end of the bracket.
+  [[nodiscard]] double next(bool freely) const {
+    if (high < 0.0) {
+      const double bend = low_slope - before_slope;
+      const double root = bend > 0.0 ? low - low_slope * (low - before) / bend : kStretch * low;
+      return clamp(root, 1.1 * low, kStretch * low);
+    }
+    const double bend = high_slope - low_slope;
+    double share = high_slope > 0.0 && bend > 0.0 ? -low_slope / bend : 0.5;
+    if (!freely || !(share > 0.0)) share = clamp(share, kSecantMargin, 1.0 - kSecantMargin);
+    return low + share * (high - low);
+  }
+};
 
 double inner(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
@@ -31,15 +71,15 @@ double inner(std::span<const double> a, std::span<const double> b) {
 
 // normal · v
 double across(const LinearLimit& limit, std::span<const double> v) {
-  double sum = limit.a * v[static_cast<std::size_t>(limit.first)];
-  if (limit.b != 0.0) sum += limit.b * v[static_cast<std::size_t>(limit.second)];
+  double sum = limit.a * v[index(limit.first)];
+  if (limit.b != 0.0) sum += limit.b * v[index(limit.second)];
   return sum;
 }
 
 // v += factor · normal
 void add_normal(const LinearLimit& limit, double factor, std::span<double> v) {
-  v[static_cast<std::size_t>(limit.first)] += factor * limit.a;
-  if (limit.b != 0.0) v[static_cast<std::size_t>(limit.second)] += factor * limit.b;
+  v[index(limit.first)] += factor * limit.a;
+  if (limit.b != 0.0) v[index(limit.second)] += factor * limit.b;
 }
 
 // normal · normal of two limits
@@ -74,16 +114,14 @@ struct VariableMetric::Run {
   const VariableMetricSettings& settings;
   VariableMetricOutcome outcome{};
 
-  [[nodiscard]] const LinearLimit& limit(int i) const {
-    return limits[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] const LinearLimit& limit(int i) const { return limits[index(i)]; }
   double evaluate(std::span<const double> z, std::span<double> gradient) {
     ++outcome.evaluations;
     return function.evaluate(z, gradient);
   }
 };
 
-VariableMetric::VariableMetric(int variables) : n_(static_cast<std::size_t>(variables)) {
+VariableMetric::VariableMetric(int variables) : n_(index(variables)) {
   SHG_CHECK(variables >= 1 && variables <= kMaxMetricVariables, "variables of a variable metric");
   for (std::vector<double>* v : {&z_, &gradient_, &trial_, &trial_gradient_, &direction_, &change_,
                                  &product_, &multipliers_}) {
@@ -154,7 +192,7 @@ void VariableMetric::project(const Run& run, int without, std::span<double> v) {
   int rows = 0;
   for (std::size_t i = 0; i < active_.size(); ++i) {
     if (static_cast<int>(i) == without) continue;
-    multipliers_[static_cast<std::size_t>(rows++)] = across(run.limit(active_[i]), v);
+    multipliers_[index(rows++)] = across(run.limit(active_[i]), v);
   }
   ldlt_substitute(gram_, multipliers_.data(), rows);
   std::size_t row = 0;
@@ -171,9 +209,9 @@ double VariableMetric::largest_part(const Run& run, std::span<const double> step
 }
 
 // how far the direction may be followed from z, and the limit that is met there, or -1
-double VariableMetric::way_to_limits(const Run& run, int& nearest) const {
+double VariableMetric::length_to_limits(const Run& run, int& nearest) const {
   const double least_speed = kGrazing * sqrt(inner(direction_, direction_));
-  double way = __builtin_inf();
+  double length = __builtin_inf();
   nearest = -1;
   for (std::size_t k = 0; k < run.limits.size(); ++k) {
     const LinearLimit& limit = run.limits[k];
@@ -182,12 +220,12 @@ double VariableMetric::way_to_limits(const Run& run, int& nearest) const {
     const int index = static_cast<int>(k);
     if (std::find(active_.begin(), active_.end(), index) != active_.end()) continue;
     const double room = max(limit.bound - across(limit, z_), 0.0);
-    if (room < way * speed) {
-      way = room / speed;
+    if (room < length * speed) {
+      length = room / speed;
       nearest = index;
     }
   }
-  return way;
+  return length;
 }
 
 // from the origin towards the guess, on the active limits where all of them can be reached
@@ -203,9 +241,9 @@ void VariableMetric::start(Run& run) {
     add_normal(run.limit(active_[j]), multipliers_[j], direction_);
   }
   int nearest = -1;
-  const double way = min(1.0, way_to_limits(run, nearest));
-  if (way < 1.0) release_all();
-  for (std::size_t i = 0; i < n_; ++i) z_[i] = way * direction_[i];
+  const double length = min(1.0, length_to_limits(run, nearest));
+  if (length < 1.0) release_all();
+  for (std::size_t i = 0; i < n_; ++i) z_[i] = length * direction_[i];
   run.outcome.value = run.evaluate(z_, gradient_);
 }
 
@@ -353,18 +391,18 @@ VariableMetricOutcome VariableMetric::minimise(SmoothFunction& function,
       break;
     }
     int nearest = -1;
-    const double way = way_to_limits(run, nearest);
-    if (way * step <= kTouch * settings.tolerance) {
+    const double length = length_to_limits(run, nearest);
+    if (length * step <= kTouch * settings.tolerance) {
       activate(run, nearest);
       continue;
     }
-    const double most = min(way, settings.max_step / step);
+    const double most = min(length, settings.max_step / step);
     const double taken = search_line(run, most);
     if (taken == 0.0) break;
     update_metric();
     z_.swap(trial_);
     gradient_.swap(trial_gradient_);
-    if (taken == way) activate(run, nearest);
+    if (taken == length) activate(run, nearest);
   }
   std::copy(z_.begin(), z_.end(), z.begin());
   return outcome;

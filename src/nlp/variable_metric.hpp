@@ -46,7 +46,7 @@ inline constexpr int kMaxMetricVariables = 64;
 // with an active set:
 //
 //   z := the origin, moved towards the guess on the active limits as far as all others allow;
-//     if that is not the whole way, no limit stays active
+//     if that is not as far as the guess, no limit stays active
 //   until the step s = -H g is small and no active limit wants to be left:
 //     where leaving an active limit promises more than staying: drop it, H := H + v vᵀ
 //     else search along s, up to the nearest limit, until the slope has fallen:
@@ -75,8 +75,8 @@ class VariableMetric {
   // Forgets all: H becomes the identity, and no limit is active.
   void reset();
 
-  // What is known of the function's curvature: H becomes the inverse of `least` (> 0) times the
-  // identity plus Σ r rᵀ over the rows r, (rows × n). Active limits stay active.
+  // Takes what is known of the function's curvature: H becomes the inverse of `least` (> 0) times
+  // the identity plus Σ r rᵀ over the rows r, (rows × n). Active limits stay active.
   void set_curvature(double least, std::span<const double> rows);
 
   // Minimises the function; `z` (n) holds a guess and then the result. `size` (n, ≥ 0): what a
@@ -100,7 +100,7 @@ class VariableMetric {
   void find_direction(const Run& run);
   [[nodiscard]] bool drop_limit(const Run& run, double gain_of_staying);
   [[nodiscard]] double largest_part(const Run& run, std::span<const double> step) const;
-  [[nodiscard]] double way_to_limits(const Run& run, int& nearest) const;
+  [[nodiscard]] double length_to_limits(const Run& run, int& nearest) const;
   [[nodiscard]] double search_line(Run& run, double most);
   double try_at(Run& run, double t);
   void update_metric();

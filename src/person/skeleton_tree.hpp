@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "body/skin.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 
@@ -53,8 +54,6 @@ class SkeletonTree {
   [[nodiscard]] Vec3d foot_from(int ankle) const;
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
   const Skeleton& skeleton_;
   const std::vector<Transformd>& world_;
   std::span<const SkinVertex> skin_;

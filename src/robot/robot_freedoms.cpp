@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "body/anthropometry.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 constexpr std::size_t kRight = 1;
 constexpr std::size_t kMiddle = 2;
 constexpr std::array<const char*, 3> kSideWords{"left_", "right_", ""};
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // A freedom of a person's joint: positive angles turn the outer side about sign · axis.
 struct Freedom {

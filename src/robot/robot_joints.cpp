@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/index.hpp"
 #include "robot_freedoms.hpp"
 
 namespace shigusa {
@@ -26,8 +27,6 @@ constexpr std::array<const char*, 2> kSideWords{"left_", "right_"};
 constexpr double kOneAnkle = 0.15;
 constexpr double kOneWrist = 0.6;
 constexpr double kOneNeck = 0.15;  // … of the way from the chest
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // The coordinate axis that a direction all but is, else the direction.
 Vec3d snapped(const Vec3d& v) {

@@ -21,11 +21,7 @@ constexpr double kAside = 0.15;  // and hangs with so much of it aside
 class Settler {
  public:
   explicit Settler(const BodyModel& body)
-      : body_(body),
-        kinematics_(body),
-        workspace_(body),
-        step_(body.dofs().size()),
-        weights_(body.dofs().size(), 1.0) {
+      : body_(body), kinematics_(body), workspace_(body), weights_(body.dofs().size(), 1.0) {
     const std::vector<double> zero(body.dofs().size(), 0.0);
     forward_kinematics<double>(body, zero, kinematics_);
     for (const Foot& foot : body.feet()) {
@@ -88,9 +84,9 @@ class Settler {
     if (targets.empty()) {
       for (std::size_t d = 0; d < pull.size(); ++d) angles[d] += pull[d];
     } else {
-      weighted_ik_step<double>(body_, kinematics_, targets, weights_, pull, IkSettings{},
-                               workspace_, step_);
-      for (std::size_t d = 0; d < step_.size(); ++d) angles[d] += step_[d];
+      const auto step = weighted_ik_step<double>(body_, kinematics_, {targets, weights_, pull},
+                                                 IkSettings{}, workspace_);
+      for (std::size_t d = 0; d < step.size(); ++d) angles[d] += step[d];
     }
     for (std::size_t d = 0; d < angles.size(); ++d) {
       angles[d] = clamp(angles[d], body_.dofs()[d].lower, body_.dofs()[d].upper);
@@ -115,7 +111,6 @@ class Settler {
   const BodyModel& body_;
   Kinematics<double> kinematics_;
   IkWorkspace<double> workspace_;
-  std::vector<double> step_;
   std::vector<double> weights_;  // (dofs) inverse ones: 0 where locked
   std::vector<IkTarget<double>> feet_;
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "body/coupled_limits.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 
@@ -13,9 +14,9 @@ inline constexpr double kLimitMargin = radians(8.0);
 
 // Joint limits inside the IK, as an active set that changes smoothly. Towards a limit a freedom's
 // inverse weight, and what it is drawn by, fall to 0 over the last kLimitMargin, so that it comes
-// to rest there while others take over; away from it, the freedom has its own weight. Which way it
-// wants to go is taken from the step before. What a step would pass a limit by in spite of that is
-// held back, and left for corrections to make up for with the other freedoms.
+// to rest there while others take over; away from it, the freedom has its own weight. In which
+// direction it wants to go is taken from the step before. What a step would pass a limit by in
+// spite of that is held back, and left for corrections to make up for with the other freedoms.
 //
 // A freedom that gives little (Dof::give) has that share of its inverse weight. As the ankle of a
 // standing foot runs out of dorsiflexion the toes take over its inverse weight, and what it was
@@ -41,8 +42,7 @@ class LimitGuard {
     }
     for (const Foot& foot : body.feet()) {
       if (!foot.heel) continue;
-      heels_.push_back({static_cast<std::size_t>(foot.heel->toes),
-                        static_cast<std::size_t>(foot.heel->ankle), S(0)});
+      heels_.push_back({index(foot.heel->toes), index(foot.heel->ankle), S(0)});
     }
     for (const Limit& limit : limits_) upper_.push_back(S(limit.upper));
     for (const std::size_t d : coupled_.coupled()) limits_[d].coupled = true;
@@ -53,7 +53,7 @@ class LimitGuard {
     for (S& wanted : wanted_) wanted = S(0);
   }
 
-  // From now on, what gives way last gives as the others do.
+  // From now on, freedoms that give little (Dof::give) give as the others do.
   void loosen() { stiff_.clear(); }
 
   // The inverse weights (dofs) to step with from the angles (dofs, rad).
@@ -87,7 +87,8 @@ class LimitGuard {
     return allowed_;
   }
 
-  // What each freedom would have done by its own weight: `pull` (dofs) is Jᵀ y, see IkWorkspace.
+  // Keeps what each freedom would have done by its own weight: `pull` (dofs) is Jᵀ y, see
+  // IkWorkspace.
   void learn(std::span<const S> inverse_weights, std::span<const S> pull,
              std::span<const S> reference) {
     for (std::size_t d = 0; d < limits_.size(); ++d) {

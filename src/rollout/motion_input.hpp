@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-// What a motion's weights and posture change into, see PhaseBlend.
+// The weights and posture that a motion changes to, see PhaseBlend.
 template <class S>
 struct LaterInput {
   std::span<const S> inverse_weights{};  // (dofs), or empty: the motion has one phase
@@ -43,7 +43,7 @@ struct LaterInputs {
   std::span<const float> switch_at{};        // (motions)
 };
 
-// The same of many motions, one after the other, in single precision.
+// Parameters of many motions, one after the other, in single precision.
 struct MotionInputs {
   std::span<const float> inverse_weights;  // (motions × dofs)
   std::span<const float> posture{};        // (motions × dofs) or empty
@@ -57,7 +57,7 @@ struct MotionInputs {
                std::span<const float> times)
       : inverse_weights(weights), posture(change), timing(times) {}
 
-  // `count` motions from `first` on, of a body with so many dofs.
+  // `count` motions from `first` on, of a body with that many dofs.
   [[nodiscard]] MotionInputs part(std::size_t first, std::size_t count, std::size_t dofs) const {
     const auto rows = [&](std::span<const float> all, std::size_t columns) {
       return all.empty() ? all : all.subspan(first * columns, count * columns);

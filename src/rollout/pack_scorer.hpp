@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/index.hpp"
 #include "lane_scorer.hpp"
 #include "rollout/rollout.hpp"
 #include "simd/pack.hpp"
@@ -49,8 +50,7 @@ class PackScorer final : public LaneScorer {
     const S result = criteria_.score();
     const auto met = outcome.met(tolerance_);
     for (int lane = 0; lane < motions; ++lane) {
-      scores[static_cast<std::size_t>(lane)] =
-          met[lane] ? static_cast<double>(result[lane]) : worst_;
+      scores[index(lane)] = met[lane] ? static_cast<double>(result[lane]) : worst_;
     }
   }
 
@@ -60,8 +60,7 @@ class PackScorer final : public LaneScorer {
   // rows (motions × columns) to lanes; lanes that are left over repeat the last motion
   static void spread(std::span<const float> rows, int motions, std::span<S> columns) {
     for (int lane = 0; lane < N; ++lane) {
-      const float* from =
-          rows.data() + static_cast<std::size_t>(min(lane, motions - 1)) * columns.size();
+      const float* from = rows.data() + index(min(lane, motions - 1)) * columns.size();
       for (std::size_t d = 0; d < columns.size(); ++d) columns[d].set(lane, from[d]);
     }
   }

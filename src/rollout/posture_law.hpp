@@ -13,7 +13,7 @@ namespace shigusa {
 // The head has turned to the goal by this share of the duration: gaze gets there before the hand
 // does (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
 inline constexpr double kGazeArrives = 0.7;
-// What the head does of a turn of the gaze; eyes do the rest.
+// The head's share of a turn of the gaze; eyes do the rest.
 inline constexpr double kHeadOfGaze = 0.75;
 // How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
 inline constexpr double kArmHangs = 0.8;
@@ -23,13 +23,13 @@ inline constexpr double kArmHangs = 0.8;
 inline constexpr double kClavicleRises = radians(28);
 inline constexpr double kClavicleAhead = radians(14);
 
-// What the parts of a whole human do that no goal moves, frame by frame: the head turns to the
+// How the parts of a whole human move that no goal moves, frame by frame: the head turns to the
 // goal, a free arm hangs, clavicles go with their arms. The law says by how much the null space is
 // drawn; goals, contacts and limits stay what they are. For bodies with a neck; others have none.
 template <class S>
 class PostureLaw {
  public:
-  explicit PostureLaw(const ReachProblem& problem) {
+  explicit PostureLaw(const ReachProblem& problem) : steps_(problem.steps) {
     const BodyModel& body = *problem.body;
     if (!problem.posture_law || !body.find_dof("neck.flexion")) return;
     find_head(problem);
@@ -41,9 +41,9 @@ class PostureLaw {
   // Sets what the step to `frame` is drawn by (dofs, rad), from the placement and the angles (dofs,
   // rad) before it. `guided`: the rest of the body is drawn to a posture; arms with goals are left
   // to it.
-  void draw(int frame, int steps, const Kinematics<S>& now, std::span<const S> angles, bool guided,
+  void draw(int frame, const Kinematics<S>& now, std::span<const S> angles, bool guided,
             std::span<S> reference) const {
-    if (looks_) look(gaze_share(frame, steps), now, angles, reference);
+    if (looks_) look(gaze_share(frame), now, angles, reference);
     for (const Arm& arm : arms_) {
       if (arm.free) hang(arm, now, angles, reference);
       if (arm.has_clavicle && (arm.free || !guided)) shrug(arm, now, angles, reference);
@@ -83,9 +83,9 @@ class PostureLaw {
 
   static Freedom freedom(const BodyModel& body, int d, double share = 1.0) {
     const Dof& dof = body.dof(d);
-    const double start = body.start()[static_cast<std::size_t>(d)];
-    return {static_cast<std::size_t>(d), static_cast<T>(dof.lower), static_cast<T>(dof.upper),
-            static_cast<T>(start), static_cast<T>(share)};
+    const double start = body.start()[index(d)];
+    return {index(d), static_cast<T>(dof.lower), static_cast<T>(dof.upper), static_cast<T>(start),
+            static_cast<T>(share)};
   }
 
   void find_head(const ReachProblem& problem) {
@@ -151,15 +151,15 @@ class PostureLaw {
     arm.protraction.start -= static_cast<T>(rises.protraction);
   }
 
-  // of the way that is left
-  static S gaze_share(int frame, int steps) {
-    const auto done = [steps](int f) {
-      return minimum_jerk(min(1.0, static_cast<double>(f) / (kGazeArrives * steps)));
+  // of what is left of the gaze's turn
+  [[nodiscard]] S gaze_share(int frame) const {
+    const auto done = [this](int f) {
+      return minimum_jerk(min(1.0, static_cast<double>(f) / (kGazeArrives * steps_)));
     };
     return S(share_of_rest(done(frame - 1), done(frame)));
   }
 
-  // draws a freedom by a share of the way to the angle wanted
+  // draws a freedom by a share of what it is away from the angle wanted
   static void draw_to(const Freedom& f, const S& wanted, const S& share, std::span<const S> angles,
                       std::span<S> reference) {
     const S held = clamp(S(f.start) + wanted * S(f.share), S(f.lower), S(f.upper));
@@ -168,12 +168,12 @@ class PostureLaw {
 
   void look(const S& share, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
-    const Vec3<S> eye = now.origin[static_cast<std::size_t>(head_)];
-    const Vec3<S> way = transpose_times(now.link_rotation(chest_), target_ - eye);
-    const S across = sqrt(way.x * way.x + way.z * way.z);
-    // what is behind is looked for sideways, and from one side to the other without a jump
-    const S turn = atan2(way.x, max(way.z, across * S(0.2)));
-    const S nod = atan2(-way.y, across);
+    const Vec3<S> eye = now.origin[index(head_)];
+    const Vec3<S> offset = transpose_times(now.link_rotation(chest_), target_ - eye);
+    const S across = sqrt(offset.x * offset.x + offset.z * offset.z);
+    // the head looks sideways for what is behind it, and from side to side without a jump
+    const S turn = atan2(offset.x, max(offset.z, across * S(0.2)));
+    const S nod = atan2(-offset.y, across);
     for (const Freedom& f : turns_) draw_to(f, turn * S(kHeadOfGaze), share, angles, reference);
     for (const Freedom& f : nods_) draw_to(f, nod * S(kHeadOfGaze), share, angles, reference);
   }
@@ -207,6 +207,7 @@ class PostureLaw {
     draw_to(arm.protraction, wanted.protraction, S(1), angles, reference);
   }
 
+  int steps_;  // of a motion
   bool looks_ = false;
   Vec3<S> target_{};  // m, world
   int chest_ = 0;     // link that carries the neck

@@ -17,25 +17,25 @@ inline constexpr double kTiltTolerance = radians(0.1);  // rad: what a planted f
 inline constexpr double kTurnTolerance = radians(0.5);  // rad: what counts as met, of goals' turns
 // m/rad: a goal's turn counts as the distance that has the same share of its tolerance …
 inline constexpr double kTurnLength = kReachTolerance / kTurnTolerance;
-// … and by this share of it on the way, where nobody asks for it.
+// … and by this share of it before the last frame, where nobody asks for it.
 inline constexpr double kTurnOnWay = 0.1;
-// A goal's box is aimed at this far within its sides (m), so that what is left of the way at the
-// end is inside.
+// A goal's box is aimed at this far within its sides (m), so that the end is inside however
+// little it misses.
 inline constexpr double kBoxInset = 1e-4;
 
-// What counts as met.
+// The distances within which goals and paths count as met.
 struct ReachTolerance {
   double goal = kReachTolerance;  // m, of effectors at the end
   double path = kReachTolerance;  // m, of effectors at each frame
 };
 
-// One effector with its way to the goal.
+// One effector with its path to the goal.
 struct ReachGoal {
   int effector = 0;  // see BodyModel::effector
   EffectorPath path;
-  // m, world: how far the path leaves its line at mid-way for a bow of 1 (see path_bow)
+  // m, world: how far the path leaves its line half-way for a bow of 1 (see path_bow)
   Vec3d bow{};
-  Vec3d sway{};         // m, world: the same for a sway of 1
+  Vec3d sway{};         // m, world: and for a sway of 1
   EffectorTurn turn{};  // what it also turns to
   // m, world axes: half the sides of the box about the path's goal of which any place will do
   Vec3d tolerance{};
@@ -67,19 +67,20 @@ struct ReachProblem {
   // the last frame has the hand at rest: there the goal itself is to be met, by this many steps …
   double goal_tolerance = 1e-5;  // m
   int goal_corrections = 12;
-  // … and by so many in every other frame that is off by more than path_slack: for goals at the
+  // … and by this many in every other frame that is off by more than path_slack: for goals at the
   // very edge of reach, and where limits hold joints back …
   int corrections = 0;
   double path_slack = 1e-5;  // m
   // … but where more than this is missed, nothing is to be gained
   double rescue_limit = 0.05;  // m
-  // where a planted foot is off by more than this after all, up to so many steps correct it alone;
-  // a tilt counts as the slide that has the same share of its tolerance
+  // where a planted foot is off by more than this after all, this many steps at most correct it
+  // alone; a tilt counts as the slide that has the same share of its tolerance
   double contact_slack = 5e-4;  // m
   int contact_corrections = 8;
 };
 
-// What a motion must keep whatever its score: met goals, effectors on their paths, planted feet.
+// How well a motion keeps what it must, whatever its score: met goals, effectors on their paths,
+// planted feet.
 template <class S>
 struct BasicReachOutcome {
   S goal_error{};     // m, largest distance of an effector from its path's end, turns included

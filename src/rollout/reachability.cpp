@@ -26,13 +26,13 @@ constexpr double kStall = 1e-9;
 constexpr int kStallSteps = 12;
 // Where the goal is out of reach, distances that differ by less count as equal (m).
 constexpr double kNearEqual = 5e-3;
-// The walk to a random posture: steps, and the share of the way that each takes.
+// The walk to a random posture: steps, and the share of what is left that each takes.
 constexpr int kWanderSteps = 60;
 constexpr double kWanderRate = 0.1;
 // Corrections of the planted feet after each step, at most.
 constexpr int kContactSteps = 4;
-// The way of the plumb line over the forefeet, in steps of so many metres, shorter where they fail,
-// at most so many of them.
+// The plumb line moves over the forefeet by steps of kPoiseStep (m), shorter ones where they fail,
+// kPoiseSteps of them at most.
 constexpr double kPoiseStep = 0.01;
 constexpr double kLeastPoiseStep = 1e-4;
 constexpr int kPoiseSteps = 200;
@@ -44,7 +44,6 @@ class Descent {
         body_(*problem.body),
         targets_(ik_targets(problem)),
         weights_(body_.dofs().size(), 1.0),
-        step_(weights_),
         trial_(weights_),
         kinematics_(body_),
         trial_kinematics_(body_),
@@ -59,8 +58,8 @@ class Descent {
   }
   void loosen() { limits_->loosen(); }
 
-  // Walks from the start posture towards a random one with the feet planted: the way there is a
-  // motion that the body can make.
+  // Walks from the start posture towards a random one with the feet planted: by a motion that
+  // the body can make.
   std::vector<double> wander(Random& random) {
     std::vector<double> angles(body_.start().begin(), body_.start().end());
     std::vector<double> aim(angles);
@@ -127,12 +126,12 @@ class Descent {
     }
     double step = kPoiseStep;
     for (int k = 0; k < kPoiseSteps && step >= kLeastPoiseStep; ++k) {
-      Vec3d way = tiptoe.way_over(shigusa::centre_of_mass(body_, kinematics_));
-      if (way == Vec3d{}) break;
-      way = way * (step / max(norm(way), step));
+      Vec3d offset = tiptoe.offset_from(shigusa::centre_of_mass(body_, kinematics_));
+      if (offset == Vec3d{}) break;
+      offset = offset * (step / max(norm(offset), step));
       trial_ = angles;
       trial_kinematics_ = kinematics_;
-      advance(targets_, problem_.ik, change_of_plumb_line(body_, kinematics_, way));
+      advance(targets_, problem_.ik, change_of_plumb_line(body_, kinematics_, offset));
       hold_contacts(problem_.ik);
       if (contact_error(trial_kinematics_) > kContactSlack) {
         step *= 0.5;
@@ -183,9 +182,9 @@ class Descent {
       weights = limits_->soften(weights_, trial_);
       if (!reference.empty()) drawn = limits_->allowed(reference);
     }
-    weighted_ik_step<double>(body_, trial_kinematics_, targets, weights, drawn, ik, workspace_,
-                             step_);
-    for (std::size_t d = 0; d < step_.size(); ++d) trial_[d] += step_[d];
+    const auto step = weighted_ik_step<double>(body_, trial_kinematics_, {targets, weights, drawn},
+                                               ik, workspace_);
+    for (std::size_t d = 0; d < step.size(); ++d) trial_[d] += step[d];
     if (limits_) {
       limits_->learn(weights_, workspace_.pull, reference);
       limits_->hold(trial_);
@@ -224,7 +223,6 @@ class Descent {
   const BodyModel& body_;
   std::vector<IkTarget<double>> targets_;  // the goals, then the contacts
   std::vector<double> weights_;
-  std::vector<double> step_;
   std::vector<double> trial_;
   Kinematics<double> kinematics_;
   Kinematics<double> trial_kinematics_;

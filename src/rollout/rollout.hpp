@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "criteria/built_in_criteria.hpp"
-#include "dynamics/centre_of_mass.hpp"
-#include "dynamics/contact_forces.hpp"
+#include "rollout/frame_dynamics.hpp"
 #include "rollout/limit_guard.hpp"
 #include "rollout/motion_input.hpp"
 #include "rollout/phase_blend.hpp"
@@ -31,16 +30,12 @@ class Rollout {
       : problem_(&problem),
         contacts_from_(problem.goals.size()),
         ik_(*problem.body),
-        dynamics_(*problem.body),
+        dynamics_(problem),
         kinematics_{Kinematics<S>(*problem.body), Kinematics<S>(*problem.body)},
         angles_(3, std::vector<S>(problem.body->dofs().size())),
-        speeds_(problem.body->dofs().size()),
-        accelerations_(speeds_),
-        torques_(speeds_),
-        step_(speeds_),
-        unlocked_(speeds_),
-        reference_(speeds_),
-        blend_(speeds_.size()),
+        unlocked_(problem.body->dofs().size()),
+        reference_(unlocked_),
+        blend_(unlocked_.size()),
         law_(problem) {
     if (problem.hold_limits) limits_.emplace(*problem.body);
     for (const IkTarget<double>& target : ik_targets(problem)) {
@@ -77,20 +72,20 @@ class Rollout {
     drawn_ = !problem_->guide.empty() || !input.posture.empty() || !law_.empty();
     if (limits_) limits_->reset();
     if (input.has_later()) blend_.begin(input);
-    for (std::size_t d = 0; d < speeds_.size(); ++d) {
+    for (std::size_t d = 0; d < unlocked_.size(); ++d) {
       angles_[0][d] = angles_[1][d] = S(body.start()[d]);
       unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
     }
     forward_kinematics<S>(body, angles_[1], now());
     for (int frame = 1; frame <= problem_->steps; ++frame) {
       follow(frame, input, outcome);
-      show_frame(visit);
+      visit(dynamics_.frame(angles_, now()));
       std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
       now_ = 1 - now_;
     }
     // the motion ends at rest
     angles_[2] = angles_[1];
-    show_frame(visit);
+    visit(dynamics_.frame(angles_, now()));
     return outcome;
   }
 
@@ -152,11 +147,12 @@ class Rollout {
     const std::span<const S> weights = within_limits(inverse_weights, angles_[1]);
     const std::span<const S> reference =
         drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
-    // a guide is within the limits, and so is the way there
+    // a guide is within the limits, and so are all postures between
     const bool yields = limits_ && drawn_ && problem_->guide.empty();
-    weighted_ik_step<S>(*problem_->body, now(), targets, weights,
-                        yields ? limits_->allowed(reference) : reference, problem_->ik, ik_, step_);
-    for (std::size_t d = 0; d < step_.size(); ++d) angles_[2][d] = angles_[1][d] + step_[d];
+    const IkStep<S> wanted{targets, weights, yields ? limits_->allowed(reference) : reference};
+    const std::span<const S> dq =
+        weighted_ik_step<S>(*problem_->body, now(), wanted, problem_->ik, ik_);
+    for (std::size_t d = 0; d < dq.size(); ++d) angles_[2][d] = angles_[1][d] + dq[d];
     if (limits_) {
       limits_->learn(inverse_weights, ik_.pull, reference);
       limits_->hold(angles_[2]);
@@ -174,14 +170,15 @@ class Rollout {
       leads_.push_back({target.lead, target.tilt_lead});
       target.lead = target.tilt_lead = {};
     }
-    weighted_ik_step<S>(*problem_->body, next(), targets,
-                        within_limits(inverse_weights, angles_[2]), {}, problem_->ik, ik_, step_);
+    const IkStep<S> wanted{targets, within_limits(inverse_weights, angles_[2])};
+    const std::span<const S> dq =
+        weighted_ik_step<S>(*problem_->body, next(), wanted, problem_->ik, ik_);
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].lead = leads_[i].position;
       targets[i].tilt_lead = leads_[i].tilt;
     }
-    for (std::size_t d = 0; d < step_.size(); ++d) {
-      angles_[2][d] = select(off, angles_[2][d] + step_[d], angles_[2][d]);
+    for (std::size_t d = 0; d < dq.size(); ++d) {
+      angles_[2][d] = select(off, angles_[2][d] + dq[d], angles_[2][d]);
     }
     if (limits_) limits_->hold(angles_[2]);
     forward_kinematics<S>(*problem_->body, angles_[2], next());
@@ -194,11 +191,11 @@ class Rollout {
 
   // where the effectors are to be in this frame
   void place_goals(int frame, const MotionInput<S>& input) {
-    const double way = minimum_jerk(static_cast<double>(frame) / problem_->steps);
-    const S off = path_bow(S(way), input.timing.skew) * input.timing.bow;
-    const S aside = path_bow(S(way), S(0)) * input.timing.sway;
+    const double done = minimum_jerk(static_cast<double>(frame) / problem_->steps);
+    const S off = path_bow(S(done), input.timing.skew) * input.timing.bow;
+    const S aside = path_bow(S(done), S(0)) * input.timing.sway;
     for (std::size_t g = 0; g < contacts_from_; ++g) {
-      const std::size_t k = static_cast<std::size_t>(frame) * contacts_from_ + g;
+      const std::size_t k = index(frame) * contacts_from_ + g;
       targets_[g].position = to_scalar<S>(paths_[k]);
       if (turning_) {
         targets_[g].orientation = to_scalar<S>(turns_[k]);
@@ -221,9 +218,9 @@ class Rollout {
       const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
       for (std::size_t d = 0; d < reference_.size(); ++d) reference_[d] = posture[d] * share;
     } else if (drawn_) {
-      for (S& way : reference_) way = S(0);
+      for (S& change : reference_) change = S(0);
     }
-    if (!law_.empty()) law_.draw(frame, problem_->steps, now(), angles_[1], guided, reference_);
+    if (!law_.empty()) law_.draw(frame, now(), angles_[1], guided, reference_);
   }
 
   // how much of the change of posture is made by then
@@ -241,16 +238,16 @@ class Rollout {
     const double late = guide_share(frame, kHeelsBegin);
     for (const Foot& foot : problem_->body->feet()) {
       if (!foot.heel) continue;
-      S& toes = reference_[static_cast<std::size_t>(foot.heel->toes)];
-      S& ankle = reference_[static_cast<std::size_t>(foot.heel->ankle)];
+      S& toes = reference_[index(foot.heel->toes)];
+      S& ankle = reference_[index(foot.heel->ankle)];
       const S lean = toes + ankle;
       toes = toes * S(late / share);
       ankle = lean - toes;
     }
   }
 
-  // of the way that is left to the guide, what this frame makes of it where it begins at that share
-  // of the duration
+  // of what is left to the guide, the share that this frame makes, where the change begins at a
+  // share of the duration
   double guide_share(int frame, double begin) const {
     const auto done = [&](int f) {
       const double tau = static_cast<double>(f) / problem_->steps;
@@ -302,54 +299,27 @@ class Rollout {
     return max(outcome.contact_slide, S(kContactLength) * outcome.contact_tilt);
   }
 
-  // shows the current frame: speeds by central differences to its neighbours
-  template <class Visitor>
-  void show_frame(Visitor&& visit) {
-    const BodyModel& body = *problem_->body;
-    const double rate = problem_->steps / problem_->duration;
-    const S half_rate(0.5 * rate);
-    const S square_rate(rate * rate);
-    for (std::size_t d = 0; d < speeds_.size(); ++d) {
-      const S to_come = angles_[2][d] - angles_[1][d];
-      const S gone = angles_[1][d] - angles_[0][d];
-      speeds_[d] = (to_come + gone) * half_rate;
-      accelerations_[d] = (to_come - gone) * square_rate;
-    }
-    const Wrench<S> ground =
-        inverse_dynamics<S>(body, now(), speeds_, accelerations_, dynamics_, torques_);
-    bear_on_feet<S>(body, now(), angles_[1], ground, torques_);
-    const Vec3<S> centre = shigusa::centre_of_mass(body, dynamics_);
-    visit(PlacedFrame<S>{{angles_[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
-                         now(),
-                         pressure(ground, S(floor_))});
-  }
-
   struct Lead {
     Vec3<S> position;  // m
     Vec3<S> tilt;      // rad
   };
 
   const ReachProblem* problem_;
-  double floor_ = floor_height(*problem_->body);  // m
-  std::size_t contacts_from_;                     // index of the first contact among the targets
-  std::vector<IkTarget<S>> targets_;              // the goals, then the contacts
-  std::vector<Lead> leads_;                       // put aside while a frame is corrected
-  std::vector<Vec3<Element<S>>> paths_;           // (frames × goals) m, world
-  bool turning_ = false;                          // some goal turns, as …
-  std::vector<Mat3<Element<S>>> turns_;           // … (frames × goals) R_WL, or empty
+  std::size_t contacts_from_;            // index of the first contact among the targets
+  std::vector<IkTarget<S>> targets_;     // the goals, then the contacts
+  std::vector<Lead> leads_;              // put aside while a frame is corrected
+  std::vector<Vec3<Element<S>>> paths_;  // (frames × goals) m, world
+  bool turning_ = false;                 // some goal turns, as …
+  std::vector<Mat3<Element<S>>> turns_;  // … (frames × goals) R_WL, or empty
   IkWorkspace<S> ik_;
-  DynamicsWorkspace<S> dynamics_;
+  FrameDynamics<S> dynamics_;
   std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, taking turns …
   std::size_t now_ = 0;                    // … and which is this frame's
   std::vector<std::vector<S>> angles_;     // of the frame before, this one and the next
-  std::vector<S> speeds_;
-  std::vector<S> accelerations_;
-  std::vector<S> torques_;
-  std::vector<S> step_;
-  std::vector<S> unlocked_;   // (dofs) 1, or 0 where locked now
-  bool drawn_ = false;        // the null space is drawn somewhere, by …
-  std::vector<S> reference_;  // … (dofs, rad) in this frame
-  PhaseBlend<S> blend_;       // of a motion in two phases
+  std::vector<S> unlocked_;                // (dofs) 1, or 0 where locked now
+  bool drawn_ = false;                     // the null space is drawn somewhere, by …
+  std::vector<S> reference_;               // … (dofs, rad) in this frame
+  PhaseBlend<S> blend_;                    // of a motion in two phases
   PostureLaw<S> law_;
   std::optional<LimitGuard<S>> limits_;
 };

@@ -7,7 +7,7 @@
 namespace shigusa {
 namespace {
 
-// Toes bent by more than this (rad) are those of a heel that is on its way up.
+// Toes bent by more than this (rad) are those of a heel that is lifting.
 constexpr double kHeelLeaves = radians(0.5);
 
 // (dofs) m/rad: how the centre of mass goes with each angle.
@@ -29,7 +29,8 @@ std::vector<Vec3d> mass_columns(const BodyModel& body, const Kinematics<double>&
 }  // namespace
 
 std::vector<double> change_of_plumb_line(const BodyModel& body,
-                                         const Kinematics<double>& kinematics, const Vec3d& way) {
+                                         const Kinematics<double>& kinematics,
+                                         const Vec3d& offset) {
   const std::vector<Vec3d> columns = mass_columns(body, kinematics);
   double xx = 0.0;
   double xz = 0.0;
@@ -42,8 +43,8 @@ std::vector<double> change_of_plumb_line(const BodyModel& body,
   std::vector<double> change(columns.size());
   const double determinant = xx * zz - xz * xz;
   if (!(determinant > 0.0)) return change;
-  const double x = (zz * way.x - xz * way.z) / determinant;
-  const double z = (xx * way.z - xz * way.x) / determinant;
+  const double x = (zz * offset.x - xz * offset.z) / determinant;
+  const double z = (xx * offset.z - xz * offset.x) / determinant;
   for (std::size_t d = 0; d < change.size(); ++d) change[d] = columns[d].x * x + columns[d].z * z;
   return change;
 }
@@ -61,7 +62,7 @@ Tiptoe::Tiptoe(const BodyModel& body, std::span<const double> angles) {
   }
 }
 
-Vec3d Tiptoe::way_over(const Vec3d& c) const {
+Vec3d Tiptoe::offset_from(const Vec3d& c) const {
   const auto outside = [&c](const SupportEdge& edge) {
     return edge.offset + edge.x * c.x + edge.z * c.z < kPoised;
   };

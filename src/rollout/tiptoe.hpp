@@ -10,12 +10,12 @@
 namespace shigusa {
 
 // (dofs, rad) the least change of the angles that, to first order, moves the centre of mass by
-// `way` (m, world) along the floor; nothing where no change does.
+// `offset` (m, world) along the floor; nothing where no change does.
 [[nodiscard]] std::vector<double> change_of_plumb_line(const BodyModel& body,
                                                        const Kinematics<double>& kinematics,
-                                                       const Vec3d& way);
+                                                       const Vec3d& offset);
 
-// What a posture with lifted heels has to be above.
+// The support that a posture with lifted heels has to be above.
 class Tiptoe {
  public:
   // angles: (dofs) rad
@@ -25,7 +25,7 @@ class Tiptoe {
   [[nodiscard]] bool lifted() const { return lifted_ != 0; }
   // From the plumb line of the centre of mass (m, world) to the middle of what bears it; nothing
   // where it stands kPoised within the edge.
-  [[nodiscard]] Vec3d way_over(const Vec3d& centre_of_mass) const;
+  [[nodiscard]] Vec3d offset_from(const Vec3d& centre_of_mass) const;
 
  private:
   LiftedHeels lifted_ = 0;

@@ -34,7 +34,7 @@ void check(const AnnealingSettings& s) {
             fmt::format("cooling is {}, allowed: 1e-12..1", s.cooling));
 }
 
-// What differences between these scores are like; 1 where they tell nothing.
+// The size of differences between these scores; 1 where they tell nothing.
 double spread_of(std::span<const double> scores) {
   const std::vector<std::size_t> order = ranked(scores);
   const double spread = scores[order[order.size() * 3 / 4]] - scores[order[order.size() / 4]];

@@ -6,7 +6,7 @@
 
 namespace shigusa {
 
-// The covariance is a matrix of so many rows at most; it takes genes³ / 6 operations a generation.
+// The most rows of the covariance; it takes genes³ / 6 operations a generation.
 inline constexpr int kCmaMaxGenes = 500;
 
 struct CmaEsSettings {
@@ -37,10 +37,10 @@ struct CmaEsSettings {
 // in the same order, and only turns the path of steps (O. Krause, D. R. Arbonès, C. Igel: CMA-ES
 // with optimal covariance update and storage complexity, NIPS 2016, do the same). And a point
 // beyond the cube is scored at the nearest point of the cube and ranked by that score plus a
-// penalty which grows with the square of the way, in units of the spread of scores. Reflection at
-// the faces was ten times as far from an optimum on a face after 1000 evaluations, as mirrored
-// points crowd in front of it; moving the sample itself to the face ended runs before their
-// optimum.
+// penalty which grows with the square of their distance, in units of the spread of scores.
+// Reflection at the faces was ten times as far from an optimum on a face after 1000 evaluations, as
+// mirrored points crowd in front of it; moving the sample itself to the face ended runs before
+// their optimum.
 //
 // The first point scored is the start. The final population is the best point of each run, in their
 // order, and then the last generation that was scored as a whole.

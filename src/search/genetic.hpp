@@ -49,9 +49,9 @@ namespace shigusa {
 inline constexpr int kRunsAtOnce = 16;
 // How many go on until the first have ended.
 inline constexpr std::size_t kRunsAtFirst = 4;
-// Genomes are scored in multiples of so many: the lanes of the widest set, on every machine.
+// Genomes are scored in multiples of this number: the lanes of the widest set, on every machine.
 inline constexpr std::size_t kFullBatch = 16;
-// It ends as converged when so many runs in succession came upon no genome that was new.
+// It ends as converged when this many runs in succession came upon no genome that was new.
 inline constexpr int kRunsWithoutNew = 64;
 
 // The genetic algorithm again and again, with the streams 0, 1, 2, … of the seed, until

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
@@ -37,13 +38,13 @@ Genome genome_of_point(std::span<const double> point, int bits_per_gene) {
 }
 
 Genome random_genome(int genes, int bits_per_gene, Random& random) {
-  Genome genome(static_cast<std::size_t>(genes));
+  Genome genome(index(genes));
   for (auto& gene : genome) gene = static_cast<std::uint16_t>(random.below(1U << bits_per_gene));
   return genome;
 }
 
 std::vector<int> shuffled(int count, Random& random) {
-  std::vector<int> order(static_cast<std::size_t>(count));
+  std::vector<int> order(index(count));
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t left = order.size(); left > 1; --left) {
     std::swap(order[left - 1], order[random.below(static_cast<std::uint32_t>(left))]);
@@ -54,7 +55,7 @@ std::vector<int> shuffled(int count, Random& random) {
 Children crossover(const Genome& a, const Genome& b, int cut, int bits_per_gene) {
   SHG_CHECK(a.size() == b.size(), "parents of different lengths");
   SHG_CHECK(cut >= 0 && cut <= bit_count(a, bits_per_gene), "cut outside of the bit string");
-  const auto cut_gene = static_cast<std::size_t>(cut / bits_per_gene);
+  const std::size_t cut_gene = index(cut / bits_per_gene);
   const int bits_exchanged_there = bits_per_gene - cut % bits_per_gene;
   Children children{a, b};
   for (std::size_t g = cut_gene; g < a.size(); ++g) {
@@ -68,7 +69,7 @@ Children crossover(const Genome& a, const Genome& b, int cut, int bits_per_gene)
 
 Genome with_bit_flipped(Genome genome, int bit, int bits_per_gene) {
   SHG_CHECK(bit >= 0 && bit < bit_count(genome, bits_per_gene), "bit outside of the bit string");
-  auto& gene = genome[static_cast<std::size_t>(bit / bits_per_gene)];
+  auto& gene = genome[index(bit / bits_per_gene)];
   const int significance = bits_per_gene - 1 - bit % bits_per_gene;
   gene = static_cast<std::uint16_t>(gene ^ (1U << significance));
   return genome;
@@ -80,8 +81,8 @@ std::vector<Genome> children_of(std::span<const ScoredGenome> parents, double ra
   std::vector<Genome> all;
   const std::vector<int> order = shuffled(static_cast<int>(parents.size()), random);
   for (std::size_t i = 0; i + 1 < order.size(); i += 2) {
-    const Genome& a = parents[static_cast<std::size_t>(order[i])].genes;
-    const Genome& b = parents[static_cast<std::size_t>(order[i + 1])].genes;
+    const Genome& a = parents[index(order[i])].genes;
+    const Genome& b = parents[index(order[i + 1])].genes;
     const int cuts = bit_count(a, bits_per_gene) - 1;
     if (cuts == 0 || !random.chance(rate)) continue;
     const int cut = 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(cuts)));

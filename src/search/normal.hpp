@@ -7,7 +7,7 @@
 namespace shigusa {
 
 // A normal deviate of mean 0 and variance 1 by the ratio of two uniform ones (Kinderman and
-// Monahan 1977) with Leva's quadratic bounds, which spare the logarithm in all but 1 % of the cases
+// Monahan 1977) with Leva's quadratic bounds, which spare the logarithm in 99 % of the cases
 // (J. L. Leva: A fast normal random number generator, ACM TOMS 18, 1992).
 [[nodiscard]] inline double normal(Random& random) {
   for (;;) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
@@ -16,10 +17,9 @@ void check(const SearchProblem& problem, int budget) {
   SHG_CHECK(problem.evaluate != nullptr, "the problem has no evaluate function");
   SHG_CHECK(problem.genes >= 1 && problem.genes <= kMaxGenes,
             fmt::format("genes is {}, allowed: 1..{}", problem.genes, kMaxGenes));
-  SHG_CHECK(
-      problem.start.empty() || problem.start.size() == static_cast<std::size_t>(problem.genes),
-      fmt::format("start has {} coordinates, allowed: none or {}", problem.start.size(),
-                  problem.genes));
+  SHG_CHECK(problem.start.empty() || problem.start.size() == index(problem.genes),
+            fmt::format("start has {} coordinates, allowed: none or {}", problem.start.size(),
+                        problem.genes));
   for (const double x : problem.start) {
     SHG_CHECK(x >= 0.0 && x <= 1.0, fmt::format("start has a coordinate of {}, allowed: 0..1", x));
   }
@@ -35,12 +35,12 @@ Scorer::Scorer(const SearchProblem& problem, int budget, const Progress& progres
 
 std::vector<double> Scorer::start() const {
   if (!problem_.start.empty()) return problem_.start;
-  return std::vector<double>(static_cast<std::size_t>(problem_.genes), 0.5);
+  return std::vector<double>(index(problem_.genes), 0.5);
 }
 
 int Scorer::score(std::span<const double> points, std::span<double> scores) {
-  const std::size_t genes = static_cast<std::size_t>(problem_.genes);
-  const std::size_t count = std::min(scores.size(), static_cast<std::size_t>(left()));
+  const std::size_t genes = index(problem_.genes);
+  const std::size_t count = std::min(scores.size(), index(left()));
   std::fill(scores.begin(), scores.end(), std::numeric_limits<double>::quiet_NaN());
   if (count > 0) problem_.evaluate(points.first(count * genes), scores.first(count));
   for (std::size_t i = 0; i < scores.size(); ++i) {

@@ -8,10 +8,10 @@
 
 namespace shigusa {
 
-// What a NaN score counts as.
+// A NaN score counts as this.
 inline constexpr double kWorst = std::numeric_limits<double>::infinity();
 
-// The one way from a search to its problem: scores batches within the budget and keeps the counts
+// The one door from a search to its problem: scores batches within the budget and keeps the counts
 // and the best.
 class Scorer {
  public:

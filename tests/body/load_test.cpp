@@ -17,7 +17,7 @@ std::vector<double> static_torques(const BodyModel& body, std::span<const double
   DynamicsWorkspace<double> work(body);
   const std::vector<double> zero(body.dofs().size());
   std::vector<double> tau(body.dofs().size());
-  inverse_dynamics<double>(body, kinematics, zero, zero, work, tau);
+  inverse_dynamics<double>(body, kinematics, {zero, zero}, work, tau);
   return tau;
 }
 

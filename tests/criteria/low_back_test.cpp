@@ -36,9 +36,9 @@ double hip_torque(const BodyModel& body, const std::vector<double>& posture) {
   const std::vector<double> still(posture.size(), 0.0);
   std::vector<double> tau(posture.size());
   const Kinematics<double> now = placed(body, posture);
-  const Wrench<double> ground = inverse_dynamics<double>(body, now, still, still, work, tau);
+  const Wrench<double> ground = inverse_dynamics<double>(body, now, {still, still}, work, tau);
   if (body.feet().size() == 2) {
-    share_ground_wrench<double>(body, now, ground, body.feet()[0], body.feet()[1], tau);
+    share_ground_wrench<double>(body, now, {}, ground, tau);
   }
   double sum = 0.0;
   for (const int hip : back_constants(body).dofs) sum += tau[static_cast<std::size_t>(hip)];

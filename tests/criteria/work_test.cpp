@@ -28,7 +28,7 @@ Motion led_through(const std::vector<double>& angles) {
   DynamicsWorkspace<double> work(rod());
   const std::vector<double> still{0.0};
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    (void)inverse_dynamics<double>(rod(), placed(rod(), frames[f]), still, still, work,
+    (void)inverse_dynamics<double>(rod(), placed(rod(), frames[f]), {still, still}, work,
                                    std::span(motion.torques).subspan(f, 1));
   }
   return motion;

@@ -49,7 +49,7 @@ class TwoFeet : public testing::Test {
 
   Wrench<double> second_part(const Wrench<double>& ground) {
     Vector tau(body.dofs().size());
-    return share_ground_wrench<double>(body, kinematics, ground, first, second, tau);
+    return share_ground_wrench<double>(body, kinematics, {}, ground, tau);
   }
 };
 
@@ -92,7 +92,7 @@ TEST_F(TwoFeet, SecondPartReachesTheJointsThroughItsJacobian) {
   const Vector before = random_vector(body, -100, 100, random);
   Vector after = before;
   const Wrench<double> part = share_ground_wrench<double>(
-      body, kinematics, force_at({0.05, 0.0, 0.1}, force, {0, 8, 0}), first, second, after);
+      body, kinematics, {}, force_at({0.05, 0.0, 0.1}, force, {0, 8, 0}), after);
   const Vec3d at = kinematics.point(second.link, second.centre);
   const Vec3d moment = part.moment - cross(at, part.force);
   for (int d = 0; d < body.dof_count(); ++d) {
@@ -108,8 +108,9 @@ TEST_F(TwoFeet, SymmetricStanceLoadsBothLegsAlike) {
   DynamicsWorkspace<double> work(body);
   const Vector still(body.dofs().size(), 0.0);
   Vector tau(still.size());
-  const Wrench<double> ground = inverse_dynamics<double>(body, kinematics, still, still, work, tau);
-  share_ground_wrench<double>(body, kinematics, ground, first, second, tau);
+  const Wrench<double> ground =
+      inverse_dynamics<double>(body, kinematics, {still, still}, work, tau);
+  share_ground_wrench<double>(body, kinematics, {}, ground, tau);
   for (const char* joint : {"hip.flexion", "hip.abduction", "knee.flexion", "ankle.flexion"}) {
     const auto left = static_cast<std::size_t>(*body.find_dof(std::string("left_") + joint));
     const auto right = static_cast<std::size_t>(*body.find_dof(std::string("right_") + joint));

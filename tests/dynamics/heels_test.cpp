@@ -25,7 +25,7 @@ struct Standing {
     forward_kinematics<double>(body, angles, kinematics);
     DynamicsWorkspace<double> work(body);
     const std::vector<double> still(angles.size());
-    ground = inverse_dynamics<double>(body, kinematics, still, still, work, whole);
+    ground = inverse_dynamics<double>(body, kinematics, {still, still}, work, whole);
     tau = whole;
     bear_on_feet<double>(body, kinematics, angles, ground, tau);
   }
@@ -44,7 +44,8 @@ TEST(Heels, ThatAreDownLeaveTheToesNothingToDo) {
   DynamicsWorkspace<double> work(body);
   const std::vector<double> still(body.dofs().size());
   std::vector<double> tau(still);
-  const Wrench<double> ground = inverse_dynamics<double>(body, kinematics, still, still, work, tau);
+  const Wrench<double> ground =
+      inverse_dynamics<double>(body, kinematics, {still, still}, work, tau);
   bear_on_feet<double>(body, kinematics, body.start(), ground, tau);
   for (int d = 0; d < body.dof_count(); ++d) {
     EXPECT_NEAR(flat.torque(body.dof(d).name.c_str()), tau[static_cast<std::size_t>(d)], 1e-9)
@@ -56,10 +57,9 @@ TEST(Heels, ThatAreDownLeaveTheToesNothingToDo) {
 TEST(Heels, ThatAreLiftedLoadTheToesByTheFloorsMoment) {
   const Standing tiptoe(radians(25.0));
   const Foot& first = tiptoe.body.feet()[0];
-  const Foot& second = tiptoe.body.feet()[1];
   std::vector<double> tau = tiptoe.whole;
-  const Wrench<double> part = share_ground_wrench<double>(
-      tiptoe.body, tiptoe.kinematics, tiptoe.ground, first, second, tau, tiptoe.angles);
+  const Wrench<double> part = share_ground_wrench<double>(tiptoe.body, tiptoe.kinematics,
+                                                          tiptoe.angles, tiptoe.ground, tau);
   const Wrench<double> own{tiptoe.ground.force - part.force, tiptoe.ground.moment - part.moment};
   const auto toes = static_cast<std::size_t>(first.heel->toes);
   const Vec3d hinge = tiptoe.kinematics.origin[toes];

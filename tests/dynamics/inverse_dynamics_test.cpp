@@ -21,7 +21,7 @@ struct Dynamics {
   Dynamics(const BodyModel& body, const Vector& q, const Vector& qd, const Vector& qdd)
       : tau(q.size()) {
     DynamicsWorkspace<double> work(body);
-    ground = inverse_dynamics<double>(body, placed(body, q), qd, qdd, work, tau);
+    ground = inverse_dynamics<double>(body, placed(body, q), {qd, qdd}, work, tau);
   }
 };
 
@@ -183,8 +183,10 @@ TEST(CentreOfMass, IsAByProductOfInverseDynamics) {
       const Kinematics<double> kinematics = placed(body, q);
       DynamicsWorkspace<double> work(body);
       Vector tau(q.size());
-      inverse_dynamics<double>(body, kinematics, random_vector(body, -5.0, 5.0, random),
-                               random_vector(body, -50.0, 50.0, random), work, tau);
+      inverse_dynamics<double>(
+          body, kinematics,
+          {random_vector(body, -5.0, 5.0, random), random_vector(body, -50.0, 50.0, random)}, work,
+          tau);
       // sums of up to twenty terms of about 1 m, in another order
       EXPECT_LT(norm(centre_of_mass(body, work) - centre_of_mass(body, kinematics)), 1e-14);
     }

@@ -40,11 +40,9 @@ Vector step_of(const BodyModel& body, const Vector& q, const IkTarget<double>& t
                const Vector& reference = {}) {
   const Vector weights(q.size(), 1.0);
   IkWorkspace<double> workspace(body);
-  Vector dq(q.size());
-  const std::vector<IkTarget<double>> targets{target};
-  weighted_ik_step<double>(body, placed(body, q), targets, weights, reference, IkSettings{},
-                           workspace, dq);
-  return dq;
+  const auto dq = weighted_ik_step<double>(
+      body, placed(body, q), {std::span(&target, 1), weights, reference}, IkSettings{}, workspace);
+  return {dq.begin(), dq.end()};
 }
 
 Vector bent(const BodyModel& body) {

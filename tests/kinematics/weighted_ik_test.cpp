@@ -23,10 +23,9 @@ Vector ik_step(const BodyModel& body, const Vector& q, const Targets& targets,
                const Vector& inverse_weights, const Vector& reference = {},
                const IkSettings& settings = kExact) {
   IkWorkspace<double> workspace(body);
-  Vector dq(q.size());
-  weighted_ik_step<double>(body, placed(body, q), targets, inverse_weights, reference, settings,
-                           workspace, dq);
-  return dq;
+  const auto dq = weighted_ik_step<double>(
+      body, placed(body, q), {targets, inverse_weights, reference}, settings, workspace);
+  return {dq.begin(), dq.end()};
 }
 
 // The tip of a chain is to move by `way`.

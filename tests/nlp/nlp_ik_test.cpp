@@ -257,12 +257,13 @@ RC_GTEST_PROP(NlpIkProperty, ShortStepsAreThoseOfWeightedIk, (std::uint64_t seed
     Vector reference(from.size(), way);
     const NlpIkSettings settings{.damping = 1e-6, .goal_corrections = 0, .tolerance = 1e-11};
     const Solved found = solve(body, from, targets, inverse_weights, settings, reference);
-    Vector step(from.size());
     IkWorkspace<double> workspace(body);
-    weighted_ik_step<double>(body, placed(body, from), targets, inverse_weights, reference,
-                             {.damping = 1e-6}, workspace, step);
-    for (std::size_t d = 0; d < step.size(); ++d) step[d] += from[d];
-    return largest_difference(found.q, step);
+    const auto step =
+        weighted_ik_step<double>(body, placed(body, from), {targets, inverse_weights, reference},
+                                 {.damping = 1e-6}, workspace);
+    Vector to = from;
+    for (std::size_t d = 0; d < to.size(); ++d) to[d] += step[d];
+    return largest_difference(found.q, to);
   };
   const double coarse = difference(2e-3);
   RC_ASSERT(coarse <= 1e-3);

@@ -65,7 +65,7 @@ struct Torques {
   Torques(const BodyModel& body, const Kinematics<double>& kinematics, const State& state)
       : tau(state.q.size()) {
     DynamicsWorkspace<double> work(body);
-    ground = inverse_dynamics<double>(body, kinematics, state.qd, state.qdd, work, tau);
+    ground = inverse_dynamics<double>(body, kinematics, {state.qd, state.qdd}, work, tau);
   }
 };
 
@@ -184,8 +184,8 @@ TEST_P(MujocoOracleOnTwoFeet, SecondFootRelievesTheJointsByItsJacobian) {
   const Foot& second = body.feet()[1];
   at_random_states([&](const Kinematics<double>& kinematics, const State& state) {
     Torques torques(body, kinematics, state);
-    const Wrench<double> part = share_ground_wrench<double>(
-        body, kinematics, torques.ground, body.feet()[0], second, torques.tau, state.q);
+    const Wrench<double> part =
+        share_ground_wrench<double>(body, kinematics, state.q, torques.ground, torques.tau);
     const Vec3d at = kinematics.point(second.link, second.centre);
     const Vec3d moment = part.moment - cross(at, part.force);
     const MujocoBody::PointJacobian jacobian = mujoco.jacobian(second.link, at);

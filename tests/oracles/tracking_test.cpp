@@ -84,9 +84,8 @@ class Tracking {
     const Kinematics<double> kinematics = placed(body_, q);
     DynamicsWorkspace<double> work(body_);
     const Wrench<double> ground =
-        inverse_dynamics<double>(body_, kinematics, none, none, work, torques);
-    share_ground_wrench<double>(body_, kinematics, ground, body_.feet()[0], body_.feet()[1],
-                                torques);
+        inverse_dynamics<double>(body_, kinematics, {none, none}, work, torques);
+    share_ground_wrench<double>(body_, kinematics, {}, ground, torques);
     return torques;
   }
 

@@ -33,10 +33,10 @@ struct Step {
 
 Vector shigusas_step(const BodyModel& body, const Step& step) {
   IkWorkspace<double> workspace(body);
-  std::vector<double> dq(step.q.size());
-  weighted_ik_step<double>(body, placed(body, step.q), step.targets, step.inverse_weights,
-                           step.reference, step.settings, workspace, dq);
-  return Eigen::Map<Vector>(dq.data(), static_cast<Eigen::Index>(dq.size()));
+  const auto dq = weighted_ik_step<double>(body, placed(body, step.q),
+                                           {step.targets, step.inverse_weights, step.reference},
+                                           step.settings, workspace);
+  return Eigen::Map<const Vector>(dq.data(), static_cast<Eigen::Index>(dq.size()));
 }
 
 // (dofs) 1 / w, w from the logarithmic middle out

@@ -14,15 +14,6 @@ namespace {
 
 using namespace testing_support;
 
-const BodyModel& half() {
-  static const BodyModel body = half_body();
-  return body;
-}
-const BodyModel& full() {
-  static const BodyModel body = full_body();
-  return body;
-}
-
 ClosestReach closest(const BodyModel& body, const Vec3d& goal) {
   return closest_reach(reach_with(body, "right_hand", goal));
 }

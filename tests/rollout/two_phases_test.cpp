@@ -24,11 +24,6 @@ constexpr int kBegins = 18;
 constexpr int kEnds = 42;
 static_assert(kSwitchWindow == 0.4);
 
-const BodyModel& full() {
-  static const BodyModel body = full_body();
-  return body;
-}
-
 ReachProblem low_reach() {
   ReachProblem problem = reach_with(full(), "right_hand", kLow);
   problem.hold_limits = true;

@@ -10,6 +10,15 @@
 // alone.
 namespace shigusa::testing_support {
 
+inline const BodyModel& half() {
+  static const BodyModel body = half_body();
+  return body;
+}
+inline const BodyModel& full() {
+  static const BodyModel body = full_body();
+  return body;
+}
+
 // A reach of one effector from the start posture in 1 s.
 inline ReachProblem reach_with(const BodyModel& body, const char* effector, const Vec3d& goal) {
   ReachProblem problem;
@@ -39,6 +48,47 @@ inline Parameters random_parameters(const BodyModel& body, Random& random) {
   for (JointWeight& joint : parameters.joints) joint.weight = 1.0 + random.below(15);
   return parameters;
 }
+
+// A body with weights and a goal near its shoulder.
+struct RandomReach {
+  const BodyModel& body;
+  ReachProblem problem;
+  Parameters parameters;
+
+  RandomReach(const BodyModel& b, std::uint64_t seed) : body(b) {
+    Random random(seed);
+    problem = reach_with(b, "right_hand", near_goal(b, random));
+    parameters = random_parameters(b, random);
+  }
+
+  // Every locked joint has its start angle in every frame.
+  [[nodiscard]] bool keeps_locked(const Clip& clip) const {
+    for (std::size_t i = 0; i < clip.angles.size(); ++i) {
+      const std::size_t d = i % parameters.joints.size();
+      if (parameters.joints[d].locked && clip.angles[i] != body.start()[d]) return false;
+    }
+    return true;
+  }
+};
+
+// The full body with a goal in or out of its reach, weights up to a million times apart, and locks
+// until nothing can move.
+struct WildReach {
+  ReachProblem problem;
+  Parameters parameters = uniform_parameters(full());
+
+  explicit WildReach(std::uint64_t seed) {
+    Random random(seed);
+    const double x = random.uniform(-1.5, 1.5);
+    const double y = random.uniform(0.0, 2.5);
+    problem = reach_with(full(), "right_hand", {x, y, random.uniform(-1.5, 1.5)});
+    const double locked = random.uniform(0.0, 0.9);
+    const double spread = random.uniform(0.0, 3.0);
+    for (JointWeight& joint : parameters.joints) {
+      joint = {std::pow(10.0, random.uniform(-spread, spread)), random.chance(locked)};
+    }
+  }
+};
 
 // What a clip really does, by forward kinematics of each frame.
 struct MeasuredMotion {
