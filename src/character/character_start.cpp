@@ -70,10 +70,9 @@ Result<PersonStart> measure_in(const CharacterFile& file, const CharacterSpec& s
   const std::vector<Transformd> world = world_transforms(file.skeleton, pose.clip(), 0);
   std::vector<std::string> nodes;
   for (const SkeletonNode& node : file.skeleton.nodes) nodes.push_back(node.name);
-  const Result<HumanoidMap> asked =
-      requested_bones(spec.map, nodes, spec.source, file.rig.file_node);
-  if (!asked) return tl::unexpected(asked.error());
-  const Result<HumanoidMap> map = find_humanoid(file.skeleton, world, file.given, *asked, skin);
+  SHG_TRY_ASSIGN(const HumanoidMap asked,
+                 requested_bones(spec.map, nodes, spec.source, file.rig.file_node));
+  const Result<HumanoidMap> map = find_humanoid(file.skeleton, world, file.given, asked, skin);
   if (!map) return fail(map.error().code, map.error().to_string(), spec.source);
   const Result<MeasuredPerson> person =
       measure_person(file.skeleton, world, *map, {.stature = spec.stature, .skin = skin});
@@ -131,12 +130,11 @@ Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec&
                        : fmt::format("; frame 0 of the animation '{}' does: --animation", better)));
     return found;
   }
-  const Result<int> frame = frame_of(file.motion, spec);
-  if (!frame) return tl::unexpected(frame.error());
+  SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
   Result<MeasuredPerson> posed =
-      measure_posed(file.skeleton, file.motion, *frame, file.posed_skin, *found);
+      measure_posed(file.skeleton, file.motion, frame, file.posed_skin, *found);
   if (!posed) return fail(posed.error().code, posed.error().to_string(), spec.source);
-  found->posed = pose_at(file, *frame);
+  found->posed = pose_at(file, frame);
   found->start = std::move(*posed);
   return found;
 }
@@ -147,9 +145,8 @@ Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& 
     if (found) found->eased = true;
     return found;
   }
-  const Result<int> frame = frame_of(file.motion, spec);
-  if (!frame) return tl::unexpected(frame.error());
-  Result<PersonStart> found = measure_in(file, spec, pose_at(file, *frame), {});
+  SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
+  Result<PersonStart> found = measure_in(file, spec, pose_at(file, frame), {});
   if (!found || spec.frame || !spreads_arms(found->person.landmarks)) return found;
   found->eased = true;
   found->start.doubts.push_back(

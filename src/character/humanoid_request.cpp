@@ -103,21 +103,19 @@ Result<BoneRequest> bone_request(const Json& json) {
 }
 
 Result<BoneRequest> read_bone_request(const std::filesystem::path& path) {
-  const Result<std::string> text = read_text_file(path, kMapMaxBytes);
-  if (!text) return tl::unexpected(text.error());
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(path, kMapMaxBytes));
   const std::string name = path.filename().string();
-  const std::size_t begin = text->find_first_not_of(" \t\r\n");
-  if (BoneRequest bones = bones_of_text(*text); begin == text->npos || (*text)[begin] != '{') {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (BoneRequest bones = bones_of_text(text); begin == text.npos || text[begin] != '{') {
     if (!bones.empty()) return bones;
     return fail(ErrorCode::invalid_argument,
                 "names no bones: it is neither an object of bones and nodes "
                 R"({"right_hand": "Bone_17"}, nor what `shigusa body` prints)",
                 name);
   }
-  const Result<Json> json = parse_json(*text, name);
-  if (!json) return tl::unexpected(json.error());
-  const auto answer = json->find("humanoid");
-  Result<BoneRequest> request = bone_request(answer != json->end() ? *answer : *json);
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
+  const auto answer = json.find("humanoid");
+  Result<BoneRequest> request = bone_request(answer != json.end() ? *answer : json);
   if (!request) return fail(request.error().code, request.error().message, name);
   return request;
 }

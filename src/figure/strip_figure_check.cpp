@@ -36,9 +36,7 @@ Result<void> check_settings(const StripSettings& settings, std::size_t nodes) {
                 {"length of facing", settings.facing ? norm(*settings.facing) : 1.0, 1e-6, 1e6},
                 {"floor", settings.floor.value_or(0.0), -kFarthest, kFarthest}};
   for (const auto& range : ranges) {
-    if (auto valid = check_range(range.name, range.value, range.low, range.high); !valid) {
-      return valid;
-    }
+    SHG_TRY(check_range(range.name, range.value, range.low, range.high));
   }
   if (!settings.humanoid) return {};
   for (const int node : settings.humanoid->node) {
@@ -124,9 +122,9 @@ Result<void> check_overlay(const StripOverlay& overlay, int frames) {
 Result<void> check_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
                          const StripSettings& settings) {
   const std::size_t nodes = motion.skeleton.nodes.size();
-  if (auto valid = check_settings(settings, nodes); !valid) return valid;
-  if (auto valid = check_skeleton(motion.skeleton, settings.poses); !valid) return valid;
-  if (auto valid = check_clip(motion.clip, nodes, settings); !valid) return valid;
+  SHG_TRY(check_settings(settings, nodes));
+  SHG_TRY(check_skeleton(motion.skeleton, settings.poses));
+  SHG_TRY(check_clip(motion.clip, nodes, settings));
   return check_overlay(overlay, motion.clip.frames);
 }
 

@@ -384,21 +384,13 @@ Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name) {
 }
 
 Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name) {
-  Result<BvhFile> file = parse_bvh_file(text, name);
-  if (!file) return tl::unexpected<Error>(file.error());
-  return std::move(file->motion);
-}
-
-Result<BvhFile> read_bvh_file(const std::filesystem::path& path) {
-  const Result<std::string> text = read_text_file(path, kBvhMaxBytes);
-  if (!text) return tl::unexpected<Error>(text.error());
-  return parse_bvh_file(*text, path.filename().string());
+  SHG_TRY_ASSIGN(BvhFile file, parse_bvh_file(text, name));
+  return std::move(file.motion);
 }
 
 Result<SkeletonMotion> read_bvh(const std::filesystem::path& path) {
-  Result<BvhFile> file = read_bvh_file(path);
-  if (!file) return tl::unexpected<Error>(file.error());
-  return std::move(file->motion);
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(path, kBvhMaxBytes));
+  return parse_bvh(text, path.filename().string());
 }
 
 }  // namespace shigusa

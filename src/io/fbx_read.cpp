@@ -315,9 +315,8 @@ class FbxReader {
 }  // namespace
 
 Result<std::string> glb_of_fbx(std::string_view bytes, std::string_view name) {
-  const Result<FbxRecords> records = read_fbx_records(bytes, name);
-  if (!records) return tl::unexpected(records.error());
-  return FbxReader(records->root, name).read();
+  SHG_TRY_ASSIGN(const FbxRecords records, read_fbx_records(bytes, name));
+  return FbxReader(records.root, name).read();
 }
 
 }  // namespace shigusa

@@ -45,10 +45,9 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
 
 Result<GlbParts> glb_parts(std::string_view bytes, std::string_view name) {
   if (!bytes.starts_with("glTF")) return GlbParts{bytes, {}, {}, false};
-  const Result<std::string_view> json = gltf_text(bytes, name);
-  if (!json) return tl::unexpected<Error>(json.error());
-  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + json->size();
-  GlbParts parts{*json, {}, {}, true};
+  SHG_TRY_ASSIGN(const std::string_view json, gltf_text(bytes, name));
+  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + json.size();
+  GlbParts parts{json, {}, {}, true};
   std::string_view rest = bytes.substr(json_end, word_at(bytes, 8) - json_end);
   if (rest.size() >= kGlbChunkHeader && rest.substr(4, 4) == kGlbBinary) {
     const std::size_t length = word_at(rest, 0);

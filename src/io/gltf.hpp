@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <shigusa/file_format.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
@@ -72,8 +71,5 @@ struct GltfCharacter {
 // - Names are made unique as parse_bvh does; a node without a name is "node 17" by its index.
 // - Bones of the VRM map that name no node of the file are left out, with a doubt.
 [[nodiscard]] Result<GltfCharacter> parse_gltf(std::string_view bytes, std::string_view name);
-
-// Reads and parses a file.
-[[nodiscard]] Result<GltfCharacter> read_gltf(const std::filesystem::path& path);
 
 }  // namespace shigusa

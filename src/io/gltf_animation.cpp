@@ -59,9 +59,8 @@ class AnimationReader {
   }
 
   Result<void> read(const AnimationChoice& choice) {
-    const Result<Json> animation = choose(choice.animation);
-    if (!animation) return tl::unexpected(animation.error());
-    if (const auto read = tracks(*animation); !read) return read;
+    SHG_TRY_ASSIGN(const Json animation, choose(choice.animation));
+    SHG_TRY(tracks(animation));
     return sample(choice);
   }
 
@@ -114,7 +113,7 @@ class AnimationReader {
       }
     }
     for (const Json& channel : animation["channels"]) {
-      if (const auto read = take(channel, animation["samplers"]); !read) return read;
+      SHG_TRY(take(channel, animation["samplers"]));
     }
     return {};
   }
@@ -165,7 +164,7 @@ class AnimationReader {
     clip.local.reserve(static_cast<std::size_t>(clip.frames) * rest.nodes.size());
     resting_ = placed_nodes(rest, result_.character.places);
     for (int f = 0; f < clip.frames; ++f) {
-      if (const auto added = add_frame(rest, f * clip.frame_time); !added) return added;
+      SHG_TRY(add_frame(rest, f * clip.frame_time));
       if (f == choice.posed) result_.posed = places(f * clip.frame_time);
     }
     return {};
@@ -211,9 +210,8 @@ class AnimationReader {
 
 Result<std::vector<std::string>> gltf_animation_names(std::string_view bytes,
                                                       std::string_view name) {
-  const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return tl::unexpected(parts.error());
-  return names_of(JsonSplice(parts->json), std::string(name));
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  return names_of(JsonSplice(parts.json), std::string(name));
 }
 
 Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view name,
@@ -222,23 +220,18 @@ Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view
     return fail(ErrorCode::invalid_argument,
                 fmt::format("a frame rate of {:g} Hz; allowed is more than 0", choice.frame_rate));
   }
-  Result<GltfCharacter> character = parse_gltf(bytes, name);
-  if (!character) return tl::unexpected(character.error());
-  const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return tl::unexpected(parts.error());
-  GltfMotion result{std::move(*character), {}, {}, {}, {}};
+  SHG_TRY_ASSIGN(GltfCharacter character, parse_gltf(bytes, name));
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  GltfMotion result{std::move(character), {}, {}, {}, {}};
   result.doubts = result.character.doubts;
-  if (const auto read = AnimationReader(*parts, name, result).read(choice); !read) {
-    return tl::unexpected(read.error());
-  }
+  SHG_TRY(AnimationReader(parts, name, result).read(choice));
   return result;
 }
 
 Result<GltfMotion> read_gltf_animation(const std::filesystem::path& path,
                                        const AnimationChoice& choice) {
-  const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return parse_gltf_animation(*bytes, path.filename().string(), choice);
+  SHG_TRY_ASSIGN(const std::string bytes, read_text_file(path, kGltfMaxBytes));
+  return parse_gltf_animation(bytes, path.filename().string(), choice);
 }
 
 }  // namespace shigusa

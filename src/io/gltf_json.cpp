@@ -81,12 +81,11 @@ class SkeletonFilter {
 Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
   const std::string place(name);
   if (bytes.empty()) return fail(ErrorCode::parse, "the file is empty", place);
-  const Result<std::string_view> text = gltf_text(bytes, name);
-  if (!text) return tl::unexpected(text.error());
+  SHG_TRY_ASSIGN(const std::string_view text, gltf_text(bytes, name));
   // a parser takes some times the memory of the longest text in it
-  if (text->size() > kGltfMaxJsonBytes) {
+  if (text.size() > kGltfMaxJsonBytes) {
     return fail(ErrorCode::parse,
-                fmt::format("its JSON part has {} bytes; up to {} are allowed", text->size(),
+                fmt::format("its JSON part has {} bytes; up to {} are allowed", text.size(),
                             kGltfMaxJsonBytes),
                 place);
   }
@@ -94,7 +93,7 @@ Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
   const auto watch = [&filter](int depth, Json::parse_event_t event, const Json& parsed) {
     return filter.keep(depth, event, parsed);
   };
-  Result<Json> json = parse_watched<Json>(*text, watch, "glTF", place);
+  Result<Json> json = parse_watched<Json>(text, watch, "glTF", place);
   if (!json || json->is_object()) return json;
   return fail(ErrorCode::parse, "holds JSON, but no object { … } as glTF does", place);
 }

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <shigusa/file.hpp>
 
 #include "gltf_json.hpp"
 #include "gltf_pose.hpp"
@@ -339,15 +338,8 @@ class GltfReader {
 }  // namespace
 
 Result<GltfCharacter> parse_gltf(std::string_view bytes, std::string_view name) {
-  const Result<Json> json = read_gltf_json(bytes, name);
-  if (!json) return tl::unexpected(json.error());
-  return GltfReader(*json, name).read();
-}
-
-Result<GltfCharacter> read_gltf(const std::filesystem::path& path) {
-  const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return parse_gltf(*bytes, path.filename().string());
+  SHG_TRY_ASSIGN(const Json json, read_gltf_json(bytes, name));
+  return GltfReader(json, name).read();
 }
 
 }  // namespace shigusa

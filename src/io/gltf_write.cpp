@@ -143,7 +143,7 @@ class AnimationAdder {
       }
     }
     for (const char* list : {"buffers", "images"}) {
-      if (auto own = refers_to_no_file(list); !own) return own;
+      SHG_TRY(refers_to_no_file(list));
     }
     if (buffers_.empty() || !in_chunk()) return {};
     if (!parts_.binary) return wrong("buffers[0] is of the binary chunk, and there is none");
@@ -152,7 +152,7 @@ class AnimationAdder {
   }
 
   Result<std::string> add(std::span<const GltfAnimation> animations) {
-    if (auto can = check(); !can) return tl::unexpected<Error>(can.error());
+    SHG_TRY(check());
     const bool chunk = in_chunk();
     std::string binary(chunk ? parts_.binary.value_or("") : "");
     binary.resize((binary.size() + 3) / 4 * 4);
@@ -274,19 +274,15 @@ class AnimationAdder {
 }  // namespace
 
 Result<void> check_animations_fit(std::string_view bytes, std::string_view name) {
-  const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return tl::unexpected<Error>(parts.error());
-  return AnimationAdder(*parts, name).check();
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  return AnimationAdder(parts, name).check();
 }
 
 Result<std::string> add_animations(std::string_view bytes, std::string_view name,
                                    std::span<const GltfAnimation> animations) {
-  if (const auto json = read_gltf_json(bytes, name); !json) {
-    return tl::unexpected<Error>(json.error());
-  }
-  const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return tl::unexpected<Error>(parts.error());
-  return AnimationAdder(*parts, name).add(animations);
+  SHG_TRY(read_gltf_json(bytes, name));
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  return AnimationAdder(parts, name).add(animations);
 }
 
 }  // namespace shigusa

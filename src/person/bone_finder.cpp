@@ -37,7 +37,7 @@ Result<HumanoidMap> BoneFinder::find() {
                                 ? "it has one node alone"
                                 : fmt::format("its {} nodes stand at one point", tree_.size())));
   }
-  if (const auto found = find_limbs(); !found) return tl::unexpected(found.error());
+  SHG_TRY(find_limbs());
   if (!find_hips()) {
     return fail(ErrorCode::invalid_argument, "no hips: the limbs hang on several roots");
   }
@@ -48,7 +48,7 @@ Result<HumanoidMap> BoneFinder::find() {
   find_shoulder(Bone::right_shoulder, Bone::right_upper_arm);
   find_toes(NameSide::left, Bone::left_foot, Bone::left_toes);
   find_toes(NameSide::right, Bone::right_foot, Bone::right_toes);
-  if (const auto obeyed = check_asked(); !obeyed) return tl::unexpected(obeyed.error());
+  SHG_TRY(check_asked());
   if (feet_point_backwards(tree_, map_)) {
     doubt(
         "the feet point backwards, seen from the left and right of the names: the file is "

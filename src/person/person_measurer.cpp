@@ -57,15 +57,15 @@ PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Trans
 }
 
 Result<MeasuredPerson> PersonMeasurer::measure(const MeasureSettings& settings) {
-  if (auto done = read_limbs(); !done) return tl::unexpected<Error>(done.error());
+  SHG_TRY(read_limbs());
   up_ = find_up();
-  if (auto done = find_left(); !done) return tl::unexpected<Error>(done.error());
+  SHG_TRY(find_left());
   read_tips();
   read_soles();
   stature_ = measure_stature();
   place_missing_tips();
   find_grips();
-  if (auto done = find_unit(settings); !done) return tl::unexpected<Error>(done.error());
+  SHG_TRY(find_unit(settings));
   move_to_world();
   fit_parts();
   check_plausibility();
@@ -84,12 +84,10 @@ Result<void> PersonMeasurer::read_limbs() {
   for (const Side side : kBothSides) {
     const auto [hip, knee, ankle] = leg_bones(side);
     const auto [shoulder, elbow, wrist] = arm_bones(side);
-    for (const auto& checked :
-         {check_length(side, "thigh", hip, knee), check_length(side, "shank", knee, ankle),
-          check_length(side, "upper arm", shoulder, elbow),
-          check_length(side, "forearm", elbow, wrist)}) {
-      if (!checked) return checked;
-    }
+    SHG_TRY(check_length(side, "thigh", hip, knee));
+    SHG_TRY(check_length(side, "shank", knee, ankle));
+    SHG_TRY(check_length(side, "upper arm", shoulder, elbow));
+    SHG_TRY(check_length(side, "forearm", elbow, wrist));
     leg(side) = {at(hip), at(knee), at(ankle), at(ankle)};
     arm(side) = {at(shoulder), at(elbow), at(wrist), at(wrist)};
   }

@@ -44,7 +44,7 @@ class ModelReader {
     if (!root_) return no_body();
     follow_equalities();
     scale_masses();
-    if (const auto done = check_numbers(); !done) return tl::unexpected(done.error());
+    SHG_TRY(check_numbers());
     tell();
     return std::move(robot_);
   }

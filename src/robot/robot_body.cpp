@@ -62,14 +62,14 @@ Mat3d rotation_about(const Vec3d& axis, double angle) {
 }  // namespace
 
 Result<BodyModel> RobotBuilder::build() {
-  if (const auto done = understand(); !done) return tl::unexpected(done.error());
+  SHG_TRY(understand());
   body_.name = robot_.name;
   body_.doubts = map_.doubts;
   body_.doubts.insert(body_.doubts.end(), robot_.doubts.begin(), robot_.doubts.end());
   find_groups();
   measure();
   add_links();
-  if (const auto done = add_masses(); !done) return tl::unexpected(done.error());
+  SHG_TRY(add_masses());
   for (const std::size_t side : {kRight, 1 - kRight}) {
     add_foot(side);
     add_hand(side);
@@ -83,12 +83,8 @@ Result<BodyModel> RobotBuilder::build() {
 
 Result<void> RobotBuilder::understand() {
   for (int round = 0; round < 2; ++round) {
-    Result<PlacedRobot> placed = place_robot(robot_, map_);
-    if (!placed) return tl::unexpected(placed.error());
-    placed_ = std::move(*placed);
-    Result<PersonJoints> person = person_joints(robot_, map_, placed_);
-    if (!person) return tl::unexpected(person.error());
-    person_ = std::move(*person);
+    SHG_TRY_ASSIGN(placed_, place_robot(robot_, map_));
+    SHG_TRY_ASSIGN(person_, person_joints(robot_, map_, placed_));
     list_moving();
     if (!bend_still_joints()) break;
   }

@@ -62,8 +62,8 @@ class JointFinder {
     }
     found_.chest = meet(map_[Bone::left_upper_arm], map_[Bone::right_upper_arm]);
     for (std::size_t side = 0; side < 2; ++side) {
-      if (const auto done = find_leg(side); !done) return tl::unexpected(done.error());
-      if (const auto done = find_arm(side); !done) return tl::unexpected(done.error());
+      SHG_TRY(find_leg(side));
+      SHG_TRY(find_arm(side));
     }
     found_.spine = turning(found_.pelvis, found_.chest);
     namer_.name_spine(found_.spine);
@@ -183,9 +183,7 @@ class JointFinder {
     std::size_t to_ankle = before(leg.joints, found_.pelvis, map_[ankle]);
     give_back_rotation(leg.joints, at(map_[knee]) - at(map_[hip]), 0, to_ankle, to_knee);
     leg.begins = {0, to_knee, to_ankle};
-    if (const auto done = check(leg, kSideWords[side], {"hip", "knee", "ankle"}); !done) {
-      return done;
-    }
+    SHG_TRY(check(leg, kSideWords[side], {"hip", "knee", "ankle"}));
     namer_.name_leg(leg, side);
     return {};
   }
@@ -208,10 +206,7 @@ class JointFinder {
     const std::size_t ball = to_elbow >= 3 ? to_elbow - 3 : 0;
     const std::size_t to_shoulder = std::min(before(arm.joints, found_.chest, map_[upper]), ball);
     arm.begins = {0, to_shoulder, to_elbow, to_wrist};
-    if (const auto done = check(arm, kSideWords[side], {"clavicle", "shoulder", "elbow", "wrist"});
-        !done) {
-      return done;
-    }
+    SHG_TRY(check(arm, kSideWords[side], {"clavicle", "shoulder", "elbow", "wrist"}));
     namer_.name_arm(arm, side, upper_arm, forearm);
     return {};
   }

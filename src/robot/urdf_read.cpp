@@ -141,9 +141,9 @@ class RobotReader {
   }
 
   Result<Robot> read() {
-    if (const auto done = take_tree(); !done) return tl::unexpected(done.error());
+    SHG_TRY(take_tree());
     for (const urdf::Joint* joint : joints_) {
-      if (const auto done = take_joint(*joint); !done) return tl::unexpected(done.error());
+      SHG_TRY(take_joint(*joint));
     }
     tell("slides: it keeps its place", "slide: they keep their places", sliding_);
     tell("follows another joint: it keeps the angle 0",
@@ -194,7 +194,7 @@ class RobotReader {
     for (const urdf::Joint* joint : joints_) below[joint->parent_link_name].push_back(joint);
     std::vector<const urdf::Link*> waiting{model_.getRoot().get()};
     for (std::size_t i = 0; i < waiting.size(); ++i) {
-      if (const auto done = take_link(*waiting[i]); !done) return done;
+      SHG_TRY(take_link(*waiting[i]));
       for (const urdf::Joint* joint : below[waiting[i]->name]) {
         if (waiting.size() == model_.links_.size()) {
           return wrong("link '{}' hangs on two joints; one is allowed", joint->child_link_name);
@@ -266,7 +266,7 @@ class RobotReader {
                      axis.y, axis.z);
       }
       to.axis = normalized(axis);
-      if (const auto done = take_limits(joint, revolute || to.slides, to); !done) return done;
+      SHG_TRY(take_limits(joint, revolute || to.slides, to));
     }
     robot_.joints.push_back(to);
     return {};
@@ -305,15 +305,14 @@ class RobotReader {
 }  // namespace
 
 Result<Robot> parse_urdf(std::string_view text, std::string_view name) {
-  const Result<std::string> reduced = reduced_urdf(text, name);
-  if (!reduced) return tl::unexpected(reduced.error());
-  const Model model(*reduced);
+  SHG_TRY_ASSIGN(const std::string reduced, reduced_urdf(text, name));
+  const Model model(reduced);
   if (model.get() == nullptr || !model.get()->getRoot()) {
     return fail(ErrorCode::parse,
                 model.said().empty() ? "no robot that urdfdom can read" : model.said(),
                 std::string(name));
   }
-  return RobotReader(*model.get(), *reduced, name).read();
+  return RobotReader(*model.get(), reduced, name).read();
 }
 
 #endif

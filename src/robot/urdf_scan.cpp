@@ -5,7 +5,6 @@
 #include <charconv>
 #include <map>
 #include <optional>
-#include <shigusa/file.hpp>
 #include <utility>
 #include <vector>
 
@@ -80,11 +79,11 @@ class Scanner {
       const std::size_t open = text_.find('<', at_);
       if (open == text_.npos) break;
       at_ = open;
-      if (const auto done = take_markup(); !done) return tl::unexpected(done.error());
+      SHG_TRY(take_markup());
     }
     if (!open_.empty()) return wrong("<{}> is never closed", shortened(open_.back().name));
     if (roots_ == 0) return wrong("no element <robot>: this is no URDF file");
-    if (const auto done = check_tree(); !done) return tl::unexpected(done.error());
+    SHG_TRY(check_tree());
     return std::move(out_);
   }
 
@@ -255,7 +254,7 @@ class Scanner {
     const bool hangs = element.kept && (name == "parent" || name == "child");
     if (element.kept && name == "joint") hung_.emplace_back();
     if (hangs) {
-      if (const auto done = hang(name, tag); !done) return done;
+      SHG_TRY(hang(name, tag));
     } else if (element.kept && name == "limit") {
       limit(tag);
     } else if (element.kept) {
@@ -310,12 +309,6 @@ Result<std::string> reduced_urdf(std::string_view text, std::string_view name) {
     return fail(ErrorCode::parse, "a zero byte: this is no text", std::string(name));
   }
   return Scanner(text, name).reduce();
-}
-
-Result<std::string> read_urdf(const std::filesystem::path& path) {
-  const Result<std::string> text = read_text_file(path, kUrdfMaxBytes);
-  if (!text) return tl::unexpected(text.error());
-  return reduced_urdf(*text, path.filename().string());
 }
 
 }  // namespace shigusa
