@@ -12,8 +12,8 @@
 #include "character_places.hpp"
 #include "character_robot.hpp"
 #include "character_start.hpp"
-#include "landmarks_json.hpp"
 #include "person/at_ease.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {

@@ -8,9 +8,9 @@
 #include "body/anthropometry.hpp"
 #include "humanoid_request.hpp"
 #include "io/gltf_animation.hpp"
-#include "landmarks_json.hpp"
 #include "person/at_ease.hpp"
 #include "person/find_humanoid.hpp"
+#include "person/landmark_points.hpp"
 #include "person/likeness.hpp"
 
 namespace shigusa {
@@ -20,7 +20,7 @@ namespace {
 void stand_on_floor(MeasuredPerson& measured, double stature) {
   Landmarks& person = measured.landmarks;
   double floor = 1e9;
-  for (const Side side : {Side::left, Side::right}) {
+  for (const Side side : kBothSides) {
     const Landmarks::Leg& leg = person.leg(side);
     const double by_joints = min(leg.ankle.y - StatureFractions::kAnkleHeight * stature, leg.toe.y);
     floor = min(floor, leg.sole ? (*leg.sole)[0].y : by_joints);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "landmark_points.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -231,8 +233,8 @@ bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map) {
   const Vec3d left = tree.at(map[Bone::left_upper_leg]) - tree.at(map[Bone::right_upper_leg]);
   double ahead = 0.0;
   double scale = 0.0;
-  for (const auto& [knee, ankle] : {std::pair(Bone::left_lower_leg, Bone::left_foot),
-                                    std::pair(Bone::right_lower_leg, Bone::right_foot)}) {
+  for (const Side side : kBothSides) {
+    const auto& [hip, knee, ankle] = leg_bones(side);
     const Vec3d foot = tree.foot_from(map[ankle]);
     const Vec3d shank = tree.at(map[knee]) - tree.at(map[ankle]);
     ahead += dot(foot, cross(left, shank));

@@ -5,22 +5,12 @@
 
 #include "core/check.hpp"
 #include "humanoid_shape.hpp"
+#include "math/axes.hpp"
 
 namespace shigusa {
 namespace {
 
 using Bone = HumanoidBone;
-
-// The coordinate axis nearest to a direction, as a unit vector.
-Vec3d nearest_axis(const Vec3d& v) {
-  int axis = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (abs(v[i]) > abs(v[axis])) axis = i;
-  }
-  Vec3d unit{};
-  unit[axis] = v[axis] < 0.0 ? -1.0 : 1.0;
-  return unit;
-}
 
 std::string axis_name(const Vec3d& axis) {
   const double sum = axis.x + axis.y + axis.z;
@@ -91,8 +81,8 @@ Result<void> PersonMeasurer::read_limbs() {
     leg(side) = {at(hip), at(knee), at(ankle), at(ankle)};
     arm(side) = {at(shoulder), at(elbow), at(wrist), at(wrist)};
   }
-  mid_hip_ = (body().left_leg.hip + body().right_leg.hip) * 0.5;
-  mid_shoulder_ = (body().left_arm.shoulder + body().right_arm.shoulder) * 0.5;
+  mid_hip_ = mid_hip(body());
+  mid_shoulder_ = mid_shoulder(body());
   return {};
 }
 
@@ -151,6 +141,17 @@ Result<void> PersonMeasurer::find_left() {
     doubt("the feet point backwards: the person was mirrored, so that left stays left");
   }
   return {};
+}
+
+Vec3d Placement::to_world(const Vec3d& p) const {
+  const Vec3d d = (p - origin) * unit;
+  return {dot(d, left), dot(d, up), dot(d, ahead)};
+}
+
+Result<MeasuredPerson> measure_person(const Skeleton& skeleton,
+                                      const std::vector<Transformd>& world, const HumanoidMap& map,
+                                      const MeasureSettings& settings) {
+  return PersonMeasurer(skeleton, world, map, settings.skin).measure(settings);
 }
 
 }  // namespace shigusa

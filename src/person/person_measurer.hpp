@@ -12,6 +12,7 @@
 
 #include "body/anthropometry.hpp"
 #include "humanoid_names.hpp"
+#include "landmark_points.hpp"
 #include "person/measure_person.hpp"
 #include "skeleton_tree.hpp"
 
@@ -20,27 +21,6 @@ namespace shigusa {
 [[nodiscard]] inline std::string_view side_word(Side side) {
   return side == Side::left ? "left" : "right";
 }
-
-struct LegBones {
-  HumanoidBone hip, knee, ankle;
-};
-struct ArmBones {
-  HumanoidBone shoulder, elbow, wrist;
-};
-[[nodiscard]] inline LegBones leg_bones(Side side) {
-  return side == Side::left ? LegBones{HumanoidBone::left_upper_leg, HumanoidBone::left_lower_leg,
-                                       HumanoidBone::left_foot}
-                            : LegBones{HumanoidBone::right_upper_leg, HumanoidBone::right_lower_leg,
-                                       HumanoidBone::right_foot};
-}
-[[nodiscard]] inline ArmBones arm_bones(Side side) {
-  return side == Side::left ? ArmBones{HumanoidBone::left_upper_arm, HumanoidBone::left_lower_arm,
-                                       HumanoidBone::left_hand}
-                            : ArmBones{HumanoidBone::right_upper_arm, HumanoidBone::right_lower_arm,
-                                       HumanoidBone::right_hand};
-}
-
-inline constexpr std::array kBothSides{Side::left, Side::right};
 
 // The direction of a trunk and legs in one posture.
 struct TrunkAndLegs {
@@ -75,8 +55,8 @@ class PersonMeasurer {
   [[nodiscard]] const Vec3d& at(Bone bone) const { return tree_.at(map_[bone]); }
   [[nodiscard]] BonePart part(int i) const { return read_bone_name(tree_.node(i).name).part; }
   Landmarks& body() { return result_.landmarks; }
-  Landmarks::Leg& leg(Side side) { return side == Side::left ? body().left_leg : body().right_leg; }
-  Landmarks::Arm& arm(Side side) { return side == Side::left ? body().left_arm : body().right_arm; }
+  Landmarks::Leg& leg(Side side) { return body().leg(side); }
+  Landmarks::Arm& arm(Side side) { return body().arm(side); }
 
   // limbs and directions
   [[nodiscard]] Result<void> check_length(Side side, std::string_view segment, Bone a,

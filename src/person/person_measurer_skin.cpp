@@ -42,7 +42,7 @@ Range range_along(const std::vector<Vec3d>& points, const Vec3d& direction) {
 // What is bound to a foot and what hangs on it; of one without a mesh the shank's, which ends in a
 // peg or a boot.
 std::vector<Vec3d> PersonMeasurer::flesh_of_foot(Side side) const {
-  for (const Bone bone : {leg_bones(side).ankle, leg_bones(side).knee}) {
+  for (const Bone bone : {leg_bones(side)[2], leg_bones(side)[1]}) {
     std::vector<Vec3d> points;
     for (const SkinVertex& vertex : tree_.skin()) {
       if (vertex.node >= 0 && tree_.below(vertex.node, map_[bone])) {

@@ -20,8 +20,8 @@ constexpr double kLeastSkull = 0.05;
 void PersonMeasurer::read_tips() {
   const auto is_thumb = [&](int i) { return part(i) == BonePart::thumb; };
   for (const Side side : kBothSides) {
-    leg(side).toe = tree_.at(tree_.farthest(map_[leg_bones(side).ankle]));
-    arm(side).fingertip = tree_.at(tree_.farthest(map_[arm_bones(side).wrist], is_thumb));
+    leg(side).toe = tree_.at(tree_.farthest(map_[leg_bones(side)[2]]));
+    arm(side).fingertip = tree_.at(tree_.farthest(map_[arm_bones(side)[2]], is_thumb));
   }
   neck_ = map_[Bone::neck];
   head_ = map_[Bone::head];
@@ -119,13 +119,13 @@ void PersonMeasurer::place_missing_tips() {
       l.toe = l.ankle + normalized(turned, ahead_) * (kToeAhead * stature_) -
               shank * (F::kAnkleHeight * stature_);
       doubt("nothing follows {}: the {} foot is taken as level, of average length",
-            tree_.described(map_[leg_bones(side).ankle]), side_word(side));
+            tree_.described(map_[leg_bones(side)[2]]), side_word(side));
     }
     Landmarks::Arm& a = arm(side);
     if (a.fingertip == a.wrist) {
       a.fingertip = a.wrist + normalized(a.wrist - a.elbow) * (F::kHand * stature_);
       doubt("nothing follows {}: the {} hand is taken as straight, of average length",
-            tree_.described(map_[arm_bones(side).wrist]), side_word(side));
+            tree_.described(map_[arm_bones(side)[2]]), side_word(side));
     }
   }
   if (head_tip_ >= 0) {
@@ -147,7 +147,7 @@ void PersonMeasurer::find_grips() {
   for (const Side side : kBothSides) {
     Landmarks::Arm& a = arm(side);
     const Vec3d nominal = grip_of(a);
-    const int hand = map_[arm_bones(side).wrist];
+    const int hand = map_[arm_bones(side)[2]];
     int best = hand;
     std::vector<int> open{hand};
     while (!open.empty()) {

@@ -98,32 +98,12 @@ void PersonMeasurer::move_to_world() {
     const Vec3d d = (p - between) * result_.placement.unit;
     p = {dot(d, left_), dot(d, up_), dot(d, ahead_)};
   };
-  const auto each = [&](const auto& action) {
-    for (const Side side : kBothSides) {
-      for (Vec3d* p : {&leg(side).hip, &leg(side).knee, &leg(side).ankle, &leg(side).toe}) {
-        action(*p);
-      }
-      for (Vec3d* p :
-           {&arm(side).shoulder, &arm(side).elbow, &arm(side).wrist, &arm(side).fingertip}) {
-        action(*p);
-      }
-      if (leg(side).sole) {
-        for (Vec3d& corner : *leg(side).sole) action(corner);
-      }
-      action(*arm(side).grip);
-      if (arm(side).clavicle) action(*arm(side).clavicle);
-    }
-    for (Vec3d& joint : body().spine) action(joint);
-    if (body().head) action(*body().head);
-    action(body().neck);
-    action(body().head_top);
-  };
-  each(move);
+  for_each_point(body(), move);
   double floor = min(sole(Side::left), sole(Side::right));
   // the file's own, where whoever made it stood the soles on that
   const double zero = -dot(between, up_) * result_.placement.unit;
   if (body().left_leg.sole && abs(floor - zero) <= kFileFloor) floor = zero;
-  each([&](Vec3d& p) { p.y -= floor; });
+  for_each_point(body(), [&](Vec3d& p) { p.y -= floor; });
   result_.placement = {left_, up_, ahead_, between + up_ * (floor / result_.placement.unit),
                        result_.placement.unit};
 }
