@@ -6,6 +6,7 @@
 #include "character/character_rig.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/rig.hpp"
+#include "math/axes.hpp"
 
 namespace shigusa {
 namespace {
@@ -26,9 +27,8 @@ std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
   std::vector<Vec3d> places;
   for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
     const RigNode& node = rig.nodes[i];
-    const Mat3d r = to_matrix(motion.local[i].rotation);
     // a scale goes along, so it is no rigid transform
-    const Transformd local{{r.cx * node.scale.x, r.cy * node.scale.y, r.cz * node.scale.z},
+    const Transformd local{scaled_columns(to_matrix(motion.local[i].rotation), node.scale),
                            motion.local[i].translation};
     placed.push_back(node.parent < 0 ? local
                                      : placed[static_cast<std::size_t>(node.parent)] * local);

@@ -6,7 +6,6 @@
 #include <shigusa/strip_figure.hpp>
 
 #include "strip_figure_canvas.hpp"
-#include "strip_figure_check.hpp"
 #include "strip_figure_layout.hpp"
 
 namespace shigusa {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "strip_figure_check.hpp"
-
 #include <fmt/format.h>
 
-#include "strip_figure_canvas.hpp"
+#include "core/text.hpp"
+#include "strip_figure_layout.hpp"
 
 namespace shigusa::strip {
 namespace {
@@ -110,7 +109,7 @@ Result<void> check_overlay(const StripOverlay& overlay, int frames) {
                                           overlay.caption.size(), kMaxCaption));
   }
   for (std::size_t i = 0; i < overlay.caption.size();) {
-    const std::size_t length = code_point_length(std::string_view(overlay.caption).substr(i));
+    const std::size_t length = utf8_length(std::string_view(overlay.caption).substr(i));
     if (length == 0) return invalid("caption", fmt::format("byte {} is not UTF-8 text", i));
     i += length;
   }

@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <shigusa/scalar.hpp>
 
-#include "strip_figure_check.hpp"
-
 namespace shigusa::strip {
 namespace {
 

@@ -10,6 +10,7 @@
 #include "core/index.hpp"
 #include "fbx_records.hpp"
 #include "glb.hpp"
+#include "math/axes.hpp"
 
 namespace shigusa {
 namespace {
@@ -94,11 +95,6 @@ Place place_of(const Properties& p) {
   const Vec3d at =
       p.vector("Lcl Translation") + p.vector("RotationOffset") + pivot + to_matrix(turned) * inner;
   return {at, turned, scale};
-}
-
-bool is_tame(const Vec3d& v) {
-  const auto tame = [](double x) { return abs(x) <= kFbxMaxValue; };
-  return tame(v.x) && tame(v.y) && tame(v.z);
 }
 
 // "Model::Hips" of the text form, "Hips", a zero, a one and "Model" of the binary form.
@@ -264,11 +260,11 @@ class FbxReader {
   bool write_node(std::size_t i, Json& nodes) {
     const Model& model = models_[i];
     for (const char* turns : {"Lcl Rotation", "PreRotation", "PostRotation"}) {
-      if (is_tame(model.properties.vector(turns))) continue;
+      if (is_within(model.properties.vector(turns), kFbxMaxValue)) continue;
       return wrong("{} is turned by more than {:g} degrees", described(i), kFbxMaxValue);
     }
     Place place = place_of(model.properties);
-    if (!is_tame(place.at) || !is_tame(place.scale)) {
+    if (!is_within(place.at, kFbxMaxValue) || !is_within(place.scale, kFbxMaxValue)) {
       return wrong("{} stands or is scaled beyond {:g}", described(i), kFbxMaxValue);
     }
     if (model.parent < 0 && !to_metres(place)) return false;
@@ -294,13 +290,7 @@ class FbxReader {
                     {"nodes", nodes},
                     {"skins", {{{"joints", joints_}}}}};
     // names may be in any encoding
-    std::string json = file.dump(-1, ' ', false, Json::error_handler_t::replace);
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::string bytes = "glTF";
-    append_word(bytes, 2);
-    append_word(bytes, static_cast<std::uint32_t>(kGlbHeader + kGlbChunkHeader + json.size()));
-    append_word(bytes, static_cast<std::uint32_t>(json.size()));
-    return (bytes += kGlbJson) += json;
+    return glb_file(file.dump(-1, ' ', false, Json::error_handler_t::replace));
   }
 
   const FbxRecord& root_;

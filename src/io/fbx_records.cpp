@@ -10,6 +10,8 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -52,9 +54,7 @@ bool is_read(std::string_view parent, std::string_view child) {
 // Of properties and connections few are of use, and a file has very many.
 bool is_needed(const FbxRecord& record) {
   if (record.name == "C") return record.text(0) == "OO";
-  if (record.name != "P") return true;
-  return std::find(std::begin(kProperties), std::end(kProperties), record.text(0)) !=
-         std::end(kProperties);
+  return record.name != "P" || contains(kProperties, record.text(0));
 }
 
 // What both forms share: the first error, and how many records are kept.
@@ -259,8 +259,6 @@ class TextReader : public Reader {
     const auto end = bytes_.begin() + static_cast<long>(std::min(at_, bytes_.size()));
     return fmt::format("line {}", 1 + std::count(bytes_.begin(), end, '\n'));
   }
-
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
   // The next sign after blanks and comments, or 0 at the end.
   char peek() {

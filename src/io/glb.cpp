@@ -5,6 +5,23 @@
 
 namespace shigusa {
 
+std::string glb_file(std::string json, std::optional<std::string_view> binary,
+                     std::string_view further) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string chunks;
+  const auto add = [&](std::string_view kind, std::string_view bytes) {
+    append_word(chunks, static_cast<std::uint32_t>(bytes.size()));
+    (chunks += kind) += bytes;
+  };
+  add(kGlbJson, json);
+  if (binary) add(kGlbBinary, *binary);
+  chunks += further;
+  std::string file = "glTF";
+  append_word(file, 2);
+  append_word(file, static_cast<std::uint32_t>(chunks.size() + kGlbHeader));
+  return file += chunks;
+}
+
 Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name) {
   constexpr std::uint32_t kVersion = 2;
   constexpr std::size_t kHeader = kGlbHeader + kGlbChunkHeader;

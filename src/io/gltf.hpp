@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "math/axes.hpp"
+
 namespace shigusa {
 
 // What a glTF, GLB or VRM file may hold at most; more is refused before memory is taken.
@@ -26,6 +28,11 @@ struct GltfPlace {
   Vec3d translation{};
   Quatd rotation{};
   Vec3d scale{1, 1, 1};
+
+  // With the scale in its matrix.
+  [[nodiscard]] Transformd transform() const {
+    return {scaled_columns(to_matrix(rotation), scale), translation};
+  }
 };
 
 // A node of the file that shows a mesh.

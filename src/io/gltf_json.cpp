@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "core/text.hpp"
 #include "glb.hpp"
 #include "io/gltf.hpp"
 #include "watched_json.hpp"
@@ -17,14 +18,6 @@ using Json = nlohmann::json;
 
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMaxValues = 500'000;
-
-template <std::size_t N>
-bool one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  for (const std::string_view w : words) {
-    if (w == word) return true;
-  }
-  return false;
-}
 
 // Watches a text being parsed: keeps what the skeleton needs, and ends the parse by throwing what
 // passes a limit. A mesh may lie in the text, as long as all bones together a hundred times.
@@ -61,11 +54,11 @@ class SkeletonFilter {
     constexpr std::array<std::string_view, 2> kSkin{"joints", "inverseBindMatrices"};
     constexpr std::array<std::string_view, 2> kVrm{"VRM", "VRMC_vrm"};
     const std::string& key = path_[static_cast<std::size_t>(depth)];
-    if (depth == 1) return one_of(key, kTop);
+    if (depth == 1) return contains(kTop, key);
     if (path_[1] == "asset") return depth > 2 || key == "version";
-    if (path_[1] == "nodes") return one_of(key, kNode);
-    if (path_[1] == "skins") return one_of(key, kSkin);
-    if (depth == 2) return one_of(key, kVrm);
+    if (path_[1] == "nodes") return contains(kNode, key);
+    if (path_[1] == "skins") return contains(kSkin, key);
+    if (depth == 2) return contains(kVrm, key);
     if (depth == 3) return key == "humanoid";
     return depth > 4 || key == "humanBones";
   }
@@ -77,6 +70,11 @@ class SkeletonFilter {
 };
 
 }  // namespace
+
+std::string shown(const Json& value, std::size_t longest) {
+  const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return text.size() > longest ? text.substr(0, longest) + "…" : text;
+}
 
 Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
   const std::string place(name);

@@ -8,10 +8,7 @@ namespace shigusa {
 std::vector<Transformd> placed_nodes(const Skeleton& skeleton, std::span<const GltfPlace> places) {
   std::vector<Transformd> world;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const GltfPlace& place = places[i];
-    const Mat3d r = to_matrix(place.rotation);
-    const Transformd local{{r.cx * place.scale.x, r.cy * place.scale.y, r.cz * place.scale.z},
-                           place.translation};
+    const Transformd local = places[i].transform();
     const int parent = skeleton.nodes[i].parent;
     world.push_back(parent < 0 ? local : world[static_cast<std::size_t>(parent)] * local);
   }

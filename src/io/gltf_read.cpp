@@ -71,13 +71,6 @@ class GltfReader {
                                 : fmt::format("node {} '{}'", i, node(i).name);
   }
 
-  // A value as it stands in a message: short, and ASCII only.
-  static std::string shown(const Json& value) {
-    constexpr std::size_t kLongest = 60;
-    const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-    return text.size() > kLongest ? text.substr(0, kLongest) + "…" : text;
-  }
-
   bool version() {
     const auto asset = json_.find("asset");
     if (asset == json_.end() || !asset->is_object() || !asset->contains("version")) {
@@ -174,9 +167,8 @@ class GltfReader {
                      length);
       }
       const Quatd rotation{r[0] / length, r[1] / length, r[2] / length, r[3] / length};
-      const Mat3d turn = to_matrix(rotation);
       read.parts = {{t[0], t[1], t[2]}, rotation, {s[0], s[1], s[2]}};
-      read.place = {{turn.cx * s[0], turn.cy * s[1], turn.cz * s[2]}, {t[0], t[1], t[2]}};
+      read.place = read.parts.transform();
     }
     const Mat3d& m = read.place.rotation;
     const double longest = max(norm(m.cx), max(norm(m.cy), norm(m.cz)));

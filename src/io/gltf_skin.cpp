@@ -217,8 +217,7 @@ class SkinReader {
                      skinned ? bent(part, vertex, at,
                                     character_.skins[static_cast<std::size_t>(node.skin)], *moves)
                              : SkinVertex{place * at, node.node, true});
-      const Vec3d& p = placed.position;
-      if (!(abs(p.x) <= kGltfMaxValue && abs(p.y) <= kGltfMaxValue && abs(p.z) <= kGltfMaxValue)) {
+      if (!is_within(placed.position, kGltfMaxValue)) {
         return wrong(fmt::format("vertex {} stands beyond {:g} m", vertex, kGltfMaxValue));
       }
       skin_.vertices.push_back(placed);

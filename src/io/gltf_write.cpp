@@ -246,20 +246,7 @@ class AnimationAdder {
     // a byte order mark has no place in a GLB
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string chunks;
-    const auto chunk = [&](std::string_view kind, std::string_view bytes) {
-      append_word(chunks, static_cast<std::uint32_t>(bytes.size()));
-      chunks += kind;
-      chunks += bytes;
-    };
-    chunk(kGlbJson, text);
-    if (binary) chunk(kGlbBinary, *binary);
-    chunks += parts_.further;
-    std::string file = "glTF";
-    append_word(file, 2);
-    append_word(file, static_cast<std::uint32_t>(chunks.size() + kGlbHeader));
-    return file += chunks;
+    return glb_file(std::move(text), binary, parts_.further);
   }
 
   const GlbParts& parts_;
@@ -283,6 +270,30 @@ Result<std::string> add_animations(std::string_view bytes, std::string_view name
   SHG_TRY(read_gltf_json(bytes, name));
   SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
   return AnimationAdder(parts, name).add(animations);
+}
+
+Result<std::string> format_vrm_animation(const VrmAnimation& motion) {
+  std::string nodes;
+  std::string map;
+  for (std::size_t i = 0; i < motion.bones.size(); ++i) {
+    const auto& [name, parent, offset] = motion.bones[i];
+    std::string children;
+    for (std::size_t k = i + 1; k < motion.bones.size(); ++k) {
+      if (motion.bones[k].parent != static_cast<int>(i)) continue;
+      children += fmt::format("{}{}", children.empty() ? "" : ",", k);
+    }
+    if (!children.empty()) children = fmt::format(R"(,"children":[{}])", children);
+    const char* comma = i == 0 ? "" : ",";
+    nodes += fmt::format(R"({}{{"name":{},"translation":{}{}}})", comma, json_quoted(name),
+                         json_numbers({offset.x, offset.y, offset.z}), children);
+    map += fmt::format(R"({}{}:{{"node":{}}})", comma, json_quoted(name), i);
+  }
+  const std::string text = fmt::format(
+      R"({{"asset":{{"version":"2.0","generator":"shigusa"}},"extensionsUsed":["VRMC_vrm_animation"],)"
+      R"("extensions":{{"VRMC_vrm_animation":{{"specVersion":"1.0","humanoid":{{"humanBones":{{{}}}}}}}}},)"
+      R"("scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}]}})",
+      map, nodes);
+  return add_animations(text, "VRM animation", std::span(&motion.animation, 1));
 }
 
 }  // namespace shigusa
