@@ -43,12 +43,8 @@ MjcfFiles::MjcfFiles(std::string_view text, std::string_view name, const MjcfInc
 }
 
 const XmlElement* MjcfFiles::parse(std::string_view text, const std::string& name) {
-  if (text.size() > kMjcfMaxBytes) {
-    refuse(fmt::format("{} bytes; {} are allowed", text.size(), kMjcfMaxBytes), name);
-    return nullptr;
-  }
-  if (text.find('\0') != text.npos) {
-    refuse("a zero byte: this is no text", name);
+  if (const auto checked = check_text(text, kMjcfMaxBytes, name); !checked) {
+    if (!error_) error_ = checked.error();
     return nullptr;
   }
   tags_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'));

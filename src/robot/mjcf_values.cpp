@@ -5,6 +5,8 @@
 #include <shigusa/quat.hpp>
 #include <shigusa/words.hpp>
 
+#include "core/text.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -19,14 +21,12 @@ bool is_actuator(std::string_view tag) {
   constexpr std::string_view kTags[] = {"general",  "motor",       "position",
                                         "velocity", "intvelocity", "damper",
                                         "cylinder", "muscle",      "adhesion"};
-  return std::find(std::begin(kTags), std::end(kTags), tag) != std::end(kTags);
+  return contains(kTags, tag);
 }
 
 bool same_kind(std::string_view tag, std::string_view other) {
   return tag == other || (is_actuator(tag) && is_actuator(other));
 }
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 }  // namespace
 
@@ -226,32 +226,32 @@ Vec3d MjcfValues::direction(const Found& found, const char* attribute, const Vec
 }
 
 Mat3d MjcfValues::orientation(const MjcfPart& part) {
-  constexpr std::array kWays{"quat", "axisangle", "euler", "xyaxes", "zaxis"};
-  const char* way = nullptr;
+  constexpr std::array kForms{"quat", "axisangle", "euler", "xyaxes", "zaxis"};
+  const char* form = nullptr;
   Found nearest;
-  for (const char* each : kWays) {
+  for (const char* each : kForms) {
     const Found found = find(part, each);
     // of one element's own, MuJoCo takes quat last
     const bool nearer = nearest.text == nullptr || found.distance <= nearest.distance;
     if (found.text == nullptr || !nearer) continue;
     nearest = found;
-    way = each;
+    form = each;
   }
-  if (way == nullptr) return {};
+  if (form == nullptr) return {};
   std::array<double, 6> v{};
-  const std::string_view name = way;
+  const std::string_view name = form;
   const std::size_t count = name == "xyaxes" ? 6 : name == "quat" || name == "axisangle" ? 4 : 3;
-  parse(nearest, way, std::span(v).first(count), count, kMjcfMaxValue);
+  parse(nearest, form, std::span(v).first(count), count, kMjcfMaxValue);
   const Vec3d first{v[0], v[1], v[2]};
   if (name == "euler") return euler(first);
-  if (name == "zaxis") return turned_to(direction(nearest, way, first));
+  if (name == "zaxis") return turned_to(direction(nearest, form, first));
   if (name == "axisangle") {
-    return turned_about(direction(nearest, way, first), angle(v[3]));
+    return turned_about(direction(nearest, form, first), angle(v[3]));
   }
   if (name == "xyaxes") {
-    const Vec3d x = direction(nearest, way, first);
+    const Vec3d x = direction(nearest, form, first);
     const Vec3d other{v[3], v[4], v[5]};
-    const Vec3d y = direction(nearest, way, other - x * dot(x, other));
+    const Vec3d y = direction(nearest, form, other - x * dot(x, other));
     return {x, y, cross(x, y)};
   }
   const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
+#include "math/axes.hpp"
 #include "person/segment_mass.hpp"
 #include "robot_builder.hpp"
 
@@ -36,8 +37,7 @@ struct TurnAxis {
 
 TurnAxis turn_axis(const Vec3d& v) {
   constexpr double kRounding = 1e-9;
-  int k = 0;
-  for (int i = 1; i < 3; ++i) k = abs(v[i]) > abs(v[k]) ? i : k;
+  const int k = main_axis(v);
   const double sign = v[k] < 0.0 ? -1.0 : 1.0;
   TurnAxis result{static_cast<Axis>(k), sign};
   const Vec3d along = v * sign;

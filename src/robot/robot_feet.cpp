@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "robot_feet.hpp"
-
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
+#include "robot_builder.hpp"
 
 namespace shigusa {
 namespace {

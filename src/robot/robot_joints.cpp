@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "core/index.hpp"
+#include "core/text.hpp"
+#include "math/axes.hpp"
+#include "person/landmark_points.hpp"
 #include "robot_freedoms.hpp"
 
 namespace shigusa {
@@ -14,12 +17,6 @@ namespace {
 
 using Bone = HumanoidBone;
 
-constexpr std::array<std::array<Bone, 3>, 2> kLegs{
-    {{Bone::left_upper_leg, Bone::left_lower_leg, Bone::left_foot},
-     {Bone::right_upper_leg, Bone::right_lower_leg, Bone::right_foot}}};
-constexpr std::array<std::array<Bone, 3>, 2> kArms{
-    {{Bone::left_upper_arm, Bone::left_lower_arm, Bone::left_hand},
-     {Bone::right_upper_arm, Bone::right_lower_arm, Bone::right_hand}}};
 constexpr std::array<const char*, 2> kSideWords{"left_", "right_"};
 
 // The next joint of an ankle or wrist is no further away than this share of the limb's last
@@ -41,8 +38,8 @@ Vec3d snapped(const Vec3d& v) {
 }
 
 // Whether a link is part of a gripper or a finger, by its name.
-bool is_digit(std::string name) {
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+bool is_digit(const std::string& link) {
+  const std::string name = lower(link);
   for (const char* word : {"grip", "finger", "thumb", "jaw"}) {
     if (name.find(word) != name.npos) return true;
   }
@@ -174,7 +171,7 @@ class JointFinder {
   }
 
   Result<void> find_leg(std::size_t side) {
-    const auto [hip, knee, ankle] = kLegs[side];
+    const auto [hip, knee, ankle] = kLimbBones[side];
     PersonLimb& leg = found_.legs[side];
     const double shank = norm(at(map_[ankle]) - at(map_[knee]));
     leg.end = end_of_joint(map_[ankle], kOneAnkle * shank);
@@ -189,7 +186,7 @@ class JointFinder {
   }
 
   Result<void> find_arm(std::size_t side) {
-    const auto [upper, elbow, hand] = kArms[side];
+    const auto [upper, elbow, hand] = kLimbBones[2 + side];
     PersonLimb& arm = found_.arms[side];
     const Vec3d forearm = at(map_[hand]) - at(map_[elbow]);
     arm.end = end_of_joint(map_[hand], kOneWrist * norm(forearm));
@@ -227,10 +224,7 @@ Result<PlacedRobot> place_robot(const Robot& robot, const HumanoidMap& map) {
   const auto mid = [&](Bone a, Bone b) { return (at(a) + at(b)) * 0.5; };
   const Vec3d ankles = mid(Bone::left_foot, Bone::right_foot);
   const Vec3d rise = mid(Bone::left_upper_arm, Bone::right_upper_arm) - ankles;
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) axis = abs(rise[k]) > abs(rise[axis]) ? k : axis;
-  Vec3d up{};
-  up[axis] = rise[axis] < 0.0 ? -1.0 : 1.0;
+  const Vec3d up = nearest_axis(rise);
   const Vec3d across = normalized(at(Bone::left_upper_leg) - at(Bone::right_upper_leg), {}) +
                        normalized(at(Bone::left_upper_arm) - at(Bone::right_upper_arm), {});
   const Vec3d level = across - up * dot(across, up);

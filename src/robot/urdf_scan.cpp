@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
 #include "robot/urdf.hpp"
 
 namespace shigusa {
@@ -17,28 +18,26 @@ struct Rule {
   std::string_view parent;
   std::string_view child;
 };
-constexpr Rule kKept[] = {
-    {"", "robot"},
-    {"robot", "link"},
-    {"robot", "joint"},
-    {"link", "inertial"},
-    {"inertial", "origin"},
-    {"inertial", "mass"},
-    {"inertial", "inertia"},
-    {"link", "collision"},
-    {"collision", "origin"},
-    {"collision", "geometry"},
-    {"geometry", "box"},
-    {"geometry", "sphere"},
-    {"geometry", "cylinder"},
-    {"geometry", "capsule"},
-    {"joint", "origin"},
-    {"joint", "parent"},
-    {"joint", "child"},
-    {"joint", "axis"},
-    {"joint", "limit"},
-    {"joint", "mimic"},
-};
+constexpr Rule kKept[] = {{"", "robot"},
+                          {"robot", "link"},
+                          {"robot", "joint"},
+                          {"link", "inertial"},
+                          {"inertial", "origin"},
+                          {"inertial", "mass"},
+                          {"inertial", "inertia"},
+                          {"link", "collision"},
+                          {"collision", "origin"},
+                          {"collision", "geometry"},
+                          {"geometry", "box"},
+                          {"geometry", "sphere"},
+                          {"geometry", "cylinder"},
+                          {"geometry", "capsule"},
+                          {"joint", "origin"},
+                          {"joint", "parent"},
+                          {"joint", "child"},
+                          {"joint", "axis"},
+                          {"joint", "limit"},
+                          {"joint", "mimic"}};
 
 bool is_kept(std::string_view parent, std::string_view child) {
   return std::any_of(std::begin(kKept), std::end(kKept), [&](const Rule& rule) {
@@ -66,8 +65,6 @@ bool is_no_limit(std::string_view text) {
   constexpr long kDigits = 6;  // of kUrdfMaxValue
   return static_cast<long>(whole - zeros) + exponent > kDigits;
 }
-
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 // Walks over the tags of an XML text and copies those that are kept, with what they are kept in.
 class Scanner {
@@ -146,11 +143,11 @@ class Scanner {
   static std::optional<std::string_view> attribute(std::string_view tag, std::string_view name) {
     std::size_t at = name_of(tag).size();
     while (true) {
-      while (at < tag.size() && is_space(tag[at])) ++at;
+      while (at < tag.size() && is_blank(tag[at])) ++at;
       const std::size_t equals = tag.find('=', at);
       if (equals == tag.npos) return std::nullopt;
       std::string_view found = tag.substr(at, equals - at);
-      while (!found.empty() && is_space(found.back())) found.remove_suffix(1);
+      while (!found.empty() && is_blank(found.back())) found.remove_suffix(1);
       const std::size_t begin = tag.find_first_not_of(" \t\r\n", equals + 1);
       if (begin == tag.npos || (tag[begin] != '"' && tag[begin] != '\'')) return std::nullopt;
       const std::size_t end = tag.find(tag[begin], begin + 1);
@@ -222,7 +219,7 @@ class Scanner {
 
   static std::string_view name_of(std::string_view tag) {
     std::size_t length = 0;
-    while (length < tag.size() && !is_space(tag[length]) && tag[length] != '/') ++length;
+    while (length < tag.size() && !is_blank(tag[length]) && tag[length] != '/') ++length;
     return tag.substr(0, length);
   }
 
@@ -300,14 +297,7 @@ class Scanner {
 }  // namespace
 
 Result<std::string> reduced_urdf(std::string_view text, std::string_view name) {
-  if (text.size() > kUrdfMaxBytes) {
-    return fail(ErrorCode::parse,
-                fmt::format("{} bytes; {} are allowed", text.size(), kUrdfMaxBytes),
-                std::string(name));
-  }
-  if (text.find('\0') != text.npos) {
-    return fail(ErrorCode::parse, "a zero byte: this is no text", std::string(name));
-  }
+  SHG_TRY(check_text(text, kUrdfMaxBytes, name));
   return Scanner(text, name).reduce();
 }
 

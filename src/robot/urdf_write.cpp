@@ -29,25 +29,12 @@ std::string origin(const Transformd& x) {
 std::string escaped(const std::string& name) {
   std::string text;
   for (const char c : name) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += c;
-    }
+    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
   }
   return text;
 }
 
-// The box that eight corners of a link are of, as robots have them: bit k of a corner's number
-// tells which end of axis k it stands at.
+// The box that eight corners of a link are of, as box_corners numbers them.
 std::string box(const Vec3d* corners) {
   const Vec3d x = corners[1] - corners[0];
   const Vec3d y = corners[2] - corners[0];
