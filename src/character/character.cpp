@@ -144,8 +144,7 @@ int rig_node(const CharacterSpec& spec, std::string_view body_node) {
   if (!spec.rig) return -1;
   if (body_node == "left_hand_grip") return spec.rig->rig.grips[0];
   if (body_node == "right_hand_grip") return spec.rig->rig.grips[1];
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<HumanoidBone>(b);
+  for (const HumanoidBone bone : kHumanoidBones) {
     if (humanoid_bone_name(bone) == body_node) return spec.rig->rig.bones[bone];
   }
   return -1;

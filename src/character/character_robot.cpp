@@ -5,7 +5,6 @@
 
 #include "character_file.hpp"
 #include "humanoid_request.hpp"
-#include "person/likeness.hpp"
 #include "robot/mjcf.hpp"
 #include "robot/settled_posture.hpp"
 #include "robot/urdf.hpp"
@@ -30,10 +29,7 @@ Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
   if (!map) {
     return fail(map.error().code, "no humanoid robot: " + map.error().to_string(), name);
   }
-  if (const std::string why = unlike_a_person(limbs_of(robot, *map));
-      spec.map.empty() && !why.empty()) {
-    return fail(ErrorCode::invalid_argument, no_person(why), name);
-  }
+  SHG_TRY(check_likeness(limbs_of(robot, *map), spec.map, name));
   return ReadRobot{with_ankles(std::move(robot), *map), std::move(*map)};
 }
 
@@ -82,11 +78,11 @@ Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
 
 Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
   SHG_TRY_ASSIGN(const ReadRobot read, read_robot(*spec.urdf, spec));
-  const Result<BodyModel> body = build_robot(read.robot, read.map);
-  if (!body) return fail(body.error().code, body.error().to_string(), spec.source);
-  BodyDefinition standing = body->definition();
+  SHG_TRY_ASSIGN(const BodyModel body,
+                 build_robot(read.robot, read.map).map_error(within(spec.source)));
+  BodyDefinition standing = body.definition();
   standing.doubts.insert(standing.doubts.end(), spec.doubts.begin(), spec.doubts.end());
-  standing.start = settled_posture(*body, standing.doubts);
+  standing.start = settled_posture(body, standing.doubts);
   return BodyModel(std::move(standing));
 }
 

@@ -4,6 +4,8 @@
 #include <shigusa/character.hpp>
 #include <shigusa/skeleton.hpp>
 
+#include "person/landmark_points.hpp"
+
 namespace shigusa {
 
 // Fails on what is of a person alone.
@@ -19,8 +21,7 @@ namespace shigusa {
 
 // Tells the mapped bones by the names of their nodes, which name_of(index) gives.
 inline void list_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<HumanoidBone>(b);
+  for (const HumanoidBone bone : kHumanoidBones) {
     if (map[bone] < 0) continue;
     spec.humanoid.emplace_back(humanoid_bone_name(bone),
                                name_of(static_cast<std::size_t>(map[bone])));

@@ -11,7 +11,6 @@
 #include "person/at_ease.hpp"
 #include "person/find_humanoid.hpp"
 #include "person/landmark_points.hpp"
-#include "person/likeness.hpp"
 
 namespace shigusa {
 namespace {
@@ -38,14 +37,12 @@ Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonCli
   const auto measured = [&](double stature) {
     return measure_person(skeleton, world, found.map, {.stature = stature, .skin = skin});
   };
-  const Result<MeasuredPerson> bent = measured(rest.stature);
-  if (!bent) return bent;
-  Result<MeasuredPerson> posed =
-      measured(rest.stature * rest.placement.unit / bent->placement.unit);
-  if (!posed) return posed;
-  stand_on_floor(*posed, rest.stature);
+  SHG_TRY_ASSIGN(const MeasuredPerson bent, measured(rest.stature));
+  SHG_TRY_ASSIGN(MeasuredPerson posed,
+                 measured(rest.stature * rest.placement.unit / bent.placement.unit));
+  stand_on_floor(posed, rest.stature);
   // limbs are straight at rest, and their mesh as it was made
-  posed->landmarks.parts = rest.landmarks.parts;
+  posed.landmarks.parts = rest.landmarks.parts;
   return posed;
 }
 
@@ -72,16 +69,14 @@ Result<PersonStart> measure_in(const CharacterFile& file, const CharacterSpec& s
   for (const SkeletonNode& node : file.skeleton.nodes) nodes.push_back(node.name);
   SHG_TRY_ASSIGN(const HumanoidMap asked,
                  requested_bones(spec.map, nodes, spec.source, file.rig.file_node));
-  const Result<HumanoidMap> map = find_humanoid(file.skeleton, world, file.given, asked, skin);
-  if (!map) return fail(map.error().code, map.error().to_string(), spec.source);
-  const Result<MeasuredPerson> person =
-      measure_person(file.skeleton, world, *map, {.stature = spec.stature, .skin = skin});
-  if (!person) return fail(person.error().code, person.error().to_string(), spec.source);
-  const std::string why = unlike_a_person(person->landmarks);
-  if (spec.map.empty() && !why.empty()) {
-    return fail(ErrorCode::invalid_argument, no_person(why), spec.source);
-  }
-  return PersonStart{*map, pose, *person, pose, *person};
+  SHG_TRY_ASSIGN(
+      const HumanoidMap map,
+      find_humanoid(file.skeleton, world, file.given, asked, skin).map_error(within(spec.source)));
+  SHG_TRY_ASSIGN(const MeasuredPerson person,
+                 measure_person(file.skeleton, world, map, {.stature = spec.stature, .skin = skin})
+                     .map_error(within(spec.source)));
+  SHG_TRY(check_likeness(person.landmarks, spec.map, spec.source));
+  return PersonStart{map, pose, person, pose, person};
 }
 
 bool rests(const PersonStart& person) {
@@ -118,24 +113,22 @@ std::string standing_animation(const CharacterFile& file, const PersonStart& fou
 }
 
 Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec& spec) {
-  Result<PersonStart> found = measure_at_rest(file, spec);
-  if (!found) return found;
-  found->eased = file.motion.frames == 0;
-  if (found->eased) {
-    if (rests(*found)) return found;
-    const std::string better = standing_animation(file, *found);
-    found->start.doubts.push_back(fmt::format(
+  SHG_TRY_ASSIGN(PersonStart found, measure_at_rest(file, spec));
+  found.eased = file.motion.frames == 0;
+  if (found.eased) {
+    if (rests(found)) return found;
+    const std::string better = standing_animation(file, found);
+    found.start.doubts.push_back(fmt::format(
         "the nodes do not rest as who stands does{}",
         better.empty() ? ""
                        : fmt::format("; frame 0 of the animation '{}' does: --animation", better)));
     return found;
   }
   SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
-  Result<MeasuredPerson> posed =
-      measure_posed(file.skeleton, file.motion, frame, file.posed_skin, *found);
-  if (!posed) return fail(posed.error().code, posed.error().to_string(), spec.source);
-  found->posed = pose_at(file, frame);
-  found->start = std::move(*posed);
+  SHG_TRY_ASSIGN(found.start,
+                 measure_posed(file.skeleton, file.motion, frame, file.posed_skin, found)
+                     .map_error(within(spec.source)));
+  found.posed = pose_at(file, frame);
   return found;
 }
 

@@ -8,6 +8,9 @@
 #include <shigusa/file.hpp>
 #include <shigusa/words.hpp>
 
+#include "person/landmark_points.hpp"
+#include "person/likeness.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -15,9 +18,7 @@ constexpr std::size_t kMapMaxBytes = std::size_t{1} << 20;
 
 std::vector<std::string> bone_names() {
   std::vector<std::string> names;
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    names.emplace_back(humanoid_bone_name(static_cast<HumanoidBone>(b)));
-  }
+  for (const HumanoidBone bone : kHumanoidBones) names.emplace_back(humanoid_bone_name(bone));
   return names;
 }
 
@@ -84,8 +85,14 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
   return map;
 }
 
-std::string no_person(const std::string& why) {
-  return fmt::format("no person: {}; if it is one, say which nodes are its bones with --map", why);
+Result<void> check_likeness(const Landmarks& figure, const BoneRequest& request,
+                            const std::string& file) {
+  const std::string why = request.empty() ? unlike_a_person(figure) : "";
+  if (why.empty()) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("no person: {}; if it is one, say which nodes are its bones with --map", why),
+      file);
 }
 
 Result<BoneRequest> bone_request(const Json& json) {
@@ -115,9 +122,7 @@ Result<BoneRequest> read_bone_request(const std::filesystem::path& path) {
   }
   SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   const auto answer = json.find("humanoid");
-  Result<BoneRequest> request = bone_request(answer != json.end() ? *answer : json);
-  if (!request) return fail(request.error().code, request.error().message, name);
-  return request;
+  return bone_request(answer != json.end() ? *answer : json).map_error(within(name));
 }
 
 }  // namespace shigusa

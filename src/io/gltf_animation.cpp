@@ -12,6 +12,7 @@
 #include "gltf_pose.hpp"
 #include "gltf_tracks.hpp"
 #include "gltf_vrm.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
@@ -28,8 +29,7 @@ void take_animation_bones(const JsonSplice& json, const std::vector<int>& place,
   if (!parsed) return;
   const Json as_vrm{{"extensions", {{"VRMC_vrm", {{"humanoid", *parsed}}}}}};
   VrmBones bones = read_vrm_bones(as_vrm, nodes);
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<HumanoidBone>(b);
+  for (const HumanoidBone bone : kHumanoidBones) {
     if (bones.map[bone] < 0) continue;
     result.character.humanoid[bone] = place[static_cast<std::size_t>(bones.map[bone])];
   }

@@ -11,6 +11,7 @@
 #include "gltf_vrm.hpp"
 #include "io/gltf.hpp"
 #include "node_names.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
@@ -294,8 +295,7 @@ class GltfReader {
     for (auto& [name, i] : vrm_.all) {
       result_.vrm_bones.emplace_back(std::move(name), place_[static_cast<std::size_t>(i)]);
     }
-    for (int b = 0; b < kHumanoidBoneCount; ++b) {
-      const auto bone = static_cast<HumanoidBone>(b);
+    for (const HumanoidBone bone : kHumanoidBones) {
       if (vrm_.map[bone] < 0) continue;
       result_.humanoid[bone] = place_[static_cast<std::size_t>(vrm_.map[bone])];
     }

@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "gltf_json.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
@@ -45,8 +46,7 @@ class BoneReader {
     const std::string own = name.is_string() ? name.get<std::string>() : std::string();
     bones_.all.emplace_back(own, index);
     const std::string ours = snake_case(own);
-    for (int b = 0; b < kHumanoidBoneCount; ++b) {
-      const auto bone = static_cast<HumanoidBone>(b);
+    for (const HumanoidBone bone : kHumanoidBones) {
       if (ours != humanoid_bone_name(bone)) continue;
       int& mapped = bones_.map[bone];
       if (mapped >= 0 && mapped != index) {

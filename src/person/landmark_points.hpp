@@ -24,6 +24,13 @@ inline constexpr std::array<LimbBones, 4> kLimbBones{{
   return kLimbBones[side == Side::left ? 2 : 3];
 }
 
+// All bones, in their order.
+inline constexpr std::array<HumanoidBone, kHumanoidBoneCount> kHumanoidBones = [] {
+  std::array<HumanoidBone, kHumanoidBoneCount> bones{};
+  for (std::size_t i = 0; i < bones.size(); ++i) bones[i] = static_cast<HumanoidBone>(i);
+  return bones;
+}();
+
 inline constexpr std::array kBothSides{Side::left, Side::right};
 
 [[nodiscard]] inline Vec3d mid_hip(const Landmarks& p) {
