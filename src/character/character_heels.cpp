@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/index.hpp"
 #include "person/human_frames.hpp"
 #include "person/landmark_points.hpp"
 
@@ -39,8 +40,7 @@ Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& 
                               humanoid_bone_name(bone), humanoid_bone_name(bone)),
                   file);
     }
-    const Vec3d at =
-        person.placement.to_world(world[static_cast<std::size_t>(map[bone])].translation);
+    const Vec3d at = person.placement.to_world(world[index(map[bone])].translation);
     Landmarks::Leg& leg = start.landmarks.leg(side);
     const Vec3d in_foot =
         transpose_times(rest_frames.leg(side).foot, at - person.landmarks.leg(side).ankle);

@@ -4,6 +4,7 @@
 #include <shigusa/character.hpp>
 #include <shigusa/skeleton.hpp>
 
+#include "core/index.hpp"
 #include "person/landmark_points.hpp"
 
 namespace shigusa {
@@ -23,8 +24,7 @@ namespace shigusa {
 inline void list_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
   for (const HumanoidBone bone : kHumanoidBones) {
     if (map[bone] < 0) continue;
-    spec.humanoid.emplace_back(humanoid_bone_name(bone),
-                               name_of(static_cast<std::size_t>(map[bone])));
+    spec.humanoid.emplace_back(humanoid_bone_name(bone), name_of(index(map[bone])));
   }
 }
 

@@ -21,9 +21,9 @@ namespace shigusa {
   return text;
 }
 
-template <class Words>
-[[nodiscard]] bool contains(const Words& words, std::string_view word) {
-  return std::find(std::begin(words), std::end(words), word) != std::end(words);
+template <class List, class Value>
+[[nodiscard]] bool contains(const List& list, const Value& value) {
+  return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
 
 // Bytes of the UTF-8 character at the start of a text, 0 where there is none. Overlong forms,

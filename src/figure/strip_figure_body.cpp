@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <shigusa/scalar.hpp>
 
+#include "core/index.hpp"
 #include "math/axes.hpp"
 #include "person/landmark_points.hpp"
 
@@ -34,7 +35,7 @@ constexpr double kLegLength = 0.491;
 constexpr double kArmLength = 0.332;
 constexpr double kTrunkLength = 0.288;
 
-std::size_t at(int node) { return static_cast<std::size_t>(node); }
+std::size_t at(int node) { return index(node); }
 
 Vec3d middle(const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; }
 

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <shigusa/scalar.hpp>
 
+#include "core/index.hpp"
+
 namespace shigusa::strip {
 namespace {
 
@@ -224,7 +226,7 @@ void SlotBuilder::add_path(const std::vector<Vec3d>& path, int first, int last, 
   bool broken = true;
   for (int frame = first; frame <= last;
        frame = frame < last ? std::min(frame + step, last) : last + 1) {
-    const Point p = place(path[static_cast<std::size_t>(frame)]);
+    const Point p = place(path[index(frame)]);
     if (!near(p)) {
       broken = true;
       continue;
@@ -295,7 +297,7 @@ Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
     builder.close_body();
     for (const Vec3d& goal : overlay.goals) builder.add_goal(goal);
     if (!overlay.centre_of_mass.empty()) {
-      builder.add_mass(overlay.centre_of_mass[static_cast<std::size_t>(frames[i])]);
+      builder.add_mass(overlay.centre_of_mass[index(frames[i])]);
     }
     if (!overlay.hand_path.empty()) {
       builder.add_path(overlay.hand_path, frames.front(), frames[i], path_step);

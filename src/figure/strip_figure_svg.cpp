@@ -6,6 +6,7 @@
 #include <array>
 #include <shigusa/scalar.hpp>
 
+#include "core/index.hpp"
 #include "core/text.hpp"
 
 namespace shigusa::strip {
@@ -91,7 +92,7 @@ double svg_text_width(const std::string& text, double size) {
     const std::size_t length = utf8_length(rest);
     const int code = static_cast<unsigned char>(rest[0]) - kFirst;
     if (code >= 0 && code < static_cast<int>(kAdvance.size())) {
-      units += kAdvance[static_cast<std::size_t>(code)];
+      units += kAdvance[index(code)];
     } else if (length > 1) {
       units += length == 2 ? kLetter : kIdeograph;
     }

@@ -10,6 +10,7 @@
 #include <shigusa/words.hpp>
 #include <vector>
 
+#include "core/index.hpp"
 #include "core/text.hpp"
 #include "node_names.hpp"
 
@@ -111,8 +112,7 @@ class BvhReader {
     BvhFile file{std::move(motion_), {}};
     file.channels.resize(file.motion.skeleton.nodes.size());
     for (const Channel& channel : channels_) {
-      file.channels[static_cast<std::size_t>(channel.node)].push_back(
-          {channel.rotates, channel.axis});
+      file.channels[index(channel.node)].push_back({channel.rotates, channel.axis});
     }
     return file;
   }
@@ -314,8 +314,7 @@ class BvhReader {
       local[i].translation = motion_.skeleton.nodes[i % nodes].offset;
     }
     for (int frame = 0; frame < motion_.clip.frames; ++frame) {
-      if (!frame_values(frame, local.data() + static_cast<std::size_t>(frame) * nodes))
-        return false;
+      if (!frame_values(frame, local.data() + index(frame) * nodes)) return false;
     }
     return nothing_follows();
   }
@@ -337,7 +336,7 @@ class BvhReader {
   bool frame_values(int frame, LocalTransform* local) {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const std::string_view token = cursor_.token();
-      if (token.empty()) return too_few(static_cast<std::size_t>(frame) * channels_.size() + i);
+      if (token.empty()) return too_few(index(frame) * channels_.size() + i);
       const std::optional<double> value = parse_number(token);
       // the comparison is false for NaN
       if (!value || !(*value >= -kBvhMaxValue && *value <= kBvhMaxValue)) {

@@ -175,12 +175,12 @@ class FbxReader {
         const auto child = by_id_.find(c.integer(1));
         const auto parent = by_id_.find(c.integer(2));
         if (child == by_id_.end() || (parent == by_id_.end() && c.integer(2) != 0)) continue;
-        const auto i = static_cast<std::size_t>(child->second);
+        const auto i = index(child->second);
         if (hung[i]) continue;
         hung[i] = true;
         if (parent == by_id_.end()) continue;
         models_[i].parent = parent->second;
-        models_[static_cast<std::size_t>(parent->second)].children.push_back(child->second);
+        models_[index(parent->second)].children.push_back(child->second);
       }
     }
     return true;
@@ -189,7 +189,7 @@ class FbxReader {
   bool check_tree() {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       std::size_t steps = 0;
-      for (int at = models_[i].parent; at >= 0; at = models_[static_cast<std::size_t>(at)].parent) {
+      for (int at = models_[i].parent; at >= 0; at = models_[index(at)].parent) {
         if (++steps > models_.size()) return wrong("{} hangs in a circle", described(i));
       }
     }
@@ -240,10 +240,10 @@ class FbxReader {
         {{"CoordAxis", "CoordAxisSign"}, {"UpAxis", "UpAxisSign"}, {"FrontAxis", "FrontAxisSign"}}};
     std::array<bool, 3> taken{};
     for (int k = 0; k < 3; ++k) {
-      const auto& [axis, sign] = kNames[static_cast<std::size_t>(k)];
+      const auto& [axis, sign] = kNames[index(k)];
       const double from = p.number(axis, k);
       const int file = from == 0.0 ? 0 : from == 1.0 ? 1 : from == 2.0 ? 2 : -1;
-      if (file < 0 || std::exchange(taken[static_cast<std::size_t>(file)], true)) {
+      if (file < 0 || std::exchange(taken[index(file)], true)) {
         return wrong("CoordAxis, UpAxis and FrontAxis are not 0, 1 and 2 in some order");
       }
       Vec3d& column = *columns[file];

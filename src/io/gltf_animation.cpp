@@ -8,6 +8,7 @@
 #include <charconv>
 #include <shigusa/file.hpp>
 
+#include "core/index.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 #include "gltf_tracks.hpp"
@@ -31,7 +32,7 @@ void take_animation_bones(const JsonSplice& json, const std::vector<int>& place,
   VrmBones bones = read_vrm_bones(as_vrm, nodes);
   for (const HumanoidBone bone : kHumanoidBones) {
     if (bones.map[bone] < 0) continue;
-    result.character.humanoid[bone] = place[static_cast<std::size_t>(bones.map[bone])];
+    result.character.humanoid[bone] = place[index(bones.map[bone])];
   }
 }
 
@@ -53,7 +54,7 @@ class AnimationReader {
     for (const int node : result.character.file_node) most = std::max(most, node);
     place_.assign(static_cast<std::size_t>(most + 1), -1);
     for (std::size_t i = 0; i < result.character.file_node.size(); ++i) {
-      place_[static_cast<std::size_t>(result.character.file_node[i])] = static_cast<int>(i);
+      place_[index(result.character.file_node[i])] = static_cast<int>(i);
     }
     take_animation_bones(json_, place_, most + 1, result);
   }
@@ -141,8 +142,7 @@ class AnimationReader {
         read_track_keys(sampler, path - kPaths.begin() == 1 ? 4 : 3, accessors_);
     if (!keys) return wrong(keys.error().to_string());
     duration_ = max(duration_, keys->times.back());
-    tracks_[static_cast<std::size_t>(at)][static_cast<std::size_t>(path - kPaths.begin())] =
-        std::move(*keys);
+    tracks_[index(at)][static_cast<std::size_t>(path - kPaths.begin())] = std::move(*keys);
     return {};
   }
 

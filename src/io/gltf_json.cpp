@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "core/index.hpp"
 #include "core/text.hpp"
 #include "glb.hpp"
 #include "io/gltf.hpp"
@@ -28,7 +29,7 @@ class SkeletonFilter {
     using Event = Json::parse_event_t;
     if (depth >= kMaxDepth) throw fmt::format("nested deeper than {} levels", kMaxDepth);
     if (depth > dropped_) return false;
-    const auto level = static_cast<std::size_t>(depth);
+    const auto level = index(depth);
     if (event == Event::key) {
       path_[level] = parsed.get_ref<const std::string&>();
       const bool is_wanted = wanted(depth);
@@ -53,7 +54,7 @@ class SkeletonFilter {
                                                     "translation", "rotation", "scale", "matrix"};
     constexpr std::array<std::string_view, 2> kSkin{"joints", "inverseBindMatrices"};
     constexpr std::array<std::string_view, 2> kVrm{"VRM", "VRMC_vrm"};
-    const std::string& key = path_[static_cast<std::size_t>(depth)];
+    const std::string& key = path_[index(depth)];
     if (depth == 1) return contains(kTop, key);
     if (path_[1] == "asset") return depth > 2 || key == "version";
     if (path_[1] == "nodes") return contains(kNode, key);

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "core/index.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 
@@ -171,8 +172,8 @@ class SkinReader {
 
   // Where a joint takes what is bound to it: place · inverse bind pose.
   Result<const std::vector<Transformd>*> bound(int skin) {
-    std::vector<Transformd>& moves = bound_[static_cast<std::size_t>(skin)];
-    const GltfSkin& of = character_.skins[static_cast<std::size_t>(skin)];
+    std::vector<Transformd>& moves = bound_[index(skin)];
+    const GltfSkin& of = character_.skins[index(skin)];
     if (!moves.empty()) return &moves;
     std::optional<GltfNumbers> inverse;
     if (of.inverse_bind_poses >= 0) {
@@ -193,7 +194,7 @@ class SkinReader {
         };
         pose = {{column(0), column(4), column(8)}, column(12)};
       }
-      moves.push_back(world_[static_cast<std::size_t>(of.joints[j])] * pose);
+      moves.push_back(world_[index(of.joints[j])] * pose);
     }
     return &moves;
   }
@@ -207,15 +208,13 @@ class SkinReader {
       if (!found) return not_read(found.error());
       moves = *found;
     }
-    const Transformd place =
-        node.node < 0 ? node.place : world_[static_cast<std::size_t>(node.node)] * node.place;
+    const Transformd place = node.node < 0 ? node.place : world_[index(node.node)] * node.place;
     const auto take = [&](std::size_t vertex) -> Result<void> {
       if (taken_++ % stride_ != 0) return {};
       const Vec3d at{part.positions.at(vertex, 0), part.positions.at(vertex, 1),
                      part.positions.at(vertex, 2)};
       SHG_TRY_ASSIGN(SkinVertex placed,
-                     skinned ? bent(part, vertex, at,
-                                    character_.skins[static_cast<std::size_t>(node.skin)], *moves)
+                     skinned ? bent(part, vertex, at, character_.skins[index(node.skin)], *moves)
                              : SkinVertex{place * at, node.node, true});
       if (!is_within(placed.position, kGltfMaxValue)) {
         return wrong(fmt::format("vertex {} stands beyond {:g} m", vertex, kGltfMaxValue));

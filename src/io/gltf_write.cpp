@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "glb.hpp"
 #include "gltf_json.hpp"
 #include "json_splice.hpp"
@@ -219,7 +220,7 @@ class AnimationAdder {
     if (nodes_.empty()) nodes_ = json_.elements(json_.member(root_, "nodes"));
     freed_.resize(nodes_.size());
     for (const GltfTrack& track : animation.tracks) {
-      const auto i = static_cast<std::size_t>(track.node);
+      const auto i = index(track.node);
       SHG_CHECK(track.node >= 0 && i < nodes_.size(), "a node of the file");
       const Value matrix = json_.member(nodes_[i], "matrix");
       if (!matrix || freed_[i]) continue;

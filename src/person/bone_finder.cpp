@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "person/find_humanoid.hpp"
 
 namespace shigusa {
@@ -25,7 +26,7 @@ BoneFinder::BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const
     const NameSide side = bone.starts_with("left_")    ? NameSide::left
                           : bone.starts_with("right_") ? NameSide::right
                                                        : NameSide::none;
-    names_[static_cast<std::size_t>(asked.node[b])] = {BonePart::none, side};
+    names_[index(asked.node[b])] = {BonePart::none, side};
   }
 }
 
@@ -87,7 +88,7 @@ void BoneFinder::leave_to_deforming_bones() {
   deforming_only_ = true;
   for (int i = 0; i < tree_.size(); ++i) {
     if (name(i).side != NameSide::none && !deforms(i)) {
-      names_[static_cast<std::size_t>(i)].part = BonePart::none;
+      names_[index(i)].part = BonePart::none;
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/index.hpp"
 #include "humanoid_names.hpp"
 #include "humanoid_shape.hpp"
 #include "landmark_points.hpp"
@@ -38,7 +39,7 @@ class BoneFinder {
     map_.doubts.push_back(fmt::format(format, std::forward<Args>(args)...));
   }
 
-  [[nodiscard]] const BoneName& name(int i) const { return names_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const BoneName& name(int i) const { return names_[index(i)]; }
   [[nodiscard]] const Vec3d& at(Bone bone) const { return tree_.at(map_[bone]); }
   [[nodiscard]] Vec3d mid(Bone a, Bone b) const { return (at(a) + at(b)) * 0.5; }
   // Whether any limb hangs on a node.

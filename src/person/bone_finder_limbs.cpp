@@ -139,9 +139,9 @@ int BoneFinder::end_below(const LimbNodes& nodes, std::size_t limb) {
     return part == BonePart::thumb || part == BonePart::ornament;
   };
   const int tip = tree_.farthest(nodes[1], is_other);
-  std::vector<int> way;
-  for (int i = tip; i != nodes[1]; i = tree_.node(i).parent) way.push_back(i);
-  for (auto i = way.rbegin(); i != way.rend(); ++i) {
+  std::vector<int> chain;
+  for (int i = tip; i != nodes[1]; i = tree_.node(i).parent) chain.push_back(i);
+  for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
     if (norm(tree_.at(*i) - tree_.at(nodes[1])) < least || is_twist_name(tree_.node(*i).name)) {
       continue;
     }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "fitted_parts.hpp"
-
 #include <algorithm>
 #include <initializer_list>
 
+#include "core/index.hpp"
 #include "part_shapes.hpp"
 #include "person_measurer.hpp"
 
@@ -54,11 +53,11 @@ class Sectors {
   }
   // of all directions the middle one
   [[nodiscard]] double middle() const {
-    std::vector<double> told;
+    std::vector<double> known;
     for (const auto& distance : distance_) {
-      if (distance) told.push_back(*distance);
+      if (distance) known.push_back(*distance);
     }
-    return quantile(std::move(told), 0.5);
+    return quantile(std::move(known), 0.5);
   }
   // How far the middle of a circle at these distances is off the line: the first term of their
   // Fourier series. Where a direction is empty nothing.
@@ -66,8 +65,8 @@ class Sectors {
     Vec3d sum{};
     if (filled_ < kSectors) return sum;
     for (std::size_t s = 0; s < kSectors; ++s) {
-      const SinCos<double> way = sin_cos(static_cast<double>(s) * (2.0 * kPi / kSectors));
-      sum += Vec3d{way.cos, 0.0, way.sin} * (*distance_[s] * (2.0 / kSectors));
+      const SinCos<double> towards = sin_cos(static_cast<double>(s) * (2.0 * kPi / kSectors));
+      sum += Vec3d{towards.cos, 0.0, towards.sin} * (*distance_[s] * (2.0 / kSectors));
     }
     return sum;
   }
@@ -117,14 +116,14 @@ class PartFitter {
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       int node = map_[static_cast<Bone>(b)];
       if (node < 0) continue;
-      bone_[static_cast<std::size_t>(node)] = b;
-      for (; node >= 0 && !own_[static_cast<std::size_t>(node)]; node = tree_.node(node).parent) {
-        own_[static_cast<std::size_t>(node)] = true;
+      bone_[index(node)] = b;
+      for (; node >= 0 && !own_[index(node)]; node = tree_.node(node).parent) {
+        own_[index(node)] = true;
       }
     }
     for (std::size_t i = 0; i < bone_.size(); ++i) {
       const int parent = tree_.node(static_cast<int>(i)).parent;
-      if (bone_[i] < 0 && parent >= 0) bone_[i] = bone_[static_cast<std::size_t>(parent)];
+      if (bone_[i] < 0 && parent >= 0) bone_[i] = bone_[index(parent)];
     }
   }
 
@@ -136,7 +135,7 @@ class PartFitter {
     for (const bool rigid : {false, true}) {
       for (const SkinVertex& vertex : tree_.skin()) {
         if (vertex.node < 0 || vertex.rigid != rigid) continue;
-        const auto node = static_cast<std::size_t>(vertex.node);
+        const auto node = index(vertex.node);
         const bool of_bone = std::any_of(bones.begin(), bones.end(), [&](Bone bone) {
           return bone_[node] == static_cast<int>(bone);
         });

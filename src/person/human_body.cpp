@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "human_builder.hpp"
 
 namespace shigusa {
@@ -222,8 +223,7 @@ void HumanBuilder::couple_hip(int hip, int knee) {
 }
 
 void HumanBuilder::set_mass(const Part& part, const LinkMass& mass) {
-  MassProperties& link =
-      part.link == kBaseLink ? body_.base_mass : body_.masses[static_cast<std::size_t>(part.link)];
+  MassProperties& link = part.link == kBaseLink ? body_.base_mass : body_.masses[index(part.link)];
   link = mass.in_frame(part.frame, part.origin);
 }
 
@@ -234,7 +234,7 @@ void HumanBuilder::hold_start_posture() {
     double upper = dof.upper;
     for (const LimitCoupling& c : body_.couplings) {
       if (c.dof != static_cast<int>(i)) continue;
-      const double driver = body_.start[static_cast<std::size_t>(c.driver)];
+      const double driver = body_.start[index(c.driver)];
       upper += c.gain * clamp(driver / c.driver_full, 0.0, 1.0);
     }
     const double over = max(body_.start[i] - upper, 0.0);

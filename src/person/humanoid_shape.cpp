@@ -141,13 +141,13 @@ std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>
   }
   LimbNodes nodes{chain[start], -1, -1};
   std::size_t found = 1;
-  double way = 0.0;
+  double beyond = 0.0;
   for (std::size_t i = start + 1; i < chain.size() && found < 3; ++i) {
-    way += norm(tree.at(chain[i]) - tree.at(chain[i - 1]));
-    if (way < (found == 1 ? kSegmentShare : second_share) * length) continue;
+    beyond += norm(tree.at(chain[i]) - tree.at(chain[i - 1]));
+    if (beyond < (found == 1 ? kSegmentShare : second_share) * length) continue;
     if (tree.node(chain[i]).end_site) return std::nullopt;
     nodes[found++] = chain[i];
-    way = 0.0;
+    beyond = 0.0;
   }
   if (found < 3) return std::nullopt;
   return nodes;

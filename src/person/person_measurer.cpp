@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "humanoid_shape.hpp"
 #include "math/axes.hpp"
 
@@ -37,7 +38,7 @@ PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Trans
                                const HumanoidMap& map, std::span<const SkinVertex> skin)
     : skeleton_(skeleton), tree_(skeleton, world, skin), map_(map) {
   for (int bone = 0; bone < kHumanoidBoneCount; ++bone) {
-    const int node = map.node[static_cast<std::size_t>(bone)];
+    const int node = map.node[index(bone)];
     const Bone b = static_cast<Bone>(bone);
     const bool optional = b == Bone::neck || b == Bone::head || b == Bone::left_toes ||
                           b == Bone::right_toes || b >= Bone::spine;
@@ -114,8 +115,7 @@ Vec3d PersonMeasurer::find_up() {
 TrunkAndLegs PersonMeasurer::rest_build() const {
   const std::vector<Vec3d> rest = rest_origins(skeleton_);
   const auto mid = [&](Bone a, Bone b) {
-    return (rest[static_cast<std::size_t>(map_[a])] + rest[static_cast<std::size_t>(map_[b])]) *
-           0.5;
+    return (rest[index(map_[a])] + rest[index(map_[b])]) * 0.5;
   };
   const Vec3d hips = mid(Bone::left_upper_leg, Bone::right_upper_leg);
   return {mid(Bone::left_upper_arm, Bone::right_upper_arm) - hips,

@@ -2,7 +2,6 @@
 // What the mesh tells where joints alone would leave a guess.
 #include <algorithm>
 
-#include "fitted_parts.hpp"
 #include "person_measurer.hpp"
 
 namespace shigusa {

@@ -21,7 +21,6 @@ MjcfInclude included_from(std::filesystem::path) { return {}; }
 #include "core/index.hpp"
 #include "core/text.hpp"
 #include "math/axes.hpp"
-#include "mjcf_actuators.hpp"
 #include "mjcf_geom.hpp"
 #include "person/humanoid_names.hpp"
 
@@ -81,6 +80,7 @@ class ModelReader {
   [[nodiscard]] std::string name_of(const XmlElement& element, const std::string& otherwise);
   Vec3d add_joints(const Hung& body, const std::vector<Inside>& joints, const std::string& name);
   std::vector<Robot::Joint> read_joint(const Inside& inside, const std::string& body);
+  std::vector<Robot::Joint> read_ball(const Inside& inside, Robot::Joint joint);
   void read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball);
   void add_masses(const std::vector<Inside>& content, const Vec3d& shift, Robot::Link& link);
   void add_hand(const std::vector<Inside>& content, const Vec3d& shift, int forearm);
@@ -265,6 +265,18 @@ Vec3d ModelReader::add_joints(const Hung& body, const std::vector<Inside>& joint
   return shift;
 }
 
+std::vector<Robot::Joint> ModelReader::read_ball(const Inside& inside, Robot::Joint joint) {
+  read_ends(inside.part, joint, true);
+  std::vector<Robot::Joint> three(3, joint);
+  constexpr std::array kAxes{"_x", "_y", "_z"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    three[k].name += kAxes[k];
+    three[k].axis = inside.frame.rotation.column(static_cast<int>(k));
+    three[k].effort = actuators_.effort(joint.name, inside.part, k);
+  }
+  return three;
+}
+
 // A hinge or a slide, or the three hinges of a ball; the origin is turned to the angle 0.
 std::vector<Robot::Joint> ModelReader::read_joint(const Inside& inside, const std::string& body) {
   const MjcfPart& part = inside.part;
@@ -280,18 +292,7 @@ std::vector<Robot::Joint> ModelReader::read_joint(const Inside& inside, const st
   joint.moves = true;
   joint.slides = type == "slide";
   joint.turns = !joint.slides;
-  if (type == "ball") {
-    std::vector<Robot::Joint> three(3, joint);
-    read_ends(part, joint, true);
-    constexpr std::array kAxes{"_x", "_y", "_z"};
-    for (std::size_t k = 0; k < 3; ++k) {
-      three[k] = joint;
-      three[k].name += kAxes[k];
-      three[k].axis = inside.frame.rotation.column(static_cast<int>(k));
-      three[k].effort = actuators_.effort(name, part, k);
-    }
-    return three;
-  }
+  if (type == "ball") return read_ball(inside, joint);
   if (type != "hinge" && type != "slide") {
     files_.wrong(part.element, "type is {}; a joint is a hinge, ball, slide or free", shown(type));
   }

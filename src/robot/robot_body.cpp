@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
+#include "core/index.hpp"
 #include "math/axes.hpp"
 #include "person/segment_mass.hpp"
 #include "robot_builder.hpp"
@@ -25,7 +26,7 @@ double usual_strength(const std::string& part) {
   return is_one_of({"wrist", "neck", "head"}) ? 0.02 : 0.06;
 }
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) { return index(i); }
 
 // Which coordinate axis a direction is nearest to, which way, and, where it is none, the frame that
 // has the direction as that axis.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/index.hpp"
 #include "robot/robot.hpp"
 #include "robot_joints.hpp"
 
@@ -77,7 +78,7 @@ class RobotBuilder {
 
   [[nodiscard]] int dof_of(const PersonJoint& joint) const;
   [[nodiscard]] int link_of(int robot_link) const {
-    return link_of_[static_cast<std::size_t>(group_[static_cast<std::size_t>(robot_link)])];
+    return link_of_[static_cast<std::size_t>(group_[index(robot_link)])];
   }
   [[nodiscard]] Vec3d local(int link, const Vec3d& world) const { return world - origin(link); }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
+#include "core/index.hpp"
 #include "robot_builder.hpp"
 
 namespace shigusa {
@@ -45,7 +46,7 @@ RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed, const std::v
   std::vector<Vec3d> corners;
   double lowest_frame = ankle.y;
   for (const int link : links) {
-    const auto i = static_cast<std::size_t>(link);
+    const auto i = index(link);
     for (const Vec3d& corner : robot.links[i].corners) corners.push_back(placed.links[i] * corner);
     lowest_frame = min(lowest_frame, placed.links[i].translation.y);
   }

@@ -91,7 +91,7 @@ class JointFinder {
   }
 
   // All joints on the way between two links, from the first on.
-  [[nodiscard]] std::vector<PersonJoint> way(int from, int to) const {
+  [[nodiscard]] std::vector<PersonJoint> joints_between(int from, int to) const {
     const int top = meet(from, to);
     std::vector<PersonJoint> joints;
     for (int i = from; i != top; i = parent(i)) {
@@ -105,7 +105,7 @@ class JointFinder {
   }
 
   [[nodiscard]] std::vector<PersonJoint> turning(int from, int to) const {
-    std::vector<PersonJoint> joints = way(from, to);
+    std::vector<PersonJoint> joints = joints_between(from, to);
     std::erase_if(joints, [&](const PersonJoint& j) { return !joint(j.joint).turns; });
     return joints;
   }
@@ -135,7 +135,7 @@ class JointFinder {
   // `bone`, or before what hangs on it.
   [[nodiscard]] std::size_t before(const std::vector<PersonJoint>& joints, int from,
                                    int bone) const {
-    const std::vector<PersonJoint> all = way(from, bone);
+    const std::vector<PersonJoint> all = joints_between(from, bone);
     if (all.empty()) return 0;
     const bool carried = joint(all.back().joint).turns;
     std::size_t count = turning(from, bone).size();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/index.hpp"
 #include "robot/robot.hpp"
 
 namespace shigusa {
@@ -21,8 +22,8 @@ struct PlacedRobot {
   std::vector<std::vector<int>> below;
 
   [[nodiscard]] const Vec3d& centre(const Robot& robot, int joint) const {
-    const int child = robot.joints[static_cast<std::size_t>(joint)].child;
-    return links[static_cast<std::size_t>(child)].translation;
+    const int child = robot.joints[index(joint)].child;
+    return links[index(child)].translation;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <shigusa/human_body.hpp>
 
 #include "body/anthropometry.hpp"
+#include "core/index.hpp"
 #include "core/text.hpp"
 #include "robot_builder.hpp"
 
@@ -20,7 +21,7 @@ constexpr double kLeastHand = 0.01;
 constexpr double kHeadJoint = 0.09;
 constexpr double kVertex = 1.0 - F::kShoulderHeight;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) { return index(i); }
 
 }  // namespace
 

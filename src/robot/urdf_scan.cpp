@@ -14,36 +14,27 @@
 namespace shigusa {
 namespace {
 
-struct Rule {
-  std::string_view parent;
-  std::string_view child;
-};
-constexpr Rule kKept[] = {{"", "robot"},
-                          {"robot", "link"},
-                          {"robot", "joint"},
-                          {"link", "inertial"},
-                          {"inertial", "origin"},
-                          {"inertial", "mass"},
-                          {"inertial", "inertia"},
-                          {"link", "collision"},
-                          {"collision", "origin"},
-                          {"collision", "geometry"},
-                          {"geometry", "box"},
-                          {"geometry", "sphere"},
-                          {"geometry", "cylinder"},
-                          {"geometry", "capsule"},
-                          {"joint", "origin"},
-                          {"joint", "parent"},
-                          {"joint", "child"},
-                          {"joint", "axis"},
-                          {"joint", "limit"},
-                          {"joint", "mimic"}};
-
-bool is_kept(std::string_view parent, std::string_view child) {
-  return std::any_of(std::begin(kKept), std::end(kKept), [&](const Rule& rule) {
-    return rule.parent == parent && rule.child == child;
-  });
-}
+// Elements that are kept, each after the one that it stands in.
+constexpr std::pair<std::string_view, std::string_view> kKept[] = {{"", "robot"},
+                                                                   {"robot", "link"},
+                                                                   {"robot", "joint"},
+                                                                   {"link", "inertial"},
+                                                                   {"inertial", "origin"},
+                                                                   {"inertial", "mass"},
+                                                                   {"inertial", "inertia"},
+                                                                   {"link", "collision"},
+                                                                   {"collision", "origin"},
+                                                                   {"collision", "geometry"},
+                                                                   {"geometry", "box"},
+                                                                   {"geometry", "sphere"},
+                                                                   {"geometry", "cylinder"},
+                                                                   {"geometry", "capsule"},
+                                                                   {"joint", "origin"},
+                                                                   {"joint", "parent"},
+                                                                   {"joint", "child"},
+                                                                   {"joint", "axis"},
+                                                                   {"joint", "limit"},
+                                                                   {"joint", "mimic"}};
 
 // "inf" and "nan" in any case, and numbers of more than kUrdfMaxValue, by their digits.
 bool is_no_limit(std::string_view text) {
@@ -239,8 +230,8 @@ class Scanner {
       return wrong("<{}> is nested deeper than {} elements", shortened(name), kUrdfMaxDepth);
     }
     const bool parent_kept = open_.empty() || open_.back().kept;
-    Element element{name, written_as(name),
-                    parent_kept && is_kept(open_.empty() ? "" : open_.back().name, name),
+    const std::string_view parent = open_.empty() ? std::string_view{} : open_.back().name;
+    Element element{name, written_as(name), parent_kept && contains(kKept, std::pair(parent, name)),
                     out_.size()};
     if (element.kept && name == "link" && ++links_ > kUrdfMaxLinks) {
       return wrong("more than {} links", kUrdfMaxLinks);

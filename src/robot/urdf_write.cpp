@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "core/index.hpp"
 #include "robot/urdf.hpp"
 
 namespace shigusa {
@@ -70,9 +71,7 @@ void write_joint(const Robot& robot, const Robot::Joint& joint, std::string& tex
                      : joint.slides             ? "prismatic"
                      : joint.limited || follows ? "revolute"
                                                 : "continuous";
-  const auto name = [&](int link) {
-    return escaped(robot.links[static_cast<std::size_t>(link)].name);
-  };
+  const auto name = [&](int link) { return escaped(robot.links[index(link)].name); };
   fmt::format_to(out, "<joint name=\"{}\" type=\"{}\"><parent link=\"{}\"/><child link=\"{}\"/>{}",
                  escaped(joint.name), type, name(joint.parent), name(joint.child),
                  origin(joint.origin));
