@@ -63,9 +63,9 @@ struct BvhFile {
 /// How format_bvh writes a motion.
 struct BvhFormat {
   double unit = 0.01;  ///< m per unit written: centimetres, what animation tools expect of BVH
-  /// Channels of the nodes as another file has them; empty: as told below. A node keeps its own
-  /// where they can tell its motion: three different rotations, and three positions if it moves.
-  /// One that lacks positions keeps the order of its rotations.
+  /// Channels of the nodes as another file has them; empty: as described below. A node keeps its
+  /// own where they can tell its motion: three different rotations, and three positions if it
+  /// moves. One that lacks positions keeps the order of its rotations.
   BvhChannels channels{};
 };
 

@@ -27,7 +27,7 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
       "character");
 }
 
-// What ties the file's nodes to the person who was measured from them, and starts from a pose of
+// The rig ties the file's nodes to the person who was measured from them and starts from a pose of
 // theirs.
 CharacterRig make_rig(CharacterFile&& file, const PersonStart& found, const Landmarks& start) {
   CharacterRig result = std::move(file.rig);
@@ -65,7 +65,7 @@ double apart(const Landmarks& a, const Landmarks& b) {
   return most;
 }
 
-// What is said of the person, before the file is read.
+// Checks the request for the person, before the file is read.
 Result<void> check_person(const CharacterSpec& spec) {
   SHG_TRY(check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"));
   SHG_TRY(check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"));

@@ -33,7 +33,7 @@ Json nodes_to_json(const CharacterSpec& spec, const BodyModel& body) {
   return list;
 }
 
-// What of the body nothing should pass through, in the start posture.
+// The capsules that nothing should pass through, in the start posture.
 Json capsules_to_json(const BodyModel& body) {
   const Kinematics<double> start = start_kinematics(body);
   Json list = Json::array();

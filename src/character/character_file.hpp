@@ -11,7 +11,7 @@ namespace shigusa {
 // The error of an animation that is asked for in a BVH file.
 [[nodiscard]] tl::unexpected<Error> holds_one_motion(const std::string& name);
 
-// What is said of the format of a character's file, by the name's ending; null where characters are
+// The format of a character's file by the name's ending, from the table; null where characters are
 // read from no such file.
 [[nodiscard]] const FormatInfo* character_format(const std::string& name);
 
@@ -45,7 +45,7 @@ struct CharacterFile {
 // its index or as the first for a frame alone.
 [[nodiscard]] Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec);
 
-// The same of one format; each that people are read from (FormatInfo::person) has one.
+// The reader of one format; each that people are read from (FormatInfo::person) has one.
 template <FileFormat format>
 [[nodiscard]] Result<void> read_person(std::string bytes, const CharacterSpec& spec,
                                        CharacterFile& character);

@@ -12,8 +12,8 @@ namespace shigusa {
 // Fails on what is of a person alone.
 [[nodiscard]] Result<void> check_robot_options(const CharacterSpec& spec);
 
-// Reads the robot of a URDF or MJCF file: fills urdf, humanoid and of MJCF doubts. What an MJCF
-// file includes is looked for in `folder`; nowhere without one.
+// Reads the robot of a URDF or MJCF file: fills urdf, humanoid and of MJCF doubts. Files that an
+// MJCF file includes are looked for in `folder`; nowhere without one.
 [[nodiscard]] Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
                                       const std::optional<std::filesystem::path>& folder);
 

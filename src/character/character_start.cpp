@@ -28,7 +28,7 @@ void stand_on_floor(MeasuredPerson& measured, double stature) {
   measured.placement.origin += measured.placement.up * (floor / measured.placement.unit);
 }
 
-// The person in a frame of an animation, in the unit and with the stature that the rest pose told:
+// The person in a frame of an animation, in the unit and with the stature of the rest pose:
 // what is measured along the bones of a bent trunk is another one.
 Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonClip& clip, int frame,
                                      std::span<const SkinVertex> skin, const PersonStart& found) {

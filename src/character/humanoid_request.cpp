@@ -75,12 +75,12 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
       return wrong(fmt::format("{} has no '{}' for {}{}", file, node_name.substr(0, 80), bone_name,
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
     }
-    int& told = map.node[static_cast<std::size_t>(bone - bones.begin())];
-    if (told >= 0) return wrong(fmt::format("{} is told twice", bone_name));
+    int& taken = map.node[static_cast<std::size_t>(bone - bones.begin())];
+    if (taken >= 0) return wrong(fmt::format("{} is told twice", bone_name));
     if (std::find(map.node.begin(), map.node.end(), place) != map.node.end()) {
       return wrong(fmt::format("'{}' is told to be two bones", node_name));
     }
-    told = place;
+    taken = place;
   }
   return map;
 }

@@ -9,7 +9,7 @@
 namespace shigusa {
 
 // The nodes that a person says some bones are, by the names of the nodes or by their places in the
-// file ("#17"). Fails on an unknown bone or node with the nearest name, on a bone that is told
+// file ("#17"). Fails on an unknown bone or node with the nearest name, on a bone that comes
 // twice, and on a node for two bones. `file`: where the nodes are, for messages. `indices`: (nodes)
 // their places in the file; empty: as they come.
 [[nodiscard]] Result<HumanoidMap> requested_bones(const BoneRequest& request,

@@ -13,7 +13,7 @@ namespace {
 
 using namespace strip;
 
-// Tones are told apart by lightness alone, so that a grey print keeps them: the acting limb is the
+// Tones differ in lightness alone, so that a grey print keeps them: the acting limb is the
 // darkest, the near side darker than the far one.
 constexpr Colour kAccent{0xa32b19};
 constexpr Colour kNear{0x607387};

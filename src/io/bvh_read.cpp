@@ -34,7 +34,7 @@ class Cursor {
     return {start, static_cast<std::size_t>(at_ - start)};
   }
 
-  // What follows on the same line, up to a brace, without blanks around it.
+  // The rest of the same line, up to a brace, without blanks around it.
   std::string_view rest_of_line() {
     const auto stops = [](char c) { return c == '\n' || c == '\r' || c == '{' || c == '}'; };
     while (at_ != end_ && is_space(*at_) && !stops(*at_)) ++at_;

@@ -196,8 +196,8 @@ class FbxReader {
     return true;
   }
 
-  // What shows or lights is no part of the skeleton, but where one hangs on it. Nodes keep the
-  // models' order.
+  // Meshes, cameras and lights are no part of the skeleton, unless a bone hangs on them. Nodes
+  // keep the models' order.
   void choose_nodes() {
     node_.assign(models_.size(), -1);
     for (std::size_t i = 0; i < models_.size(); ++i) {

@@ -49,7 +49,7 @@ bool is_needed(const FbxRecord& record) {
   return record.name != "P" || contains(kProperties, record.text(0));
 }
 
-// What both forms share: the first error, and how many records are kept.
+// Both forms share the first error, and how many records are kept.
 class Reader {
  public:
   Reader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}

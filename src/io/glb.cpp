@@ -37,10 +37,10 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
     return fail(ErrorCode::unsupported,
                 fmt::format("is GLB version {}; {} is read", word_at(bytes, 4), kVersion), place);
   }
-  const std::size_t told = word_at(bytes, 8);
-  if (told > bytes.size()) {
+  const std::size_t size = word_at(bytes, 8);
+  if (size > bytes.size()) {
     return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but it ends after {}", told, bytes.size()),
+                fmt::format("its header tells {} bytes, but it ends after {}", size, bytes.size()),
                 place);
   }
   const std::size_t length = word_at(bytes, kGlbHeader);
@@ -51,9 +51,9 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
                             bytes.size() - kHeader, length),
                 place);
   }
-  if (told < kHeader + length) {
+  if (size < kHeader + length) {
     return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but its first chunk ends after {}", told,
+                fmt::format("its header tells {} bytes, but its first chunk ends after {}", size,
                             kHeader + length),
                 place);
   }

@@ -14,7 +14,7 @@
 
 namespace shigusa {
 
-// What a glTF, GLB or VRM file may hold at most; more is refused before memory is taken.
+// Limits of a glTF, GLB or VRM file; more is refused before memory is taken.
 inline constexpr std::size_t kGltfMaxBytes = info_of(FileFormat::glb).max_bytes;
 inline constexpr std::size_t kGltfMaxJsonBytes = std::size_t{40} << 20;  // all of a .gltf file
 inline constexpr int kGltfMaxNodes = 4096;
@@ -44,7 +44,7 @@ struct GltfMeshNode {
       place;  // at rest: of the mesh in that node, or in the world; with scales in its matrix
 };
 
-// What a mesh is bound to.
+// The joints that a mesh is bound to.
 struct GltfSkin {
   std::vector<int> joints;      // nodes of the skeleton, in the order in which vertices number them
   int inverse_bind_poses = -1;  // index of the file's accessor; -1: each is the identity

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What VRM's own animations tell of their bones has the form that VRM characters have.
+// VRM's own animations name their bones in the form that VRM characters have.
 void take_animation_bones(const JsonSplice& json, const std::vector<int>& place, int nodes,
                           GltfMotion& result) {
   const auto extensions = json.member(json.root(), "extensions");

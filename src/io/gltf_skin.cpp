@@ -29,7 +29,7 @@ struct Part {
   }
 };
 
-// What nodes a mesh is shown by, and its parts that can be read.
+// The nodes that show a mesh, and its parts that can be read.
 struct Mesh {
   std::vector<const GltfMeshNode*> shown_by;
   std::vector<Part> parts;
@@ -264,8 +264,8 @@ class SkinReader {
     double sum = 0.0;
     const std::size_t influences = 4 * part.joints.size();
     for (std::size_t k = 0; k < influences; ++k) {
-      const double told = part.weights[k / 4].at(vertex, k % 4);
-      weight[k] = told > 0.0 ? told : 0.0;  // nor what is no number
+      const double given = part.weights[k / 4].at(vertex, k % 4);
+      weight[k] = given > 0.0 ? given : 0.0;  // NaN is none
       joint[k] = static_cast<std::size_t>(part.joints[k / 4].at(vertex, k % 4));
       // files fill unused places with any number
       if (weight[k] > 0.0 && joint[k] >= moves.size()) {

@@ -85,7 +85,7 @@ class Layout {
   }
 
   void add_times(const GltfAnimation& animation) {
-    // what is told of the ends is what stands in the data: as floats
+    // the ends are stated as they stand in the data: as floats
     const double last = static_cast<float>((animation.frames - 1) * animation.frame_time);
     times_ = add_accessor(static_cast<std::size_t>(animation.frames), "SCALAR",
                           fmt::format(R"(,"min":[0],"max":[{}])", last));
@@ -238,8 +238,8 @@ class AnimationAdder {
       json_.append("buffers", fmt::format(R"({{"byteLength":{}}})", length));
       return;
     }
-    const Value told = json_.member(buffers_[0], "byteLength");
-    json_.replace(told.begin, told.end, fmt::format("{}", length));
+    const Value stated = json_.member(buffers_[0], "byteLength");
+    json_.replace(stated.begin, stated.end, fmt::format("{}", length));
   }
 
   [[nodiscard]] std::string assemble(std::optional<std::string_view> binary) const {

@@ -62,7 +62,7 @@ void lower_hip(Landmarks::Leg& leg, double drop, const Vec3d& axis) {
   leg.knee = leg.hip + down * along + normalized(cross(down, axis)) * ahead;
 }
 
-// What stands on the hips, arms included.
+// The body above the hips, arms included.
 void move_upper_body(Landmarks& person, const Vec3d& by) {
   person.neck += by;
   person.head_top += by;

@@ -140,7 +140,7 @@ bool BoneFinder::strictly_below(int i, int ancestor) const {
   return i >= 0 && ancestor >= 0 && i != ancestor && tree_.below(i, ancestor);
 }
 
-// What a person asked for stands, or is refused.
+// Fails where a bone is not the node that a person asked for.
 Result<void> BoneFinder::check_asked() const {
   const auto refuse = [this](Bone bone) {
     const int found = map_[bone];

@@ -11,7 +11,6 @@ namespace {
 
 using Bone = HumanoidBone;
 
-constexpr std::size_t kFewest = 12;  // vertices of a part
 constexpr std::size_t kSectors = 8;
 constexpr std::size_t kFewestSectors = 4;
 constexpr double kEnds = 0.1;           // share of a limb at either end that its neighbours shape
@@ -127,23 +126,17 @@ class PartFitter {
     }
   }
 
-  // What goes with one of the bones, in a frame of the world.
+  // The vertices that go with one of the bones, in a frame of the world.
   [[nodiscard]] std::vector<Vec3d> flesh(std::initializer_list<Bone> bones, bool own,
                                          const Transformd& frame) const {
     const Transformd to_part = inverse(frame);
-    std::vector<Vec3d> points;
-    for (const bool rigid : {false, true}) {
-      for (const SkinVertex& vertex : tree_.skin()) {
-        if (vertex.node < 0 || vertex.rigid != rigid) continue;
-        const auto node = index(vertex.node);
-        const bool of_bone = std::any_of(bones.begin(), bones.end(), [&](Bone bone) {
-          return bone_[node] == static_cast<int>(bone);
-        });
-        if (!of_bone || (own && !own_[node])) continue;
-        points.push_back(to_part * measured_.placement.to_world(vertex.position));
-      }
-      if (points.size() >= kFewest) break;
-    }
+    std::vector<Vec3d> points = flesh_of(tree_.skin(), [&](const SkinVertex& vertex) {
+      if (vertex.node < 0 || (own && !own_[index(vertex.node)])) return false;
+      return std::any_of(bones.begin(), bones.end(), [&](Bone bone) {
+        return bone_[index(vertex.node)] == static_cast<int>(bone);
+      });
+    });
+    for (Vec3d& p : points) p = to_part * measured_.placement.to_world(p);
     return points;
   }
 
@@ -160,7 +153,8 @@ class PartFitter {
     const std::vector<Vec3d> all = flesh({bone}, false, part_frame(part, person_, frames_));
     std::vector<Vec3d> points = between(all, (kEnds - 1.0) * length, -kEnds * length);
     // a coarse limb has vertices at its ends alone
-    if (points.size() < kFewest) points = between(all, -(1.0 + kEnds) * length, kEnds * length);
+    if (points.size() < kFewestVertices)
+      points = between(all, -(1.0 + kEnds) * length, kEnds * length);
     const auto column = round_column(points, min(kThickest * length, room));
     if (!column) return;
     shapes_[part] = {{column->from.x, 0.0, column->from.z},
@@ -170,7 +164,7 @@ class PartFitter {
 
   // A line along y through the middle of the points, and how far they lie about it.
   static std::optional<PartShape> round_column(const std::vector<Vec3d>& points, double thickest) {
-    if (points.size() < kFewest) return std::nullopt;
+    if (points.size() < kFewestVertices) return std::nullopt;
     Sectors about(points, 0.0, 0.0, kInLimb);
     if (about.filled() < kFewestSectors) return std::nullopt;
     const double rough = min(about.middle(), thickest);
@@ -202,7 +196,7 @@ class PartFitter {
     const Vec3d from = to_part * piece.from;
     const Vec3d to = to_part * piece.to;
     const std::vector<Vec3d> within = between(points, from.y, to.y);
-    if (within.size() < kFewest) return;
+    if (within.size() < kFewestVertices) return;
     const double line = 0.5 * (from.z + to.z);
     const Sectors about(within, 0.0, line, kInTrunk);
     if (!about.at(2) || !about.at(6)) return;
@@ -222,7 +216,7 @@ class PartFitter {
   void fit_head() {
     const std::vector<Vec3d> points =
         flesh({Bone::head}, true, part_frame(BodyPart::head, person_, frames_));
-    if (points.size() < kFewest) return;
+    if (points.size() < kFewestVertices) return;
     const auto at = [&](int axis, double share) {
       std::vector<double> values;
       for (const Vec3d& p : points) values.push_back(p[axis]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What others must not pass through.
+// The shapes that limbs must not pass through.
 #include "human_builder.hpp"
 
 namespace shigusa {

@@ -5,15 +5,15 @@
 namespace shigusa {
 namespace {
 
-// What of a thigh lies on the seat: from behind the hip joint (share of the stature) to a share of
-// the way to the knee, and half as broad as this (share of the stature).
+// The part of a thigh that lies on the seat: from behind the hip joint (share of the stature) to a
+// share of the way to the knee, and half as broad as this (share of the stature).
 constexpr double kBehindHip = 0.06;
 constexpr double kToKnee = 0.7;
 constexpr double kHalfBreadth = 0.045;
 // Soles that are higher than this (m) bear nothing.
 constexpr double kOnTheFloor = 0.02;
 
-// the hip of who sits bends as far as with a bent knee
+// a seated person's hip bends as far as with a bent knee
 JointLimits with_bent_knee(JointLimits hip, double gain) {
   hip.upper += gain;
   return hip;
@@ -21,8 +21,8 @@ JointLimits with_bent_knee(JointLimits hip, double gain) {
 
 }  // namespace
 
-// A leg of who sits, all one piece. The first of them carries the trunk, which hangs on no joint
-// yet, as a standing leg does.
+// A seated person's leg, all one piece. The first of them carries the trunk, which hangs on no
+// joint yet, as a standing leg does.
 void HumanBuilder::add_seated_leg(Side side) {
   const Landmarks::Leg& leg = person_.leg(side);
   const Mat3d& frame = frames_.leg(side).thigh;

@@ -16,7 +16,7 @@ struct PartWords {
   std::array<std::string_view, 15> words;  // the rest are empty
 };
 
-// What conventions call the bones, in lower case and without separators.
+// The conventions' words for the bones, in lower case and without separators.
 constexpr PartWords kWords[] = {
     {BonePart::hips, {"hips", "pelvis"}},
     {BonePart::hip, {"hip", "hipjoint"}},
@@ -84,7 +84,7 @@ BonePart part_of(std::string_view word) {
 }
 
 // The words of a name in lower case: split at separators, digits and capitals ("LHipJoint" is
-// l, hip, joint). What stands before a colon or bar names the character.
+// l, hip, joint). The text before a colon or bar names the character.
 std::vector<std::string> words_of(std::string_view name) {
   const std::size_t prefix = name.find_last_of(":|");
   if (prefix != name.npos) name.remove_prefix(prefix + 1);

@@ -40,6 +40,14 @@ inline constexpr std::array kBothSides{Side::left, Side::right};
   return (p.left_arm.shoulder + p.right_arm.shoulder) * 0.5;
 }
 
+// Thigh, shank, upper arm and forearm.
+[[nodiscard]] inline std::array<double, 4> segment_lengths(const Landmarks& p, Side side) {
+  const Landmarks::Leg& leg = p.leg(side);
+  const Landmarks::Arm& arm = p.arm(side);
+  return {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle), norm(arm.shoulder - arm.elbow),
+          norm(arm.elbow - arm.wrist)};
+}
+
 // Landmarks by name, in the order in which files hold them.
 template <class Person, class Visit>
 void for_each_landmark(Person& p, Visit&& visit) {

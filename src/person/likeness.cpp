@@ -23,18 +23,18 @@ constexpr double kBroadest = 1.0;
 constexpr double kAnimalsTrunk = 0.8;
 constexpr double kAnimalsArm = 0.85;
 
+// Of a limb's two segments.
 struct Lengths {
   double upper;
   double lower;
 
   [[nodiscard]] double sum() const { return upper + lower; }
 };
-
-Lengths of(const Landmarks::Leg& leg) {
-  return {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle)};
+Lengths leg_of(const Landmarks& figure, Side side) {
+  return {segment_lengths(figure, side)[0], segment_lengths(figure, side)[1]};
 }
-Lengths of(const Landmarks::Arm& arm) {
-  return {norm(arm.shoulder - arm.elbow), norm(arm.elbow - arm.wrist)};
+Lengths arm_of(const Landmarks& figure, Side side) {
+  return {segment_lengths(figure, side)[2], segment_lengths(figure, side)[3]};
 }
 
 double unevenness(double a, double b) { return max(a, b) / min(a, b); }
@@ -74,8 +74,8 @@ std::string odd_limbs(const char* limb, Lengths left, Lengths right) {
 }  // namespace
 
 std::string unlike_a_person(const Landmarks& figure) {
-  const double legs = 0.5 * (of(figure.left_leg).sum() + of(figure.right_leg).sum());
-  const double arms = 0.5 * (of(figure.left_arm).sum() + of(figure.right_arm).sum());
+  const double legs = 0.5 * (leg_of(figure, Side::left).sum() + leg_of(figure, Side::right).sum());
+  const double arms = 0.5 * (arm_of(figure, Side::left).sum() + arm_of(figure, Side::right).sum());
   const double trunk = norm(mid_shoulder(figure) - mid_hip(figure));
   const double trunk_share = trunk / legs;
   const double arm_share = arms / legs;
@@ -102,9 +102,10 @@ std::string unlike_a_person(const Landmarks& figure) {
     return fmt::format("the arms are {:.2f} times as long as the legs; {} to {} is taken",
                        arm_share, kShortestArm, kLongestArm);
   }
-  const std::string odd_legs = odd_limbs("leg", of(figure.left_leg), of(figure.right_leg));
+  const std::string odd_legs =
+      odd_limbs("leg", leg_of(figure, Side::left), leg_of(figure, Side::right));
   if (!odd_legs.empty()) return odd_legs;
-  return odd_limbs("arm", of(figure.left_arm), of(figure.right_arm));
+  return odd_limbs("arm", arm_of(figure, Side::left), arm_of(figure, Side::right));
 }
 
 }  // namespace shigusa

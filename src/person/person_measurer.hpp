@@ -107,10 +107,27 @@ class PersonMeasurer {
   double stature_ = 0.0;        // file units
 };
 
+// Fewer vertices than this tell nothing of a part.
+inline constexpr std::size_t kFewestVertices = 12;
+
+// The vertices for which `of_part` holds; those of meshes that hang on a node as a whole count
+// where there are fewer than kFewestVertices others.
+template <class OfPart>
+[[nodiscard]] std::vector<Vec3d> flesh_of(std::span<const SkinVertex> skin, const OfPart& of_part) {
+  std::vector<Vec3d> points;
+  for (const bool rigid : {false, true}) {
+    for (const SkinVertex& vertex : skin) {
+      if (vertex.rigid == rigid && of_part(vertex)) points.push_back(vertex.position);
+    }
+    if (points.size() >= kFewestVertices) break;
+  }
+  return points;
+}
+
 // The shapes of a person's parts by the mesh, as far as it tells them: parts with fewer than a
-// dozen vertices are left out, and so are feet, which have the shape of their soles. What is flesh
-// and what is cloth a mesh does not tell, so shapes go by what lies all around a bone, not by the
-// farthest vertex:
+// dozen vertices are left out, and so are feet, which have the shape of their soles. A mesh
+// does not tell flesh from cloth, so shapes go by all that lies around a bone, not by the farthest
+// vertex:
 //
 // - Around a limb's line, ends excepted, the vertices bound to it or to what hangs on it below the
 //   next bone are parted into eight sectors. Each has the distance that three quarters of its
@@ -121,7 +138,7 @@ class PersonMeasurer {
 //   depth and breadth by the middle vertex ahead, behind and at the sides: a capsule cannot be
 //   flat, and a cape counts no more than the back.
 // - The head is what is bound to its own bone: hair and ears on bones of their own are left out. It
-//   is as broad and deep as all but the outermost fiftieth of the vertices at each side.
+//   is as broad and deep as the vertices without the outermost fiftieth at each side.
 // - Meshes that hang on bones as a whole count where a part has no others: robots, and no hats.
 [[nodiscard]] PartShapes fitted_parts(const SkeletonTree& tree, const HumanoidMap& map,
                                       const MeasuredPerson& person);

@@ -38,7 +38,7 @@ MjcfPart in_class(const XmlElement& element, std::string_view childclass) {
   return {element, named != nullptr ? named : childclass};
 }
 
-// What stands in a body, in its own frame or in those of <frame>s within it.
+// An element that stands in a body, in its own frame or in those of <frame>s within it.
 struct Inside {
   MjcfPart part;
   Transformd frame;  // in the body
@@ -151,7 +151,7 @@ int ModelReader::count_joints(const XmlElement& body, int depth) {
   return count;
 }
 
-// What stands in a body, with what stands in its frames.
+// Lists the elements of a body, with those of its frames.
 void ModelReader::list(const Inside& inside, int depth, std::vector<Inside>& content) {
   constexpr std::string_view kMakers[] = {"attach", "composite", "flexcomp", "replicate"};
   files_.each(inside.part.element, [&](const XmlElement& e) {

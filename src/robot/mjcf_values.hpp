@@ -21,7 +21,7 @@ struct MjcfPart {
   std::string_view childclass;
 };
 
-// What <compiler> says of all the model.
+// The settings of <compiler>, for all the model.
 struct MjcfSettings {
   bool degrees = true;
   bool autolimits = true;           // a range is a limit
@@ -33,7 +33,7 @@ struct MjcfSettings {
 };
 
 // Reads the attributes of a model's elements, by their own words, their class's and those of the
-// classes around it. What is wrong is noted in the files; a value then is the one that was given.
+// classes around it. Errors are noted in the files; a wrong value leaves the one that was given.
 class MjcfValues {
  public:
   // Reads settings and classes.

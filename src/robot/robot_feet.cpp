@@ -10,7 +10,7 @@ namespace {
 
 using F = StatureFractions;
 
-// What is this near (m) to the lowest corner touches the floor as well.
+// Corners this near (m) to the lowest one touch the floor as well.
 constexpr double kSoleSlack = 0.01;
 // Shapes that leave a sole smaller than this (share of the stature) are no foot's.
 constexpr double kLeastSole = 0.02;

@@ -25,7 +25,7 @@ constexpr double kOneAnkle = 0.15;
 constexpr double kOneWrist = 0.6;
 constexpr double kOneNeck = 0.15;  // … of the way from the chest
 
-// The coordinate axis that a direction all but is, else the direction.
+// The coordinate axis that a direction nearly is, else the direction.
 Vec3d snapped(const Vec3d& v) {
   constexpr double kNearly = 0.995;
   for (int k = 0; k < 3; ++k) {

@@ -27,10 +27,10 @@ struct PlacedRobot {
   }
 };
 
-// Stands the robot up by its map: y up, facing +z. Fails where its up or its left cannot be told.
+// Stands the robot up by its map: y up, facing +z. Fails where its up or its left is not clear.
 [[nodiscard]] Result<PlacedRobot> place_robot(const Robot& robot, const HumanoidMap& map);
 
-// What a joint of the file is in a person.
+// A joint of the file as one of a person.
 struct PersonJoint {
   int joint = -1;         // of the robot's joints
   bool outward = true;    // the child is the side away from the pelvis

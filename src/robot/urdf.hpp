@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// What a URDF file may hold at most; more is refused before memory is taken.
+// Limits of a URDF file; more is refused before memory is taken.
 inline constexpr std::size_t kUrdfMaxBytes = info_of(FileFormat::urdf).max_bytes;
 inline constexpr int kUrdfMaxLinks = 1024;
 inline constexpr int kUrdfMaxDepth = 64;  // of elements in one another

@@ -148,8 +148,8 @@ class Scanner {
     }
   }
 
-  // What a joint hangs on, or carries. urdfdom is given no other attribute, so that it reads the
-  // link that is checked here.
+  // The link that a joint hangs on, or carries. urdfdom is given no other attribute, so that it
+  // reads the link that is checked here.
   Result<void> hang(std::string_view name, std::string_view tag) {
     auto& [parent, child] = hung_.back();
     std::string_view& link = name == "parent" ? parent : child;
@@ -170,7 +170,7 @@ class Scanner {
     return name == "capsule" ? "cylinder" : name;
   }
 
-  // A joint's limits. What stands for none, "inf" or a number beyond all others, is no limit, and
+  // A joint's limits. A word for none, "inf" or a number beyond all others, is no limit, and
   // urdfdom reads neither infinity nor a joint without effort.
   void limit(std::string_view tag) {
     out_ += "<limit";
