@@ -11,7 +11,6 @@
 #include "character_heels.hpp"
 #include "character_places.hpp"
 #include "character_robot.hpp"
-#include "character_start.hpp"
 #include "person/at_ease.hpp"
 #include "person/landmark_points.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "body/skin.hpp"
 #include "character/character_rig.hpp"
+#include "person/measure_person.hpp"
 
 namespace shigusa {
 
@@ -49,5 +50,18 @@ struct CharacterFile {
 template <FileFormat format>
 [[nodiscard]] Result<void> read_person(std::string bytes, const CharacterSpec& spec,
                                        CharacterFile& character);
+
+// A person in a file, measured, and the posture that they start from.
+struct PersonStart {
+  HumanoidMap map;
+  FilePose measured;      // the pose that the person is measured in …
+  MeasuredPerson person;  // … and what was measured
+  FilePose posed;         // the pose that the motion starts from, as the file has it …
+  MeasuredPerson start;   // … and the person in it; with all doubts
+  bool eased = false;     // they stand at ease from there
+};
+
+// Finds and measures the person of a file in the pose that the spec asks for.
+[[nodiscard]] Result<PersonStart> find_person(const CharacterFile& file, const CharacterSpec& spec);
 
 }  // namespace shigusa

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "character_start.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
+#include "character_file.hpp"
 #include "humanoid_request.hpp"
 #include "io/gltf_animation.hpp"
 #include "person/at_ease.hpp"

@@ -15,18 +15,18 @@ BoneFinder::BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const
     names_.push_back(tree.node(i).end_site ? BoneName{} : read_bone_name(tree.node(i).name));
   }
   leave_to_deforming_bones();
-  for (std::size_t b = 0; b < given.node.size(); ++b) {
-    SHG_CHECK(given.node[b] < tree.size() && asked.node[b] < tree.size(),
+  for (const Bone bone : kHumanoidBones) {
+    SHG_CHECK(given[bone] < tree.size() && asked[bone] < tree.size(),
               "a given node of the skeleton");
-    any_given_ = any_given_ || given.node[b] >= 0;
-    if (asked.node[b] < 0) continue;
-    given_.node[b] = asked.node[b];
+    any_given_ = any_given_ || given[bone] >= 0;
+    if (asked[bone] < 0) continue;
+    given_[bone] = asked[bone];
     // whatever its own name says
-    const std::string_view bone = humanoid_bone_name(static_cast<Bone>(b));
-    const NameSide side = bone.starts_with("left_")    ? NameSide::left
-                          : bone.starts_with("right_") ? NameSide::right
+    const std::string_view word = humanoid_bone_name(bone);
+    const NameSide side = word.starts_with("left_")    ? NameSide::left
+                          : word.starts_with("right_") ? NameSide::right
                                                        : NameSide::none;
-    names_[index(asked.node[b])] = {BonePart::none, side};
+    names_[index(asked[bone])] = {BonePart::none, side};
   }
 }
 
@@ -151,8 +151,7 @@ Result<void> BoneFinder::check_asked() const {
             tree_.described(asked_[bone]), humanoid_bone_name(bone),
             found < 0 || found == asked_[bone] ? "" : "; found is " + tree_.described(found)));
   };
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<Bone>(b);
+  for (const Bone bone : kHumanoidBones) {
     if (asked_[bone] >= 0 && map_[bone] != asked_[bone]) return refuse(bone);
   }
   for (const auto& limb : kLimbs) {

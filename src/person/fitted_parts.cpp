@@ -112,10 +112,10 @@ class PartFitter {
   void find_bones() {
     bone_.assign(static_cast<std::size_t>(tree_.size()), -1);
     own_.assign(bone_.size(), false);
-    for (int b = 0; b < kHumanoidBoneCount; ++b) {
-      int node = map_[static_cast<Bone>(b)];
+    for (const Bone bone : kHumanoidBones) {
+      int node = map_[bone];
       if (node < 0) continue;
-      bone_[index(node)] = b;
+      bone_[index(node)] = static_cast<int>(bone);
       for (; node >= 0 && !own_[index(node)]; node = tree_.node(node).parent) {
         own_[index(node)] = true;
       }

@@ -37,9 +37,8 @@ Vec3d TrunkAndLegs::common_line() const {
 PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
                                const HumanoidMap& map, std::span<const SkinVertex> skin)
     : skeleton_(skeleton), tree_(skeleton, world, skin), map_(map) {
-  for (int bone = 0; bone < kHumanoidBoneCount; ++bone) {
-    const int node = map.node[index(bone)];
-    const Bone b = static_cast<Bone>(bone);
+  for (const Bone b : kHumanoidBones) {
+    const int node = map[b];
     const bool optional = b == Bone::neck || b == Bone::head || b == Bone::left_toes ||
                           b == Bone::right_toes || b >= Bone::spine;
     SHG_CHECK((node >= 0 || optional) && node < tree_.size(),

@@ -94,18 +94,15 @@ double PersonMeasurer::sole(Side side) const {
 
 void PersonMeasurer::move_to_world() {
   const Vec3d between = (body().left_leg.ankle + body().right_leg.ankle) * 0.5;
-  const auto move = [&](Vec3d& p) {
-    const Vec3d d = (p - between) * result_.placement.unit;
-    p = {dot(d, left_), dot(d, up_), dot(d, ahead_)};
-  };
-  for_each_point(body(), move);
+  Placement& placement = result_.placement;
+  placement = {left_, up_, ahead_, between, placement.unit};
+  for_each_point(body(), [&](Vec3d& p) { p = placement.to_world(p); });
   double floor = min(sole(Side::left), sole(Side::right));
   // the file's own, where its soles stand on that
-  const double zero = -dot(between, up_) * result_.placement.unit;
+  const double zero = -dot(between, up_) * placement.unit;
   if (body().left_leg.sole && abs(floor - zero) <= kFileFloor) floor = zero;
   for_each_point(body(), [&](Vec3d& p) { p.y -= floor; });
-  result_.placement = {left_, up_, ahead_, between + up_ * (floor / result_.placement.unit),
-                       result_.placement.unit};
+  placement.origin = between + up_ * (floor / placement.unit);
 }
 
 void PersonMeasurer::check_plausibility() {
