@@ -47,9 +47,8 @@ struct BvhFile {
 /// - Position channels replace the OFFSET along their axis, for the root as for any other joint:
 ///   animation tools write the whole place of the joint in its parent there.
 /// - A name is the rest of its line, spaces included. Bytes that are no UTF-8 and control
-/// characters
-///   become '_', a joint without name is called "joint", and a name that comes again gets "_2",
-///   "_3", … so that names are unique. End sites have no name.
+///   characters become '_', a joint without name is called "joint", and a name that comes again
+///   gets "_2", "_3", … so that names are unique. End sites have no name.
 /// - Keywords and channels may be in lower case. Values may be spread over lines in any way, but
 ///   there must be exactly frames × channels of them; one whole frame more is left out, since some
 ///   writers count frames from 0.
@@ -60,15 +59,13 @@ struct BvhFile {
 
 /// Reads and parses a BVH file.
 [[nodiscard]] Result<SkeletonMotion> read_bvh(const std::filesystem::path& path);
-/// The same with the channels.
-[[nodiscard]] Result<BvhFile> read_bvh_file(const std::filesystem::path& path);
 
 /// How format_bvh writes a motion.
 struct BvhFormat {
   double unit = 0.01;  ///< m per unit written: centimetres, what animation tools expect of BVH
-  /// Channels of the nodes as another file has them; empty: as told below. A node keeps its own
-  /// where they can tell its motion: three different rotations, and three positions if it moves.
-  /// One that lacks positions keeps the order of its rotations.
+  /// Channels of the nodes as another file has them; empty: as described below. A node keeps its
+  /// own where they can tell its motion: three different rotations, and three positions if it
+  /// moves. One that lacks positions keeps the order of its rotations.
   BvhChannels channels{};
 };
 

@@ -92,9 +92,9 @@ struct CharacterSpec {
 
 /// True for "half_body", "full_body" and "human", which need no file.
 [[nodiscard]] bool is_built_in(const CharacterSpec& spec);
-/// True for all but a robot that was read.
+/// True unless it is a robot that was read.
 [[nodiscard]] inline bool may_be_a_person(const CharacterSpec& spec) { return !spec.urdf; }
-/// True for all but built-in bodies and a robot that was read.
+/// True unless it is a built-in body or a robot that was read.
 [[nodiscard]] inline bool may_be_a_persons_file(const CharacterSpec& spec) {
   return !spec.urdf && !is_built_in(spec);
 }

@@ -89,7 +89,7 @@ struct FileSettings {
                                              const std::vector<Candidate>& candidates,
                                              double rate = kUsualRate);
 
-/// Fails on a rate that motions cannot leave at; `place` names what told it.
+/// Fails on a rate that motions cannot leave at; `place` names its source.
 [[nodiscard]] Result<void> check_rate(double rate, std::string_view place);
 
 }  // namespace shigusa

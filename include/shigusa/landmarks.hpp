@@ -108,10 +108,14 @@ struct Landmarks {
   [[nodiscard]] const Leg& leg(Side side) const {
     return side == Side::left ? left_leg : right_leg;
   }
+  /// The same, to be changed.
+  [[nodiscard]] Leg& leg(Side side) { return side == Side::left ? left_leg : right_leg; }
   /// The arm of a side.
   [[nodiscard]] const Arm& arm(Side side) const {
     return side == Side::left ? left_arm : right_arm;
   }
+  /// The same, to be changed.
+  [[nodiscard]] Arm& arm(Side side) { return side == Side::left ? left_arm : right_arm; }
 };
 
 /// The point that an arm's goals are given for: its own grip, or the third knuckle.

@@ -11,9 +11,8 @@
 #include "character_heels.hpp"
 #include "character_places.hpp"
 #include "character_robot.hpp"
-#include "character_start.hpp"
-#include "landmarks_json.hpp"
 #include "person/at_ease.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
@@ -27,7 +26,7 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
       "character");
 }
 
-// What ties the file's nodes to the person who was measured from them, and starts from a pose of
+// The rig ties the file's nodes to the person who was measured from them and starts from a pose of
 // theirs.
 CharacterRig make_rig(CharacterFile&& file, const PersonStart& found, const Landmarks& start) {
   CharacterRig result = std::move(file.rig);
@@ -65,12 +64,10 @@ double apart(const Landmarks& a, const Landmarks& b) {
   return most;
 }
 
-// What is said of the person, before the file is read.
+// Checks the request for the person, before the file is read.
 Result<void> check_person(const CharacterSpec& spec) {
-  if (const auto ok = check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"); !ok) {
-    return ok;
-  }
-  if (const auto ok = check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"); !ok) return ok;
+  SHG_TRY(check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"));
+  SHG_TRY(check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"));
   return is_robot(spec) ? check_robot_options(spec) : Result<void>{};
 }
 
@@ -100,38 +97,34 @@ Result<void> check_source(const CharacterSpec& spec) {
 }
 
 Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path& folder) {
-  if (const auto ok = check_person(spec); !ok) return ok;
+  SHG_TRY(check_person(spec));
   if (is_complete(spec)) return {};
-  if (const auto ok = check_source(spec); !ok) return ok;
+  SHG_TRY(check_source(spec));
   const std::filesystem::path path = folder / spec.source;
-  Result<std::string> bytes = read_character_bytes(path);
-  if (!bytes) return tl::unexpected(bytes.error());
+  SHG_TRY_ASSIGN(std::string bytes, read_character_bytes(path));
   spec.source = path.filename().string();
-  return load_character(std::move(*bytes), spec, path.parent_path());
+  return load_character(std::move(bytes), spec, path.parent_path());
 }
 
 Result<void> load_character(std::string bytes, CharacterSpec& spec,
                             const std::optional<std::filesystem::path>& folder) {
-  if (const auto ok = check_person(spec); !ok) return ok;
-  if (const auto ok = check_source(spec); !ok) return ok;
+  SHG_TRY(check_person(spec));
+  SHG_TRY(check_source(spec));
   if (is_robot(spec)) return load_robot(bytes, spec, folder);
-  Result<CharacterFile> file = parse_character(std::move(bytes), spec);
-  if (!file) return tl::unexpected(file.error());
-  Result<PersonStart> found = find_person(*file, spec);
-  if (!found) return tl::unexpected(found.error());
-  const std::vector<Transformd> world = world_transforms(file->skeleton, found->measured.clip(), 0);
+  SHG_TRY_ASSIGN(CharacterFile file, parse_character(std::move(bytes), spec));
+  SHG_TRY_ASSIGN(PersonStart found, find_person(file, spec));
+  const std::vector<Transformd> world = world_transforms(file.skeleton, found.measured.clip(), 0);
   list_bones(
-      found->map, [&](std::size_t node) { return file->skeleton.nodes[node].name; }, spec);
-  MeasuredPerson& start = found->start;
+      found.map, [&](std::size_t node) { return file.skeleton.nodes[node].name; }, spec);
+  MeasuredPerson& start = found.start;
   if (spec.heels) {
-    const auto ok = find_toes(world, found->map, found->person, spec.source, start);
-    if (!ok) return ok;
+    SHG_TRY(find_toes(world, found.map, found.person, spec.source, start));
   }
-  spec.stature = found->person.stature;
-  spec.landmarks = found->eased ? at_ease(start.landmarks, *spec.stature) : start.landmarks;
+  spec.stature = found.person.stature;
+  spec.landmarks = found.eased ? at_ease(start.landmarks, *spec.stature) : start.landmarks;
   if (spec.seat) spec.landmarks = seated(*spec.landmarks, *spec.stature, *spec.seat);
-  spec.doubts = file->doubts;
-  for (const auto* more : {&found->map.doubts, &start.doubts}) {
+  spec.doubts = file.doubts;
+  for (const auto* more : {&found.map.doubts, &start.doubts}) {
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
   }
   if (start.placement.mirrored()) {
@@ -139,8 +132,8 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
         "files with the character's own skeleton keep the mirrored axes: goals are not where they "
         "stand in them");
   }
-  CharacterRig rig = make_rig(std::move(*file), *found, *spec.landmarks);
-  rig.rig.twists = find_twist_bones(rig.skeleton, world, found->map);
+  CharacterRig rig = make_rig(std::move(file), found, *spec.landmarks);
+  rig.rig.twists = find_twist_bones(rig.skeleton, world, found.map);
   spec.rig = std::make_shared<const CharacterRig>(std::move(rig));
   if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
   return {};
@@ -150,8 +143,7 @@ int rig_node(const CharacterSpec& spec, std::string_view body_node) {
   if (!spec.rig) return -1;
   if (body_node == "left_hand_grip") return spec.rig->rig.grips[0];
   if (body_node == "right_hand_grip") return spec.rig->rig.grips[1];
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<HumanoidBone>(b);
+  for (const HumanoidBone bone : kHumanoidBones) {
     if (humanoid_bone_name(bone) == body_node) return spec.rig->rig.bones[bone];
   }
   return -1;
@@ -198,11 +190,9 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
 
 Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {
   if (spec.urdf) return build_robot_character(spec);
-  for (const auto& checked : {check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"),
-                              check_range("mass", spec.mass, kMassMin, kMassMax, "kg"),
-                              check_range("seat", spec.seat, kSeatMin, kSeatMax, "m")}) {
-    if (!checked) return tl::unexpected(checked.error());
-  }
+  SHG_TRY(check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"));
+  SHG_TRY(check_range("mass", spec.mass, kMassMin, kMassMax, "kg"));
+  SHG_TRY(check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"));
   const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);
   const double mass = spec.mass.value_or(default_mass(stature, spec.sex));
   BodyExtent extent = spec.extent.value_or(BodyExtent::human);
@@ -212,7 +202,7 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
   if (spec.seat && extent == BodyExtent::half) {
     return fail(ErrorCode::invalid_argument, "a seat is not for a body of one side", "character");
   }
-  if (const auto ok = check_heels(spec, extent); !ok) return tl::unexpected(ok.error());
+  SHG_TRY(check_heels(spec, extent));
   const HumanSettings settings{.name = spec.source,
                                .extent = extent,
                                .stature = stature,

@@ -2,16 +2,17 @@
 #include <shigusa/character.hpp>
 
 #include "character/character_rig.hpp"
+#include "core/index.hpp"
 #include "criteria/support_zone.hpp"
-#include "io/json_text.hpp"
+#include "io/json_reader.hpp"
 #include "kinematics/forward_kinematics.hpp"
+#include "kinematics/rig.hpp"
+#include "kinematics/skeleton_motion.hpp"
 #include "person/measure_person.hpp"
 #include "person/twist_bones.hpp"
 
 namespace shigusa {
 namespace {
-
-Json to_json(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 // Where goals are in the file: p_world = unit (left, up, ahead)ᵀ (p_file - origin).
 Json placement_to_json(const Placement& p) {
@@ -32,7 +33,7 @@ Json nodes_to_json(const CharacterSpec& spec, const BodyModel& body) {
   return list;
 }
 
-// What of the body nothing should pass through, in the start posture.
+// The capsules that nothing should pass through, in the start posture.
 Json capsules_to_json(const BodyModel& body) {
   const Kinematics<double> start = start_kinematics(body);
   Json list = Json::array();
@@ -45,11 +46,45 @@ Json capsules_to_json(const BodyModel& body) {
   return list;
 }
 
+Json joints_to_json(const BodyModel& body) {
+  Json list = Json::array();
+  for (int d = 0; d < body.dof_count(); ++d) {
+    const Dof& dof = body.dof(d);
+    const auto [lower, upper] = widest_limits(body, d);
+    list.push_back(
+        {{"name", dof.name},
+         {"parent", dof.parent == kBaseLink ? Json(nullptr) : Json(body.dof(dof.parent).name)},
+         {"dof", 1},
+         {"limits_rad", {lower, upper}},
+         {"strength_nm", {-dof.torque_negative, dof.torque_positive}},
+         {"start_rad", body.start()[index(d)]}});
+    if (const LimitCoupling* coupling = body.coupling_of(d)) {
+      list.back()["limit_coupling"] = {{"driver", body.dof(coupling->driver).name},
+                                       {"driver_rad", {0.0, coupling->driver_full}},
+                                       {"upper_rad", {dof.upper, upper}}};
+    }
+    if (body.robot()) list.back()["file_joint"] = file_joint(body, d);
+  }
+  return list;
+}
+
+// Where goals can be given for.
+Json places_to_json(const BodyModel& body) {
+  Json list = Json::array();
+  const std::vector<Vec3d> places = start_places(body);
+  for (int i = 0; i < body.effector_count(); ++i) {
+    const Effector& effector = body.effector(i);
+    list.push_back({{"effector", effector.name},
+                    {"node", effector.node},
+                    {"start_m", to_json(places[index(i)])}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::vector<Vec3d> start_places(const BodyModel& body) {
-  Kinematics<double> start(body);
-  forward_kinematics<double>(body, body.start(), start);
+  const Kinematics<double> start = start_kinematics(body);
   std::vector<Vec3d> places;
   for (int i = 0; i < body.effector_count(); ++i) {
     const Effector& effector = body.effector(i);
@@ -73,13 +108,13 @@ std::string file_joint(const BodyModel& body, int dof) {
 }
 
 std::vector<TwistShare> twist_shares(const CharacterSpec& spec) {
-  std::vector<TwistShare> told;
-  if (!spec.rig) return told;
+  std::vector<TwistShare> shares;
+  if (!spec.rig) return shares;
   for (const TwistBone& twist : spec.rig->rig.twists) {
-    told.push_back({spec.rig->skeleton.nodes[static_cast<std::size_t>(twist.node)].name,
-                    std::string(humanoid_bone_name(twist.bone)), twist.share});
+    shares.push_back({spec.rig->skeleton.nodes[index(twist.node)].name,
+                      std::string(humanoid_bone_name(twist.bone)), twist.share});
   }
-  return told;
+  return shares;
 }
 
 std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
@@ -87,36 +122,10 @@ std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
             {"stature_m", body.stature()},
             {"mass_kg", body.mass()},
             {"dof", body.dof_count()},
-            {"joints", Json::array()}};
-  for (int d = 0; d < body.dof_count(); ++d) {
-    const Dof& dof = body.dof(d);
-    const auto [lower, upper] = widest_limits(body, d);
-    json["joints"].push_back(
-        {{"name", dof.name},
-         {"parent", dof.parent == kBaseLink ? Json(nullptr) : Json(body.dof(dof.parent).name)},
-         {"dof", 1},
-         {"limits_rad", {lower, upper}},
-         {"strength_nm", {-dof.torque_negative, dof.torque_positive}},
-         {"start_rad", body.start()[static_cast<std::size_t>(d)]}});
-    if (const LimitCoupling* coupling = body.coupling_of(d)) {
-      json["joints"].back()["limit_coupling"] = {{"driver", body.dof(coupling->driver).name},
-                                                 {"driver_rad", {0.0, coupling->driver_full}},
-                                                 {"upper_rad", {dof.upper, upper}}};
-    }
-    if (body.robot()) json["joints"].back()["file_joint"] = file_joint(body, d);
-  }
+            {"joints", joints_to_json(body)}};
   json["effectors"] = Json::array();
-  json["places"] = Json::array();
-  const std::vector<Vec3d> places = start_places(body);
-  for (int i = 0; i < body.effector_count(); ++i) {
-    const Effector& effector = body.effector(i);
-    if (i < static_cast<int>(body.effectors().size())) {
-      json["effectors"].push_back(effector.name);
-    }
-    json["places"].push_back({{"effector", effector.name},
-                              {"node", effector.node},
-                              {"start_m", to_json(places[static_cast<std::size_t>(i)])}});
-  }
+  for (const Effector& effector : body.effectors()) json["effectors"].push_back(effector.name);
+  json["places"] = places_to_json(body);
   json["humanoid"] = Json::object();
   for (const auto& [bone, node] : spec.humanoid) json["humanoid"][bone] = node;
   json["twist_bones"] = Json::array();
@@ -133,6 +142,33 @@ std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
   if (spec.rig) json["placement"] = placement_to_json(spec.rig->rig.placement);
   json["doubts"] = std::vector<std::string>(body.doubts().begin(), body.doubts().end());
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<CharacterNode> character_nodes(const CharacterSpec& character, const BodyModel& body) {
+  std::vector<CharacterNode> nodes;
+  if (!character.rig) {
+    for (const SkeletonNode& node : body_skeleton(body).nodes) {
+      nodes.push_back({node.name, node.parent, node.offset});
+    }
+    return nodes;
+  }
+  const CharacterRig& rig = *character.rig;
+  for (std::size_t i = 0; i < rig.rig.nodes.size(); ++i) {
+    const int file_node = i < rig.file_node.size() ? rig.file_node[i] : -1;
+    nodes.push_back({rig.skeleton.nodes[i].name, rig.rig.nodes[i].parent,
+                     rig.rig.nodes[i].translation, file_node});
+  }
+  return nodes;
+}
+
+double node_unit(const CharacterSpec& character) {
+  return character.rig ? character.rig->rig.placement.unit : 1.0;
+}
+
+std::vector<LocalTransform> node_motion(const CharacterSpec& character, const BodyModel& body,
+                                        const Clip& clip) {
+  if (!character.rig) return skeleton_motion(body, clip).clip.local;
+  return rig_motion(body, clip, character.rig->rig).local;
 }
 
 }  // namespace shigusa

@@ -52,12 +52,11 @@ Result<std::optional<std::string>> animation_of(const CharacterSpec& spec,
 Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec& spec,
                                   CharacterFile& character) {
   const std::string& name = spec.source;
-  Result<GltfCharacter> file = parse_gltf(bytes, name);
-  if (!file) return tl::unexpected(file.error());
-  Skin rest = read_gltf_skin(bytes, name, *file, file->places);
+  SHG_TRY_ASSIGN(GltfCharacter file, parse_gltf(bytes, name));
+  Skin rest = read_gltf_skin(bytes, name, file, file.places);
   character.skin = std::move(rest.vertices);
-  if (std::optional<GltfPose> bound = gltf_bind_pose(bytes, name, *file)) {
-    character.bound_skin = read_gltf_skin(bytes, name, *file, bound->places).vertices;
+  if (std::optional<GltfPose> bound = gltf_bind_pose(bytes, name, file)) {
+    character.bound_skin = read_gltf_skin(bytes, name, file, bound->places).vertices;
     character.bound = FilePose{std::move(bound->local), std::move(bound->places)};
   }
   const auto animations = gltf_animation_names(bytes, name);
@@ -67,16 +66,16 @@ Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec&
   // tells
   if (!animation) return tl::unexpected(animations ? animation.error() : animations.error());
   if (*animation) {
-    Result<GltfMotion> moving = parse_gltf_animation(
-        bytes, name, {.animation = **animation, .posed = spec.frame.value_or(0)});
-    if (!moving) return tl::unexpected(moving.error());
-    character.posed_skin = read_gltf_skin(bytes, name, *file, moving->posed).vertices;
-    take(std::move(moving->character), character);
-    character.motion = std::move(moving->motion.clip);
-    character.posed = std::move(moving->posed);
-    character.doubts = std::move(moving->doubts);
+    SHG_TRY_ASSIGN(GltfMotion moving,
+                   parse_gltf_animation(
+                       bytes, name, {.animation = **animation, .posed = spec.frame.value_or(0)}));
+    character.posed_skin = read_gltf_skin(bytes, name, file, moving.posed).vertices;
+    take(std::move(moving.character), character);
+    character.motion = std::move(moving.motion.clip);
+    character.posed = std::move(moving.posed);
+    character.doubts = std::move(moving.doubts);
   } else {
-    take(std::move(*file), character);
+    take(std::move(file), character);
   }
   character.doubts.insert(character.doubts.end(), rest.doubts.begin(), rest.doubts.end());
   if (const auto fits = check_animations_fit(bytes, name); !fits) {
@@ -109,11 +108,10 @@ template <>
 Result<void> read_person<FileFormat::bvh>(std::string bytes, const CharacterSpec& spec,
                                           CharacterFile& character) {
   if (spec.animation) return holds_one_motion(spec.source);
-  Result<BvhFile> file = parse_bvh_file(bytes, spec.source);
-  if (!file) return tl::unexpected(file.error());
-  character.skeleton = std::move(file->motion.skeleton);
-  character.motion = std::move(file->motion.clip);
-  character.rig.channels = std::move(file->channels);
+  SHG_TRY_ASSIGN(BvhFile file, parse_bvh_file(bytes, spec.source));
+  character.skeleton = std::move(file.motion.skeleton);
+  character.motion = std::move(file.motion.clip);
+  character.rig.channels = std::move(file.channels);
   for (const SkeletonNode& node : character.skeleton.nodes) {
     character.rest.local.push_back({node.offset, {}});
   }
@@ -138,9 +136,8 @@ Result<void> read_person<FileFormat::vrm>(std::string bytes, const CharacterSpec
 template <>
 Result<void> read_person<FileFormat::fbx>(std::string bytes, const CharacterSpec& spec,
                                           CharacterFile& character) {
-  Result<std::string> glb = glb_of_fbx(bytes, spec.source);
-  if (!glb) return tl::unexpected(glb.error());
-  return read_person<FileFormat::glb>(std::move(*glb), spec, character);
+  SHG_TRY_ASSIGN(std::string glb, glb_of_fbx(bytes, spec.source));
+  return read_person<FileFormat::glb>(std::move(glb), spec, character);
 }
 
 Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec) {
@@ -151,9 +148,7 @@ Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& sp
   SHG_CHECK(info != nullptr && info->person, "a person's file");
   CharacterFile character;
   character.rig.file = spec.source;
-  const auto read =
-      kReaders[static_cast<std::size_t>(info->format)](std::move(bytes), spec, character);
-  if (!read) return tl::unexpected(read.error());
+  SHG_TRY(kReaders[static_cast<std::size_t>(info->format)](std::move(bytes), spec, character));
   return character;
 }
 

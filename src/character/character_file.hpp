@@ -5,13 +5,14 @@
 
 #include "body/skin.hpp"
 #include "character/character_rig.hpp"
+#include "person/measure_person.hpp"
 
 namespace shigusa {
 
 // The error of an animation that is asked for in a BVH file.
 [[nodiscard]] tl::unexpected<Error> holds_one_motion(const std::string& name);
 
-// What is said of the format of a character's file, by the name's ending; null where characters are
+// The format of a character's file by the name's ending, from the table; null where characters are
 // read from no such file.
 [[nodiscard]] const FormatInfo* character_format(const std::string& name);
 
@@ -45,9 +46,22 @@ struct CharacterFile {
 // its index or as the first for a frame alone.
 [[nodiscard]] Result<CharacterFile> parse_character(std::string bytes, const CharacterSpec& spec);
 
-// The same of one format; each that people are read from (FormatInfo::person) has one.
+// The reader of one format; each that people are read from (FormatInfo::person) has one.
 template <FileFormat format>
 [[nodiscard]] Result<void> read_person(std::string bytes, const CharacterSpec& spec,
                                        CharacterFile& character);
+
+// A person in a file, measured, and the posture that they start from.
+struct PersonStart {
+  HumanoidMap map;
+  FilePose measured;      // the pose that the person is measured in …
+  MeasuredPerson person;  // … and what was measured
+  FilePose posed;         // the pose that the motion starts from, as the file has it …
+  MeasuredPerson start;   // … and the person in it; with all doubts
+  bool eased = false;     // they stand at ease from there
+};
+
+// Finds and measures the person of a file in the pose that the spec asks for.
+[[nodiscard]] Result<PersonStart> find_person(const CharacterFile& file, const CharacterSpec& spec);
 
 }  // namespace shigusa

@@ -3,17 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "core/index.hpp"
 #include "person/human_frames.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
 
 // A toes' joint is ahead of the ankle by this, and behind the tip (m).
 constexpr double kShortestPart = 0.02;
-
-Landmarks::Leg& leg_of(Landmarks& person, Side side) {
-  return side == Side::left ? person.left_leg : person.right_leg;
-}
 
 }  // namespace
 
@@ -32,7 +30,7 @@ Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& 
                        MeasuredPerson& start) {
   const HumanFrames rest_frames = human_frames(person.landmarks);
   const HumanFrames start_frames = human_frames(start.landmarks);
-  for (const Side side : {Side::left, Side::right}) {
+  for (const Side side : kBothSides) {
     const HumanoidBone bone =
         side == Side::left ? HumanoidBone::left_toes : HumanoidBone::right_toes;
     if (map[bone] < 0) {
@@ -42,9 +40,8 @@ Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& 
                               humanoid_bone_name(bone), humanoid_bone_name(bone)),
                   file);
     }
-    const Vec3d at =
-        person.placement.to_world(world[static_cast<std::size_t>(map[bone])].translation);
-    Landmarks::Leg& leg = leg_of(start.landmarks, side);
+    const Vec3d at = person.placement.to_world(world[index(map[bone])].translation);
+    Landmarks::Leg& leg = start.landmarks.leg(side);
     const Vec3d in_foot =
         transpose_times(rest_frames.leg(side).foot, at - person.landmarks.leg(side).ankle);
     leg.toes = leg.ankle + start_frames.leg(side).foot * in_foot;

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "character/character_rig.hpp"
+#include "core/index.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/rig.hpp"
+#include "math/axes.hpp"
 
 namespace shigusa {
 namespace {
@@ -26,12 +28,10 @@ std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
   std::vector<Vec3d> places;
   for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
     const RigNode& node = rig.nodes[i];
-    const Mat3d r = to_matrix(motion.local[i].rotation);
     // a scale goes along, so it is no rigid transform
-    const Transformd local{{r.cx * node.scale.x, r.cy * node.scale.y, r.cz * node.scale.z},
+    const Transformd local{scaled_columns(to_matrix(motion.local[i].rotation), node.scale),
                            motion.local[i].translation};
-    placed.push_back(node.parent < 0 ? local
-                                     : placed[static_cast<std::size_t>(node.parent)] * local);
+    placed.push_back(node.parent < 0 ? local : placed[index(node.parent)] * local);
     const Vec3d& at = placed.back().translation;
     places.push_back(rig.placement.mirrored() ? rig.placement.to_world(at)
                                               : at * rig.placement.unit);
@@ -47,7 +47,7 @@ void find_places(const BodyModel& body, CharacterSpec& spec) {
   for (const BodyNode& node : body.nodes()) {
     const int of_file = node.name.empty() ? -1 : rig_node(spec, node.name);
     if (of_file < 0) continue;
-    const Vec3d& place = places[static_cast<std::size_t>(of_file)];
+    const Vec3d& place = places[index(of_file)];
     if (norm(place - start.point(node.link, node.point)) <= kSame) continue;
     spec.places.emplace_back(node.name, place);
   }

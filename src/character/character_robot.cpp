@@ -5,7 +5,6 @@
 
 #include "character_file.hpp"
 #include "humanoid_request.hpp"
-#include "person/likeness.hpp"
 #include "robot/mjcf.hpp"
 #include "robot/settled_posture.hpp"
 #include "robot/urdf.hpp"
@@ -20,33 +19,27 @@ struct ReadRobot {
 
 Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
   const std::string name = std::filesystem::path(spec.source).filename().string();
-  Result<Robot> robot = parse_urdf(urdf, name);
-  if (!robot) return tl::unexpected(robot.error());
-  *robot = with_hands(std::move(*robot));
-  robot->name = name;
+  SHG_TRY_ASSIGN(Robot robot, parse_urdf(urdf, name));
+  robot = with_hands(std::move(robot));
+  robot.name = name;
   std::vector<std::string> links;
-  for (const Robot::Link& link : robot->links) links.push_back(link.name);
-  const Result<HumanoidMap> asked = requested_bones(spec.map, links, name);
-  if (!asked) return tl::unexpected(asked.error());
-  Result<HumanoidMap> map = find_humanoid(*robot, *asked);
+  for (const Robot::Link& link : robot.links) links.push_back(link.name);
+  SHG_TRY_ASSIGN(const HumanoidMap asked, requested_bones(spec.map, links, name));
+  Result<HumanoidMap> map = find_humanoid(robot, asked);
   if (!map) {
     return fail(map.error().code, "no humanoid robot: " + map.error().to_string(), name);
   }
-  if (const std::string why = unlike_a_person(limbs_of(*robot, *map));
-      spec.map.empty() && !why.empty()) {
-    return fail(ErrorCode::invalid_argument, no_person(why), name);
-  }
-  return ReadRobot{with_ankles(std::move(*robot), *map), std::move(*map)};
+  SHG_TRY(check_likeness(limbs_of(robot, *map), spec.map, name));
+  return ReadRobot{with_ankles(std::move(robot), *map), std::move(*map)};
 }
 
 // A robot of an MJCF file as URDF, in which results keep robots.
 Result<std::string> urdf_of_mjcf(std::string_view bytes, CharacterSpec& spec,
                                  const std::optional<std::filesystem::path>& folder) {
-  Result<Robot> robot =
-      parse_mjcf(bytes, spec.source, folder ? included_from(*folder) : MjcfInclude{});
-  if (!robot) return tl::unexpected(robot.error());
-  spec.doubts = std::move(robot->doubts);
-  return write_urdf(*robot);
+  SHG_TRY_ASSIGN(Robot robot,
+                 parse_mjcf(bytes, spec.source, folder ? included_from(*folder) : MjcfInclude{}));
+  spec.doubts = std::move(robot.doubts);
+  return write_urdf(robot);
 }
 
 }  // namespace
@@ -74,25 +67,22 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
 Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
                         const std::optional<std::filesystem::path>& folder) {
   const bool mjcf = format_of_file(spec.source) == FileFormat::mjcf;
-  Result<std::string> text =
-      mjcf ? urdf_of_mjcf(bytes, spec, folder) : reduced_urdf(bytes, spec.source);
-  if (!text) return tl::unexpected(text.error());
-  const Result<ReadRobot> read = read_robot(*text, spec);
-  if (!read) return tl::unexpected(read.error());
+  SHG_TRY_ASSIGN(std::string text,
+                 mjcf ? urdf_of_mjcf(bytes, spec, folder) : reduced_urdf(bytes, spec.source));
+  SHG_TRY_ASSIGN(const ReadRobot read, read_robot(text, spec));
   list_bones(
-      read->map, [&](std::size_t link) { return read->robot.links[link].name; }, spec);
-  spec.urdf = std::move(*text);
+      read.map, [&](std::size_t link) { return read.robot.links[link].name; }, spec);
+  spec.urdf = std::move(text);
   return {};
 }
 
 Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
-  const Result<ReadRobot> read = read_robot(*spec.urdf, spec);
-  if (!read) return tl::unexpected(read.error());
-  const Result<BodyModel> body = build_robot(read->robot, read->map);
-  if (!body) return fail(body.error().code, body.error().to_string(), spec.source);
-  BodyDefinition standing = body->definition();
+  SHG_TRY_ASSIGN(const ReadRobot read, read_robot(*spec.urdf, spec));
+  SHG_TRY_ASSIGN(const BodyModel body,
+                 build_robot(read.robot, read.map).map_error(within(spec.source)));
+  BodyDefinition standing = body.definition();
   standing.doubts.insert(standing.doubts.end(), spec.doubts.begin(), spec.doubts.end());
-  standing.start = settled_posture(*body, standing.doubts);
+  standing.start = settled_posture(body, standing.doubts);
   return BodyModel(std::move(standing));
 }
 

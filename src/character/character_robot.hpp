@@ -4,13 +4,16 @@
 #include <shigusa/character.hpp>
 #include <shigusa/skeleton.hpp>
 
+#include "core/index.hpp"
+#include "person/landmark_points.hpp"
+
 namespace shigusa {
 
 // Fails on what is of a person alone.
 [[nodiscard]] Result<void> check_robot_options(const CharacterSpec& spec);
 
-// Reads the robot of a URDF or MJCF file: fills urdf, humanoid and of MJCF doubts. What an MJCF
-// file includes is looked for in `folder`; nowhere without one.
+// Reads the robot of a URDF or MJCF file: fills urdf, humanoid and of MJCF doubts. Files that an
+// MJCF file includes are looked for in `folder`; nowhere without one.
 [[nodiscard]] Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
                                       const std::optional<std::filesystem::path>& folder);
 
@@ -19,11 +22,9 @@ namespace shigusa {
 
 // Tells the mapped bones by the names of their nodes, which name_of(index) gives.
 inline void list_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<HumanoidBone>(b);
+  for (const HumanoidBone bone : kHumanoidBones) {
     if (map[bone] < 0) continue;
-    spec.humanoid.emplace_back(humanoid_bone_name(bone),
-                               name_of(static_cast<std::size_t>(map[bone])));
+    spec.humanoid.emplace_back(humanoid_bone_name(bone), name_of(index(map[bone])));
   }
 }
 

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "character_start.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
+#include "character_file.hpp"
 #include "humanoid_request.hpp"
 #include "io/gltf_animation.hpp"
-#include "landmarks_json.hpp"
 #include "person/at_ease.hpp"
 #include "person/find_humanoid.hpp"
-#include "person/likeness.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
@@ -20,7 +18,7 @@ namespace {
 void stand_on_floor(MeasuredPerson& measured, double stature) {
   Landmarks& person = measured.landmarks;
   double floor = 1e9;
-  for (const Side side : {Side::left, Side::right}) {
+  for (const Side side : kBothSides) {
     const Landmarks::Leg& leg = person.leg(side);
     const double by_joints = min(leg.ankle.y - StatureFractions::kAnkleHeight * stature, leg.toe.y);
     floor = min(floor, leg.sole ? (*leg.sole)[0].y : by_joints);
@@ -29,7 +27,7 @@ void stand_on_floor(MeasuredPerson& measured, double stature) {
   measured.placement.origin += measured.placement.up * (floor / measured.placement.unit);
 }
 
-// The person in a frame of an animation, in the unit and with the stature that the rest pose told:
+// The person in a frame of an animation, in the unit and with the stature of the rest pose:
 // what is measured along the bones of a bent trunk is another one.
 Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonClip& clip, int frame,
                                      std::span<const SkinVertex> skin, const PersonStart& found) {
@@ -38,14 +36,12 @@ Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonCli
   const auto measured = [&](double stature) {
     return measure_person(skeleton, world, found.map, {.stature = stature, .skin = skin});
   };
-  const Result<MeasuredPerson> bent = measured(rest.stature);
-  if (!bent) return bent;
-  Result<MeasuredPerson> posed =
-      measured(rest.stature * rest.placement.unit / bent->placement.unit);
-  if (!posed) return posed;
-  stand_on_floor(*posed, rest.stature);
+  SHG_TRY_ASSIGN(const MeasuredPerson bent, measured(rest.stature));
+  SHG_TRY_ASSIGN(MeasuredPerson posed,
+                 measured(rest.stature * rest.placement.unit / bent.placement.unit));
+  stand_on_floor(posed, rest.stature);
   // limbs are straight at rest, and their mesh as it was made
-  posed->landmarks.parts = rest.landmarks.parts;
+  posed.landmarks.parts = rest.landmarks.parts;
   return posed;
 }
 
@@ -70,19 +66,16 @@ Result<PersonStart> measure_in(const CharacterFile& file, const CharacterSpec& s
   const std::vector<Transformd> world = world_transforms(file.skeleton, pose.clip(), 0);
   std::vector<std::string> nodes;
   for (const SkeletonNode& node : file.skeleton.nodes) nodes.push_back(node.name);
-  const Result<HumanoidMap> asked =
-      requested_bones(spec.map, nodes, spec.source, file.rig.file_node);
-  if (!asked) return tl::unexpected(asked.error());
-  const Result<HumanoidMap> map = find_humanoid(file.skeleton, world, file.given, *asked, skin);
-  if (!map) return fail(map.error().code, map.error().to_string(), spec.source);
-  const Result<MeasuredPerson> person =
-      measure_person(file.skeleton, world, *map, {.stature = spec.stature, .skin = skin});
-  if (!person) return fail(person.error().code, person.error().to_string(), spec.source);
-  const std::string why = unlike_a_person(person->landmarks);
-  if (spec.map.empty() && !why.empty()) {
-    return fail(ErrorCode::invalid_argument, no_person(why), spec.source);
-  }
-  return PersonStart{*map, pose, *person, pose, *person};
+  SHG_TRY_ASSIGN(const HumanoidMap asked,
+                 requested_bones(spec.map, nodes, spec.source, file.rig.file_node));
+  SHG_TRY_ASSIGN(
+      const HumanoidMap map,
+      find_humanoid(file.skeleton, world, file.given, asked, skin).map_error(within(spec.source)));
+  SHG_TRY_ASSIGN(const MeasuredPerson person,
+                 measure_person(file.skeleton, world, map, {.stature = spec.stature, .skin = skin})
+                     .map_error(within(spec.source)));
+  SHG_TRY(check_likeness(person.landmarks, spec.map, spec.source));
+  return PersonStart{map, pose, person, pose, person};
 }
 
 bool rests(const PersonStart& person) {
@@ -119,25 +112,22 @@ std::string standing_animation(const CharacterFile& file, const PersonStart& fou
 }
 
 Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec& spec) {
-  Result<PersonStart> found = measure_at_rest(file, spec);
-  if (!found) return found;
-  found->eased = file.motion.frames == 0;
-  if (found->eased) {
-    if (rests(*found)) return found;
-    const std::string better = standing_animation(file, *found);
-    found->start.doubts.push_back(fmt::format(
+  SHG_TRY_ASSIGN(PersonStart found, measure_at_rest(file, spec));
+  found.eased = file.motion.frames == 0;
+  if (found.eased) {
+    if (rests(found)) return found;
+    const std::string better = standing_animation(file, found);
+    found.start.doubts.push_back(fmt::format(
         "the nodes do not rest as who stands does{}",
         better.empty() ? ""
                        : fmt::format("; frame 0 of the animation '{}' does: --animation", better)));
     return found;
   }
-  const Result<int> frame = frame_of(file.motion, spec);
-  if (!frame) return tl::unexpected(frame.error());
-  Result<MeasuredPerson> posed =
-      measure_posed(file.skeleton, file.motion, *frame, file.posed_skin, *found);
-  if (!posed) return fail(posed.error().code, posed.error().to_string(), spec.source);
-  found->posed = pose_at(file, *frame);
-  found->start = std::move(*posed);
+  SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
+  SHG_TRY_ASSIGN(found.start,
+                 measure_posed(file.skeleton, file.motion, frame, file.posed_skin, found)
+                     .map_error(within(spec.source)));
+  found.posed = pose_at(file, frame);
   return found;
 }
 
@@ -147,9 +137,8 @@ Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& 
     if (found) found->eased = true;
     return found;
   }
-  const Result<int> frame = frame_of(file.motion, spec);
-  if (!frame) return tl::unexpected(frame.error());
-  Result<PersonStart> found = measure_in(file, spec, pose_at(file, *frame), {});
+  SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
+  Result<PersonStart> found = measure_in(file, spec, pose_at(file, frame), {});
   if (!found || spec.frame || !spreads_arms(found->person.landmarks)) return found;
   found->eased = true;
   found->start.doubts.push_back(

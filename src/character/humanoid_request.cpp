@@ -8,6 +8,9 @@
 #include <shigusa/file.hpp>
 #include <shigusa/words.hpp>
 
+#include "person/landmark_points.hpp"
+#include "person/likeness.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -15,9 +18,7 @@ constexpr std::size_t kMapMaxBytes = std::size_t{1} << 20;
 
 std::vector<std::string> bone_names() {
   std::vector<std::string> names;
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    names.emplace_back(humanoid_bone_name(static_cast<HumanoidBone>(b)));
-  }
+  for (const HumanoidBone bone : kHumanoidBones) names.emplace_back(humanoid_bone_name(bone));
   return names;
 }
 
@@ -74,18 +75,24 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
       return wrong(fmt::format("{} has no '{}' for {}{}", file, node_name.substr(0, 80), bone_name,
                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
     }
-    int& told = map.node[static_cast<std::size_t>(bone - bones.begin())];
-    if (told >= 0) return wrong(fmt::format("{} is told twice", bone_name));
+    int& taken = map.node[static_cast<std::size_t>(bone - bones.begin())];
+    if (taken >= 0) return wrong(fmt::format("{} is told twice", bone_name));
     if (std::find(map.node.begin(), map.node.end(), place) != map.node.end()) {
       return wrong(fmt::format("'{}' is told to be two bones", node_name));
     }
-    told = place;
+    taken = place;
   }
   return map;
 }
 
-std::string no_person(const std::string& why) {
-  return fmt::format("no person: {}; if it is one, say which nodes are its bones with --map", why);
+Result<void> check_likeness(const Landmarks& figure, const BoneRequest& request,
+                            const std::string& file) {
+  const std::string why = request.empty() ? unlike_a_person(figure) : "";
+  if (why.empty()) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("no person: {}; if it is one, say which nodes are its bones with --map", why),
+      file);
 }
 
 Result<BoneRequest> bone_request(const Json& json) {
@@ -103,23 +110,19 @@ Result<BoneRequest> bone_request(const Json& json) {
 }
 
 Result<BoneRequest> read_bone_request(const std::filesystem::path& path) {
-  const Result<std::string> text = read_text_file(path, kMapMaxBytes);
-  if (!text) return tl::unexpected(text.error());
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(path, kMapMaxBytes));
   const std::string name = path.filename().string();
-  const std::size_t begin = text->find_first_not_of(" \t\r\n");
-  if (BoneRequest bones = bones_of_text(*text); begin == text->npos || (*text)[begin] != '{') {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (BoneRequest bones = bones_of_text(text); begin == text.npos || text[begin] != '{') {
     if (!bones.empty()) return bones;
     return fail(ErrorCode::invalid_argument,
                 "names no bones: it is neither an object of bones and nodes "
                 R"({"right_hand": "Bone_17"}, nor what `shigusa body` prints)",
                 name);
   }
-  const Result<Json> json = parse_json(*text, name);
-  if (!json) return tl::unexpected(json.error());
-  const auto answer = json->find("humanoid");
-  Result<BoneRequest> request = bone_request(answer != json->end() ? *answer : *json);
-  if (!request) return fail(request.error().code, request.error().message, name);
-  return request;
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
+  const auto answer = json.find("humanoid");
+  return bone_request(answer != json.end() ? *answer : json).map_error(within(name));
 }
 
 }  // namespace shigusa

@@ -51,7 +51,7 @@ constexpr double kThinnest = 1e-4;      // m, of parts
 // Coinciding joints would leave a body without lengths.
 void check_segments(JsonReader& reader, const Landmarks& p) {
   constexpr double kShortest = 1e-3;  // m
-  for (const Side side : {Side::left, Side::right}) {
+  for (const Side side : kBothSides) {
     const auto& leg = p.leg(side);
     const auto& arm = p.arm(side);
     for (const double length : {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle),

@@ -5,57 +5,9 @@
 #include <shigusa/landmarks.hpp>
 
 #include "io/json_reader.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
-
-// Landmarks by name, in the order in which files hold them.
-template <class Person, class Visit>
-void for_each_landmark(Person& p, Visit&& visit) {
-  visit("left_hip", p.left_leg.hip);
-  visit("left_knee", p.left_leg.knee);
-  visit("left_ankle", p.left_leg.ankle);
-  visit("left_toe", p.left_leg.toe);
-  visit("right_hip", p.right_leg.hip);
-  visit("right_knee", p.right_leg.knee);
-  visit("right_ankle", p.right_leg.ankle);
-  visit("right_toe", p.right_leg.toe);
-  visit("left_shoulder", p.left_arm.shoulder);
-  visit("left_elbow", p.left_arm.elbow);
-  visit("left_wrist", p.left_arm.wrist);
-  visit("left_fingertip", p.left_arm.fingertip);
-  visit("right_shoulder", p.right_arm.shoulder);
-  visit("right_elbow", p.right_arm.elbow);
-  visit("right_wrist", p.right_arm.wrist);
-  visit("right_fingertip", p.right_arm.fingertip);
-  visit("neck", p.neck);
-  visit("head_top", p.head_top);
-}
-
-// Points that a person may lack.
-template <class Person, class Visit>
-void for_each_further_landmark(Person& p, Visit&& visit) {
-  visit("head", p.head);
-  visit("left_clavicle", p.left_arm.clavicle);
-  visit("right_clavicle", p.right_arm.clavicle);
-  visit("left_toes", p.left_leg.toes);
-  visit("right_toes", p.right_leg.toes);
-  visit("left_grip", p.left_arm.grip);
-  visit("right_grip", p.right_arm.grip);
-}
-
-// Every point of a person, shapes of parts excepted: these go with their parts.
-template <class Person, class Visit>
-void for_each_point(Person& p, Visit&& visit) {
-  for_each_landmark(p, [&](const char*, auto& point) { visit(point); });
-  for_each_further_landmark(p, [&](const char*, auto& point) {
-    if (point) visit(*point);
-  });
-  for (auto& joint : p.spine) visit(joint);
-  for (auto* leg : {&p.left_leg, &p.right_leg}) {
-    if (!leg->sole) continue;
-    for (auto& corner : *leg->sole) visit(corner);
-  }
-}
 
 [[nodiscard]] Json landmarks_to_json(const Landmarks& person);
 

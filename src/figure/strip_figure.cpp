@@ -6,7 +6,6 @@
 #include <shigusa/strip_figure.hpp>
 
 #include "strip_figure_canvas.hpp"
-#include "strip_figure_check.hpp"
 #include "strip_figure_layout.hpp"
 
 namespace shigusa {
@@ -14,7 +13,7 @@ namespace {
 
 using namespace strip;
 
-// Tones are told apart by lightness alone, so that a grey print keeps them: the acting limb is the
+// Tones differ in lightness alone, so that a grey print keeps them: the acting limb is the
 // darkest, the near side darker than the far one.
 constexpr Colour kAccent{0xa32b19};
 constexpr Colour kNear{0x607387};
@@ -247,15 +246,12 @@ void Painter::scale_bar(double base) {
 
 Result<std::string> draw_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
                                const StripSettings& settings, FigureFormat format) {
-  if (const auto valid = check_strip(motion, overlay, settings); !valid) {
-    return tl::unexpected<Error>(valid.error());
-  }
+  SHG_TRY(check_strip(motion, overlay, settings));
   const double width = settings.width_mm * kPointsPerMm;
-  const auto strip = lay_out(motion, overlay, settings, width);
-  if (!strip) return tl::unexpected<Error>(strip.error());
+  SHG_TRY_ASSIGN(const auto strip, lay_out(motion, overlay, settings, width));
 
   const auto caption = wrap_text(overlay.caption, kCaptionText, width - 2.0 * kMargin);
-  const double figure = kMargin + strip->scale * (max(strip->top, 0.0) - min(strip->bottom, 0.0));
+  const double figure = kMargin + strip.scale * (max(strip.top, 0.0) - min(strip.bottom, 0.0));
   const double times = figure + kTick + kLine * kText;
   const double legend = times + 1.5 * kLine * kText;
   const double text = legend + 0.4 * kText;
@@ -269,19 +265,18 @@ Result<std::string> draw_strip(const SkeletonMotion& motion, const StripOverlay&
                 "png_dpi");
   }
 
-  const auto canvas = make_canvas(format, width, height, pixels);
-  if (!canvas) return tl::unexpected<Error>(canvas.error());
-  Painter painter(**canvas, *strip, settings, width);
+  SHG_TRY_ASSIGN(const auto canvas, make_canvas(format, width, height, pixels));
+  Painter painter(*canvas, strip, settings, width);
   painter.floor();
-  for (const Slot& slot : strip->slots) painter.slot(slot);
+  for (const Slot& slot : strip.slots) painter.slot(slot);
   painter.time_labels(times, motion.clip.frame_time);
   painter.legend(legend, overlay);
   painter.scale_bar(legend);
   for (std::size_t i = 0; i < caption.size(); ++i) {
     const double base = text + static_cast<double>(i + 1) * kLine * kCaptionText;
-    (*canvas)->text({kMargin, base}, caption[i], kCaptionText, kInk, Align::left);
+    canvas->text({kMargin, base}, caption[i], kCaptionText, kInk, Align::left);
   }
-  return (*canvas)->finish();
+  return canvas->finish();
 }
 
 }  // namespace shigusa

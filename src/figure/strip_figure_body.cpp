@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <shigusa/scalar.hpp>
 
+#include "core/index.hpp"
+#include "math/axes.hpp"
+#include "person/landmark_points.hpp"
+
 namespace shigusa::strip {
 namespace {
 
@@ -31,7 +35,7 @@ constexpr double kLegLength = 0.491;
 constexpr double kArmLength = 0.332;
 constexpr double kTrunkLength = 0.288;
 
-std::size_t at(int node) { return static_cast<std::size_t>(node); }
+std::size_t at(int node) { return index(node); }
 
 Vec3d middle(const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; }
 
@@ -64,10 +68,6 @@ void FigureBody::find_bones(const StripSettings& settings) {
     return settings.humanoid ? (*settings.humanoid)[bone]
                              : skeleton_.find(humanoid_bone_name(bone));
   };
-  arms_[0].joint = {node(left_upper_arm), node(left_lower_arm), node(left_hand)};
-  arms_[1].joint = {node(right_upper_arm), node(right_lower_arm), node(right_hand)};
-  legs_[0].joint = {node(left_upper_leg), node(left_lower_leg), node(left_foot)};
-  legs_[1].joint = {node(right_upper_leg), node(right_lower_leg), node(right_foot)};
   legs_[0].toes = node(left_toes);
   legs_[1].toes = node(right_toes);
   hips_ = node(hips);
@@ -78,12 +78,12 @@ void FigureBody::find_bones(const StripSettings& settings) {
     return std::find(settings.accented.begin(), settings.accented.end(), limb) !=
            settings.accented.end();
   };
-  arms_[0].tone = accented(Limb::left_arm) ? Tone::accent : Tone::left;
-  arms_[1].tone = accented(Limb::right_arm) ? Tone::accent : Tone::right;
-  legs_[0].tone = accented(Limb::left_leg) ? Tone::accent : Tone::left;
-  legs_[1].tone = accented(Limb::right_leg) ? Tone::accent : Tone::right;
-  for (Chain* limb : {&arms_[0], &arms_[1], &legs_[0], &legs_[1]}) {
-    if (limb->joint[2] >= 0) limb->tips = tips_below(limb->joint[2]);
+  constexpr std::array kLimbs{Limb::left_leg, Limb::right_leg, Limb::left_arm, Limb::right_arm};
+  for (std::size_t i = 0; i < kLimbs.size(); ++i) {
+    Chain& limb = i < 2 ? legs_[i] : arms_[i - 2];
+    for (std::size_t k = 0; k < 3; ++k) limb.joint[k] = node(kLimbBones[i][k]);
+    limb.tone = accented(kLimbs[i]) ? Tone::accent : i % 2 == 0 ? Tone::left : Tone::right;
+    if (limb.joint[2] >= 0) limb.tips = tips_below(limb.joint[2]);
   }
   find_trunk();
 }
@@ -112,10 +112,7 @@ void FigureBody::measure_rest(const Upright& upright) {
   // the axis that leads up the trunk most: a rest posture may lean, its axes do not
   const Vec3d rise = middle(rest_[at(shoulders_[0])], rest_[at(shoulders_[1])]) -
                      middle(rest_[at(pelvis_[0])], rest_[at(pelvis_[1])]);
-  int axis = 0;
-  for (int i = 1; i < 3; ++i) axis = abs(rise[i]) > abs(rise[axis]) ? i : axis;
-  Vec3d up{};
-  up[axis] = rise[axis] < 0.0 ? -1.0 : 1.0;
+  const Vec3d up = nearest_axis(rise);
   const Vec3d left = rest_[at(pelvis_[0])] - rest_[at(pelvis_[1])];
   const Vec3d forward = cross(left, up);
   if (norm(forward) > 1e-6 * stature_) upright_ = {up, normalized(forward)};

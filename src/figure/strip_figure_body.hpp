@@ -29,7 +29,7 @@ struct Upright {
   Vec3d forward;
 };
 
-// What a skeleton looks like: its nodes turned into rounded pieces.
+// The looks of a skeleton: its nodes as rounded pieces.
 class FigureBody {
  public:
   // `upright` is used where the skeleton's rest posture does not tell its own directions.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <shigusa/scalar.hpp>
 
+#include "core/text.hpp"
+
 #ifdef SHIGUSA_HAS_CAIRO
 #include "strip_figure_cairo.hpp"
 #else
@@ -51,24 +53,6 @@ double turn_to(const Disc& disc, const Disc& next, double angle) {
 
 }  // namespace
 
-std::size_t code_point_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) : 0u;
-  };
-  const std::uint32_t lead = byte(0);
-  if (lead < 0x80) return text.empty() ? 0 : 1;
-  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc0 || lead > 0xf4) return 0;
-  std::uint32_t value = lead & (0x7fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-    value = value << 6 | (byte(i) & 0x3f);
-  }
-  const std::uint32_t smallest = length == 4 ? 0x10000 : length == 3 ? 0x800 : 0x80;
-  const bool surrogate = value >= 0xd800 && value <= 0xdfff;
-  return value < smallest || value > 0x10ffff || surrogate ? 0 : length;
-}
-
 double text_width(const std::string& text, double size) {
 #ifdef SHIGUSA_HAS_CAIRO
   return cairo_text_width(text, size);
@@ -81,7 +65,7 @@ std::vector<std::string> wrap_text(std::string_view text, double size, double wi
   std::vector<std::string> lines;
   std::string line;
   while (!text.empty()) {
-    const std::size_t length = std::max<std::size_t>(code_point_length(text), 1);
+    const std::size_t length = std::max<std::size_t>(utf8_length(text), 1);
     const bool space = text[0] == ' ' || text[0] == '\t' || text[0] == '\n' || text[0] == '\r';
     const bool repeated = space && (line.empty() || line.back() == ' ');
     if (!repeated) line += space ? " " : text.substr(0, length);

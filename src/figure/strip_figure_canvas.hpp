@@ -28,9 +28,6 @@ struct Colour {
 
 enum class Align { left, centre, right };
 
-// Bytes of the UTF-8 character that `text` begins with; 0 where it begins with none.
-[[nodiscard]] std::size_t code_point_length(std::string_view text);
-
 // Width of a line of UTF-8 text at a font size, points.
 [[nodiscard]] double text_width(const std::string& text, double size);
 

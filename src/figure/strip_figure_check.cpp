@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "strip_figure_check.hpp"
-
 #include <fmt/format.h>
 
-#include "strip_figure_canvas.hpp"
+#include "core/text.hpp"
+#include "strip_figure_layout.hpp"
 
 namespace shigusa::strip {
 namespace {
@@ -36,9 +35,7 @@ Result<void> check_settings(const StripSettings& settings, std::size_t nodes) {
                 {"length of facing", settings.facing ? norm(*settings.facing) : 1.0, 1e-6, 1e6},
                 {"floor", settings.floor.value_or(0.0), -kFarthest, kFarthest}};
   for (const auto& range : ranges) {
-    if (auto valid = check_range(range.name, range.value, range.low, range.high); !valid) {
-      return valid;
-    }
+    SHG_TRY(check_range(range.name, range.value, range.low, range.high));
   }
   if (!settings.humanoid) return {};
   for (const int node : settings.humanoid->node) {
@@ -112,7 +109,7 @@ Result<void> check_overlay(const StripOverlay& overlay, int frames) {
                                           overlay.caption.size(), kMaxCaption));
   }
   for (std::size_t i = 0; i < overlay.caption.size();) {
-    const std::size_t length = code_point_length(std::string_view(overlay.caption).substr(i));
+    const std::size_t length = utf8_length(std::string_view(overlay.caption).substr(i));
     if (length == 0) return invalid("caption", fmt::format("byte {} is not UTF-8 text", i));
     i += length;
   }
@@ -124,9 +121,9 @@ Result<void> check_overlay(const StripOverlay& overlay, int frames) {
 Result<void> check_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
                          const StripSettings& settings) {
   const std::size_t nodes = motion.skeleton.nodes.size();
-  if (auto valid = check_settings(settings, nodes); !valid) return valid;
-  if (auto valid = check_skeleton(motion.skeleton, settings.poses); !valid) return valid;
-  if (auto valid = check_clip(motion.clip, nodes, settings); !valid) return valid;
+  SHG_TRY(check_settings(settings, nodes));
+  SHG_TRY(check_skeleton(motion.skeleton, settings.poses));
+  SHG_TRY(check_clip(motion.clip, nodes, settings));
   return check_overlay(overlay, motion.clip.frames);
 }
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <shigusa/scalar.hpp>
 
-#include "strip_figure_check.hpp"
+#include "core/index.hpp"
 
 namespace shigusa::strip {
 namespace {
@@ -226,7 +226,7 @@ void SlotBuilder::add_path(const std::vector<Vec3d>& path, int first, int last, 
   bool broken = true;
   for (int frame = first; frame <= last;
        frame = frame < last ? std::min(frame + step, last) : last + 1) {
-    const Point p = place(path[static_cast<std::size_t>(frame)]);
+    const Point p = place(path[index(frame)]);
     if (!near(p)) {
       broken = true;
       continue;
@@ -278,27 +278,26 @@ void Box::add(Point p, double radius) {
 Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
                       const StripSettings& settings, double width) {
   const std::vector<int> frames = pose_frames(motion.clip, settings);
-  const auto all = postures(motion, frames);
-  if (!all) return tl::unexpected<Error>(all.error());
+  SHG_TRY_ASSIGN(const auto all, postures(motion, frames));
 
   const Upright upright = upright_from(settings);
   const FigureBody body(motion.skeleton, settings, upright);
-  double size = body.stature() > 0.0 ? body.stature() : extent(*all);
+  double size = body.stature() > 0.0 ? body.stature() : extent(all);
   if (size < 1e-9) size = 1.0;
-  View view = view_from(settings, upright, body.leftwards(all->front()));
-  view.floor = find_floor(settings, *all, upright.up, size);
-  const auto places = anchors(*all, body, view, size);
+  View view = view_from(settings, upright, body.leftwards(all.front()));
+  view.floor = find_floor(settings, all, upright.up, size);
+  const auto places = anchors(all, body, view, size);
 
   Strip strip;
   const int path_step = std::max((frames.back() - frames.front()) / kPathPoints, 1);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SlotBuilder builder(view, places[i], size);
     builder.slot.frame = frames[i];
-    builder.add_parts(body.parts((*all)[i], size));
+    builder.add_parts(body.parts(all[i], size));
     builder.close_body();
     for (const Vec3d& goal : overlay.goals) builder.add_goal(goal);
     if (!overlay.centre_of_mass.empty()) {
-      builder.add_mass(overlay.centre_of_mass[static_cast<std::size_t>(frames[i])]);
+      builder.add_mass(overlay.centre_of_mass[index(frames[i])]);
     }
     if (!overlay.hand_path.empty()) {
       builder.add_path(overlay.hand_path, frames.front(), frames[i], path_step);

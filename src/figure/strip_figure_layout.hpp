@@ -12,6 +12,14 @@ namespace shigusa::strip {
 inline constexpr double kMargin = 5.0;
 inline constexpr double kPointsPerMm = 72.0 / 25.4;
 
+// Nothing further away than this is drawn, in the skeleton's unit: it would overflow later on.
+inline constexpr double kFarthest = 1e12;
+
+// Settings, motion and overlay are within what draw_strip allows. Positions of nodes are looked at
+// when they are computed, for the drawn frames alone.
+[[nodiscard]] Result<void> check_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
+                                       const StripSettings& settings);
+
 struct Box {
   double left = 0.0;
   double right = 0.0;

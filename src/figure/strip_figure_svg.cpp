@@ -6,6 +6,9 @@
 #include <array>
 #include <shigusa/scalar.hpp>
 
+#include "core/index.hpp"
+#include "core/text.hpp"
+
 namespace shigusa::strip {
 namespace {
 
@@ -64,7 +67,7 @@ std::string path_of(const std::vector<Arc>& outline) {
 std::string escaped(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const std::size_t length = code_point_length(text);
+    const std::size_t length = utf8_length(text);
     const std::string_view character = text.substr(0, length == 0 ? 1 : length);
     text.remove_prefix(character.size());
     if (character == "&") {
@@ -86,10 +89,10 @@ std::string escaped(std::string_view text) {
 double svg_text_width(const std::string& text, double size) {
   int units = 0;
   for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t length = code_point_length(rest);
+    const std::size_t length = utf8_length(rest);
     const int code = static_cast<unsigned char>(rest[0]) - kFirst;
     if (code >= 0 && code < static_cast<int>(kAdvance.size())) {
-      units += kAdvance[static_cast<std::size_t>(code)];
+      units += kAdvance[index(code)];
     } else if (length > 1) {
       units += length == 2 ? kLetter : kIdeograph;
     }

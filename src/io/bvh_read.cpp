@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -9,12 +10,15 @@
 #include <shigusa/words.hpp>
 #include <vector>
 
+#include "core/index.hpp"
+#include "core/text.hpp"
 #include "node_names.hpp"
 
 namespace shigusa {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+// As the C locale has blanks.
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 // Stands in the text and counts its lines. Tokens end at blanks; braces and colons are tokens.
 class Cursor {
@@ -26,18 +30,18 @@ class Cursor {
     skip_blanks();
     const char* start = at_;
     if (at_ != end_ && is_mark(*at_)) return {start, static_cast<std::size_t>(++at_ - start)};
-    while (at_ != end_ && !is_blank(*at_) && !is_mark(*at_)) ++at_;
+    while (at_ != end_ && !is_space(*at_) && !is_mark(*at_)) ++at_;
     return {start, static_cast<std::size_t>(at_ - start)};
   }
 
-  // What follows on the same line, up to a brace, without blanks around it.
+  // The rest of the same line, up to a brace, without blanks around it.
   std::string_view rest_of_line() {
     const auto stops = [](char c) { return c == '\n' || c == '\r' || c == '{' || c == '}'; };
-    while (at_ != end_ && is_blank(*at_) && !stops(*at_)) ++at_;
+    while (at_ != end_ && is_space(*at_) && !stops(*at_)) ++at_;
     const char* start = at_;
     while (at_ != end_ && !stops(*at_)) ++at_;
     const char* stop = at_;
-    while (stop != start && is_blank(stop[-1])) --stop;
+    while (stop != start && is_space(stop[-1])) --stop;
     return {start, static_cast<std::size_t>(stop - start)};
   }
 
@@ -49,7 +53,7 @@ class Cursor {
   static bool is_mark(char c) { return c == '{' || c == '}' || c == ':'; }
 
   void skip_blanks() {
-    while (at_ != end_ && is_blank(*at_)) {
+    while (at_ != end_ && is_space(*at_)) {
       const char c = *at_++;
       // CR LF is one line end, a CR alone (old Macintosh files) one too
       if (c == '\n' || (c == '\r' && (at_ == end_ || *at_ != '\n'))) ++line_;
@@ -61,14 +65,9 @@ class Cursor {
   int line_ = 1;
 };
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool same_word(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (lower(a[i]) != lower(b[i])) return false;
-  }
-  return true;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 // A token as it is shown in a message: short, and without bytes that a terminal may take amiss.
@@ -113,8 +112,7 @@ class BvhReader {
     BvhFile file{std::move(motion_), {}};
     file.channels.resize(file.motion.skeleton.nodes.size());
     for (const Channel& channel : channels_) {
-      file.channels[static_cast<std::size_t>(channel.node)].push_back(
-          {channel.rotates, channel.axis});
+      file.channels[index(channel.node)].push_back({channel.rotates, channel.axis});
     }
     return file;
   }
@@ -316,8 +314,7 @@ class BvhReader {
       local[i].translation = motion_.skeleton.nodes[i % nodes].offset;
     }
     for (int frame = 0; frame < motion_.clip.frames; ++frame) {
-      if (!frame_values(frame, local.data() + static_cast<std::size_t>(frame) * nodes))
-        return false;
+      if (!frame_values(frame, local.data() + index(frame) * nodes)) return false;
     }
     return nothing_follows();
   }
@@ -339,7 +336,7 @@ class BvhReader {
   bool frame_values(int frame, LocalTransform* local) {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const std::string_view token = cursor_.token();
-      if (token.empty()) return too_few(static_cast<std::size_t>(frame) * channels_.size() + i);
+      if (token.empty()) return too_few(index(frame) * channels_.size() + i);
       const std::optional<double> value = parse_number(token);
       // the comparison is false for NaN
       if (!value || !(*value >= -kBvhMaxValue && *value <= kBvhMaxValue)) {
@@ -384,21 +381,13 @@ Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name) {
 }
 
 Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name) {
-  Result<BvhFile> file = parse_bvh_file(text, name);
-  if (!file) return tl::unexpected<Error>(file.error());
-  return std::move(file->motion);
-}
-
-Result<BvhFile> read_bvh_file(const std::filesystem::path& path) {
-  const Result<std::string> text = read_text_file(path, kBvhMaxBytes);
-  if (!text) return tl::unexpected<Error>(text.error());
-  return parse_bvh_file(*text, path.filename().string());
+  SHG_TRY_ASSIGN(BvhFile file, parse_bvh_file(text, name));
+  return std::move(file.motion);
 }
 
 Result<SkeletonMotion> read_bvh(const std::filesystem::path& path) {
-  Result<BvhFile> file = read_bvh_file(path);
-  if (!file) return tl::unexpected<Error>(file.error());
-  return std::move(file->motion);
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(path, kBvhMaxBytes));
+  return parse_bvh(text, path.filename().string());
 }
 
 }  // namespace shigusa

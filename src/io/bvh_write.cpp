@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "node_names.hpp"
 
 namespace shigusa {
@@ -114,11 +115,11 @@ class BvhWriter {
     depth_.resize(count);
     has_child_.resize(count);
     for (const int i : bvh_order(motion_.skeleton)) {
-      order_.push_back(static_cast<std::size_t>(i));
+      order_.push_back(index(i));
       const int parent = node(order_.back()).parent;
       if (parent < 0) continue;
-      depth_[order_.back()] = depth_[static_cast<std::size_t>(parent)] + 1;
-      has_child_[static_cast<std::size_t>(parent)] = true;
+      depth_[order_.back()] = depth_[index(parent)] + 1;
+      has_child_[index(parent)] = true;
     }
   }
 
@@ -252,9 +253,9 @@ std::vector<int> bvh_order(const Skeleton& skeleton) {
   std::vector<int> order;
   // from behind, so that the first of those that wait is the last in the list
   for (int i = count - 1; i >= 0; --i) {
-    const int parent = skeleton.nodes[static_cast<std::size_t>(i)].parent;
+    const int parent = skeleton.nodes[index(i)].parent;
     SHG_CHECK(parent < i, "parents come before their children");
-    (parent < 0 ? open : children[static_cast<std::size_t>(parent)]).push_back(i);
+    (parent < 0 ? open : children[index(parent)]).push_back(i);
   }
   while (!open.empty()) {
     order.push_back(open.back());

@@ -49,7 +49,7 @@ Result<void> check(std::span<const CsvColumn> columns) {
 }  // namespace
 
 Result<std::string> format_csv(std::span<const CsvColumn> columns) {
-  if (const auto valid = check(columns); !valid) return tl::unexpected<Error>(valid.error());
+  SHG_TRY(check(columns));
   std::string text;
   for (const CsvColumn& column : columns) {
     if (!text.empty()) text += ',';

@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// What an FBX file may hold at most; more is refused before memory is taken.
+// Limits of an FBX file; more is refused before memory is taken.
 inline constexpr std::size_t kFbxMaxBytes = info_of(FileFormat::fbx).max_bytes;
 inline constexpr int kFbxMaxNodes = 4096;  // models
 inline constexpr int kFbxMaxDepth = 64;    // of records in one another

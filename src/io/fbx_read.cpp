@@ -10,6 +10,7 @@
 #include "core/index.hpp"
 #include "fbx_records.hpp"
 #include "glb.hpp"
+#include "math/axes.hpp"
 
 namespace shigusa {
 namespace {
@@ -96,11 +97,6 @@ Place place_of(const Properties& p) {
   return {at, turned, scale};
 }
 
-bool is_tame(const Vec3d& v) {
-  const auto tame = [](double x) { return abs(x) <= kFbxMaxValue; };
-  return tame(v.x) && tame(v.y) && tame(v.z);
-}
-
 // "Model::Hips" of the text form, "Hips", a zero, a one and "Model" of the binary form.
 std::string_view plain_name(std::string_view name) {
   if (const std::size_t end = name.find(std::string_view("\0\1", 2)); end != name.npos) {
@@ -179,12 +175,12 @@ class FbxReader {
         const auto child = by_id_.find(c.integer(1));
         const auto parent = by_id_.find(c.integer(2));
         if (child == by_id_.end() || (parent == by_id_.end() && c.integer(2) != 0)) continue;
-        const auto i = static_cast<std::size_t>(child->second);
+        const auto i = index(child->second);
         if (hung[i]) continue;
         hung[i] = true;
         if (parent == by_id_.end()) continue;
         models_[i].parent = parent->second;
-        models_[static_cast<std::size_t>(parent->second)].children.push_back(child->second);
+        models_[index(parent->second)].children.push_back(child->second);
       }
     }
     return true;
@@ -193,15 +189,15 @@ class FbxReader {
   bool check_tree() {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       std::size_t steps = 0;
-      for (int at = models_[i].parent; at >= 0; at = models_[static_cast<std::size_t>(at)].parent) {
+      for (int at = models_[i].parent; at >= 0; at = models_[index(at)].parent) {
         if (++steps > models_.size()) return wrong("{} hangs in a circle", described(i));
       }
     }
     return true;
   }
 
-  // What shows or lights is no part of the skeleton, but where one hangs on it. Nodes keep the
-  // models' order.
+  // Meshes, cameras and lights are no part of the skeleton, unless a bone hangs on them. Nodes
+  // keep the models' order.
   void choose_nodes() {
     node_.assign(models_.size(), -1);
     for (std::size_t i = 0; i < models_.size(); ++i) {
@@ -244,10 +240,10 @@ class FbxReader {
         {{"CoordAxis", "CoordAxisSign"}, {"UpAxis", "UpAxisSign"}, {"FrontAxis", "FrontAxisSign"}}};
     std::array<bool, 3> taken{};
     for (int k = 0; k < 3; ++k) {
-      const auto& [axis, sign] = kNames[static_cast<std::size_t>(k)];
+      const auto& [axis, sign] = kNames[index(k)];
       const double from = p.number(axis, k);
       const int file = from == 0.0 ? 0 : from == 1.0 ? 1 : from == 2.0 ? 2 : -1;
-      if (file < 0 || std::exchange(taken[static_cast<std::size_t>(file)], true)) {
+      if (file < 0 || std::exchange(taken[index(file)], true)) {
         return wrong("CoordAxis, UpAxis and FrontAxis are not 0, 1 and 2 in some order");
       }
       Vec3d& column = *columns[file];
@@ -264,11 +260,11 @@ class FbxReader {
   bool write_node(std::size_t i, Json& nodes) {
     const Model& model = models_[i];
     for (const char* turns : {"Lcl Rotation", "PreRotation", "PostRotation"}) {
-      if (is_tame(model.properties.vector(turns))) continue;
+      if (is_within(model.properties.vector(turns), kFbxMaxValue)) continue;
       return wrong("{} is turned by more than {:g} degrees", described(i), kFbxMaxValue);
     }
     Place place = place_of(model.properties);
-    if (!is_tame(place.at) || !is_tame(place.scale)) {
+    if (!is_within(place.at, kFbxMaxValue) || !is_within(place.scale, kFbxMaxValue)) {
       return wrong("{} stands or is scaled beyond {:g}", described(i), kFbxMaxValue);
     }
     if (model.parent < 0 && !to_metres(place)) return false;
@@ -294,13 +290,7 @@ class FbxReader {
                     {"nodes", nodes},
                     {"skins", {{{"joints", joints_}}}}};
     // names may be in any encoding
-    std::string json = file.dump(-1, ' ', false, Json::error_handler_t::replace);
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::string bytes = "glTF";
-    append_word(bytes, 2);
-    append_word(bytes, static_cast<std::uint32_t>(kGlbHeader + kGlbChunkHeader + json.size()));
-    append_word(bytes, static_cast<std::uint32_t>(json.size()));
-    return (bytes += kGlbJson) += json;
+    return glb_file(file.dump(-1, ' ', false, Json::error_handler_t::replace));
   }
 
   const FbxRecord& root_;
@@ -315,9 +305,8 @@ class FbxReader {
 }  // namespace
 
 Result<std::string> glb_of_fbx(std::string_view bytes, std::string_view name) {
-  const Result<FbxRecords> records = read_fbx_records(bytes, name);
-  if (!records) return tl::unexpected(records.error());
-  return FbxReader(records->root, name).read();
+  SHG_TRY_ASSIGN(const FbxRecords records, read_fbx_records(bytes, name));
+  return FbxReader(records.root, name).read();
 }
 
 }  // namespace shigusa

@@ -10,6 +10,8 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -18,24 +20,22 @@ constexpr int kOldest = 7000;
 constexpr std::size_t kMaxValues = 64;  // of a record that is read
 constexpr int kLongHeads = 7500;        // since this version records have heads of 64-bit numbers
 
-struct Rule {
-  std::string_view parent;
-  std::string_view child;
-};
-constexpr Rule kRead[] = {{"", "FBXHeaderExtension"},
-                          {"", "GlobalSettings"},
-                          {"", "Definitions"},
-                          {"", "Objects"},
-                          {"", "Connections"},
-                          {"FBXHeaderExtension", "FBXVersion"},
-                          {"GlobalSettings", "Properties70"},
-                          {"Definitions", "ObjectType"},
-                          {"ObjectType", "PropertyTemplate"},
-                          {"PropertyTemplate", "Properties70"},
-                          {"Objects", "Model"},
-                          {"Model", "Properties70"},
-                          {"Properties70", "P"},
-                          {"Connections", "C"}};
+// Records that are read, each after the one that it stands in.
+constexpr std::pair<std::string_view, std::string_view> kRead[] = {
+    {"", "FBXHeaderExtension"},
+    {"", "GlobalSettings"},
+    {"", "Definitions"},
+    {"", "Objects"},
+    {"", "Connections"},
+    {"FBXHeaderExtension", "FBXVersion"},
+    {"GlobalSettings", "Properties70"},
+    {"Definitions", "ObjectType"},
+    {"ObjectType", "PropertyTemplate"},
+    {"PropertyTemplate", "Properties70"},
+    {"Objects", "Model"},
+    {"Model", "Properties70"},
+    {"Properties70", "P"},
+    {"Connections", "C"}};
 // Properties that tell where a model stands, or of the file's units and axes.
 constexpr std::string_view kProperties[] = {
     "Lcl Translation", "Lcl Rotation",    "Lcl Scaling",   "PreRotation",  "PostRotation",
@@ -43,21 +43,13 @@ constexpr std::string_view kProperties[] = {
     "RotationActive",  "UnitScaleFactor", "UpAxis",        "UpAxisSign",   "FrontAxis",
     "FrontAxisSign",   "CoordAxis",       "CoordAxisSign"};
 
-bool is_read(std::string_view parent, std::string_view child) {
-  return std::any_of(std::begin(kRead), std::end(kRead), [&](const Rule& rule) {
-    return rule.parent == parent && rule.child == child;
-  });
-}
-
 // Of properties and connections few are of use, and a file has very many.
 bool is_needed(const FbxRecord& record) {
   if (record.name == "C") return record.text(0) == "OO";
-  if (record.name != "P") return true;
-  return std::find(std::begin(kProperties), std::end(kProperties), record.text(0)) !=
-         std::end(kProperties);
+  return record.name != "P" || contains(kProperties, record.text(0));
 }
 
-// What both forms share: the first error, and how many records are kept.
+// Both forms share the first error, and how many records are kept.
 class Reader {
  public:
   Reader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
@@ -156,7 +148,7 @@ class BinaryReader : public Reader {
       }
       const std::size_t after = at_ + length;
       const auto stop = static_cast<std::size_t>(last);
-      const bool kept = keeps && is_read(parent.name, record.name);
+      const bool kept = keeps && contains(kRead, std::pair(parent.name, record.name));
       if (kept) {
         if (!read_values(record, values, after)) return false;
         at_ = after;
@@ -260,8 +252,6 @@ class TextReader : public Reader {
     return fmt::format("line {}", 1 + std::count(bytes_.begin(), end, '\n'));
   }
 
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
   // The next sign after blanks and comments, or 0 at the end.
   char peek() {
     while (at_ < bytes_.size()) {
@@ -302,7 +292,7 @@ class TextReader : public Reader {
         return wrong("no record: it begins with a name and a colon", here());
       }
       ++at_;
-      const bool kept = keeps && is_read(parent.name, record.name);
+      const bool kept = keeps && contains(kRead, std::pair(parent.name, record.name));
       if (!read_values(record, kept)) return false;
       if (peek() == '{') {
         ++at_;

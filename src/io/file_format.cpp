@@ -3,6 +3,8 @@
 #include <shigusa/file_format.hpp>
 #include <vector>
 
+#include "core/text.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -35,9 +37,7 @@ bool is_built_with(NeededLibrary library) {
 }
 
 std::string file_ending(const std::string& name) {
-  std::string ending = std::filesystem::path(name).extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return ending;
+  return lower(std::filesystem::path(name).extension().string());
 }
 
 std::optional<FileFormat> format_of_file(const std::string& name) {

@@ -5,6 +5,23 @@
 
 namespace shigusa {
 
+std::string glb_file(std::string json, std::optional<std::string_view> binary,
+                     std::string_view further) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string chunks;
+  const auto add = [&](std::string_view kind, std::string_view bytes) {
+    append_word(chunks, static_cast<std::uint32_t>(bytes.size()));
+    (chunks += kind) += bytes;
+  };
+  add(kGlbJson, json);
+  if (binary) add(kGlbBinary, *binary);
+  chunks += further;
+  std::string file = "glTF";
+  append_word(file, 2);
+  append_word(file, static_cast<std::uint32_t>(chunks.size() + kGlbHeader));
+  return file += chunks;
+}
+
 Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name) {
   constexpr std::uint32_t kVersion = 2;
   constexpr std::size_t kHeader = kGlbHeader + kGlbChunkHeader;
@@ -20,10 +37,10 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
     return fail(ErrorCode::unsupported,
                 fmt::format("is GLB version {}; {} is read", word_at(bytes, 4), kVersion), place);
   }
-  const std::size_t told = word_at(bytes, 8);
-  if (told > bytes.size()) {
+  const std::size_t size = word_at(bytes, 8);
+  if (size > bytes.size()) {
     return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but it ends after {}", told, bytes.size()),
+                fmt::format("its header tells {} bytes, but it ends after {}", size, bytes.size()),
                 place);
   }
   const std::size_t length = word_at(bytes, kGlbHeader);
@@ -34,9 +51,9 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
                             bytes.size() - kHeader, length),
                 place);
   }
-  if (told < kHeader + length) {
+  if (size < kHeader + length) {
     return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but its first chunk ends after {}", told,
+                fmt::format("its header tells {} bytes, but its first chunk ends after {}", size,
                             kHeader + length),
                 place);
   }
@@ -45,10 +62,9 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
 
 Result<GlbParts> glb_parts(std::string_view bytes, std::string_view name) {
   if (!bytes.starts_with("glTF")) return GlbParts{bytes, {}, {}, false};
-  const Result<std::string_view> json = gltf_text(bytes, name);
-  if (!json) return tl::unexpected<Error>(json.error());
-  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + json->size();
-  GlbParts parts{*json, {}, {}, true};
+  SHG_TRY_ASSIGN(const std::string_view json, gltf_text(bytes, name));
+  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + json.size();
+  GlbParts parts{json, {}, {}, true};
   std::string_view rest = bytes.substr(json_end, word_at(bytes, 8) - json_end);
   if (rest.size() >= kGlbChunkHeader && rest.substr(4, 4) == kGlbBinary) {
     const std::size_t length = word_at(rest, 0);

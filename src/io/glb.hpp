@@ -25,6 +25,11 @@ inline constexpr std::size_t kGlbChunkHeader = 8;  // and of each chunk's: lengt
 inline constexpr std::string_view kGlbJson = "JSON";
 inline constexpr std::string_view kGlbBinary{"BIN\0", 4};
 
+// A GLB file of these chunks. The JSON text is padded to whole words; the others must be made of
+// them.
+[[nodiscard]] std::string glb_file(std::string json, std::optional<std::string_view> binary = {},
+                                   std::string_view further = {});
+
 // A file's parts: chunks of a GLB, or the text of a .gltf.
 struct GlbParts {
   std::string_view json;

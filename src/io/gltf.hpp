@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <shigusa/file_format.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
@@ -11,9 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "math/axes.hpp"
+
 namespace shigusa {
 
-// What a glTF, GLB or VRM file may hold at most; more is refused before memory is taken.
+// Limits of a glTF, GLB or VRM file; more is refused before memory is taken.
 inline constexpr std::size_t kGltfMaxBytes = info_of(FileFormat::glb).max_bytes;
 inline constexpr std::size_t kGltfMaxJsonBytes = std::size_t{40} << 20;  // all of a .gltf file
 inline constexpr int kGltfMaxNodes = 4096;
@@ -27,6 +28,11 @@ struct GltfPlace {
   Vec3d translation{};
   Quatd rotation{};
   Vec3d scale{1, 1, 1};
+
+  // With the scale in its matrix.
+  [[nodiscard]] Transformd transform() const {
+    return {scaled_columns(to_matrix(rotation), scale), translation};
+  }
 };
 
 // A node of the file that shows a mesh.
@@ -38,7 +44,7 @@ struct GltfMeshNode {
       place;  // at rest: of the mesh in that node, or in the world; with scales in its matrix
 };
 
-// What a mesh is bound to.
+// The joints that a mesh is bound to.
 struct GltfSkin {
   std::vector<int> joints;      // nodes of the skeleton, in the order in which vertices number them
   int inverse_bind_poses = -1;  // index of the file's accessor; -1: each is the identity
@@ -72,8 +78,5 @@ struct GltfCharacter {
 // - Names are made unique as parse_bvh does; a node without a name is "node 17" by its index.
 // - Bones of the VRM map that name no node of the file are left out, with a doubt.
 [[nodiscard]] Result<GltfCharacter> parse_gltf(std::string_view bytes, std::string_view name);
-
-// Reads and parses a file.
-[[nodiscard]] Result<GltfCharacter> read_gltf(const std::filesystem::path& path);
 
 }  // namespace shigusa

@@ -155,15 +155,14 @@ Result<Json> GltfAccessors::entry(const char* list, const Json& index) {
 }
 
 Result<std::string_view> GltfAccessors::buffer(const Json& index) {
-  const Result<Json> found = entry("buffers", index);
-  if (!found) return tl::unexpected(found.error());
+  SHG_TRY_ASSIGN(const Json found, entry("buffers", index));
   const auto i = index.get<std::size_t>();
-  if (found->is_object()) {
+  if (found.is_object()) {
     if (i == 0 && parts_.binary) return *parts_.binary;
     return wrong(fmt::format("buffers[{}]", i), "has no data in the file");
   }
   if (!decoded_[i].empty()) return std::string_view(decoded_[i]);
-  const std::string& uri = found->get_ref<const std::string&>();  // with its quotes
+  const std::string& uri = found.get_ref<const std::string&>();  // with its quotes
   constexpr std::string_view kBase64 = ";base64,";
   const std::size_t comma = uri.find(kBase64);
   if (!uri.starts_with("\"data:") || comma == uri.npos) {
@@ -180,20 +179,19 @@ Result<std::string_view> GltfAccessors::buffer(const Json& index) {
 }
 
 Result<GltfAccessors::View> GltfAccessors::view(const Json& index) {
-  const Result<Json> found = entry("bufferViews", index);
-  if (!found) return tl::unexpected(found.error());
+  SHG_TRY_ASSIGN(const Json found, entry("bufferViews", index));
   const std::string place = fmt::format("bufferViews[{}]", index.get<std::size_t>());
-  const auto offset = whole(*found, "byteOffset", 0);
-  const auto length = whole(*found, "byteLength", 0);
-  const auto stride = whole(*found, "byteStride", 0);
-  if (!found->contains("buffer") || !offset || !length || !stride || *stride > 252) {
+  const auto offset = whole(found, "byteOffset", 0);
+  const auto length = whole(found, "byteLength", 0);
+  const auto stride = whole(found, "byteStride", 0);
+  if (!found.contains("buffer") || !offset || !length || !stride || *stride > 252) {
     return wrong(place,
                  "buffer, byteOffset, byteLength and byteStride (0 to 252) must be whole "
                  "numbers");
   }
-  const Result<std::string_view> bytes = buffer((*found)["buffer"]);
-  const auto extensions = found->find("extensions");
-  if (!bytes && extensions != found->end() && extensions->is_object()) {
+  const Result<std::string_view> bytes = buffer(found["buffer"]);
+  const auto extensions = found.find("extensions");
+  if (!bytes && extensions != found.end() && extensions->is_object()) {
     for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
       if (!extensions->contains(packed)) continue;
       return wrong(place, fmt::format("is compressed by {}, which is not read: export the "
@@ -213,17 +211,16 @@ Result<AccessorElements> GltfAccessors::elements(const std::string& place, const
                                                  std::size_t count, std::size_t size) {
   const auto offset = whole(holder, "byteOffset", 0);
   if (!offset) return wrong(place, "byteOffset must be a whole number");
-  const Result<View> found = view(holder["bufferView"]);
-  if (!found) return tl::unexpected(found.error());
-  const std::size_t stride = found->stride > 0 ? found->stride : size;
-  const std::size_t room = found->bytes.size();
+  SHG_TRY_ASSIGN(const View found, view(holder["bufferView"]));
+  const std::size_t stride = found.stride > 0 ? found.stride : size;
+  const std::size_t room = found.bytes.size();
   const bool fits = count == 0 || (*offset <= room && size <= room - *offset &&
                                    count - 1 <= (room - *offset - size) / stride);
   if (!fits || stride < size) {
     return wrong(place, fmt::format("{} elements of {} bytes do not fit into its view of {} bytes",
                                     count, size, room));
   }
-  return AccessorElements{count == 0 ? std::string_view{} : found->bytes.substr(*offset), stride};
+  return AccessorElements{count == 0 ? std::string_view{} : found.bytes.substr(*offset), stride};
 }
 
 // Elements that stand elsewhere: their indices, rising, and their numbers.
@@ -243,13 +240,11 @@ Result<void> GltfAccessors::read_sparse(const std::string& place, const Json& sp
     return wrong(place,
                  fmt::format("its sparse indices must be {}", allowed(AccessorContent::indices)));
   }
-  const Result<AccessorElements> which = elements(place, indices, *count, kind->bytes);
-  if (!which) return tl::unexpected(which.error());
-  const Result<AccessorElements> values = elements(place, sparse["values"], *count, size);
-  if (!values) return tl::unexpected(values.error());
+  SHG_TRY_ASSIGN(const AccessorElements which, elements(place, indices, *count, kind->bytes));
+  SHG_TRY_ASSIGN(const AccessorElements values, elements(place, sparse["values"], *count, size));
   numbers.elsewhere_.reserve(*count);
   for (std::size_t i = 0; i < *count; ++i) {
-    const auto index = static_cast<std::size_t>(decoded(which->bytes, i * which->stride, *kind));
+    const auto index = static_cast<std::size_t>(decoded(which.bytes, i * which.stride, *kind));
     if (index >= numbers.count_ || (i > 0 && index <= numbers.elsewhere_.back())) {
       return wrong(place, fmt::format("sparse index {} is {}; indices must rise and be less than "
                                       "{}",
@@ -257,16 +252,14 @@ Result<void> GltfAccessors::read_sparse(const std::string& place, const Json& sp
     }
     numbers.elsewhere_.push_back(index);
   }
-  numbers.replaced_ = *values;
+  numbers.replaced_ = values;
   return {};
 }
 
 Result<GltfNumbers> GltfAccessors::open(const Json& index, int components,
                                         AccessorContent content) {
-  const Result<Json> found = entry("accessors", index);
-  if (!found) return tl::unexpected(found.error());
+  SHG_TRY_ASSIGN(const Json accessor, entry("accessors", index));
   const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
-  const Json& accessor = *found;
   constexpr std::array kTypes{"", "SCALAR", "", "VEC3", "VEC4"};
   const char* type = components == 16 ? "MAT4" : kTypes[static_cast<std::size_t>(components)];
   if (!accessor.contains("type") || accessor["type"] != type) {
@@ -290,34 +283,29 @@ Result<GltfNumbers> GltfAccessors::open(const Json& index, int components,
     return wrong(place, "has no bufferView; only accessors that hold their numbers are read");
   }
   if (accessor.contains("bufferView")) {
-    const Result<AccessorElements> in = elements(place, accessor, *count, size);
-    if (!in) return tl::unexpected(in.error());
-    numbers.elements_ = *in;
+    SHG_TRY_ASSIGN(numbers.elements_, elements(place, accessor, *count, size));
   }
   if (sparse) {
-    if (const auto read = read_sparse(place, accessor["sparse"], size, numbers); !read) {
-      return tl::unexpected(read.error());
-    }
+    SHG_TRY(read_sparse(place, accessor["sparse"], size, numbers));
   }
   return numbers;
 }
 
 Result<std::vector<double>> GltfAccessors::numbers(const Json& index, int components) {
-  const Result<GltfNumbers> found = open(index, components, AccessorContent::reals);
-  if (!found) return tl::unexpected(found.error());
+  SHG_TRY_ASSIGN(const GltfNumbers found, open(index, components, AccessorContent::reals));
   const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
   const auto per = static_cast<std::size_t>(components);
-  if (found->count() > (kAccessorMaxNumbers - taken_) / per) {
+  if (found.count() > (kAccessorMaxNumbers - taken_) / per) {
     return wrong(place,
                  fmt::format("{} elements are too many; animations may have {} numbers in all",
-                             found->count(), kAccessorMaxNumbers));
+                             found.count(), kAccessorMaxNumbers));
   }
-  taken_ += found->count() * per;
+  taken_ += found.count() * per;
   std::vector<double> values;
-  values.reserve(found->count() * per);
-  for (std::size_t i = 0; i < found->count(); ++i) {
+  values.reserve(found.count() * per);
+  for (std::size_t i = 0; i < found.count(); ++i) {
     for (std::size_t k = 0; k < per; ++k) {
-      const double value = found->at(i, k);
+      const double value = found.at(i, k);
       if (!(abs(value) <= kGltfMaxValue)) {
         return wrong(place, fmt::format("element {} holds {:g}; allowed are {:g} to {:g}", i, value,
                                         -kGltfMaxValue, kGltfMaxValue));

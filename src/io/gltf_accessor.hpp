@@ -22,8 +22,8 @@ struct AccessorComponent {
   bool has_sign = true;
 };
 
-// What an accessor may hold where it is used: floats and normalised integers; also integers as they
-// are, which the nodes' places scale; whole numbers without a sign.
+// The content that an accessor may have where it is used: floats and normalised integers; also
+// integers as they are, which the nodes' places scale; whole numbers without a sign.
 enum class AccessorContent { reals, coordinates, indices };
 
 // Elements one after the other.
@@ -57,8 +57,8 @@ class GltfAccessors {
  public:
   GltfAccessors(const GlbParts& parts, std::string_view name);
 
-  // An accessor whose elements have so many components: 1, 3, 4, or 16 of a matrix. Errors name the
-  // accessor.
+  // An accessor whose elements have that number of components: 1, 3, 4, or 16 of a matrix. Errors
+  // name the accessor.
   [[nodiscard]] Result<GltfNumbers> open(const nlohmann::json& index, int components,
                                          AccessorContent content);
   // All numbers of an accessor of reals, element by element.

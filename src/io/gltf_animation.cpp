@@ -8,17 +8,19 @@
 #include <charconv>
 #include <shigusa/file.hpp>
 
+#include "core/index.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 #include "gltf_tracks.hpp"
 #include "gltf_vrm.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
 
 using Json = nlohmann::json;
 
-// What VRM's own animations tell of their bones has the form that VRM characters have.
+// VRM's own animations name their bones in the form that VRM characters have.
 void take_animation_bones(const JsonSplice& json, const std::vector<int>& place, int nodes,
                           GltfMotion& result) {
   const auto extensions = json.member(json.root(), "extensions");
@@ -28,10 +30,9 @@ void take_animation_bones(const JsonSplice& json, const std::vector<int>& place,
   if (!parsed) return;
   const Json as_vrm{{"extensions", {{"VRMC_vrm", {{"humanoid", *parsed}}}}}};
   VrmBones bones = read_vrm_bones(as_vrm, nodes);
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<HumanoidBone>(b);
+  for (const HumanoidBone bone : kHumanoidBones) {
     if (bones.map[bone] < 0) continue;
-    result.character.humanoid[bone] = place[static_cast<std::size_t>(bones.map[bone])];
+    result.character.humanoid[bone] = place[index(bones.map[bone])];
   }
 }
 
@@ -53,15 +54,14 @@ class AnimationReader {
     for (const int node : result.character.file_node) most = std::max(most, node);
     place_.assign(static_cast<std::size_t>(most + 1), -1);
     for (std::size_t i = 0; i < result.character.file_node.size(); ++i) {
-      place_[static_cast<std::size_t>(result.character.file_node[i])] = static_cast<int>(i);
+      place_[index(result.character.file_node[i])] = static_cast<int>(i);
     }
     take_animation_bones(json_, place_, most + 1, result);
   }
 
   Result<void> read(const AnimationChoice& choice) {
-    const Result<Json> animation = choose(choice.animation);
-    if (!animation) return tl::unexpected(animation.error());
-    if (const auto read = tracks(*animation); !read) return read;
+    SHG_TRY_ASSIGN(const Json animation, choose(choice.animation));
+    SHG_TRY(tracks(animation));
     return sample(choice);
   }
 
@@ -114,7 +114,7 @@ class AnimationReader {
       }
     }
     for (const Json& channel : animation["channels"]) {
-      if (const auto read = take(channel, animation["samplers"]); !read) return read;
+      SHG_TRY(take(channel, animation["samplers"]));
     }
     return {};
   }
@@ -142,8 +142,7 @@ class AnimationReader {
         read_track_keys(sampler, path - kPaths.begin() == 1 ? 4 : 3, accessors_);
     if (!keys) return wrong(keys.error().to_string());
     duration_ = max(duration_, keys->times.back());
-    tracks_[static_cast<std::size_t>(at)][static_cast<std::size_t>(path - kPaths.begin())] =
-        std::move(*keys);
+    tracks_[index(at)][static_cast<std::size_t>(path - kPaths.begin())] = std::move(*keys);
     return {};
   }
 
@@ -165,7 +164,7 @@ class AnimationReader {
     clip.local.reserve(static_cast<std::size_t>(clip.frames) * rest.nodes.size());
     resting_ = placed_nodes(rest, result_.character.places);
     for (int f = 0; f < clip.frames; ++f) {
-      if (const auto added = add_frame(rest, f * clip.frame_time); !added) return added;
+      SHG_TRY(add_frame(rest, f * clip.frame_time));
       if (f == choice.posed) result_.posed = places(f * clip.frame_time);
     }
     return {};
@@ -211,9 +210,8 @@ class AnimationReader {
 
 Result<std::vector<std::string>> gltf_animation_names(std::string_view bytes,
                                                       std::string_view name) {
-  const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return tl::unexpected(parts.error());
-  return names_of(JsonSplice(parts->json), std::string(name));
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  return names_of(JsonSplice(parts.json), std::string(name));
 }
 
 Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view name,
@@ -222,23 +220,18 @@ Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view
     return fail(ErrorCode::invalid_argument,
                 fmt::format("a frame rate of {:g} Hz; allowed is more than 0", choice.frame_rate));
   }
-  Result<GltfCharacter> character = parse_gltf(bytes, name);
-  if (!character) return tl::unexpected(character.error());
-  const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return tl::unexpected(parts.error());
-  GltfMotion result{std::move(*character), {}, {}, {}, {}};
+  SHG_TRY_ASSIGN(GltfCharacter character, parse_gltf(bytes, name));
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  GltfMotion result{std::move(character), {}, {}, {}, {}};
   result.doubts = result.character.doubts;
-  if (const auto read = AnimationReader(*parts, name, result).read(choice); !read) {
-    return tl::unexpected(read.error());
-  }
+  SHG_TRY(AnimationReader(parts, name, result).read(choice));
   return result;
 }
 
 Result<GltfMotion> read_gltf_animation(const std::filesystem::path& path,
                                        const AnimationChoice& choice) {
-  const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return parse_gltf_animation(*bytes, path.filename().string(), choice);
+  SHG_TRY_ASSIGN(const std::string bytes, read_text_file(path, kGltfMaxBytes));
+  return parse_gltf_animation(bytes, path.filename().string(), choice);
 }
 
 }  // namespace shigusa

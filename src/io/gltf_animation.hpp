@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,7 +11,7 @@
 
 namespace shigusa {
 
-// What an animation may come to at most, sampled; more is refused before memory is taken.
+// Limits of a sampled animation; more is refused before memory is taken.
 inline constexpr int kGltfMaxFrames = 200'000;
 inline constexpr std::size_t kGltfMaxTransforms = 8'000'000;  // frames × nodes
 

@@ -101,24 +101,18 @@ class BindPose {
       double off = 0.0;
       for (std::size_t i = 0; i < bound_.size(); ++i) {
         const int parent = skeleton_.nodes[i].parent;
-        const Transformd local = local_of(i);
+        const Transformd local = character_.places[i].transform();
         world.push_back(bound_[i]    ? to * *bound_[i]
                         : parent < 0 ? resting_[i]
                                      : world[index(parent)] * local);
-        const Vec3d way = world.back().translation - resting_[i].translation;
-        if (bound_[i]) off += dot(way, way);
+        const Vec3d apart = world.back().translation - resting_[i].translation;
+        if (bound_[i]) off += dot(apart, apart);
       }
       if (!best.empty() && !(off < least)) continue;
       best = std::move(world);
       least = off;
     }
     return best;
-  }
-
-  [[nodiscard]] Transformd local_of(std::size_t i) const {
-    const GltfPlace& place = character_.places[i];
-    const Mat3d r = to_matrix(place.rotation);
-    return {{r.cx * place.scale.x, r.cy * place.scale.y, r.cz * place.scale.z}, place.translation};
   }
 
   JsonSplice json_;

@@ -6,6 +6,8 @@
 #include <array>
 #include <limits>
 
+#include "core/index.hpp"
+#include "core/text.hpp"
 #include "glb.hpp"
 #include "io/gltf.hpp"
 #include "watched_json.hpp"
@@ -18,14 +20,6 @@ using Json = nlohmann::json;
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMaxValues = 500'000;
 
-template <std::size_t N>
-bool one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  for (const std::string_view w : words) {
-    if (w == word) return true;
-  }
-  return false;
-}
-
 // Watches a text being parsed: keeps what the skeleton needs, and ends the parse by throwing what
 // passes a limit. A mesh may lie in the text, as long as all bones together a hundred times.
 class SkeletonFilter {
@@ -35,7 +29,7 @@ class SkeletonFilter {
     using Event = Json::parse_event_t;
     if (depth >= kMaxDepth) throw fmt::format("nested deeper than {} levels", kMaxDepth);
     if (depth > dropped_) return false;
-    const auto level = static_cast<std::size_t>(depth);
+    const auto level = index(depth);
     if (event == Event::key) {
       path_[level] = parsed.get_ref<const std::string&>();
       const bool is_wanted = wanted(depth);
@@ -60,12 +54,12 @@ class SkeletonFilter {
                                                     "translation", "rotation", "scale", "matrix"};
     constexpr std::array<std::string_view, 2> kSkin{"joints", "inverseBindMatrices"};
     constexpr std::array<std::string_view, 2> kVrm{"VRM", "VRMC_vrm"};
-    const std::string& key = path_[static_cast<std::size_t>(depth)];
-    if (depth == 1) return one_of(key, kTop);
+    const std::string& key = path_[index(depth)];
+    if (depth == 1) return contains(kTop, key);
     if (path_[1] == "asset") return depth > 2 || key == "version";
-    if (path_[1] == "nodes") return one_of(key, kNode);
-    if (path_[1] == "skins") return one_of(key, kSkin);
-    if (depth == 2) return one_of(key, kVrm);
+    if (path_[1] == "nodes") return contains(kNode, key);
+    if (path_[1] == "skins") return contains(kSkin, key);
+    if (depth == 2) return contains(kVrm, key);
     if (depth == 3) return key == "humanoid";
     return depth > 4 || key == "humanBones";
   }
@@ -78,15 +72,19 @@ class SkeletonFilter {
 
 }  // namespace
 
+std::string shown(const Json& value, std::size_t longest) {
+  const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return text.size() > longest ? text.substr(0, longest) + "…" : text;
+}
+
 Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
   const std::string place(name);
   if (bytes.empty()) return fail(ErrorCode::parse, "the file is empty", place);
-  const Result<std::string_view> text = gltf_text(bytes, name);
-  if (!text) return tl::unexpected(text.error());
+  SHG_TRY_ASSIGN(const std::string_view text, gltf_text(bytes, name));
   // a parser takes some times the memory of the longest text in it
-  if (text->size() > kGltfMaxJsonBytes) {
+  if (text.size() > kGltfMaxJsonBytes) {
     return fail(ErrorCode::parse,
-                fmt::format("its JSON part has {} bytes; up to {} are allowed", text->size(),
+                fmt::format("its JSON part has {} bytes; up to {} are allowed", text.size(),
                             kGltfMaxJsonBytes),
                 place);
   }
@@ -94,7 +92,7 @@ Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
   const auto watch = [&filter](int depth, Json::parse_event_t event, const Json& parsed) {
     return filter.keep(depth, event, parsed);
   };
-  Result<Json> json = parse_watched<Json>(*text, watch, "glTF", place);
+  Result<Json> json = parse_watched<Json>(text, watch, "glTF", place);
   if (!json || json->is_object()) return json;
   return fail(ErrorCode::parse, "holds JSON, but no object { … } as glTF does", place);
 }

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <shigusa/result.hpp>
+#include <string>
 #include <string_view>
 
 namespace shigusa {
@@ -12,5 +13,8 @@ namespace shigusa {
 // are; of VRM the humanoid bones. Its size is bounded, but each value may still be of any kind.
 // Errors name the file.
 [[nodiscard]] Result<nlohmann::json> read_gltf_json(std::string_view bytes, std::string_view name);
+
+// A value as it stands in a message: short, and ASCII only.
+[[nodiscard]] std::string shown(const nlohmann::json& value, std::size_t longest = 60);
 
 }  // namespace shigusa

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gltf_pose.hpp"
 
+#include "core/index.hpp"
 #include "math/linear_map.hpp"
 
 namespace shigusa {
@@ -8,12 +9,9 @@ namespace shigusa {
 std::vector<Transformd> placed_nodes(const Skeleton& skeleton, std::span<const GltfPlace> places) {
   std::vector<Transformd> world;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const GltfPlace& place = places[i];
-    const Mat3d r = to_matrix(place.rotation);
-    const Transformd local{{r.cx * place.scale.x, r.cy * place.scale.y, r.cz * place.scale.z},
-                           place.translation};
+    const Transformd local = places[i].transform();
     const int parent = skeleton.nodes[i].parent;
-    world.push_back(parent < 0 ? local : world[static_cast<std::size_t>(parent)] * local);
+    world.push_back(parent < 0 ? local : world[index(parent)] * local);
   }
   return world;
 }
@@ -25,12 +23,12 @@ std::vector<LocalTransform> turned_from_rest(const Skeleton& skeleton,
   std::vector<LocalTransform> local;
   for (std::size_t i = 0; i < world.size(); ++i) {
     const int parent = skeleton.nodes[i].parent;
-    const Mat3d above = parent < 0 ? Mat3d{} : turned[static_cast<std::size_t>(parent)];
+    const Mat3d above = parent < 0 ? Mat3d{} : turned[index(parent)];
     const auto back = inverse_of(resting[i].rotation);
     // a node that is scaled to nothing goes with its parent
     const bool flat = !back || !inverse_of(world[i].rotation);
     turned.push_back(flat ? above : orthonormal(world[i].rotation * *back));
-    const Vec3d from = parent < 0 ? Vec3d{} : world[static_cast<std::size_t>(parent)].translation;
+    const Vec3d from = parent < 0 ? Vec3d{} : world[index(parent)].translation;
     local.push_back({transpose_times(above, world[i].translation - from),
                      to_quat(transpose(above) * turned.back())});
   }

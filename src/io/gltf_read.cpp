@@ -5,13 +5,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <shigusa/file.hpp>
 
+#include "core/index.hpp"
 #include "gltf_json.hpp"
 #include "gltf_pose.hpp"
 #include "gltf_vrm.hpp"
 #include "io/gltf.hpp"
 #include "node_names.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
@@ -64,19 +65,12 @@ class GltfReader {
     return false;
   }
 
-  FileNode& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
+  FileNode& node(int i) { return nodes_[index(i)]; }
   [[nodiscard]] int count() const { return static_cast<int>(nodes_.size()); }
   // "node 3 'hips'"
   std::string described(int i) {
     return node(i).name.empty() ? fmt::format("node {}", i)
                                 : fmt::format("node {} '{}'", i, node(i).name);
-  }
-
-  // A value as it stands in a message: short, and ASCII only.
-  static std::string shown(const Json& value) {
-    constexpr std::size_t kLongest = 60;
-    const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-    return text.size() > kLongest ? text.substr(0, kLongest) + "…" : text;
   }
 
   bool version() {
@@ -175,9 +169,8 @@ class GltfReader {
                      length);
       }
       const Quatd rotation{r[0] / length, r[1] / length, r[2] / length, r[3] / length};
-      const Mat3d turn = to_matrix(rotation);
       read.parts = {{t[0], t[1], t[2]}, rotation, {s[0], s[1], s[2]}};
-      read.place = {{turn.cx * s[0], turn.cy * s[1], turn.cz * s[2]}, {t[0], t[1], t[2]}};
+      read.place = read.parts.transform();
     }
     const Mat3d& m = read.place.rotation;
     const double longest = max(norm(m.cx), max(norm(m.cy), norm(m.cz)));
@@ -211,7 +204,7 @@ class GltfReader {
     }
     if (order_.size() == nodes_.size()) return true;
     std::vector<bool> reached(nodes_.size());
-    for (const int i : order_) reached[static_cast<std::size_t>(i)] = true;
+    for (const int i : order_) reached[index(i)] = true;
     const auto first = std::find(reached.begin(), reached.end(), false) - reached.begin();
     return wrong(described(static_cast<int>(first)),
                  "hangs on no root: it is its own descendant, or below one that is");
@@ -254,17 +247,17 @@ class GltfReader {
     NodeNames names;
     for (const int i : order_) {
       if (!node(i).needed) continue;
-      const auto index = static_cast<std::size_t>(i);
+      const auto own = static_cast<std::size_t>(i);
       const int parent = node(i).parent;
       const auto above = static_cast<std::size_t>(parent);
-      world[index] = parent < 0 ? node(i).place : world[above] * node(i).place;
-      const Vec3d& at = world[index].translation;
+      world[own] = parent < 0 ? node(i).place : world[above] * node(i).place;
+      const Vec3d& at = world[own].translation;
       for (int k = 0; k < 3; ++k) {
         if (abs(at[k]) <= kGltfMaxValue) continue;  // false for what is no number
         return wrong(described(i), "stands {:g} m from the origin; {:g} m are allowed", at[k],
                      kGltfMaxValue);
       }
-      place[index] = static_cast<int>(result_.file_node.size());
+      place[own] = static_cast<int>(result_.file_node.size());
       result_.file_node.push_back(i);
       result_.places.push_back(node(i).parts);
       const std::string name = node(i).name.empty() ? fmt::format("node {}", i) : node(i).name;
@@ -280,7 +273,7 @@ class GltfReader {
   // Which nodes show meshes, all indices now of the skeleton's own nodes.
   void take_meshes() {
     for (GltfSkin& skin : result_.skins) {
-      for (int& joint : skin.joints) joint = place_[static_cast<std::size_t>(joint)];
+      for (int& joint : skin.joints) joint = place_[index(joint)];
     }
     for (int i = 0; i < count(); ++i) {
       if (node(i).mesh_index < 0) continue;
@@ -293,7 +286,7 @@ class GltfReader {
       for (; on >= 0 && !node(on).needed; on = node(on).parent) {
         shown.place = node(on).place * shown.place;
       }
-      shown.node = on < 0 ? -1 : place_[static_cast<std::size_t>(on)];
+      shown.node = on < 0 ? -1 : place_[index(on)];
     }
   }
 
@@ -301,12 +294,11 @@ class GltfReader {
     result_.vrm = vrm_.version;
     result_.doubts = vrm_.doubts;
     for (auto& [name, i] : vrm_.all) {
-      result_.vrm_bones.emplace_back(std::move(name), place_[static_cast<std::size_t>(i)]);
+      result_.vrm_bones.emplace_back(std::move(name), place_[index(i)]);
     }
-    for (int b = 0; b < kHumanoidBoneCount; ++b) {
-      const auto bone = static_cast<HumanoidBone>(b);
+    for (const HumanoidBone bone : kHumanoidBones) {
       if (vrm_.map[bone] < 0) continue;
-      result_.humanoid[bone] = place_[static_cast<std::size_t>(vrm_.map[bone])];
+      result_.humanoid[bone] = place_[index(vrm_.map[bone])];
     }
   }
 
@@ -339,15 +331,8 @@ class GltfReader {
 }  // namespace
 
 Result<GltfCharacter> parse_gltf(std::string_view bytes, std::string_view name) {
-  const Result<Json> json = read_gltf_json(bytes, name);
-  if (!json) return tl::unexpected(json.error());
-  return GltfReader(*json, name).read();
-}
-
-Result<GltfCharacter> read_gltf(const std::filesystem::path& path) {
-  const Result<std::string> bytes = read_text_file(path, kGltfMaxBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return parse_gltf(*bytes, path.filename().string());
+  SHG_TRY_ASSIGN(const Json json, read_gltf_json(bytes, name));
+  return GltfReader(json, name).read();
 }
 
 }  // namespace shigusa

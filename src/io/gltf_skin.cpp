@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "core/index.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 
@@ -28,7 +29,7 @@ struct Part {
   }
 };
 
-// What nodes a mesh is shown by, and its parts that can be read.
+// The nodes that show a mesh, and its parts that can be read.
 struct Mesh {
   std::vector<const GltfMeshNode*> shown_by;
   std::vector<Part> parts;
@@ -128,29 +129,24 @@ class SkinReader {
           "is compressed by KHR_draco_mesh_compression, which is not read: export the "
           "character without it");
     }
-    const Result<Json> attributes =
-        parse_small_json(json_.text_of(json_.member(primitive, "attributes")), "mesh of " + name_);
-    if (!attributes) return tl::unexpected(attributes.error());
-    if (!attributes->is_object() || !attributes->contains("POSITION")) {
+    SHG_TRY_ASSIGN(
+        const Json attributes,
+        parse_small_json(json_.text_of(json_.member(primitive, "attributes")), "mesh of " + name_));
+    if (!attributes.is_object() || !attributes.contains("POSITION")) {
       return wrong("a part has no POSITION");
     }
-    Result<GltfNumbers> positions =
-        accessors_.open((*attributes)["POSITION"], 3, AccessorContent::coordinates);
-    if (!positions) return tl::unexpected(positions.error());
-    if (positions->count() > kSkinMaxIndices) {
-      return wrong(fmt::format("a part has {} vertices; up to {} are read", positions->count(),
+    SHG_TRY_ASSIGN(GltfNumbers positions,
+                   accessors_.open(attributes["POSITION"], 3, AccessorContent::coordinates));
+    if (positions.count() > kSkinMaxIndices) {
+      return wrong(fmt::format("a part has {} vertices; up to {} are read", positions.count(),
                                kSkinMaxIndices));
     }
-    Part part{std::move(*positions), {}, {}, {}};
-    if (const auto sets = open_sets(*attributes, part); !sets) {
-      return tl::unexpected(sets.error());
-    }
+    Part part{std::move(positions), {}, {}, {}};
+    SHG_TRY(open_sets(attributes, part));
     if (const auto indices = json_.member(primitive, "indices"); indices) {
-      const Result<Json> index = parse_small_json(json_.text_of(indices), "mesh of " + name_);
-      if (!index) return tl::unexpected(index.error());
-      Result<GltfNumbers> opened = accessors_.open(*index, 1, AccessorContent::indices);
-      if (!opened) return tl::unexpected(opened.error());
-      part.indices = std::move(*opened);
+      SHG_TRY_ASSIGN(const Json index,
+                     parse_small_json(json_.text_of(indices), "mesh of " + name_));
+      SHG_TRY_ASSIGN(part.indices, accessors_.open(index, 1, AccessorContent::indices));
     }
     return part;
   }
@@ -160,35 +156,35 @@ class SkinReader {
     for (const auto& [joints, weights] :
          {std::pair{"JOINTS_0", "WEIGHTS_0"}, std::pair{"JOINTS_1", "WEIGHTS_1"}}) {
       if (!attributes.contains(joints) || !attributes.contains(weights)) break;
-      Result<GltfNumbers> which = accessors_.open(attributes[joints], 4, AccessorContent::indices);
-      if (!which) return tl::unexpected(which.error());
-      Result<GltfNumbers> share = accessors_.open(attributes[weights], 4, AccessorContent::reals);
-      if (!share) return tl::unexpected(share.error());
-      if (which->count() != part.positions.count() || share->count() != part.positions.count()) {
+      SHG_TRY_ASSIGN(GltfNumbers which,
+                     accessors_.open(attributes[joints], 4, AccessorContent::indices));
+      SHG_TRY_ASSIGN(GltfNumbers share,
+                     accessors_.open(attributes[weights], 4, AccessorContent::reals));
+      if (which.count() != part.positions.count() || share.count() != part.positions.count()) {
         return wrong(fmt::format("{} positions have {} sets of joints and {} of weights",
-                                 part.positions.count(), which->count(), share->count()));
+                                 part.positions.count(), which.count(), share.count()));
       }
-      part.joints.push_back(std::move(*which));
-      part.weights.push_back(std::move(*share));
+      part.joints.push_back(std::move(which));
+      part.weights.push_back(std::move(share));
     }
     return {};
   }
 
   // Where a joint takes what is bound to it: place · inverse bind pose.
   Result<const std::vector<Transformd>*> bound(int skin) {
-    std::vector<Transformd>& moves = bound_[static_cast<std::size_t>(skin)];
-    const GltfSkin& of = character_.skins[static_cast<std::size_t>(skin)];
+    std::vector<Transformd>& moves = bound_[index(skin)];
+    const GltfSkin& of = character_.skins[index(skin)];
     if (!moves.empty()) return &moves;
     std::optional<GltfNumbers> inverse;
     if (of.inverse_bind_poses >= 0) {
-      Result<GltfNumbers> poses =
-          accessors_.open(static_cast<unsigned>(of.inverse_bind_poses), 16, AccessorContent::reals);
-      if (!poses) return tl::unexpected(poses.error());
-      if (poses->count() < of.joints.size()) {
+      SHG_TRY_ASSIGN(GltfNumbers poses,
+                     accessors_.open(static_cast<unsigned>(of.inverse_bind_poses), 16,
+                                     AccessorContent::reals));
+      if (poses.count() < of.joints.size()) {
         return wrong(
-            fmt::format("{} joints have {} inverse bind poses", of.joints.size(), poses->count()));
+            fmt::format("{} joints have {} inverse bind poses", of.joints.size(), poses.count()));
       }
-      inverse = std::move(*poses);
+      inverse = std::move(poses);
     }
     for (std::size_t j = 0; j < of.joints.size(); ++j) {
       Transformd pose;
@@ -198,7 +194,7 @@ class SkinReader {
         };
         pose = {{column(0), column(4), column(8)}, column(12)};
       }
-      moves.push_back(world_[static_cast<std::size_t>(of.joints[j])] * pose);
+      moves.push_back(world_[index(of.joints[j])] * pose);
     }
     return &moves;
   }
@@ -212,22 +208,18 @@ class SkinReader {
       if (!found) return not_read(found.error());
       moves = *found;
     }
-    const Transformd place =
-        node.node < 0 ? node.place : world_[static_cast<std::size_t>(node.node)] * node.place;
+    const Transformd place = node.node < 0 ? node.place : world_[index(node.node)] * node.place;
     const auto take = [&](std::size_t vertex) -> Result<void> {
       if (taken_++ % stride_ != 0) return {};
       const Vec3d at{part.positions.at(vertex, 0), part.positions.at(vertex, 1),
                      part.positions.at(vertex, 2)};
-      Result<SkinVertex> placed =
-          skinned ? bent(part, vertex, at, character_.skins[static_cast<std::size_t>(node.skin)],
-                         *moves)
-                  : SkinVertex{place * at, node.node, true};
-      if (!placed) return tl::unexpected(placed.error());
-      const Vec3d& p = placed->position;
-      if (!(abs(p.x) <= kGltfMaxValue && abs(p.y) <= kGltfMaxValue && abs(p.z) <= kGltfMaxValue)) {
+      SHG_TRY_ASSIGN(SkinVertex placed,
+                     skinned ? bent(part, vertex, at, character_.skins[index(node.skin)], *moves)
+                             : SkinVertex{place * at, node.node, true});
+      if (!is_within(placed.position, kGltfMaxValue)) {
         return wrong(fmt::format("vertex {} stands beyond {:g} m", vertex, kGltfMaxValue));
       }
-      skin_.vertices.push_back(*placed);
+      skin_.vertices.push_back(placed);
       return {};
     };
     const auto done = each_drawn(part, take);
@@ -259,7 +251,7 @@ class SkinReader {
       }
       if (part.indices && seen[vertex]) continue;
       if (part.indices) seen[vertex] = true;
-      if (const auto taken = take(vertex); !taken) return taken;
+      SHG_TRY(take(vertex));
     }
     return {};
   }
@@ -272,8 +264,8 @@ class SkinReader {
     double sum = 0.0;
     const std::size_t influences = 4 * part.joints.size();
     for (std::size_t k = 0; k < influences; ++k) {
-      const double told = part.weights[k / 4].at(vertex, k % 4);
-      weight[k] = told > 0.0 ? told : 0.0;  // nor what is no number
+      const double given = part.weights[k / 4].at(vertex, k % 4);
+      weight[k] = given > 0.0 ? given : 0.0;  // NaN is none
       joint[k] = static_cast<std::size_t>(part.joints[k / 4].at(vertex, k % 4));
       // files fill unused places with any number
       if (weight[k] > 0.0 && joint[k] >= moves.size()) {

@@ -125,19 +125,17 @@ Result<GltfTrackKeys> read_track_keys(const Json& sampler, int components,
                       kind->dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40)));
     }
   }
-  Result<std::vector<double>> times = accessors.numbers(sampler["input"], 1);
-  if (!times) return tl::unexpected(times.error());
-  if (const auto rise = check_times(*times); !rise) return tl::unexpected(rise.error());
-  Result<std::vector<double>> values = accessors.numbers(sampler["output"], components);
-  if (!values) return tl::unexpected(values.error());
+  SHG_TRY_ASSIGN(std::vector<double> times, accessors.numbers(sampler["input"], 1));
+  SHG_TRY(check_times(times));
+  SHG_TRY_ASSIGN(std::vector<double> values, accessors.numbers(sampler["output"], components));
   const std::size_t per = keys.interpolation == Interpolation::cubic ? 3 : 1;
-  const std::size_t needed = times->size() * per * static_cast<std::size_t>(components);
-  if (values->size() != needed) {
+  const std::size_t needed = times.size() * per * static_cast<std::size_t>(components);
+  if (values.size() != needed) {
     return fail(ErrorCode::parse, fmt::format("a sampler of {} keys has {} values; it must have {}",
-                                              times->size(), values->size(), needed));
+                                              times.size(), values.size(), needed));
   }
-  keys.times = std::move(*times);
-  keys.values = std::move(*values);
+  keys.times = std::move(times);
+  keys.values = std::move(values);
   if (components == 4) {
     for (std::size_t i = 0; i < keys.times.size(); ++i) {
       const std::size_t at = (per == 3 ? i * 3 + 1 : i) * 4;

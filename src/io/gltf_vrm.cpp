@@ -5,6 +5,10 @@
 
 #include <cstdint>
 
+#include "core/text.hpp"
+#include "gltf_json.hpp"
+#include "person/landmark_points.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -21,9 +25,8 @@ const Json& member(const Json& json, const char* key) {
 std::string snake_case(std::string_view camel) {
   std::string snake;
   for (const char c : camel) {
-    const bool capital = c >= 'A' && c <= 'Z';
-    if (capital) snake += '_';
-    snake += capital ? static_cast<char>(c - 'A' + 'a') : c;
+    if (is_upper(c)) snake += '_';
+    snake += lower(c);
   }
   return snake;
 }
@@ -36,19 +39,19 @@ class BoneReader {
     // some writers give the node -1 to bones that a character has not
     if (node.is_number_integer() && node == -1) return;
     if (!node.is_number_unsigned() || node >= static_cast<std::uint64_t>(nodes_)) {
-      return wrong(fmt::format("the node of {} is {}; allowed are 0 to {}", shown(name),
-                               shown(node), nodes_ - 1));
+      return wrong(fmt::format("the node of {} is {}; allowed are 0 to {}", shown(name, kLongest),
+                               shown(node, kLongest), nodes_ - 1));
     }
     const int index = node.get<int>();
     const std::string own = name.is_string() ? name.get<std::string>() : std::string();
     bones_.all.emplace_back(own, index);
     const std::string ours = snake_case(own);
-    for (int b = 0; b < kHumanoidBoneCount; ++b) {
-      const auto bone = static_cast<HumanoidBone>(b);
+    for (const HumanoidBone bone : kHumanoidBones) {
       if (ours != humanoid_bone_name(bone)) continue;
       int& mapped = bones_.map[bone];
       if (mapped >= 0 && mapped != index) {
-        wrong(fmt::format("{} comes twice: node {} is taken, not {}", shown(name), mapped, index));
+        wrong(fmt::format("{} comes twice: node {} is taken, not {}", shown(name, kLongest), mapped,
+                          index));
       } else {
         mapped = index;
       }
@@ -67,16 +70,11 @@ class BoneReader {
   void version(VrmVersion version) { bones_.version = version; }
 
  private:
-  // A value as it stands in a message: short, and ASCII only.
-  static std::string shown(const Json& value) {
-    constexpr std::size_t kLongest = 40;
-    const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-    return text.size() > kLongest ? text.substr(0, kLongest) + "…" : text;
-  }
-
   void wrong(std::string message) {
     if (++wrong_ == 1) first_wrong_ = std::move(message);
   }
+
+  static constexpr std::size_t kLongest = 40;  // of a value in a message
 
   VrmBones bones_;
   int nodes_;

@@ -10,7 +10,7 @@
 
 namespace shigusa {
 
-// What the VRM extension of a file tells, in terms of the file's own nodes.
+// The bones of a file's VRM extension, in terms of the file's own nodes.
 struct VrmBones {
   VrmVersion version = VrmVersion::none;
   HumanoidMap map;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "glb.hpp"
 #include "gltf_json.hpp"
 #include "json_splice.hpp"
@@ -84,7 +85,7 @@ class Layout {
   }
 
   void add_times(const GltfAnimation& animation) {
-    // what is told of the ends is what stands in the data: as floats
+    // the ends are stated as they stand in the data: as floats
     const double last = static_cast<float>((animation.frames - 1) * animation.frame_time);
     times_ = add_accessor(static_cast<std::size_t>(animation.frames), "SCALAR",
                           fmt::format(R"(,"min":[0],"max":[{}])", last));
@@ -143,7 +144,7 @@ class AnimationAdder {
       }
     }
     for (const char* list : {"buffers", "images"}) {
-      if (auto own = refers_to_no_file(list); !own) return own;
+      SHG_TRY(refers_to_no_file(list));
     }
     if (buffers_.empty() || !in_chunk()) return {};
     if (!parts_.binary) return wrong("buffers[0] is of the binary chunk, and there is none");
@@ -152,7 +153,7 @@ class AnimationAdder {
   }
 
   Result<std::string> add(std::span<const GltfAnimation> animations) {
-    if (auto can = check(); !can) return tl::unexpected<Error>(can.error());
+    SHG_TRY(check());
     const bool chunk = in_chunk();
     std::string binary(chunk ? parts_.binary.value_or("") : "");
     binary.resize((binary.size() + 3) / 4 * 4);
@@ -219,7 +220,7 @@ class AnimationAdder {
     if (nodes_.empty()) nodes_ = json_.elements(json_.member(root_, "nodes"));
     freed_.resize(nodes_.size());
     for (const GltfTrack& track : animation.tracks) {
-      const auto i = static_cast<std::size_t>(track.node);
+      const auto i = index(track.node);
       SHG_CHECK(track.node >= 0 && i < nodes_.size(), "a node of the file");
       const Value matrix = json_.member(nodes_[i], "matrix");
       if (!matrix || freed_[i]) continue;
@@ -237,8 +238,8 @@ class AnimationAdder {
       json_.append("buffers", fmt::format(R"({{"byteLength":{}}})", length));
       return;
     }
-    const Value told = json_.member(buffers_[0], "byteLength");
-    json_.replace(told.begin, told.end, fmt::format("{}", length));
+    const Value stated = json_.member(buffers_[0], "byteLength");
+    json_.replace(stated.begin, stated.end, fmt::format("{}", length));
   }
 
   [[nodiscard]] std::string assemble(std::optional<std::string_view> binary) const {
@@ -246,20 +247,7 @@ class AnimationAdder {
     // a byte order mark has no place in a GLB
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string chunks;
-    const auto chunk = [&](std::string_view kind, std::string_view bytes) {
-      append_word(chunks, static_cast<std::uint32_t>(bytes.size()));
-      chunks += kind;
-      chunks += bytes;
-    };
-    chunk(kGlbJson, text);
-    if (binary) chunk(kGlbBinary, *binary);
-    chunks += parts_.further;
-    std::string file = "glTF";
-    append_word(file, 2);
-    append_word(file, static_cast<std::uint32_t>(chunks.size() + kGlbHeader));
-    return file += chunks;
+    return glb_file(std::move(text), binary, parts_.further);
   }
 
   const GlbParts& parts_;
@@ -274,19 +262,39 @@ class AnimationAdder {
 }  // namespace
 
 Result<void> check_animations_fit(std::string_view bytes, std::string_view name) {
-  const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return tl::unexpected<Error>(parts.error());
-  return AnimationAdder(*parts, name).check();
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  return AnimationAdder(parts, name).check();
 }
 
 Result<std::string> add_animations(std::string_view bytes, std::string_view name,
                                    std::span<const GltfAnimation> animations) {
-  if (const auto json = read_gltf_json(bytes, name); !json) {
-    return tl::unexpected<Error>(json.error());
+  SHG_TRY(read_gltf_json(bytes, name));
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  return AnimationAdder(parts, name).add(animations);
+}
+
+Result<std::string> format_vrm_animation(const VrmAnimation& motion) {
+  std::string nodes;
+  std::string map;
+  for (std::size_t i = 0; i < motion.bones.size(); ++i) {
+    const auto& [name, parent, offset] = motion.bones[i];
+    std::string children;
+    for (std::size_t k = i + 1; k < motion.bones.size(); ++k) {
+      if (motion.bones[k].parent != static_cast<int>(i)) continue;
+      children += fmt::format("{}{}", children.empty() ? "" : ",", k);
+    }
+    if (!children.empty()) children = fmt::format(R"(,"children":[{}])", children);
+    const char* comma = i == 0 ? "" : ",";
+    nodes += fmt::format(R"({}{{"name":{},"translation":{}{}}})", comma, json_quoted(name),
+                         json_numbers({offset.x, offset.y, offset.z}), children);
+    map += fmt::format(R"({}{}:{{"node":{}}})", comma, json_quoted(name), i);
   }
-  const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return tl::unexpected<Error>(parts.error());
-  return AnimationAdder(*parts, name).add(animations);
+  const std::string text = fmt::format(
+      R"({{"asset":{{"version":"2.0","generator":"shigusa"}},"extensionsUsed":["VRMC_vrm_animation"],)"
+      R"("extensions":{{"VRMC_vrm_animation":{{"specVersion":"1.0","humanoid":{{"humanBones":{{{}}}}}}}}},)"
+      R"("scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}]}})",
+      map, nodes);
+  return add_animations(text, "VRM animation", std::span(&motion.animation, 1));
 }
 
 }  // namespace shigusa

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/index.hpp"
 #include "watched_json.hpp"
 
 namespace shigusa {
@@ -26,7 +27,7 @@ class JsonLimits {
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key) see_key(parsed.get_ref<const std::string&>());
     // of an event, `depth` counts the objects and lists that are open around it
-    const auto level = static_cast<std::size_t>(depth);
+    const auto level = index(depth);
     if (event == Event::array_start || event == Event::object_start) objects_[level + 1] = 0;
     if (event == Event::object_start && ++objects_[level] > kJsonMaxObjects) {
       throw fmt::format("more than {} objects in one list", kJsonMaxObjects);

@@ -9,7 +9,7 @@ namespace shigusa {
 
 using Json = nlohmann::ordered_json;
 
-// What a file may hold at most. Walking a tree of unlimited depth overflows the stack; finding a
+// Limits of a file. Walking a tree of unlimited depth overflows the stack; finding a
 // member is a search through all of its object's; the parser looks through all of a list when an
 // object in it ends; a value takes far more memory than its text.
 inline constexpr int kJsonMaxDepth = 32;

@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-// What a name has at most; longer ones are cut. A number that is added fits in what BVH allows.
+// The longest name; longer ones are cut. A number that is added fits in what BVH allows.
 inline constexpr std::size_t kNodeNameBytes = 240;
 
 // Gives out joint names, each once.

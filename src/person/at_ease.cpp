@@ -3,11 +3,27 @@
 
 #include "body/anthropometry.hpp"
 #include "human_frames.hpp"
+#include "landmark_points.hpp"
 
 namespace shigusa {
 namespace {
 
-constexpr std::array kSides{Side::left, Side::right};
+// Angle between two directions (rad, 0 to π).
+double angle_between(const Vec3d& a, const Vec3d& b) { return atan2(norm(cross(a, b)), dot(a, b)); }
+
+double from_hanging(const Vec3d& v) { return angle_between(v, {0, -1, 0}); }
+
+double knee_bend(const Landmarks::Leg& leg) {
+  return angle_between(leg.knee - leg.hip, leg.ankle - leg.knee);
+}
+double elbow_bend(const Landmarks::Arm& arm) {
+  return angle_between(arm.elbow - arm.shoulder, arm.wrist - arm.elbow);
+}
+Vec3d reach_of(const Landmarks::Arm& arm) { return normalized(arm.wrist - arm.shoulder); }
+
+bool alike(double left, double right, double most_deg) {
+  return abs(left - right) <= radians(most_deg);
+}
 
 // A triangle of thigh and shank seen from the ankle.
 struct LegLengths {
@@ -26,42 +42,34 @@ struct LegLengths {
 // How far the hips come down for one leg (m, ≥ 0).
 double drop_for(const Landmarks::Leg& leg) {
   const double span = LegLengths(leg).span();
-  const Vec3d way = leg.hip - leg.ankle;
-  const double across = way.x * way.x + way.z * way.z;
+  const Vec3d rise = leg.hip - leg.ankle;
+  const double across = rise.x * rise.x + rise.z * rise.z;
   // hips that no drop brings near enough, or that are near enough, stay
-  if (way.y <= 0.0 || across >= span * span || dot(way, way) <= span * span) return 0.0;
-  return way.y - sqrt(span * span - across);
+  if (rise.y <= 0.0 || across >= span * span || dot(rise, rise) <= span * span) return 0.0;
+  return rise.y - sqrt(span * span - across);
 }
 
 // The leg from its new hip to its old foot, bent about the axis that it has.
 void lower_hip(Landmarks::Leg& leg, double drop, const Vec3d& axis) {
   const LegLengths length(leg);
   leg.hip.y -= drop;
-  const Vec3d way = leg.ankle - leg.hip;
-  const double span = norm(way);
+  const Vec3d hip_to_ankle = leg.ankle - leg.hip;
+  const double span = norm(hip_to_ankle);
   const double along =
       (length.thigh * length.thigh - length.shank * length.shank + span * span) / (2.0 * span);
   const double ahead = sqrt(max(length.thigh * length.thigh - along * along, 0.0));
-  const Vec3d down = normalized(way);
+  const Vec3d down = normalized(hip_to_ankle);
   leg.knee = leg.hip + down * along + normalized(cross(down, axis)) * ahead;
 }
 
-Landmarks::Leg& leg_of(Landmarks& person, Side side) {
-  return side == Side::left ? person.left_leg : person.right_leg;
-}
-
-Landmarks::Arm& arm_of(Landmarks& person, Side side) {
-  return side == Side::left ? person.left_arm : person.right_arm;
-}
-
-// What stands on the hips, arms included.
+// The body above the hips, arms included.
 void move_upper_body(Landmarks& person, const Vec3d& by) {
   person.neck += by;
   person.head_top += by;
   for (Vec3d& joint : person.spine) joint += by;
   if (person.head) *person.head += by;
-  for (const Side side : kSides) {
-    Landmarks::Arm& arm = arm_of(person, side);
+  for (const Side side : kBothSides) {
+    Landmarks::Arm& arm = person.arm(side);
     for (Vec3d* p : {&arm.shoulder, &arm.elbow, &arm.wrist, &arm.fingertip}) *p += by;
     if (arm.clavicle) *arm.clavicle += by;
     if (arm.grip) *arm.grip += by;
@@ -72,16 +80,16 @@ void move_upper_body(Landmarks& person, const Vec3d& by) {
 void lay_arms(Landmarks& person, const Landmarks& before, const Vec3d& upper_arm,
               const Vec3d& forearm) {
   const HumanFrames frames = human_frames(before);
-  for (const Side side : kSides) {
+  for (const Side side : kBothSides) {
     const Landmarks::Arm& was = before.arm(side);
-    Landmarks::Arm& arm = arm_of(person, side);
+    Landmarks::Arm& arm = person.arm(side);
     arm.elbow = arm.shoulder + upper_arm * norm(was.elbow - was.shoulder);
     arm.wrist = arm.elbow + forearm * norm(was.wrist - was.elbow);
   }
   const HumanFrames after = human_frames(person);
-  for (const Side side : kSides) {
+  for (const Side side : kBothSides) {
     const Landmarks::Arm& was = before.arm(side);
-    Landmarks::Arm& arm = arm_of(person, side);
+    Landmarks::Arm& arm = person.arm(side);
     const Mat3d turn = along_segment(after.arm(side).forearm, arm.elbow, arm.wrist) *
                        transpose(along_segment(frames.arm(side).forearm, was.elbow, was.wrist));
     arm.fingertip = arm.wrist + turn * (was.fingertip - was.wrist);
@@ -126,8 +134,8 @@ Landmarks at_ease(const Landmarks& person, double stature) {
   const Landmarks::Arm like = standing_landmarks(stature, 0.0).right_arm;
   Landmarks result = person;
   const double drop = max(drop_for(person.left_leg), drop_for(person.right_leg));
-  for (const Side side : kSides) {
-    if (drop > 0.0) lower_hip(leg_of(result, side), drop, before.leg(side).thigh.cx);
+  for (const Side side : kBothSides) {
+    if (drop > 0.0) lower_hip(result.leg(side), drop, before.leg(side).thigh.cx);
   }
   move_upper_body(result, {0.0, -drop, 0.0});
   lay_arms(result, person, normalized(like.elbow - like.shoulder),
@@ -135,16 +143,54 @@ Landmarks at_ease(const Landmarks& person, double stature) {
   return result;
 }
 
+bool spreads_arms(const Landmarks& person) {
+  constexpr double kLeast = radians(30.0);
+  constexpr double kMost = radians(110.0);
+  constexpr double kStraight = radians(25.0);
+  constexpr double kAhead = 0.5;  // sine of what an arm may point ahead or back: 30°
+  for (const Side side : kBothSides) {
+    const Landmarks::Arm& arm = person.arm(side);
+    const Landmarks::Leg& leg = person.leg(side);
+    const Vec3d reach = reach_of(arm);
+    const double raised = from_hanging(reach);
+    const double outwards = side == Side::left ? reach.x : -reach.x;
+    if (raised < kLeast || raised > kMost || outwards <= 0.0 || abs(reach.z) > kAhead) return false;
+    if (elbow_bend(arm) > kStraight || knee_bend(leg) > kStraight) return false;
+    if (from_hanging(leg.ankle - leg.hip) > kStraight) return false;
+  }
+  return alike(from_hanging(reach_of(person.left_arm)), from_hanging(reach_of(person.right_arm)),
+               15.0);
+}
+
+bool stands_at_rest(const Landmarks& person, double stature) {
+  constexpr double kKnee = radians(40.0);
+  constexpr double kLeg = radians(30.0);
+  constexpr double kElbow = radians(70.0);
+  constexpr double kTrunk = radians(20.0);
+  constexpr double kApart = 0.12;  // feet, ahead and up, in statures
+  for (const Side side : kBothSides) {
+    const Landmarks::Leg& leg = person.leg(side);
+    if (knee_bend(leg) > kKnee || from_hanging(leg.ankle - leg.hip) > kLeg) return false;
+    if (elbow_bend(person.arm(side)) > kElbow) return false;
+  }
+  const Vec3d feet = person.left_leg.ankle - person.right_leg.ankle;
+  return from_hanging(mid_hip(person) - person.neck) <= kTrunk &&
+         max(abs(feet.y), abs(feet.z)) <= kApart * stature &&
+         alike(knee_bend(person.left_leg), knee_bend(person.right_leg), 20.0) &&
+         alike(elbow_bend(person.left_arm), elbow_bend(person.right_arm), 30.0) &&
+         alike(from_hanging(reach_of(person.left_arm)), from_hanging(reach_of(person.right_arm)),
+               30.0);
+}
+
 Landmarks seated(const Landmarks& person, double stature, double seat) {
   Landmarks result = person;
-  const double middle = 0.5 * (person.left_leg.hip.y + person.right_leg.hip.y);
-  const double drop = middle - (seat + kSeatedHip * stature);
+  const double drop = mid_hip(person).y - (seat + kSeatedHip * stature);
   const auto between_feet = [](const Landmarks& p) {
     const Vec3d sum = p.left_leg.ankle + p.right_leg.ankle;
     return Vec3d{0.5 * sum.x, 0.0, 0.5 * sum.z};
   };
-  for (const Side side : kSides) {
-    bend_over_seat(leg_of(result, side), person.leg(side).hip - Vec3d{0.0, drop, 0.0});
+  for (const Side side : kBothSides) {
+    bend_over_seat(result.leg(side), person.leg(side).hip - Vec3d{0.0, drop, 0.0});
   }
   move_upper_body(result, {0.0, -drop, 0.0});
   const SinCos<double> slope = sin_cos(kSeatedForearms);
@@ -152,8 +198,8 @@ Landmarks seated(const Landmarks& person, double stature, double seat) {
   // the feet stay where they stood
   const Vec3d back = between_feet(person) - between_feet(result);
   move_upper_body(result, back);
-  for (const Side side : kSides) {
-    Landmarks::Leg& leg = leg_of(result, side);
+  for (const Side side : kBothSides) {
+    Landmarks::Leg& leg = result.leg(side);
     const Vec3d ankle = leg.ankle;
     for (Vec3d* p : {&leg.hip, &leg.knee, &leg.ankle}) *p += back;
     move_foot(leg, ankle);

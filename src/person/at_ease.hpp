@@ -19,12 +19,12 @@ inline constexpr double kKneesAtEase = radians(5.0);
 // on straight legs: a T or an A, in which people are modelled and recordings begin.
 [[nodiscard]] bool spreads_arms(const Landmarks& person);
 
-// Whether a person stands as who has not begun to move: upright on both feet, knees no more than a
-// little bent, left and right alike. Who leaps or is ready to fight does not.
+// Whether a person stands as one who has not begun to move: upright on both feet, knees no more
+// than a little bent, left and right alike. A person who leaps or is ready to fight does not.
 [[nodiscard]] bool stands_at_rest(const Landmarks& person, double stature);
 
-// Height of the hip joints over the seat, as a share of the stature: some 9 cm, an estimate. How
-// far the forearms of who sits point down, to lay the hands on the thighs.
+// Height of the hip joints over the seat, as a share of the stature: some 9 cm, an estimate. The
+// forearms of a seated person point down by kSeatedForearms, to lay the hands on the thighs.
 inline constexpr double kSeatedHip = 0.05;
 inline constexpr double kSeatedForearms = radians(20.0);
 

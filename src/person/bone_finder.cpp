@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
+#include "person/find_humanoid.hpp"
 
 namespace shigusa {
 
@@ -13,18 +15,18 @@ BoneFinder::BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const
     names_.push_back(tree.node(i).end_site ? BoneName{} : read_bone_name(tree.node(i).name));
   }
   leave_to_deforming_bones();
-  for (std::size_t b = 0; b < given.node.size(); ++b) {
-    SHG_CHECK(given.node[b] < tree.size() && asked.node[b] < tree.size(),
+  for (const Bone bone : kHumanoidBones) {
+    SHG_CHECK(given[bone] < tree.size() && asked[bone] < tree.size(),
               "a given node of the skeleton");
-    any_given_ = any_given_ || given.node[b] >= 0;
-    if (asked.node[b] < 0) continue;
-    given_.node[b] = asked.node[b];
+    any_given_ = any_given_ || given[bone] >= 0;
+    if (asked[bone] < 0) continue;
+    given_[bone] = asked[bone];
     // whatever its own name says
-    const std::string_view bone = humanoid_bone_name(static_cast<Bone>(b));
-    const NameSide side = bone.starts_with("left_")    ? NameSide::left
-                          : bone.starts_with("right_") ? NameSide::right
+    const std::string_view word = humanoid_bone_name(bone);
+    const NameSide side = word.starts_with("left_")    ? NameSide::left
+                          : word.starts_with("right_") ? NameSide::right
                                                        : NameSide::none;
-    names_[static_cast<std::size_t>(asked.node[b])] = {BonePart::none, side};
+    names_[index(asked[bone])] = {BonePart::none, side};
   }
 }
 
@@ -37,7 +39,7 @@ Result<HumanoidMap> BoneFinder::find() {
                                 ? "it has one node alone"
                                 : fmt::format("its {} nodes stand at one point", tree_.size())));
   }
-  if (const auto found = find_limbs(); !found) return tl::unexpected(found.error());
+  SHG_TRY(find_limbs());
   if (!find_hips()) {
     return fail(ErrorCode::invalid_argument, "no hips: the limbs hang on several roots");
   }
@@ -48,7 +50,7 @@ Result<HumanoidMap> BoneFinder::find() {
   find_shoulder(Bone::right_shoulder, Bone::right_upper_arm);
   find_toes(NameSide::left, Bone::left_foot, Bone::left_toes);
   find_toes(NameSide::right, Bone::right_foot, Bone::right_toes);
-  if (const auto obeyed = check_asked(); !obeyed) return tl::unexpected(obeyed.error());
+  SHG_TRY(check_asked());
   if (feet_point_backwards(tree_, map_)) {
     doubt(
         "the feet point backwards, seen from the left and right of the names: the file is "
@@ -86,7 +88,7 @@ void BoneFinder::leave_to_deforming_bones() {
   deforming_only_ = true;
   for (int i = 0; i < tree_.size(); ++i) {
     if (name(i).side != NameSide::none && !deforms(i)) {
-      names_[static_cast<std::size_t>(i)].part = BonePart::none;
+      names_[index(i)].part = BonePart::none;
     }
   }
 }
@@ -138,7 +140,7 @@ bool BoneFinder::strictly_below(int i, int ancestor) const {
   return i >= 0 && ancestor >= 0 && i != ancestor && tree_.below(i, ancestor);
 }
 
-// What a person asked for stands, or is refused.
+// Fails where a bone is not the node that a person asked for.
 Result<void> BoneFinder::check_asked() const {
   const auto refuse = [this](Bone bone) {
     const int found = map_[bone];
@@ -149,8 +151,7 @@ Result<void> BoneFinder::check_asked() const {
             tree_.described(asked_[bone]), humanoid_bone_name(bone),
             found < 0 || found == asked_[bone] ? "" : "; found is " + tree_.described(found)));
   };
-  for (int b = 0; b < kHumanoidBoneCount; ++b) {
-    const auto bone = static_cast<Bone>(b);
+  for (const Bone bone : kHumanoidBones) {
     if (asked_[bone] >= 0 && map_[bone] != asked_[bone]) return refuse(bone);
   }
   for (const auto& limb : kLimbs) {
@@ -164,6 +165,39 @@ Result<void> BoneFinder::check_asked() const {
     }
   }
   return {};
+}
+
+std::string_view humanoid_bone_name(HumanoidBone bone) {
+  constexpr std::array<std::string_view, kHumanoidBoneCount> kNames{"hips",
+                                                                    "neck",
+                                                                    "head",
+                                                                    "left_upper_leg",
+                                                                    "left_lower_leg",
+                                                                    "left_foot",
+                                                                    "left_toes",
+                                                                    "right_upper_leg",
+                                                                    "right_lower_leg",
+                                                                    "right_foot",
+                                                                    "right_toes",
+                                                                    "left_upper_arm",
+                                                                    "left_lower_arm",
+                                                                    "left_hand",
+                                                                    "right_upper_arm",
+                                                                    "right_lower_arm",
+                                                                    "right_hand",
+                                                                    "spine",
+                                                                    "chest",
+                                                                    "upper_chest",
+                                                                    "left_shoulder",
+                                                                    "right_shoulder"};
+  return kNames[static_cast<std::size_t>(bone)];
+}
+
+Result<HumanoidMap> find_humanoid(const Skeleton& skeleton, const std::vector<Transformd>& world,
+                                  const HumanoidMap& given, const HumanoidMap& asked,
+                                  std::span<const SkinVertex> skin) {
+  const SkeletonTree tree(skeleton, world, skin);
+  return BoneFinder(tree, given, asked).find();
 }
 
 }  // namespace shigusa

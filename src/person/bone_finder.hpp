@@ -10,8 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/index.hpp"
 #include "humanoid_names.hpp"
 #include "humanoid_shape.hpp"
+#include "landmark_points.hpp"
 #include "skeleton_tree.hpp"
 
 namespace shigusa {
@@ -27,13 +29,8 @@ class BoneFinder {
  private:
   using Bone = HumanoidBone;
 
-  // The bones of each limb from the trunk outwards; even places are left, the first two are legs.
-  static constexpr std::array<std::array<Bone, 3>, 4> kLimbs{{
-      {Bone::left_upper_leg, Bone::left_lower_leg, Bone::left_foot},
-      {Bone::right_upper_leg, Bone::right_lower_leg, Bone::right_foot},
-      {Bone::left_upper_arm, Bone::left_lower_arm, Bone::left_hand},
-      {Bone::right_upper_arm, Bone::right_lower_arm, Bone::right_hand},
-  }};
+  // Even places are left, the first two are legs.
+  static constexpr const auto& kLimbs = kLimbBones;
   static constexpr std::array<std::string_view, 4> kLimbNames{"left leg", "right leg", "left arm",
                                                               "right arm"};
 
@@ -42,8 +39,11 @@ class BoneFinder {
     map_.doubts.push_back(fmt::format(format, std::forward<Args>(args)...));
   }
 
-  [[nodiscard]] const BoneName& name(int i) const { return names_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const BoneName& name(int i) const { return names_[index(i)]; }
   [[nodiscard]] const Vec3d& at(Bone bone) const { return tree_.at(map_[bone]); }
+  [[nodiscard]] Vec3d mid(Bone a, Bone b) const { return (at(a) + at(b)) * 0.5; }
+  // Whether any limb hangs on a node.
+  [[nodiscard]] bool bears_limb(int i) const;
 
   void leave_to_deforming_bones();
   [[nodiscard]] bool deforms(int i) const;

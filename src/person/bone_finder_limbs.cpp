@@ -139,9 +139,9 @@ int BoneFinder::end_below(const LimbNodes& nodes, std::size_t limb) {
     return part == BonePart::thumb || part == BonePart::ornament;
   };
   const int tip = tree_.farthest(nodes[1], is_other);
-  std::vector<int> way;
-  for (int i = tip; i != nodes[1]; i = tree_.node(i).parent) way.push_back(i);
-  for (auto i = way.rbegin(); i != way.rend(); ++i) {
+  std::vector<int> chain;
+  for (int i = tip; i != nodes[1]; i = tree_.node(i).parent) chain.push_back(i);
+  for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
     if (norm(tree_.at(*i) - tree_.at(nodes[1])) < least || is_twist_name(tree_.node(*i).name)) {
       continue;
     }
@@ -214,12 +214,12 @@ std::optional<BodyShape> BoneFinder::shape_beside(const std::array<bool, 4>& fou
   };
   const bool all_legs = found[0] && found[1];
   if (all_legs == (found[2] && found[3])) return find_body_shape(tree_, may_be);
-  const BranchPair told = branches_of(all_legs ? 0 : 2);
-  if (told.node < 0) return std::nullopt;
-  const std::optional<BranchPair> other =
-      longest_pair(tree_, told, [&](const BranchPair& pair) { return may_be(pair, !all_legs); });
+  const BranchPair named_pair = branches_of(all_legs ? 0 : 2);
+  if (named_pair.node < 0) return std::nullopt;
+  const std::optional<BranchPair> other = longest_pair(
+      tree_, named_pair, [&](const BranchPair& pair) { return may_be(pair, !all_legs); });
   if (!other) return std::nullopt;
-  return all_legs ? BodyShape{told, *other} : BodyShape{*other, told};
+  return all_legs ? BodyShape{named_pair, *other} : BodyShape{*other, named_pair};
 }
 
 // The branches on which a limb that was found and its fellow on the right hang.
@@ -302,7 +302,7 @@ int BoneFinder::side_by_names(int branch) const {
   return balance > 0 ? 1 : balance < 0 ? -1 : 0;
 }
 
-// What there is instead of a limb, in terms of the file's own joints.
+// The file's state where a limb is missing, in terms of the file's own joints.
 std::string BoneFinder::missing(std::size_t limb) const {
   for (std::size_t k = 1; k < 3; ++k) {
     const int above = map_[kLimbs[limb][k - 1]];

@@ -10,6 +10,7 @@ namespace {
 
 using Bone = HumanoidBone;
 
+constexpr std::array kSpine{Bone::spine, Bone::chest, Bone::upper_chest};
 // A spine's lowest joint stands at least this share of the way to the neck above the hip joints.
 constexpr double kLeastSpine = 0.03;
 
@@ -62,22 +63,20 @@ void BoneFinder::find_trunk_branch() {
   if (neck && strictly_below(chest_, map_[Bone::hips])) {
     chest_ = tree_.node(chest_).parent;
   }
-  const Vec3d from = (at(Bone::left_upper_leg) + at(Bone::right_upper_leg)) * 0.5;
-  const Vec3d way = (at(Bone::left_upper_arm) + at(Bone::right_upper_arm)) * 0.5 - from;
+  const Vec3d from = mid(Bone::left_upper_leg, Bone::right_upper_leg);
+  const Vec3d trunk = mid(Bone::left_upper_arm, Bone::right_upper_arm) - from;
   const int legs = tree_.common_ancestor(map_[Bone::left_upper_leg], map_[Bone::right_upper_leg]);
   if (chest_ != legs && !flat_) return;
   constexpr double kShoulders = 0.9;  // of the way
   constexpr double kAside = 0.3;
   for (const int child : tree_.children(chest_)) {
-    bool limb = false;
-    for (const auto& bones : kLimbs) limb = limb || tree_.below(map_[bones[0]], child);
-    if (limb) continue;
+    if (bears_limb(child)) continue;
     int last = -1;
     bool goes_on = false;
     for (const int i : tree_.chain(chest_, child)) {
       const Vec3d off = tree_.at(i) - from;
-      const double share = dot(off, way) / dot(way, way);
-      const bool beside = norm(off - way * share) <= kAside * norm(way);
+      const double share = dot(off, trunk) / dot(trunk, trunk);
+      const bool beside = norm(off - trunk * share) <= kAside * norm(trunk);
       if (beside && share > 0.0 && share < kShoulders) last = i;
       goes_on = goes_on || (last >= 0 && beside && share >= kShoulders);
     }
@@ -107,6 +106,11 @@ void BoneFinder::find_neck_and_head() {
   if (neck < 0 && head >= 0) neck = neck_by_shape(head);
   if (neck < 0) doubt("no neck joint: none stands between the arms and the head");
   if (head < 0) doubt("no head joint: no chain leaves the trunk between the arms");
+}
+
+bool BoneFinder::bears_limb(int i) const {
+  return std::any_of(kLimbs.begin(), kLimbs.end(),
+                     [&](const LimbBones& limb) { return tree_.below(map_[limb[0]], i); });
 }
 
 // The node where the way up from the neck ends or forks, or where the face begins; without a neck,
@@ -142,9 +146,7 @@ int BoneFinder::way_up(int i) const {
   int best = -1;
   double longest = i == chest_ ? kShortest * tree_.extent() : -1.0;
   for (const int child : tree_.children(i)) {
-    bool limb = false;
-    for (const auto& bones : kLimbs) limb = limb || tree_.below(map_[bones[0]], child);
-    if (limb || name(child).part == BonePart::ornament) continue;
+    if (bears_limb(child) || name(child).part == BonePart::ornament) continue;
     if (in_row(i, child)) return child;
     const double length = norm(tree_.at(child) - tree_.at(i)) + tree_.reach(child);
     if (name(child).side != NameSide::none || length <= longest) continue;
@@ -177,17 +179,15 @@ std::vector<int> BoneFinder::joints_between(int top, int end) const {
 }
 
 void BoneFinder::find_spine() {
-  constexpr std::array kSpine{Bone::spine, Bone::chest, Bone::upper_chest};
   const int hips = map_[Bone::hips];
   if (chest_ == hips || !tree_.below(chest_, hips)) return;
   std::vector<int> joints = joints_between(hips, chest_);
   if (take_given_spine(joints)) return;
-  const Vec3d from = (at(Bone::left_upper_leg) + at(Bone::right_upper_leg)) * 0.5;
-  const Vec3d to = map_[Bone::neck] >= 0
-                       ? at(Bone::neck)
-                       : (at(Bone::left_upper_arm) + at(Bone::right_upper_arm)) * 0.5;
-  const Vec3d way = to - from;
-  const auto share = [&](int i) { return dot(tree_.at(i) - from, way) / dot(way, way); };
+  const Vec3d from = mid(Bone::left_upper_leg, Bone::right_upper_leg);
+  const Vec3d to =
+      map_[Bone::neck] >= 0 ? at(Bone::neck) : mid(Bone::left_upper_arm, Bone::right_upper_arm);
+  const Vec3d trunk = to - from;
+  const auto share = [&](int i) { return dot(tree_.at(i) - from, trunk) / dot(trunk, trunk); };
   // hips at the place of the lowest joint are that joint
   std::erase_if(joints, [&](int i) { return !(share(i) > kLeastSpine) || share(i) >= 1.0; });
   while (joints.size() > kSpine.size()) {
@@ -205,15 +205,14 @@ void BoneFinder::find_spine() {
 // The file's own spine, where it tells one and it lies on the way; bones that it leaves out are
 // left out.
 bool BoneFinder::take_given_spine(const std::vector<int>& joints) {
-  const int given[] = {given_[Bone::spine], given_[Bone::chest], given_[Bone::upper_chest]};
   std::vector<int> taken;
-  for (const int node : given) {
+  for (const Bone bone : kSpine) {
+    const int node = given_[bone];
     if (node < 0) continue;
     if (std::find(joints.begin(), joints.end(), node) == joints.end()) return false;
     if (!taken.empty() && !strictly_below(node, taken.back())) return false;
     taken.push_back(node);
   }
-  constexpr std::array kSpine{Bone::spine, Bone::chest, Bone::upper_chest};
   for (std::size_t j = 0; j < taken.size(); ++j) map_[kSpine[j]] = taken[j];
   return !taken.empty();
 }

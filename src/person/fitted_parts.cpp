@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "fitted_parts.hpp"
-
 #include <algorithm>
 #include <initializer_list>
 
+#include "core/index.hpp"
 #include "part_shapes.hpp"
 #include "person_measurer.hpp"
 
@@ -12,7 +11,6 @@ namespace {
 
 using Bone = HumanoidBone;
 
-constexpr std::size_t kFewest = 12;  // vertices of a part
 constexpr std::size_t kSectors = 8;
 constexpr std::size_t kFewestSectors = 4;
 constexpr double kEnds = 0.1;           // share of a limb at either end that its neighbours shape
@@ -54,11 +52,11 @@ class Sectors {
   }
   // of all directions the middle one
   [[nodiscard]] double middle() const {
-    std::vector<double> told;
+    std::vector<double> known;
     for (const auto& distance : distance_) {
-      if (distance) told.push_back(*distance);
+      if (distance) known.push_back(*distance);
     }
-    return quantile(std::move(told), 0.5);
+    return quantile(std::move(known), 0.5);
   }
   // How far the middle of a circle at these distances is off the line: the first term of their
   // Fourier series. Where a direction is empty nothing.
@@ -66,8 +64,8 @@ class Sectors {
     Vec3d sum{};
     if (filled_ < kSectors) return sum;
     for (std::size_t s = 0; s < kSectors; ++s) {
-      const SinCos<double> way = sin_cos(static_cast<double>(s) * (2.0 * kPi / kSectors));
-      sum += Vec3d{way.cos, 0.0, way.sin} * (*distance_[s] * (2.0 / kSectors));
+      const SinCos<double> towards = sin_cos(static_cast<double>(s) * (2.0 * kPi / kSectors));
+      sum += Vec3d{towards.cos, 0.0, towards.sin} * (*distance_[s] * (2.0 / kSectors));
     }
     return sum;
   }
@@ -114,37 +112,31 @@ class PartFitter {
   void find_bones() {
     bone_.assign(static_cast<std::size_t>(tree_.size()), -1);
     own_.assign(bone_.size(), false);
-    for (int b = 0; b < kHumanoidBoneCount; ++b) {
-      int node = map_[static_cast<Bone>(b)];
+    for (const Bone bone : kHumanoidBones) {
+      int node = map_[bone];
       if (node < 0) continue;
-      bone_[static_cast<std::size_t>(node)] = b;
-      for (; node >= 0 && !own_[static_cast<std::size_t>(node)]; node = tree_.node(node).parent) {
-        own_[static_cast<std::size_t>(node)] = true;
+      bone_[index(node)] = static_cast<int>(bone);
+      for (; node >= 0 && !own_[index(node)]; node = tree_.node(node).parent) {
+        own_[index(node)] = true;
       }
     }
     for (std::size_t i = 0; i < bone_.size(); ++i) {
       const int parent = tree_.node(static_cast<int>(i)).parent;
-      if (bone_[i] < 0 && parent >= 0) bone_[i] = bone_[static_cast<std::size_t>(parent)];
+      if (bone_[i] < 0 && parent >= 0) bone_[i] = bone_[index(parent)];
     }
   }
 
-  // What goes with one of the bones, in a frame of the world.
+  // The vertices that go with one of the bones, in a frame of the world.
   [[nodiscard]] std::vector<Vec3d> flesh(std::initializer_list<Bone> bones, bool own,
                                          const Transformd& frame) const {
     const Transformd to_part = inverse(frame);
-    std::vector<Vec3d> points;
-    for (const bool rigid : {false, true}) {
-      for (const SkinVertex& vertex : tree_.skin()) {
-        if (vertex.node < 0 || vertex.rigid != rigid) continue;
-        const auto node = static_cast<std::size_t>(vertex.node);
-        const bool of_bone = std::any_of(bones.begin(), bones.end(), [&](Bone bone) {
-          return bone_[node] == static_cast<int>(bone);
-        });
-        if (!of_bone || (own && !own_[node])) continue;
-        points.push_back(to_part * measured_.placement.to_world(vertex.position));
-      }
-      if (points.size() >= kFewest) break;
-    }
+    std::vector<Vec3d> points = flesh_of(tree_.skin(), [&](const SkinVertex& vertex) {
+      if (vertex.node < 0 || (own && !own_[index(vertex.node)])) return false;
+      return std::any_of(bones.begin(), bones.end(), [&](Bone bone) {
+        return bone_[index(vertex.node)] == static_cast<int>(bone);
+      });
+    });
+    for (Vec3d& p : points) p = to_part * measured_.placement.to_world(p);
     return points;
   }
 
@@ -161,7 +153,8 @@ class PartFitter {
     const std::vector<Vec3d> all = flesh({bone}, false, part_frame(part, person_, frames_));
     std::vector<Vec3d> points = between(all, (kEnds - 1.0) * length, -kEnds * length);
     // a coarse limb has vertices at its ends alone
-    if (points.size() < kFewest) points = between(all, -(1.0 + kEnds) * length, kEnds * length);
+    if (points.size() < kFewestVertices)
+      points = between(all, -(1.0 + kEnds) * length, kEnds * length);
     const auto column = round_column(points, min(kThickest * length, room));
     if (!column) return;
     shapes_[part] = {{column->from.x, 0.0, column->from.z},
@@ -171,7 +164,7 @@ class PartFitter {
 
   // A line along y through the middle of the points, and how far they lie about it.
   static std::optional<PartShape> round_column(const std::vector<Vec3d>& points, double thickest) {
-    if (points.size() < kFewest) return std::nullopt;
+    if (points.size() < kFewestVertices) return std::nullopt;
     Sectors about(points, 0.0, 0.0, kInLimb);
     if (about.filled() < kFewestSectors) return std::nullopt;
     const double rough = min(about.middle(), thickest);
@@ -203,7 +196,7 @@ class PartFitter {
     const Vec3d from = to_part * piece.from;
     const Vec3d to = to_part * piece.to;
     const std::vector<Vec3d> within = between(points, from.y, to.y);
-    if (within.size() < kFewest) return;
+    if (within.size() < kFewestVertices) return;
     const double line = 0.5 * (from.z + to.z);
     const Sectors about(within, 0.0, line, kInTrunk);
     if (!about.at(2) || !about.at(6)) return;
@@ -223,7 +216,7 @@ class PartFitter {
   void fit_head() {
     const std::vector<Vec3d> points =
         flesh({Bone::head}, true, part_frame(BodyPart::head, person_, frames_));
-    if (points.size() < kFewest) return;
+    if (points.size() < kFewestVertices) return;
     const auto at = [&](int axis, double share) {
       std::vector<double> values;
       for (const Vec3d& p : points) values.push_back(p[axis]);

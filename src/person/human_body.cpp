@@ -2,17 +2,13 @@
 #include <fmt/format.h>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "human_builder.hpp"
 
 namespace shigusa {
 namespace {
 
 Side other(Side side) { return side == Side::left ? Side::right : Side::left; }
-
-// a point of the start posture in the frame of a link whose origin is at `origin`
-Vec3d local(const Mat3d& frame, const Vec3d& origin, const Vec3d& point) {
-  return transpose_times(frame, point - origin);
-}
 
 bool joint_is_leg(const std::string& joint) {
   return !joint.ends_with("shoulder") && !joint.ends_with("elbow");
@@ -61,35 +57,49 @@ BodyModel HumanBuilder::build() {
   return BodyModel(std::move(body_));
 }
 
-int HumanBuilder::add_dof(const std::string& joint, const char* freedom, int parent,
-                          const Vec3d& offset, Axis axis, double sign, const JointLimits& limits,
-                          double start) {
-  const double strength = strength_ * (joint_is_leg(joint) ? leg_strength_ : 1.0);
-  body_.dofs.push_back({.joint = joint,
-                        .name = joint + "." + freedom,
-                        .parent = parent,
-                        .offset = offset,
-                        .axis = axis,
-                        .sign = sign,
-                        .lower = limits.lower,
-                        .upper = limits.upper,
-                        .torque_positive = limits.torque_positive * strength,
-                        .torque_negative = limits.torque_negative * strength});
-  body_.masses.emplace_back();
-  body_.start.push_back(start);
-  return static_cast<int>(body_.dofs.size()) - 1;
-}
-
 HumanBuilder::Part HumanBuilder::add_joint(const std::string& joint, const Part& on,
                                            const Vec3d& at, const Mat3d& frame,
                                            std::initializer_list<Freedom> freedoms) {
+  const double strength = strength_ * (joint_is_leg(joint) ? leg_strength_ : 1.0);
   Part part{on.link, frame, at};
-  Vec3d offset = local(on.frame, on.origin, at);
+  Vec3d offset = in_link(at, on);
   for (const Freedom& f : freedoms) {
-    part.link = add_dof(joint, f.name, part.link, offset, f.axis, f.sign, f.limits, f.start);
+    body_.dofs.push_back({.joint = joint,
+                          .name = joint + "." + f.name,
+                          .parent = part.link,
+                          .offset = offset,
+                          .axis = f.axis,
+                          .sign = f.sign,
+                          .lower = f.limits.lower,
+                          .upper = f.limits.upper,
+                          .torque_positive = f.limits.torque_positive * strength,
+                          .torque_negative = f.limits.torque_negative * strength});
+    body_.masses.emplace_back();
+    body_.start.push_back(f.start);
+    part.link = static_cast<int>(body_.dofs.size()) - 1;
     offset = {};
   }
   return part;
+}
+
+HumanBuilder::Part HumanBuilder::add_hip_above(Side side, const Part& thigh,
+                                               const JointLimits& bends) {
+  const double s = side_sign(side);
+  const BallAngles hip = ball_angles(transpose(frames_.trunk) * frames_.leg(side).thigh, side);
+  return add_joint(prefix_of(side) + "hip", thigh, person_.leg(side).hip, frames_.trunk,
+                   {{"rotation", Axis::y, -s, kHipRotation, hip.rotation},
+                    {"abduction", Axis::z, -s, kHipAbduction, hip.abduction},
+                    {"flexion", Axis::x, 1.0, bends, hip.flexion}});
+}
+
+HumanBuilder::Part HumanBuilder::add_hip_below(Side side, const JointLimits& bends) {
+  const double s = side_sign(side);
+  const Mat3d& thigh = frames_.leg(side).thigh;
+  const BallAngles hip = ball_angles(transpose(frames_.trunk) * thigh, side);
+  return add_joint(prefix_of(side) + "hip", trunk_.front(), person_.leg(side).hip, thigh,
+                   {{"flexion", Axis::x, -1.0, bends, hip.flexion},
+                    {"abduction", Axis::z, s, kHipAbduction, hip.abduction},
+                    {"rotation", Axis::y, s, kHipRotation, hip.rotation}});
 }
 
 // The joints of the standing leg are climbed from the floor, so their freedoms come in reverse
@@ -112,12 +122,7 @@ void HumanBuilder::add_standing_leg() {
   parts.thigh =
       add_joint(prefix + "knee", parts.shank, leg.knee, frame.thigh,
                 {{"flexion", Axis::x, -1.0, kKneeFlexion, -hinge_angle(frame.shank, frame.thigh)}});
-  const BallAngles hip = ball_angles(transpose(frames_.trunk) * frame.thigh, side);
-  trunk_ = {
-      add_joint(prefix + "hip", parts.thigh, leg.hip, frames_.trunk,
-                {{"rotation", Axis::y, -s, kHipRotation, hip.rotation},
-                 {"abduction", Axis::z, -s, kHipAbduction, hip.abduction},
-                 {"flexion", Axis::x, 1.0, whole() ? kFreeHipFlexion : kHipFlexion, hip.flexion}})};
+  trunk_ = {add_hip_above(side, parts.thigh, whole() ? kFreeHipFlexion : kHipFlexion)};
   couple_hip(trunk_.front().link, parts.thigh.link);
   add_leg_capsules(side);
   add_standing_masses(side);
@@ -151,13 +156,8 @@ void HumanBuilder::add_hanging_leg(Side side) {
   const Landmarks::Leg& leg = person_.leg(side);
   const LegFrames& frame = frames_.leg(side);
   LegParts& parts = legs_[index_of(side)];
-  const BallAngles hip = ball_angles(transpose(frames_.trunk) * frame.thigh, side);
   const int first = static_cast<int>(body_.dofs.size());
-  parts.thigh =
-      add_joint(prefix + "hip", trunk_.front(), leg.hip, frame.thigh,
-                {{"flexion", Axis::x, -1.0, whole() ? kFreeHipFlexion : kHipFlexion, hip.flexion},
-                 {"abduction", Axis::z, s, kHipAbduction, hip.abduction},
-                 {"rotation", Axis::y, s, kHipRotation, hip.rotation}});
+  parts.thigh = add_hip_below(side, whole() ? kFreeHipFlexion : kHipFlexion);
   parts.shank =
       add_joint(prefix + "knee", parts.thigh, leg.knee, frame.shank,
                 {{"flexion", Axis::x, 1.0, kKneeFlexion, hinge_angle(frame.thigh, frame.shank)}});
@@ -213,9 +213,8 @@ void HumanBuilder::add_arm(Side side) {
     set_mass(parts.fore, masses_.forearm_and_hand(side));
   }
   add_arm_capsules(side);
-  const Vec3d grip = grip_of(arm);
   body_.effectors.push_back({prefix + "hand", prefix + "hand_grip", parts.hand.link,
-                             local(parts.hand.frame, parts.hand.origin, grip), root});
+                             in_link(grip_of(arm), parts.hand), root});
 }
 
 void HumanBuilder::couple_hip(int hip, int knee) {
@@ -224,8 +223,7 @@ void HumanBuilder::couple_hip(int hip, int knee) {
 }
 
 void HumanBuilder::set_mass(const Part& part, const LinkMass& mass) {
-  MassProperties& link =
-      part.link == kBaseLink ? body_.base_mass : body_.masses[static_cast<std::size_t>(part.link)];
+  MassProperties& link = part.link == kBaseLink ? body_.base_mass : body_.masses[index(part.link)];
   link = mass.in_frame(part.frame, part.origin);
 }
 
@@ -236,7 +234,7 @@ void HumanBuilder::hold_start_posture() {
     double upper = dof.upper;
     for (const LimitCoupling& c : body_.couplings) {
       if (c.dof != static_cast<int>(i)) continue;
-      const double driver = body_.start[static_cast<std::size_t>(c.driver)];
+      const double driver = body_.start[index(c.driver)];
       upper += c.gain * clamp(driver / c.driver_full, 0.0, 1.0);
     }
     const double over = max(body_.start[i] - upper, 0.0);

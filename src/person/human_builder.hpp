@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "human_frames.hpp"
+#include "landmark_points.hpp"
 #include "part_shapes.hpp"
 #include "segment_mass.hpp"
 
@@ -46,8 +47,9 @@ class HumanBuilder {
   // a joint at a point of the part; its link's frame in the start posture is `frame`
   Part add_joint(const std::string& joint, const Part& on, const Vec3d& at, const Mat3d& frame,
                  std::initializer_list<Freedom> freedoms);
-  int add_dof(const std::string& joint, const char* freedom, int parent, const Vec3d& offset,
-              Axis axis, double sign, const JointLimits& limits, double start);
+  // the hip as the trunk hangs on the thigh, and the other way round
+  Part add_hip_above(Side side, const Part& thigh, const JointLimits& bends);
+  Part add_hip_below(Side side, const JointLimits& bends);
 
   // legs and arms
   void add_standing_leg();
@@ -86,8 +88,6 @@ class HumanBuilder {
   void add_leg_capsules(Side side);
   void add_arm_capsules(Side side);
   void set_mass(const Part& part, const LinkMass& mass);
-  [[nodiscard]] Vec3d mid_hip() const;
-  [[nodiscard]] Vec3d mid_shoulder() const;
   void hold_start_posture();
 
   const Landmarks& person_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What others must not pass through.
+// The shapes that limbs must not pass through.
 #include "human_builder.hpp"
 
 namespace shigusa {
@@ -35,11 +35,11 @@ void HumanBuilder::add_leg_capsules(Side side) {
     // the foot bends at the toes' joint: what is ahead of it goes with the toes
     const Vec3d bend = toes_joint(person_.leg(side));
     Capsule& foot = body_.capsules.back();
-    const Vec3d way = foot.to - foot.from;
+    const Vec3d line = foot.to - foot.from;
     const double share =
-        dot(in_link(bend, parts.foot) - foot.from, way) / max(dot(way, way), 1e-12);
+        dot(in_link(bend, parts.foot) - foot.from, line) / max(dot(line, line), 1e-12);
     Capsule toes = foot;
-    foot.to = foot.from + way * clamp(share, 0.0, 1.0);
+    foot.to = foot.from + line * clamp(share, 0.0, 1.0);
     const auto in_toes = [&](const Vec3d& p) {
       return in_link(parts.foot.frame * p + parts.foot.origin, parts.toes);
     };

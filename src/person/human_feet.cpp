@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The feet of who stands, in one piece or bending at the toes.
+// The feet of a standing person, in one piece or bending at the toes.
 #include <algorithm>
 
 #include "human_builder.hpp"

@@ -5,15 +5,15 @@
 namespace shigusa {
 namespace {
 
-// What of a thigh lies on the seat: from behind the hip joint (share of the stature) to a share of
-// the way to the knee, and half as broad as this (share of the stature).
+// The part of a thigh that lies on the seat: from behind the hip joint (share of the stature) to a
+// share of the way to the knee, and half as broad as this (share of the stature).
 constexpr double kBehindHip = 0.06;
 constexpr double kToKnee = 0.7;
 constexpr double kHalfBreadth = 0.045;
 // Soles that are higher than this (m) bear nothing.
 constexpr double kOnTheFloor = 0.02;
 
-// the hip of who sits bends as far as with a bent knee
+// a seated person's hip bends as far as with a bent knee
 JointLimits with_bent_knee(JointLimits hip, double gain) {
   hip.upper += gain;
   return hip;
@@ -21,14 +21,11 @@ JointLimits with_bent_knee(JointLimits hip, double gain) {
 
 }  // namespace
 
-// A leg of who sits, all one piece. The first of them carries the trunk, which hangs on no joint
-// yet, as a standing leg does.
+// A seated person's leg, all one piece. The first of them carries the trunk, which hangs on no
+// joint yet, as a standing leg does.
 void HumanBuilder::add_seated_leg(Side side) {
-  const double s = side_sign(side);
-  const std::string prefix = prefix_of(side);
   const Landmarks::Leg& leg = person_.leg(side);
   const Mat3d& frame = frames_.leg(side).thigh;
-  const BallAngles angles = ball_angles(transpose(frames_.trunk) * frame, side);
   const JointLimits bends = whole() ? with_bent_knee(kFreeHipFlexion, kFreeHipFlexionGain)
                                     : with_bent_knee(kHipFlexion, kHipFlexionGain);
   LinkMass mass = masses_.thigh(side);
@@ -38,15 +35,9 @@ void HumanBuilder::add_seated_leg(Side side) {
   if (side == base_side_) {
     body_.base = {frame, leg.hip};
     body_.base_mass = mass.in_frame(frame, leg.hip);
-    trunk_ = {add_joint(prefix + "hip", thigh, leg.hip, frames_.trunk,
-                        {{"rotation", Axis::y, -s, kHipRotation, angles.rotation},
-                         {"abduction", Axis::z, -s, kHipAbduction, angles.abduction},
-                         {"flexion", Axis::x, 1.0, bends, angles.flexion}})};
+    trunk_ = {add_hip_above(side, thigh, bends)};
   } else {
-    thigh = add_joint(prefix + "hip", trunk_.front(), leg.hip, frame,
-                      {{"flexion", Axis::x, -1.0, bends, angles.flexion},
-                       {"abduction", Axis::z, s, kHipAbduction, angles.abduction},
-                       {"rotation", Axis::y, s, kHipRotation, angles.rotation}});
+    thigh = add_hip_below(side, bends);
     set_mass(thigh, mass);
   }
   LegParts& parts = legs_[index_of(side)];
@@ -58,24 +49,21 @@ void HumanBuilder::add_seated_leg(Side side) {
 void HumanBuilder::add_seat(Side side, const Part& thigh) {
   const Landmarks::Leg& leg = person_.leg(side);
   const double h = settings_.stature;
-  const Vec3d way = leg.knee - leg.hip;
-  const Vec3d ahead = normalized(Vec3d{way.x, 0.0, way.z}, {0, 0, 1});
+  const Vec3d to_knee = leg.knee - leg.hip;
+  const Vec3d ahead = normalized(Vec3d{to_knee.x, 0.0, to_knee.z}, {0, 0, 1});
   const Vec3d across = Vec3d{ahead.z, 0.0, -ahead.x} * (kHalfBreadth * h);
   const Vec3d down{0.0, -kSeatedHip * h, 0.0};
   const Vec3d behind = leg.hip + down - ahead * (kBehindHip * h);
-  const Vec3d front = leg.hip + down + ahead * (kToKnee * dot(way, ahead));
+  const Vec3d front = leg.hip + down + ahead * (kToKnee * dot(to_knee, ahead));
   std::vector<Vec3d> corners{front + across, behind + across, behind - across, front - across};
   Foot seat;
   seat.name = prefix_of(side) + "upper_leg";
   seat.link = thigh.link;
   seat.node = seat.name;
-  const auto local = [&thigh](const Vec3d& p) {
-    return transpose_times(thigh.frame, p - thigh.origin);
-  };
-  for (const Vec3d& corner : corners) seat.centre += local(corner) * 0.25;
+  for (const Vec3d& corner : corners) seat.centre += in_link(corner, thigh) * 0.25;
   const SoleOutline sole = sole_outline(leg, h);
   if (sole[0].y < kOnTheFloor) corners.insert(corners.end(), sole.begin(), sole.end());
-  for (const Vec3d& corner : corners) seat.outline.push_back(local(corner));
+  for (const Vec3d& corner : corners) seat.outline.push_back(in_link(corner, thigh));
   body_.feet.push_back(std::move(seat));
 }
 

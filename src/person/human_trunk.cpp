@@ -17,12 +17,6 @@ JointLimits part_of_range(const JointLimits& all, double share) {
 
 }  // namespace
 
-Vec3d HumanBuilder::mid_hip() const { return (person_.left_leg.hip + person_.right_leg.hip) * 0.5; }
-
-Vec3d HumanBuilder::mid_shoulder() const {
-  return (person_.left_arm.shoulder + person_.right_arm.shoulder) * 0.5;
-}
-
 // what stands on the pelvis, which is there already
 void HumanBuilder::add_trunk() {
   if (whole()) {
@@ -40,7 +34,7 @@ void HumanBuilder::add_trunk() {
 // Fewer joints than three have the range of all of them.
 void HumanBuilder::add_spine() {
   const std::size_t joints = std::min(person_.spine.size(), kSpineJoints);
-  const Vec3d way = person_.neck - mid_hip();
+  const Vec3d trunk = person_.neck - mid_hip(person_);
   double begin = 0.0;
   for (std::size_t j = 0; j < joints; ++j) {
     SpineShares range{};
@@ -54,7 +48,8 @@ void HumanBuilder::add_spine() {
                   {{"flexion", Axis::x, 1.0, part_of_range(kSpineFlexion, range.flexion)},
                    {"lateral", Axis::z, -1.0, part_of_range(kSpineLateral, range.lateral)},
                    {"rotation", Axis::y, 1.0, part_of_range(kSpineRotation, range.rotation)}});
-    part.from = clamp(dot(person_.spine[j] - mid_hip(), way) / dot(way, way), begin, 1.0);
+    part.from =
+        clamp(dot(person_.spine[j] - mid_hip(person_), trunk) / dot(trunk, trunk), begin, 1.0);
     set_mass(trunk_.back(), masses_.trunk_slice(begin, part.from));
     begin = part.from;
     trunk_.push_back(part);
@@ -86,15 +81,14 @@ HumanBuilder::Part HumanBuilder::add_clavicle(Side side) {
 
 int HumanBuilder::add_node(const std::string& name, int parent, const Part& part,
                            const Vec3d& point, bool end_site) {
-  body_.nodes.push_back(
-      {name, parent, part.link, transpose_times(part.frame, point - part.origin), end_site});
+  body_.nodes.push_back({name, parent, part.link, in_link(point, part), end_site});
   return static_cast<int>(body_.nodes.size()) - 1;
 }
 
 void HumanBuilder::add_nodes() {
-  const int hips = add_node("hips", -1, trunk_.front(), mid_hip());
+  const int hips = add_node("hips", -1, trunk_.front(), mid_hip(person_));
   const int chest = add_trunk_nodes(hips);
-  for (const Side side : {Side::left, Side::right}) {
+  for (const Side side : kBothSides) {
     if (side == Side::left && settings_.extent == BodyExtent::half) {
       add_stubs(hips, chest);
       continue;
@@ -111,20 +105,19 @@ int HumanBuilder::add_trunk_nodes(int hips) {
     chest = add_node(kSpineNames[j - 1], chest, trunk_[j], trunk_[j].origin);
   }
   if (trunk_.size() == 1) {
-    const Vec3d at = mid_hip() + (mid_shoulder() - mid_hip()) * kRigidChest;
+    const Vec3d at = mid_hip(person_) + (mid_shoulder(person_) - mid_hip(person_)) * kRigidChest;
     chest = add_node("chest", hips, trunk_.front(), at);
   }
-  const Vec3d joint = person_.neck + (person_.head_top - person_.neck) * kHeadJointShare;
-  const bool free = whole() && person_.head;
+  const Vec3d fixed = person_.neck + (person_.head_top - person_.neck) * kHeadJointShare;
   const int neck = add_node("neck", chest, neck_, person_.neck);
-  const int head = add_node("head", neck, head_, free ? *person_.head : joint);
+  const int head = add_node("head", neck, head_, whole() ? head_joint(person_) : fixed);
   add_node("", head, head_, person_.head_top, true);
   return chest;
 }
 
 // the still limbs are not shown (paper, section 4), but the trunk that they hang on is
 void HumanBuilder::add_stubs(int hips, int chest) {
-  const Vec3d stub = (mid_hip() - mid_shoulder()) * 0.05;
+  const Vec3d stub = (mid_hip(person_) - mid_shoulder(person_)) * 0.05;
   for (const auto& [name, parent, at] :
        {std::tuple{"left_upper_arm", chest, person_.left_arm.shoulder},
         std::tuple{"left_upper_leg", hips, person_.left_leg.hip}}) {
@@ -143,8 +136,7 @@ void HumanBuilder::add_arm_nodes(Side side, int chest) {
   on = add_node(prefix + "upper_arm", on, parts.upper, arm.shoulder);
   on = add_node(prefix + "lower_arm", on, parts.fore, arm.elbow);
   on = add_node(prefix + "hand", on, parts.hand, arm.wrist);
-  const Vec3d grip = grip_of(arm);
-  on = add_node(prefix + "hand_grip", on, parts.hand, grip);
+  on = add_node(prefix + "hand_grip", on, parts.hand, grip_of(arm));
   add_node("", on, parts.hand, arm.fingertip, true);
 }
 

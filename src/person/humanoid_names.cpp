@@ -2,122 +2,49 @@
 #include "humanoid_names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
+
+#include "core/text.hpp"
 
 namespace shigusa {
 namespace {
 
-struct Word {
-  std::string_view word;
+struct PartWords {
   BonePart part;
+  std::array<std::string_view, 15> words;  // the rest are empty
 };
 
-// What conventions call the bones, in lower case and without separators.
-constexpr Word kWords[] = {
-    {"hips", BonePart::hips},
-    {"pelvis", BonePart::hips},
-    {"hip", BonePart::hip},
-    {"hipjoint", BonePart::hip},
-    {"upleg", BonePart::upper_leg},
-    {"upperleg", BonePart::upper_leg},
-    {"thigh", BonePart::upper_leg},
-    {"femur", BonePart::upper_leg},
-    {"leg", BonePart::leg},
-    {"lowerleg", BonePart::lower_leg},
-    {"lowleg", BonePart::lower_leg},
-    {"loleg", BonePart::lower_leg},
-    {"uleg", BonePart::upper_leg},
-    {"legupper", BonePart::upper_leg},
-    {"leglower", BonePart::lower_leg},
-    {"legup", BonePart::upper_leg},
-    {"leglow", BonePart::lower_leg},
-    {"legtop", BonePart::upper_leg},
-    {"legbottom", BonePart::lower_leg},
-    {"lleg", BonePart::lower_leg},
-    {"shin", BonePart::lower_leg},
-    {"shank", BonePart::lower_leg},
-    {"calf", BonePart::lower_leg},
-    {"tibia", BonePart::lower_leg},
-    {"knee", BonePart::lower_leg},
-    {"ankle", BonePart::ankle},
-    {"talus", BonePart::ankle},
-    {"talocrural", BonePart::ankle},
-    {"foot", BonePart::foot},
-    {"feet", BonePart::foot},
-    {"toe", BonePart::toes},
-    {"toes", BonePart::toes},
-    {"toebase", BonePart::toes},
-    {"ball", BonePart::toes},
-    {"collar", BonePart::collar},
-    {"clavicle", BonePart::collar},
-    {"clav", BonePart::collar},
-    {"collarbone", BonePart::collar},
-    {"scapula", BonePart::collar},
-    {"sternoclavicular", BonePart::collar},
-    {"acromioclavicular", BonePart::collar},
-    {"shoulder", BonePart::shoulder},
-    {"upperarm", BonePart::upper_arm},
-    {"uparm", BonePart::upper_arm},
-    {"uarm", BonePart::upper_arm},
-    {"armupper", BonePart::upper_arm},
-    {"armlower", BonePart::lower_arm},
-    {"armup", BonePart::upper_arm},
-    {"armlow", BonePart::lower_arm},
-    {"armtop", BonePart::upper_arm},
-    {"armbottom", BonePart::lower_arm},
-    {"bicep", BonePart::upper_arm},
-    {"biceps", BonePart::upper_arm},
-    {"forarm", BonePart::lower_arm},
-    {"humerus", BonePart::upper_arm},
-    {"shldr", BonePart::upper_arm},
-    {"arm", BonePart::arm},
-    {"forearm", BonePart::lower_arm},
-    {"lowerarm", BonePart::lower_arm},
-    {"lowarm", BonePart::lower_arm},
-    {"loarm", BonePart::lower_arm},
-    {"larm", BonePart::lower_arm},
-    {"farm", BonePart::lower_arm},
-    {"elbow", BonePart::lower_arm},
-    {"radius", BonePart::lower_arm},
-    {"ulna", BonePart::lower_arm},
-    {"wrist", BonePart::hand},
-    {"radiocarpal", BonePart::hand},
-    {"hand", BonePart::hand},
-    {"palm", BonePart::palm},
-    {"fist", BonePart::palm},
-    {"spine", BonePart::spine},
-    {"torso", BonePart::spine},
-    {"chest", BonePart::spine},
-    {"neck", BonePart::neck},
-    {"lowerneck", BonePart::neck},
-    {"upperneck", BonePart::neck},
-    {"head", BonePart::head},
-    {"skullbase", BonePart::head},
-    {"足", BonePart::upper_leg},
-    {"ひざ", BonePart::lower_leg},
-    {"足首", BonePart::foot},
-    {"つま先", BonePart::toes},
-    {"肩", BonePart::collar},
-    {"腕", BonePart::upper_arm},
-    {"ひじ", BonePart::lower_arm},
-    {"手首", BonePart::hand},
-    {"首", BonePart::neck},
-    {"頭", BonePart::head},
-    {"大腿", BonePart::upper_leg},
-    {"小腿", BonePart::lower_leg},
-    {"脚", BonePart::foot},
-    {"脚踝", BonePart::foot},
-    {"脚趾", BonePart::toes},
-    {"锁骨", BonePart::collar},
-    {"肩膀", BonePart::shoulder},
-    {"上臂", BonePart::upper_arm},
-    {"前臂", BonePart::lower_arm},
-    {"手", BonePart::hand},
-    {"手腕", BonePart::hand},
-    {"颈", BonePart::neck},
-    {"脖子", BonePart::neck},
-    {"头", BonePart::head},
+// The conventions' words for the bones, in lower case and without separators.
+constexpr PartWords kWords[] = {
+    {BonePart::hips, {"hips", "pelvis"}},
+    {BonePart::hip, {"hip", "hipjoint"}},
+    {BonePart::upper_leg,
+     {"upleg", "upperleg", "thigh", "femur", "uleg", "legupper", "legup", "legtop", "足", "大腿"}},
+    {BonePart::leg, {"leg"}},
+    {BonePart::lower_leg,
+     {"lowerleg", "lowleg", "loleg", "leglower", "leglow", "legbottom", "lleg", "shin", "shank",
+      "calf", "tibia", "knee", "ひざ", "小腿"}},
+    {BonePart::ankle, {"ankle", "talus", "talocrural"}},
+    {BonePart::foot, {"foot", "feet", "足首", "脚", "脚踝"}},
+    {BonePart::toes, {"toe", "toes", "toebase", "ball", "つま先", "脚趾"}},
+    {BonePart::collar,
+     {"collar", "clavicle", "clav", "collarbone", "scapula", "sternoclavicular",
+      "acromioclavicular", "肩", "锁骨"}},
+    {BonePart::shoulder, {"shoulder", "肩膀"}},
+    {BonePart::upper_arm,
+     {"upperarm", "uparm", "uarm", "armupper", "armup", "armtop", "bicep", "biceps", "humerus",
+      "shldr", "腕", "上臂"}},
+    {BonePart::lower_arm,
+     {"armlower", "armlow", "armbottom", "forarm", "forearm", "lowerarm", "lowarm", "loarm", "larm",
+      "farm", "elbow", "radius", "ulna", "ひじ", "前臂"}},
+    {BonePart::arm, {"arm"}},
+    {BonePart::hand, {"wrist", "radiocarpal", "hand", "手首", "手", "手腕"}},
+    {BonePart::palm, {"palm", "fist"}},
+    {BonePart::spine, {"spine", "torso", "chest"}},
+    {BonePart::neck, {"neck", "lowerneck", "upperneck", "首", "颈", "脖子"}},
+    {BonePart::head, {"head", "skullbase", "頭", "头"}},
 };
 
 // Words of joints that belong to a bone, or control it, but are not it.
@@ -144,29 +71,20 @@ constexpr std::string_view kTips[] = {"end", "nub", "tip", "top"};
 constexpr std::string_view kLeftWords[] = {"left", "l", "lft", "lt"};
 constexpr std::string_view kRightWords[] = {"right", "r", "rgt", "rt"};
 
-bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // bytes of UTF-8 beyond ASCII count as letters
 bool is_letter(char c) { return is_upper(c) || is_lower(c) || (c & 0x80) != 0; }
 
-template <class Words>
-bool contains(const Words& words, std::string_view word) {
-  for (const std::string_view w : words) {
-    if (w == word) return true;
-  }
-  return false;
-}
-
 BonePart part_of(std::string_view word) {
-  for (const Word& w : kWords) {
-    if (w.word == word) return w.part;
+  for (const PartWords& part : kWords) {
+    if (!word.empty() && contains(part.words, word)) return part.part;
   }
   return BonePart::none;
 }
 
 // The words of a name in lower case: split at separators, digits and capitals ("LHipJoint" is
-// l, hip, joint). What stands before a colon or bar names the character.
+// l, hip, joint). The text before a colon or bar names the character.
 std::vector<std::string> words_of(std::string_view name) {
   const std::size_t prefix = name.find_last_of(":|");
   if (prefix != name.npos) name.remove_prefix(prefix + 1);
@@ -181,7 +99,7 @@ std::vector<std::string> words_of(std::string_view name) {
     const bool after_lower = i > 0 && is_lower(name[i - 1]);
     const bool before_lower = i + 1 < name.size() && is_lower(name[i + 1]);
     if (!open || (is_upper(c) && (after_lower || before_lower))) words.emplace_back();
-    words.back() += is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+    words.back() += lower(c);
     open = true;
   }
   return words;

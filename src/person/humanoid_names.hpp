@@ -5,8 +5,8 @@
 
 namespace shigusa {
 
-// What a joint's name calls it. Some words mean one bone here and another there: whoever reads the
-// chain around the joint decides.
+// The part that a joint's name tells. Some words mean one bone here and another there: whoever
+// reads the chain around the joint decides.
 enum class BonePart {
   none,
   hips,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "landmark_points.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -139,13 +141,13 @@ std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>
   }
   LimbNodes nodes{chain[start], -1, -1};
   std::size_t found = 1;
-  double way = 0.0;
+  double beyond = 0.0;
   for (std::size_t i = start + 1; i < chain.size() && found < 3; ++i) {
-    way += norm(tree.at(chain[i]) - tree.at(chain[i - 1]));
-    if (way < (found == 1 ? kSegmentShare : second_share) * length) continue;
+    beyond += norm(tree.at(chain[i]) - tree.at(chain[i - 1]));
+    if (beyond < (found == 1 ? kSegmentShare : second_share) * length) continue;
     if (tree.node(chain[i]).end_site) return std::nullopt;
     nodes[found++] = chain[i];
-    way = 0.0;
+    beyond = 0.0;
   }
   if (found < 3) return std::nullopt;
   return nodes;
@@ -231,8 +233,8 @@ bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map) {
   const Vec3d left = tree.at(map[Bone::left_upper_leg]) - tree.at(map[Bone::right_upper_leg]);
   double ahead = 0.0;
   double scale = 0.0;
-  for (const auto& [knee, ankle] : {std::pair(Bone::left_lower_leg, Bone::left_foot),
-                                    std::pair(Bone::right_lower_leg, Bone::right_foot)}) {
+  for (const Side side : kBothSides) {
+    const auto& [hip, knee, ankle] = leg_bones(side);
     const Vec3d foot = tree.foot_from(map[ankle]);
     const Vec3d shank = tree.at(map[knee]) - tree.at(map[ankle]);
     ahead += dot(foot, cross(left, shank));

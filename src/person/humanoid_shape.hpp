@@ -59,7 +59,7 @@ using MayBeLimbs = std::function<bool(const BranchPair&, bool legs)>;
 // Why a body without names has no shape: what is missing, and what there is instead.
 [[nodiscard]] std::string missing_by_shape(const SkeletonTree& tree);
 
-// What there is at `hub` instead of a limb, for a message: "joint 'Hips' has 1 chain that goes
+// The chains at `hub` where a limb is missing, for a message: "joint 'Hips' has 1 chain that goes
 // down: 'LeftHip'".
 [[nodiscard]] std::string describe_branches(const SkeletonTree& tree, int hub, bool downwards);
 

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "landmark_points.hpp"
+
 namespace shigusa {
 namespace {
 
-// What figures come to, in lengths of their legs: a dwarf with a big head 1.6 of trunk and 1.4 of
+// Bounds of figures, in lengths of their legs: a dwarf with a big head has 1.6 of trunk and 1.4 of
 // arm, a giant 2 of arm. People have 0.6 of trunk and 0.7 of arm.
 constexpr double kLongestTrunk = 4.0;
 constexpr double kShortestArm = 0.2;
@@ -21,33 +23,31 @@ constexpr double kBroadest = 1.0;
 constexpr double kAnimalsTrunk = 0.8;
 constexpr double kAnimalsArm = 0.85;
 
+// Of a limb's two segments.
 struct Lengths {
   double upper;
   double lower;
 
   [[nodiscard]] double sum() const { return upper + lower; }
 };
-
-Lengths of(const Landmarks::Leg& leg) {
-  return {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle)};
+Lengths leg_of(const Landmarks& figure, Side side) {
+  return {segment_lengths(figure, side)[0], segment_lengths(figure, side)[1]};
 }
-Lengths of(const Landmarks::Arm& arm) {
-  return {norm(arm.shoulder - arm.elbow), norm(arm.elbow - arm.wrist)};
+Lengths arm_of(const Landmarks& figure, Side side) {
+  return {segment_lengths(figure, side)[2], segment_lengths(figure, side)[3]};
 }
 
 double unevenness(double a, double b) { return max(a, b) / min(a, b); }
-
-Vec3d middle(const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; }
 
 // The trunk lies level over four limbs that reach down alike.
 bool stands_on_four(const Landmarks& f) {
   constexpr double kAcross = 0.64;  // cosine of 50°
   constexpr double kAlong = 0.7;    // cosine of 45°
   constexpr double kLevel = 0.35;   // of the legs
-  const Vec3d hips = middle(f.left_leg.hip, f.right_leg.hip);
-  const Vec3d ankles = middle(f.left_leg.ankle, f.right_leg.ankle);
-  const Vec3d shoulders = middle(f.left_arm.shoulder, f.right_arm.shoulder);
-  const Vec3d wrists = middle(f.left_arm.wrist, f.right_arm.wrist);
+  const Vec3d hips = mid_hip(f);
+  const Vec3d ankles = (f.left_leg.ankle + f.right_leg.ankle) * 0.5;
+  const Vec3d shoulders = mid_shoulder(f);
+  const Vec3d wrists = (f.left_arm.wrist + f.right_arm.wrist) * 0.5;
   const Vec3d down = normalized(ankles - hips);
   const double legs = norm(ankles - hips);
   return abs(dot(normalized(shoulders - hips), down)) < kAcross &&
@@ -55,13 +55,28 @@ bool stands_on_four(const Landmarks& f) {
          abs(dot(wrists - ankles, down)) < kLevel * legs;
 }
 
+// Why a pair of limbs is no person's; empty where it may be one.
+std::string odd_limbs(const char* limb, Lengths left, Lengths right) {
+  for (const Lengths& each : {left, right}) {
+    const double share = unevenness(each.upper, each.lower);
+    if (share <= kSegments) continue;
+    return fmt::format(
+        "of the two segments of one {} one is {:.1f} times as long as the other; "
+        "up to {} is taken",
+        limb, share, kSegments);
+  }
+  const double share = unevenness(left.sum(), right.sum());
+  if (share <= kFellows) return {};
+  return fmt::format("one of its two {}s is {:.1f} times as long as the other; up to {} is taken",
+                     limb, share, kFellows);
+}
+
 }  // namespace
 
 std::string unlike_a_person(const Landmarks& figure) {
-  const double legs = 0.5 * (of(figure.left_leg).sum() + of(figure.right_leg).sum());
-  const double arms = 0.5 * (of(figure.left_arm).sum() + of(figure.right_arm).sum());
-  const double trunk = norm(middle(figure.left_arm.shoulder, figure.right_arm.shoulder) -
-                            middle(figure.left_leg.hip, figure.right_leg.hip));
+  const double legs = 0.5 * (leg_of(figure, Side::left).sum() + leg_of(figure, Side::right).sum());
+  const double arms = 0.5 * (arm_of(figure, Side::left).sum() + arm_of(figure, Side::right).sum());
+  const double trunk = norm(mid_shoulder(figure) - mid_hip(figure));
   const double trunk_share = trunk / legs;
   const double arm_share = arms / legs;
   if (stands_on_four(figure) && (trunk_share > kAnimalsTrunk || arm_share > kAnimalsArm)) {
@@ -87,23 +102,10 @@ std::string unlike_a_person(const Landmarks& figure) {
     return fmt::format("the arms are {:.2f} times as long as the legs; {} to {} is taken",
                        arm_share, kShortestArm, kLongestArm);
   }
-  const auto odd = [](const char* limb, Lengths left, Lengths right) -> std::string {
-    for (const Lengths& each : {left, right}) {
-      const double share = unevenness(each.upper, each.lower);
-      if (share <= kSegments) continue;
-      return fmt::format(
-          "of the two segments of one {} one is {:.1f} times as long as the other; "
-          "up to {} is taken",
-          limb, share, kSegments);
-    }
-    const double share = unevenness(left.sum(), right.sum());
-    if (share <= kFellows) return {};
-    return fmt::format("one of its two {}s is {:.1f} times as long as the other; up to {} is taken",
-                       limb, share, kFellows);
-  };
-  const std::string legs_odd = odd("leg", of(figure.left_leg), of(figure.right_leg));
-  if (!legs_odd.empty()) return legs_odd;
-  return odd("arm", of(figure.left_arm), of(figure.right_arm));
+  const std::string odd_legs =
+      odd_limbs("leg", leg_of(figure, Side::left), leg_of(figure, Side::right));
+  if (!odd_legs.empty()) return odd_legs;
+  return odd_limbs("arm", arm_of(figure, Side::left), arm_of(figure, Side::right));
 }
 
 }  // namespace shigusa

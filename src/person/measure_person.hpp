@@ -27,7 +27,7 @@ struct Placement {
   [[nodiscard]] bool mirrored() const { return dot(cross(left, up), ahead) < 0.0; }
 };
 
-// What was read from a person's skeleton.
+// A person as measured from a skeleton.
 struct MeasuredPerson {
   Landmarks landmarks;
   double stature = 0.0;             // m, standing height: measured along the bones, not the posture
@@ -70,9 +70,9 @@ struct MeasureSettings {
 //   that of the vertices a little above that, along the way from ankle to toes. A foot without toes
 //   points where its vertices are.
 // - The vertex of a head without a tip is the highest vertex bound to the head itself over its
-// middle, so
-//   that neither ears nor what hangs on a bone of its own counts; it is no higher above the head's
-//   joint than kTallestSkull times the head is broad. The stature is what the bones and it tell.
+//   middle, so that neither ears nor parts on bones of their own count; it is no higher above the
+//   head's joint than kTallestSkull times the head is broad. The stature is what the bones and it
+//   tell.
 // - Each part's shape is fitted to the vertices bound to it (fitted_parts).
 inline constexpr double kFileFloor = 0.003;  // m
 inline constexpr double kTallestSkull = 1.5;

@@ -3,6 +3,7 @@
 
 #include "body/anthropometry.hpp"
 #include "core/check.hpp"
+#include "landmark_points.hpp"
 #include "segment_mass.hpp"
 
 namespace shigusa {
@@ -11,8 +12,6 @@ namespace {
 using F = StatureFractions;
 
 Vec3d middle(const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; }
-Vec3d mid_hip(const Landmarks& p) { return middle(p.left_leg.hip, p.right_leg.hip); }
-Vec3d mid_shoulder(const Landmarks& p) { return middle(p.left_arm.shoulder, p.right_arm.shoulder); }
 
 // Of parts that come in pairs: whose it is, and the left one's name.
 struct Sided {
@@ -26,25 +25,38 @@ std::optional<Sided> sided(BodyPart part) {
                static_cast<BodyPart>(static_cast<int>(part) - index % 2)};
 }
 
-Transformd limb_frame(const Sided& part, const Landmarks& person, const HumanFrames& frames) {
+// A limb's segment: its anatomical frame, its joints, and its thickness as a share of the stature.
+struct Segment {
+  Mat3d frame;
+  Vec3d from;
+  Vec3d to;
+  double radius;
+};
+Segment segment(const Sided& part, const Landmarks& person, const HumanFrames& frames) {
   const Landmarks::Leg& leg = person.leg(part.side);
   const Landmarks::Arm& arm = person.arm(part.side);
-  const LegFrames& leg_frame = frames.leg(part.side);
-  const ArmFrames& arm_frame = frames.arm(part.side);
   switch (part.left) {
     case BodyPart::left_thigh:
-      return {along_segment(leg_frame.thigh, leg.hip, leg.knee), leg.hip};
+      return {frames.leg(part.side).thigh, leg.hip, leg.knee, kThighRadius};
     case BodyPart::left_shank:
-      return {along_segment(leg_frame.shank, leg.knee, leg.ankle), leg.knee};
-    case BodyPart::left_foot:
-      return {leg_frame.foot, leg.ankle};
+      return {frames.leg(part.side).shank, leg.knee, leg.ankle, kShankRadius};
     case BodyPart::left_upper_arm:
-      return {along_segment(arm_frame.upper_arm, arm.shoulder, arm.elbow), arm.shoulder};
+      return {frames.arm(part.side).upper_arm, arm.shoulder, arm.elbow, kUpperArmRadius};
     case BodyPart::left_forearm:
-      return {along_segment(arm_frame.forearm, arm.elbow, arm.wrist), arm.elbow};
+      return {frames.arm(part.side).forearm, arm.elbow, arm.wrist, kForearmRadius};
     default:
-      return {along_segment(arm_frame.forearm, arm.elbow, arm.wrist), arm.wrist};
+      return {frames.arm(part.side).forearm, arm.wrist, arm.fingertip, kHandRadius};
   }
+}
+
+Transformd limb_frame(const Sided& part, const Landmarks& person, const HumanFrames& frames) {
+  if (part.left == BodyPart::left_foot) {
+    return {frames.leg(part.side).foot, person.leg(part.side).ankle};
+  }
+  // a hand has its forearm's axes
+  const bool hand = part.left == BodyPart::left_hand;
+  const Segment s = segment({part.side, hand ? BodyPart::left_forearm : part.left}, person, frames);
+  return {along_segment(s.frame, s.from, s.to), hand ? s.to : s.from};
 }
 
 // A line between two points of the world.
@@ -63,26 +75,6 @@ PartShape foot_shape(const Transformd& frame, const Landmarks::Leg& leg, double 
   const Vec3d inset = normalized(tip - heel, {0, 0, 1}) * radius;
   const Vec3d up{0.0, radius, 0.0};
   return between(frame, heel + inset + up, tip - inset + up, radius);
-}
-
-PartShape limb_shape(const Sided& part, const Transformd& frame, const Landmarks& person,
-                     double stature) {
-  const Landmarks::Leg& leg = person.leg(part.side);
-  const Landmarks::Arm& arm = person.arm(part.side);
-  switch (part.left) {
-    case BodyPart::left_thigh:
-      return between(frame, leg.hip, leg.knee, kThighRadius * stature);
-    case BodyPart::left_shank:
-      return between(frame, leg.knee, leg.ankle, kShankRadius * stature);
-    case BodyPart::left_foot:
-      return foot_shape(frame, leg, stature);
-    case BodyPart::left_upper_arm:
-      return between(frame, arm.shoulder, arm.elbow, kUpperArmRadius * stature);
-    case BodyPart::left_forearm:
-      return between(frame, arm.elbow, arm.wrist, kForearmRadius * stature);
-    default:
-      return between(frame, arm.wrist, arm.fingertip, kHandRadius * stature);
-  }
 }
 
 PartShape head_shape(BodyPart part, const Landmarks& person, const HumanFrames& frames,
@@ -159,7 +151,13 @@ PartShape part_shape(BodyPart part, const Landmarks& person, const HumanFrames& 
                      double stature) {
   if (person.parts[part]) return *person.parts[part];
   const Transformd frame = part_frame(part, person, frames);
-  if (const auto limb = sided(part)) return limb_shape(*limb, frame, person, stature);
+  if (const auto limb = sided(part)) {
+    if (limb->left == BodyPart::left_foot) {
+      return foot_shape(frame, person.leg(limb->side), stature);
+    }
+    const Segment s = segment(*limb, person, frames);
+    return between(frame, s.from, s.to, s.radius * stature);
+  }
   if (part == BodyPart::head || part == BodyPart::jaw || part == BodyPart::neck) {
     return head_shape(part, person, frames, frame, stature);
   }

@@ -4,23 +4,14 @@
 #include <string>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "humanoid_shape.hpp"
+#include "math/axes.hpp"
 
 namespace shigusa {
 namespace {
 
 using Bone = HumanoidBone;
-
-// The coordinate axis nearest to a direction, as a unit vector.
-Vec3d nearest_axis(const Vec3d& v) {
-  int axis = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (abs(v[i]) > abs(v[axis])) axis = i;
-  }
-  Vec3d unit{};
-  unit[axis] = v[axis] < 0.0 ? -1.0 : 1.0;
-  return unit;
-}
 
 std::string axis_name(const Vec3d& axis) {
   const double sum = axis.x + axis.y + axis.z;
@@ -46,9 +37,8 @@ Vec3d TrunkAndLegs::common_line() const {
 PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
                                const HumanoidMap& map, std::span<const SkinVertex> skin)
     : skeleton_(skeleton), tree_(skeleton, world, skin), map_(map) {
-  for (int bone = 0; bone < kHumanoidBoneCount; ++bone) {
-    const int node = map.node[static_cast<std::size_t>(bone)];
-    const Bone b = static_cast<Bone>(bone);
+  for (const Bone b : kHumanoidBones) {
+    const int node = map[b];
     const bool optional = b == Bone::neck || b == Bone::head || b == Bone::left_toes ||
                           b == Bone::right_toes || b >= Bone::spine;
     SHG_CHECK((node >= 0 || optional) && node < tree_.size(),
@@ -57,15 +47,15 @@ PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Trans
 }
 
 Result<MeasuredPerson> PersonMeasurer::measure(const MeasureSettings& settings) {
-  if (auto done = read_limbs(); !done) return tl::unexpected<Error>(done.error());
+  SHG_TRY(read_limbs());
   up_ = find_up();
-  if (auto done = find_left(); !done) return tl::unexpected<Error>(done.error());
+  SHG_TRY(find_left());
   read_tips();
   read_soles();
   stature_ = measure_stature();
   place_missing_tips();
   find_grips();
-  if (auto done = find_unit(settings); !done) return tl::unexpected<Error>(done.error());
+  SHG_TRY(find_unit(settings));
   move_to_world();
   fit_parts();
   check_plausibility();
@@ -84,17 +74,15 @@ Result<void> PersonMeasurer::read_limbs() {
   for (const Side side : kBothSides) {
     const auto [hip, knee, ankle] = leg_bones(side);
     const auto [shoulder, elbow, wrist] = arm_bones(side);
-    for (const auto& checked :
-         {check_length(side, "thigh", hip, knee), check_length(side, "shank", knee, ankle),
-          check_length(side, "upper arm", shoulder, elbow),
-          check_length(side, "forearm", elbow, wrist)}) {
-      if (!checked) return checked;
-    }
+    SHG_TRY(check_length(side, "thigh", hip, knee));
+    SHG_TRY(check_length(side, "shank", knee, ankle));
+    SHG_TRY(check_length(side, "upper arm", shoulder, elbow));
+    SHG_TRY(check_length(side, "forearm", elbow, wrist));
     leg(side) = {at(hip), at(knee), at(ankle), at(ankle)};
     arm(side) = {at(shoulder), at(elbow), at(wrist), at(wrist)};
   }
-  mid_hip_ = (body().left_leg.hip + body().right_leg.hip) * 0.5;
-  mid_shoulder_ = (body().left_arm.shoulder + body().right_arm.shoulder) * 0.5;
+  mid_hip_ = mid_hip(body());
+  mid_shoulder_ = mid_shoulder(body());
   return {};
 }
 
@@ -126,8 +114,7 @@ Vec3d PersonMeasurer::find_up() {
 TrunkAndLegs PersonMeasurer::rest_build() const {
   const std::vector<Vec3d> rest = rest_origins(skeleton_);
   const auto mid = [&](Bone a, Bone b) {
-    return (rest[static_cast<std::size_t>(map_[a])] + rest[static_cast<std::size_t>(map_[b])]) *
-           0.5;
+    return (rest[index(map_[a])] + rest[index(map_[b])]) * 0.5;
   };
   const Vec3d hips = mid(Bone::left_upper_leg, Bone::right_upper_leg);
   return {mid(Bone::left_upper_arm, Bone::right_upper_arm) - hips,
@@ -153,6 +140,17 @@ Result<void> PersonMeasurer::find_left() {
     doubt("the feet point backwards: the person was mirrored, so that left stays left");
   }
   return {};
+}
+
+Vec3d Placement::to_world(const Vec3d& p) const {
+  const Vec3d d = (p - origin) * unit;
+  return {dot(d, left), dot(d, up), dot(d, ahead)};
+}
+
+Result<MeasuredPerson> measure_person(const Skeleton& skeleton,
+                                      const std::vector<Transformd>& world, const HumanoidMap& map,
+                                      const MeasureSettings& settings) {
+  return PersonMeasurer(skeleton, world, map, settings.skin).measure(settings);
 }
 
 }  // namespace shigusa

@@ -12,6 +12,7 @@
 
 #include "body/anthropometry.hpp"
 #include "humanoid_names.hpp"
+#include "landmark_points.hpp"
 #include "person/measure_person.hpp"
 #include "skeleton_tree.hpp"
 
@@ -20,27 +21,6 @@ namespace shigusa {
 [[nodiscard]] inline std::string_view side_word(Side side) {
   return side == Side::left ? "left" : "right";
 }
-
-struct LegBones {
-  HumanoidBone hip, knee, ankle;
-};
-struct ArmBones {
-  HumanoidBone shoulder, elbow, wrist;
-};
-[[nodiscard]] inline LegBones leg_bones(Side side) {
-  return side == Side::left ? LegBones{HumanoidBone::left_upper_leg, HumanoidBone::left_lower_leg,
-                                       HumanoidBone::left_foot}
-                            : LegBones{HumanoidBone::right_upper_leg, HumanoidBone::right_lower_leg,
-                                       HumanoidBone::right_foot};
-}
-[[nodiscard]] inline ArmBones arm_bones(Side side) {
-  return side == Side::left ? ArmBones{HumanoidBone::left_upper_arm, HumanoidBone::left_lower_arm,
-                                       HumanoidBone::left_hand}
-                            : ArmBones{HumanoidBone::right_upper_arm, HumanoidBone::right_lower_arm,
-                                       HumanoidBone::right_hand};
-}
-
-inline constexpr std::array kBothSides{Side::left, Side::right};
 
 // The direction of a trunk and legs in one posture.
 struct TrunkAndLegs {
@@ -75,8 +55,8 @@ class PersonMeasurer {
   [[nodiscard]] const Vec3d& at(Bone bone) const { return tree_.at(map_[bone]); }
   [[nodiscard]] BonePart part(int i) const { return read_bone_name(tree_.node(i).name).part; }
   Landmarks& body() { return result_.landmarks; }
-  Landmarks::Leg& leg(Side side) { return side == Side::left ? body().left_leg : body().right_leg; }
-  Landmarks::Arm& arm(Side side) { return side == Side::left ? body().left_arm : body().right_arm; }
+  Landmarks::Leg& leg(Side side) { return body().leg(side); }
+  Landmarks::Arm& arm(Side side) { return body().arm(side); }
 
   // limbs and directions
   [[nodiscard]] Result<void> check_length(Side side, std::string_view segment, Bone a,
@@ -89,7 +69,7 @@ class PersonMeasurer {
   // tips, stature and grips
   void read_tips();
   void read_further_joints();
-  [[nodiscard]] double way(int a, int b) const;
+  [[nodiscard]] double length_along_bones(int a, int b) const;
   [[nodiscard]] double trunk_length(double leg_length) const;
   double measure_stature();
   void place_missing_tips();
@@ -126,5 +106,41 @@ class PersonMeasurer {
   double head_length_ = 0.0;    // neck to vertex, file units
   double stature_ = 0.0;        // file units
 };
+
+// Fewer vertices than this tell nothing of a part.
+inline constexpr std::size_t kFewestVertices = 12;
+
+// The vertices for which `of_part` holds; those of meshes that hang on a node as a whole count
+// where there are fewer than kFewestVertices others.
+template <class OfPart>
+[[nodiscard]] std::vector<Vec3d> flesh_of(std::span<const SkinVertex> skin, const OfPart& of_part) {
+  std::vector<Vec3d> points;
+  for (const bool rigid : {false, true}) {
+    for (const SkinVertex& vertex : skin) {
+      if (vertex.rigid == rigid && of_part(vertex)) points.push_back(vertex.position);
+    }
+    if (points.size() >= kFewestVertices) break;
+  }
+  return points;
+}
+
+// The shapes of a person's parts by the mesh, as far as it tells them: parts with fewer than a
+// dozen vertices are left out, and so are feet, which have the shape of their soles. A mesh
+// does not tell flesh from cloth, so shapes go by all that lies around a bone, not by the farthest
+// vertex:
+//
+// - Around a limb's line, ends excepted, the vertices bound to it or to what hangs on it below the
+//   next bone are parted into eight sectors. Each has the distance that three quarters of its
+//   vertices do not exceed, and the radius is the middle one of these: what sticks out to one side,
+//   a sleeve, a skirt, a sword, changes it little. A leg is no thicker than there is room between
+//   the legs.
+// - A piece of the trunk, of vertices bound to its own bones alone, is as thick as the lesser of
+//   depth and breadth by the middle vertex ahead, behind and at the sides: a capsule cannot be
+//   flat, and a cape counts no more than the back.
+// - The head is what is bound to its own bone: hair and ears on bones of their own are left out. It
+//   is as broad and deep as the vertices without the outermost fiftieth at each side.
+// - Meshes that hang on bones as a whole count where a part has no others: robots, and no hats.
+[[nodiscard]] PartShapes fitted_parts(const SkeletonTree& tree, const HumanoidMap& map,
+                                      const MeasuredPerson& person);
 
 }  // namespace shigusa

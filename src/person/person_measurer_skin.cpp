@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the mesh tells where joints alone would leave a guess.
+// The mesh tells soles and skull, which joints alone would leave to a guess.
 #include <algorithm>
 
-#include "fitted_parts.hpp"
 #include "person_measurer.hpp"
 
 namespace shigusa {
@@ -12,10 +11,8 @@ namespace {
 constexpr double kSoleLayer = 0.3;
 // A sole shorter than this share of its foot is a tip that the foot stands or hangs on.
 constexpr double kTipOfFoot = 0.5;
-// What of a direction must be level for it to be a foot's.
+// The least level share of a direction that is a foot's.
 constexpr double kLevel = 0.3;
-// Fewer vertices than this tell nothing of a head.
-constexpr std::size_t kFewest = 12;
 // The middle of the head, where its vertex is, as a share of how broad and how deep it is.
 constexpr double kMiddle = 0.25;
 
@@ -39,10 +36,10 @@ Range range_along(const std::vector<Vec3d>& points, const Vec3d& direction) {
 
 }  // namespace
 
-// What is bound to a foot and what hangs on it; of one without a mesh the shank's, which ends in a
-// peg or a boot.
+// The vertices of a foot and of all that hangs on it; of one without a mesh the shank's, which ends
+// in a peg or a boot.
 std::vector<Vec3d> PersonMeasurer::flesh_of_foot(Side side) const {
-  for (const Bone bone : {leg_bones(side).ankle, leg_bones(side).knee}) {
+  for (const Bone bone : {leg_bones(side)[2], leg_bones(side)[1]}) {
     std::vector<Vec3d> points;
     for (const SkinVertex& vertex : tree_.skin()) {
       if (vertex.node >= 0 && tree_.below(vertex.node, map_[bone])) {
@@ -104,20 +101,16 @@ SoleOutline PersonMeasurer::outline_of(const std::vector<Vec3d>& flesh, const Ve
 }
 
 // From the head's joint straight up to the vertex (file units), by the mesh; nothing where that
-// tells no head. Of who does not stand upright it is along the trunk.
+// tells no head. Of a person who does not stand upright it is along the trunk.
 std::optional<Vec3d> PersonMeasurer::skull_by_mesh() const {
   constexpr double kUpright = 0.9;
   const Vec3d trunk = normalized(mid_shoulder_ - mid_hip_, up_);
   const Vec3d up = dot(trunk, up_) > kUpright ? up_ : trunk;
   const Vec3d& joint = tree_.at(head_);
-  std::vector<Vec3d> flesh;
-  for (const bool rigid : {false, true}) {
-    for (const SkinVertex& vertex : tree_.skin()) {
-      if (vertex.node == head_ && vertex.rigid == rigid) flesh.push_back(vertex.position - joint);
-    }
-    if (flesh.size() >= kFewest) break;
-  }
-  if (flesh.size() < kFewest) return std::nullopt;
+  std::vector<Vec3d> flesh =
+      flesh_of(tree_.skin(), [&](const SkinVertex& vertex) { return vertex.node == head_; });
+  if (flesh.size() < kFewestVertices) return std::nullopt;
+  for (Vec3d& p : flesh) p = p - joint;
   const Vec3d deep = normalized(cross(left_, up), ahead_);
   const Range breadth = range_along(flesh, left_);
   const Range depth = range_along(flesh, deep);

@@ -20,8 +20,8 @@ constexpr double kLeastSkull = 0.05;
 void PersonMeasurer::read_tips() {
   const auto is_thumb = [&](int i) { return part(i) == BonePart::thumb; };
   for (const Side side : kBothSides) {
-    leg(side).toe = tree_.at(tree_.farthest(map_[leg_bones(side).ankle]));
-    arm(side).fingertip = tree_.at(tree_.farthest(map_[arm_bones(side).wrist], is_thumb));
+    leg(side).toe = tree_.at(tree_.farthest(map_[leg_bones(side)[2]]));
+    arm(side).fingertip = tree_.at(tree_.farthest(map_[arm_bones(side)[2]], is_thumb));
   }
   neck_ = map_[Bone::neck];
   head_ = map_[Bone::head];
@@ -47,8 +47,7 @@ void PersonMeasurer::read_further_joints() {
   if (map_[Bone::right_shoulder] >= 0) arm(Side::right).clavicle = at(Bone::right_shoulder);
 }
 
-// Length of the way along the bones between two nodes.
-double PersonMeasurer::way(int a, int b) const {
+double PersonMeasurer::length_along_bones(int a, int b) const {
   const int meet = tree_.common_ancestor(a, b);
   double length = 0.0;
   for (int end : {a, b}) {
@@ -74,7 +73,7 @@ double PersonMeasurer::trunk_length(double leg_length) const {
   if (last < 0 || tree_.common_ancestor(hips, last) < 0 || to_hips > 0.5 * leg_length || low_hips) {
     return norm(neck - mid_hip_);
   }
-  return to_hips + way(hips, last) + norm(neck - tree_.at(last));
+  return to_hips + length_along_bones(hips, last) + norm(neck - tree_.at(last));
 }
 
 double PersonMeasurer::measure_stature() {
@@ -88,11 +87,12 @@ double PersonMeasurer::measure_stature() {
   const double below_neck = legs + trunk_length(legs) + (soles ? feet : 0.0);
   const double ankles = soles ? 0.0 : F::kAnkleHeight;  // share of the stature below them
   if (head_ >= 0) {
-    head_length_ = neck_ >= 0 ? way(neck_, head_) : norm(tree_.at(head_) - mid_shoulder_);
+    head_length_ =
+        neck_ >= 0 ? length_along_bones(neck_, head_) : norm(tree_.at(head_) - mid_shoulder_);
   }
   if (head_tip_ >= 0) {
     head_length_ = head_ >= 0 ? head_length_ + norm(tree_.at(head_tip_) - tree_.at(head_))
-                              : way(neck_, head_tip_);
+                              : length_along_bones(neck_, head_tip_);
     return (below_neck + head_length_) / (1.0 - ankles);
   }
   skull_ = head_ >= 0 ? skull_by_mesh() : std::nullopt;
@@ -119,13 +119,13 @@ void PersonMeasurer::place_missing_tips() {
       l.toe = l.ankle + normalized(turned, ahead_) * (kToeAhead * stature_) -
               shank * (F::kAnkleHeight * stature_);
       doubt("nothing follows {}: the {} foot is taken as level, of average length",
-            tree_.described(map_[leg_bones(side).ankle]), side_word(side));
+            tree_.described(map_[leg_bones(side)[2]]), side_word(side));
     }
     Landmarks::Arm& a = arm(side);
     if (a.fingertip == a.wrist) {
       a.fingertip = a.wrist + normalized(a.wrist - a.elbow) * (F::kHand * stature_);
       doubt("nothing follows {}: the {} hand is taken as straight, of average length",
-            tree_.described(map_[arm_bones(side).wrist]), side_word(side));
+            tree_.described(map_[arm_bones(side)[2]]), side_word(side));
     }
   }
   if (head_tip_ >= 0) {
@@ -147,7 +147,7 @@ void PersonMeasurer::find_grips() {
   for (const Side side : kBothSides) {
     Landmarks::Arm& a = arm(side);
     const Vec3d nominal = grip_of(a);
-    const int hand = map_[arm_bones(side).wrist];
+    const int hand = map_[arm_bones(side)[2]];
     int best = hand;
     std::vector<int> open{hand};
     while (!open.empty()) {

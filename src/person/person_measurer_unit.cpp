@@ -37,7 +37,7 @@ constexpr std::array<FileUnit, 5> kUnits{
      {"1/0.45 inch, the CMU database's unit", 0.0254 / 0.45, true}}};
 
 bool is_person(double stature) { return stature >= kShortestPerson && stature <= kTallestPerson; }
-// Whether a unit may be told by the stature that it gives: rare ones by a usual stature alone.
+// Whether the stature that a unit gives speaks for the unit: for rare ones a usual one alone.
 bool tells(const FileUnit& unit, double stature) {
   return unit.rare ? stature >= kPlausibleLow && stature <= kPlausibleHigh : is_person(stature);
 }
@@ -94,38 +94,15 @@ double PersonMeasurer::sole(Side side) const {
 
 void PersonMeasurer::move_to_world() {
   const Vec3d between = (body().left_leg.ankle + body().right_leg.ankle) * 0.5;
-  const auto move = [&](Vec3d& p) {
-    const Vec3d d = (p - between) * result_.placement.unit;
-    p = {dot(d, left_), dot(d, up_), dot(d, ahead_)};
-  };
-  const auto each = [&](const auto& action) {
-    for (const Side side : kBothSides) {
-      for (Vec3d* p : {&leg(side).hip, &leg(side).knee, &leg(side).ankle, &leg(side).toe}) {
-        action(*p);
-      }
-      for (Vec3d* p :
-           {&arm(side).shoulder, &arm(side).elbow, &arm(side).wrist, &arm(side).fingertip}) {
-        action(*p);
-      }
-      if (leg(side).sole) {
-        for (Vec3d& corner : *leg(side).sole) action(corner);
-      }
-      action(*arm(side).grip);
-      if (arm(side).clavicle) action(*arm(side).clavicle);
-    }
-    for (Vec3d& joint : body().spine) action(joint);
-    if (body().head) action(*body().head);
-    action(body().neck);
-    action(body().head_top);
-  };
-  each(move);
+  Placement& placement = result_.placement;
+  placement = {left_, up_, ahead_, between, placement.unit};
+  for_each_point(body(), [&](Vec3d& p) { p = placement.to_world(p); });
   double floor = min(sole(Side::left), sole(Side::right));
-  // the file's own, where whoever made it stood the soles on that
-  const double zero = -dot(between, up_) * result_.placement.unit;
+  // the file's own, where its soles stand on that
+  const double zero = -dot(between, up_) * placement.unit;
   if (body().left_leg.sole && abs(floor - zero) <= kFileFloor) floor = zero;
-  each([&](Vec3d& p) { p.y -= floor; });
-  result_.placement = {left_, up_, ahead_, between + up_ * (floor / result_.placement.unit),
-                       result_.placement.unit};
+  for_each_point(body(), [&](Vec3d& p) { p.y -= floor; });
+  placement.origin = between + up_ * (floor / placement.unit);
 }
 
 void PersonMeasurer::check_plausibility() {
@@ -141,19 +118,13 @@ void PersonMeasurer::check_plausibility() {
       doubt("the {} hand is only {:.3f} m long: its fingers are missing", side_word(side), hand);
     }
   }
-  const Landmarks& b = result_.landmarks;
-  const auto compare = [&](std::string_view segment, double left, double right) {
-    if (abs(left - right) <= kAsymmetry * max(left, right)) return;
-    doubt("the left {} is {:.3f} m long, the right one {:.3f} m", segment, left, right);
-  };
-  compare("thigh", norm(b.left_leg.hip - b.left_leg.knee),
-          norm(b.right_leg.hip - b.right_leg.knee));
-  compare("shank", norm(b.left_leg.knee - b.left_leg.ankle),
-          norm(b.right_leg.knee - b.right_leg.ankle));
-  compare("upper arm", norm(b.left_arm.shoulder - b.left_arm.elbow),
-          norm(b.right_arm.shoulder - b.right_arm.elbow));
-  compare("forearm", norm(b.left_arm.elbow - b.left_arm.wrist),
-          norm(b.right_arm.elbow - b.right_arm.wrist));
+  constexpr std::array kSegments{"thigh", "shank", "upper arm", "forearm"};
+  const auto left = segment_lengths(body(), Side::left);
+  const auto right = segment_lengths(body(), Side::right);
+  for (std::size_t i = 0; i < kSegments.size(); ++i) {
+    if (abs(left[i] - right[i]) <= kAsymmetry * max(left[i], right[i])) continue;
+    doubt("the left {} is {:.3f} m long, the right one {:.3f} m", kSegments[i], left[i], right[i]);
+  }
 }
 
 }  // namespace shigusa

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "segment_mass.hpp"
 
+#include "landmark_points.hpp"
+
 namespace shigusa {
+
 SoleOutline sole_outline(const Landmarks::Leg& leg, double stature) {
   if (leg.sole) return *leg.sole;
   using F = StatureFractions;
@@ -83,9 +86,8 @@ LinkMass SegmentMasses::thigh(Side side) const {
 }
 
 LinkMass SegmentMasses::trunk_and_head() const {
-  const Vec3d shoulders = (person_.left_arm.shoulder + person_.right_arm.shoulder) * 0.5;
-  const Vec3d hips = (person_.left_leg.hip + person_.right_leg.hip) * 0.5;
-  LinkMass result = segment(table_.trunk, shoulders, hips, frames_.trunk.cx);
+  LinkMass result =
+      segment(table_.trunk, mid_shoulder(person_), mid_hip(person_), frames_.trunk.cx);
   result.add(head());
   return result;
 }
@@ -94,11 +96,11 @@ LinkMass SegmentMasses::head() const {
   return segment(table_.head, person_.head_top, person_.neck, frames_.trunk.cx);
 }
 
-// A part of even density that is cut shorter keeps the spread of its cross section: what is left of
-// its radii of gyration when a rod's, length / √12, is taken off.
+// A part of even density that is cut shorter keeps the spread of its cross section: its radii of
+// gyration less a rod's, length / √12.
 LinkMass SegmentMasses::trunk_slice(double from, double to) const {
-  const Vec3d hips = (person_.left_leg.hip + person_.right_leg.hip) * 0.5;
-  const Vec3d way = person_.neck - hips;
+  const Vec3d hips = mid_hip(person_);
+  const Vec3d trunk = person_.neck - hips;
   constexpr double kRod = 1.0 / 12.0;
   const auto across = [](double r) { return r * r - kRod; };
   LinkMass result;
@@ -116,7 +118,7 @@ LinkMass SegmentMasses::trunk_slice(double from, double to) const {
                                   .r_sagittal = radius(part.r_sagittal),
                                   .r_transverse = radius(part.r_transverse),
                                   .r_long = part.r_long / share};
-    result.add(segment(slice, hips + way * low, hips + way * high, frames_.trunk.cx));
+    result.add(segment(slice, hips + trunk * low, hips + trunk * high, frames_.trunk.cx));
   }
   return result;
 }

@@ -13,7 +13,7 @@ namespace shigusa {
 // A leg's own sole, or that of a person of that stature (m).
 [[nodiscard]] SoleOutline sole_outline(const Landmarks::Leg& leg, double stature);
 
-// The same of what is ahead of the toes' joint.
+// The part of that sole ahead of the toes' joint.
 [[nodiscard]] SoleOutline forefoot_outline(const Landmarks::Leg& leg, double stature);
 
 // The segments of a person as masses (de Leva's fractions on the measured lengths).
@@ -24,7 +24,7 @@ class SegmentMasses {
       : person_(person), frames_(frames), table_(table), mass_(mass), stature_(stature) {}
 
   [[nodiscard]] LinkMass foot(Side side) const;
-  // what of the foot is ahead of the toes' joint
+  // the part of the foot ahead of the toes' joint
   [[nodiscard]] LinkMass forefoot(Side side) const;
   [[nodiscard]] LinkMass shank(Side side) const;
   [[nodiscard]] LinkMass thigh(Side side) const;

@@ -80,14 +80,14 @@ std::vector<int> SkeletonTree::chain(int origin, int first) const {
 }
 
 int SkeletonTree::farthest(int i, const std::function<bool(int)>& skip) const {
-  std::vector<double> way(world_.size(), -1.0);  // length of the way from i; negative: left out
-  way[index(i)] = 0.0;
+  std::vector<double> length(world_.size(), -1.0);  // of the way from i; negative: left out
+  length[index(i)] = 0.0;
   int best = i;
   for (int k = i + 1; k < size(); ++k) {
     const int parent = node(k).parent;
-    if (parent < 0 || way[index(parent)] < 0.0 || (skip && skip(k))) continue;
-    way[index(k)] = way[index(parent)] + norm(at(k) - at(parent));
-    if (way[index(k)] > way[index(best)] && apart(k, i)) best = k;
+    if (parent < 0 || length[index(parent)] < 0.0 || (skip && skip(k))) continue;
+    length[index(k)] = length[index(parent)] + norm(at(k) - at(parent));
+    if (length[index(k)] > length[index(best)] && apart(k, i)) best = k;
   }
   return best;
 }

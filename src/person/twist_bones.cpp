@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/index.hpp"
 #include "humanoid_names.hpp"
 #include "skeleton_tree.hpp"
 
@@ -47,15 +48,15 @@ class TwistFinder {
     const auto [bone, next, lower] = segment;
     const int from = map_[bone];
     const int to = map_[next];
-    if (i == from || i == to || tree_.node(i).end_site || found_[static_cast<std::size_t>(i)]) {
+    if (i == from || i == to || tree_.node(i).end_site || found_[index(i)]) {
       return;
     }
-    const Vec3d way = tree_.at(to) - tree_.at(from);
-    const double length = norm(way);
+    const Vec3d limb = tree_.at(to) - tree_.at(from);
+    const double length = norm(limb);
     if (!(length > 0.0)) return;
     const Vec3d at = tree_.at(i) - tree_.at(from);
-    const double share = dot(at, way) / (length * length);
-    const double off = norm(at - way * share) / length;
+    const double share = dot(at, limb) / (length * length);
+    const double off = norm(at - limb * share) / length;
     const bool chain = tree_.below(i, from) && tree_.below(to, i);
     if (chain != chains) return;
     const bool apart = share >= kApart && share <= 1.0 - kApart;
@@ -65,7 +66,7 @@ class TwistFinder {
                     share <= 1.0 + kBeyond)) {
       return;
     }
-    found_[static_cast<std::size_t>(i)] = true;
+    found_[index(i)] = true;
     twists_.push_back({i, bone, clamp(share, 0.0, 1.0), chain});
   }
 

@@ -13,7 +13,7 @@
 
 namespace shigusa {
 
-// What an MJCF model may hold at most; more is refused before memory is taken.
+// Limits of an MJCF model; more is refused before memory is taken.
 inline constexpr std::size_t kMjcfMaxBytes =
     info_of(FileFormat::mjcf).max_bytes;             // of each of its files
 inline constexpr std::size_t kMjcfMaxTags = 50'000;  // of all of them
@@ -35,7 +35,7 @@ using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 //
 // - The robot is the body of the world with the most joints; its own joints, the free one mostly,
 //   are left out: a robot's root is free.
-// - Each hinge is a joint. Of several hinges of one body all but the last get a link of their own,
+// - Each hinge is a joint. Of several hinges of one body each but the last gets a link of its own,
 //   without mass, called as the hinge; a ball is three hinges, NAME_x, NAME_y and NAME_z. A link's
 //   frame has the body's axes and stands where its last hinge is, else where the body is.
 // - A shape that is called a hand, of a forearm that no body follows, is a link.

@@ -43,33 +43,26 @@ MjcfFiles::MjcfFiles(std::string_view text, std::string_view name, const MjcfInc
 }
 
 const XmlElement* MjcfFiles::parse(std::string_view text, const std::string& name) {
-  if (text.size() > kMjcfMaxBytes) {
-    refuse(fmt::format("{} bytes; {} are allowed", text.size(), kMjcfMaxBytes), name);
-    return nullptr;
-  }
-  if (text.find('\0') != text.npos) {
-    refuse("a zero byte: this is no text", name);
+  if (const auto checked = check_text(text, kMjcfMaxBytes, name); !checked) {
+    if (!error_) error_ = checked.error();
     return nullptr;
   }
   tags_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'));
   if (tags_ > kMjcfMaxTags) {
-    refuse(fmt::format("more than {} tags", kMjcfMaxTags), name);
-    return nullptr;
+    return refuse(fmt::format("more than {} tags", kMjcfMaxTags), name);
   }
   auto document = std::make_unique<tinyxml2::XMLDocument>();
   const tinyxml2::XMLError status = document->Parse(text.data(), text.size());
   const XmlElement* root = document->RootElement();
   if (status == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
-    refuse(fmt::format("elements are nested deeper than {}", TINYXML2_MAX_ELEMENT_DEPTH),
-           fmt::format("line {} of {}", document->ErrorLineNum(), name));
-    return nullptr;
+    return refuse(fmt::format("elements are nested deeper than {}", TINYXML2_MAX_ELEMENT_DEPTH),
+                  fmt::format("line {} of {}", document->ErrorLineNum(), name));
   }
   if (status != tinyxml2::XML_SUCCESS || root == nullptr) {
-    refuse(root == nullptr && status == tinyxml2::XML_SUCCESS
-               ? "no element: this is no XML file"
-               : "no well-formed XML: a tag, an attribute or an end is not as it should be",
-           fmt::format("line {} of {}", document->ErrorLineNum(), name));
-    return nullptr;
+    return refuse(root == nullptr && status == tinyxml2::XML_SUCCESS
+                      ? "no element: this is no XML file"
+                      : "no well-formed XML: a tag, an attribute or an end is not as it should be",
+                  fmt::format("line {} of {}", document->ErrorLineNum(), name));
   }
   files_.emplace_back(name, std::move(document));
   return root;
@@ -118,8 +111,9 @@ std::string MjcfFiles::place_of(const XmlElement& element) const {
   return {};
 }
 
-void MjcfFiles::refuse(std::string message, std::string place) {
+std::nullptr_t MjcfFiles::refuse(std::string message, std::string place) {
   if (!error_) error_ = Error{ErrorCode::parse, std::move(message), std::move(place)};
+  return nullptr;
 }
 
 }  // namespace shigusa

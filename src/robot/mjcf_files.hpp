@@ -60,7 +60,7 @@ class MjcfFiles {
   void follow(const XmlElement& element, const MjcfInclude& include);
   void include(const XmlElement& element, const MjcfInclude& include);
   [[nodiscard]] std::string place_of(const XmlElement& element) const;
-  void refuse(std::string message, std::string place);
+  std::nullptr_t refuse(std::string message, std::string place);
 
   std::vector<std::pair<std::string, std::unique_ptr<tinyxml2::XMLDocument>>> files_;
   const XmlElement* root_ = nullptr;

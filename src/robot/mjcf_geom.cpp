@@ -71,7 +71,7 @@ Mat3d diagonal(const Vec3d& d) { return {{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}};
 
 Mat3d turned(const Mat3d& r, const Mat3d& inertia) { return r * inertia * transpose(r); }
 
-// Sizes and place of a shape; the sizes of one between two points are told by these in part.
+// Sizes and place of a shape; two points may give its length and place.
 Vec3d read_size(MjcfFiles& files, MjcfValues& values, const MjcfPart& part, const NamedShape& kind,
                 MjcfGeom& geom) {
   std::array<double, 3> size{};

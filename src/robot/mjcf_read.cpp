@@ -18,7 +18,9 @@ MjcfInclude included_from(std::filesystem::path) { return {}; }
 #include <algorithm>
 #include <set>
 
-#include "mjcf_actuators.hpp"
+#include "core/index.hpp"
+#include "core/text.hpp"
+#include "math/axes.hpp"
 #include "mjcf_geom.hpp"
 #include "person/humanoid_names.hpp"
 
@@ -26,8 +28,17 @@ namespace shigusa {
 namespace {
 
 bool is(const XmlElement& element, std::string_view tag) { return tag == element.Name(); }
+bool is_joint(const XmlElement& element) {
+  return is(element, "joint") || is(element, "freejoint");
+}
 
-// What stands in a body, in its own frame or in those of <frame>s within it.
+// An element that may name the class of what stands in it, within one of that class.
+MjcfPart in_class(const XmlElement& element, std::string_view childclass) {
+  const char* named = element.Attribute("childclass");
+  return {element, named != nullptr ? named : childclass};
+}
+
+// An element that stands in a body, in its own frame or in those of <frame>s within it.
 struct Inside {
   MjcfPart part;
   Transformd frame;  // in the body
@@ -44,7 +55,7 @@ class ModelReader {
     if (!root_) return no_body();
     follow_equalities();
     scale_masses();
-    if (const auto done = check_numbers(); !done) return tl::unexpected(done.error());
+    SHG_TRY(check_numbers());
     tell();
     return std::move(robot_);
   }
@@ -61,6 +72,7 @@ class ModelReader {
   void read_robot();
   void find_root(const Inside& world, int depth);
   int count_joints(const XmlElement& body, int depth);
+  bool too_deep(const XmlElement& element, int depth);
   void take_body(const Hung& body);
   void list(const Inside& inside, int depth, std::vector<Inside>& content);
   int add_link(const std::string& name, const XmlElement& at);
@@ -68,6 +80,7 @@ class ModelReader {
   [[nodiscard]] std::string name_of(const XmlElement& element, const std::string& otherwise);
   Vec3d add_joints(const Hung& body, const std::vector<Inside>& joints, const std::string& name);
   std::vector<Robot::Joint> read_joint(const Inside& inside, const std::string& body);
+  std::vector<Robot::Joint> read_ball(const Inside& inside, Robot::Joint joint);
   void read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball);
   void add_masses(const std::vector<Inside>& content, const Vec3d& shift, Robot::Link& link);
   void add_hand(const std::vector<Inside>& content, const Vec3d& shift, int forearm);
@@ -107,68 +120,61 @@ void ModelReader::read_robot() {
 
 // Of all bodies of the world the one with the most joints.
 void ModelReader::find_root(const Inside& world, int depth) {
-  if (depth > kMjcfMaxDepth) {
-    return files_.wrong(world.part.element, "nested deeper than {} elements", kMjcfMaxDepth);
-  }
+  if (too_deep(world.part.element, depth)) return;
   files_.each(world.part.element, [&](const XmlElement& e) {
-    const char* named = e.Attribute("childclass");
-    const Inside inside{{e, named != nullptr ? named : world.part.childclass}, {}};
+    const Inside inside{in_class(e, world.part.childclass), {}};
     if (is(e, "frame")) find_root(inside, depth + 1);
     if (!is(e, "body")) return;
     const int joints = count_joints(e, 0);
-    if (root_)
+    if (root_) {
       other_bodies_.push_back(name_of(joints > root_joints_ ? root_->part.element : e, "body"));
+    }
     if (joints <= root_joints_) return;
     root_.emplace(inside);
     root_joints_ = joints;
   });
 }
 
+bool ModelReader::too_deep(const XmlElement& element, int depth) {
+  if (depth <= kMjcfMaxDepth) return false;
+  files_.wrong(element, "nested deeper than {} elements", kMjcfMaxDepth);
+  return true;
+}
+
 int ModelReader::count_joints(const XmlElement& body, int depth) {
-  if (depth > kMjcfMaxDepth) {
-    files_.wrong(body, "nested deeper than {} elements", kMjcfMaxDepth);
-    return 0;
-  }
+  if (too_deep(body, depth)) return 0;
   int count = 0;
   files_.each(body, [&](const XmlElement& e) {
-    if (is(e, "joint") || is(e, "freejoint")) ++count;
+    if (is_joint(e)) ++count;
     if (is(e, "body") || is(e, "frame")) count += count_joints(e, depth + 1);
   });
   return count;
 }
 
-// What stands in a body, with what stands in its frames.
+// Lists the elements of a body, with those of its frames.
 void ModelReader::list(const Inside& inside, int depth, std::vector<Inside>& content) {
   constexpr std::string_view kMakers[] = {"attach", "composite", "flexcomp", "replicate"};
   files_.each(inside.part.element, [&](const XmlElement& e) {
     const MjcfPart part{e, inside.part.childclass};
     if (is(e, "frame")) {
-      const char* named = e.Attribute("childclass");
-      const MjcfPart frame{e, named != nullptr ? named : part.childclass};
-      if (depth >= kMjcfMaxDepth) {
-        return files_.wrong(e, "nested deeper than {} elements", kMjcfMaxDepth);
-      }
+      const MjcfPart frame = in_class(e, part.childclass);
+      if (too_deep(e, depth + 1)) return;
       return list({frame, inside.frame * values_.place(frame)}, depth + 1, content);
     }
-    if (std::any_of(std::begin(kMakers), std::end(kMakers), [&](auto tag) { return is(e, tag); })) {
-      unknown_.push_back(e.Name());
-    }
+    if (contains(kMakers, e.Name())) unknown_.push_back(e.Name());
     content.push_back({part, inside.frame});
   });
 }
 
 void ModelReader::take_body(const Hung& body) {
   const XmlElement& element = body.inside.part.element;
-  if (body.depth > kMjcfMaxDepth) {
-    return files_.wrong(element, "nested deeper than {} elements", kMjcfMaxDepth);
-  }
+  if (too_deep(element, body.depth)) return;
   std::vector<Inside> content;
   list({body.inside.part, {}}, body.depth, content);
   const std::string name = name_of(element, fmt::format("body_{}", robot_.links.size()));
   std::vector<Inside> joints;
   for (const Inside& each : content) {
-    const bool joint = is(each.part.element, "joint") || is(each.part.element, "freejoint");
-    if (joint) joints.push_back(each);
+    if (is_joint(each.part.element)) joints.push_back(each);
   }
   Vec3d shift{};
   if (body.parent >= 0) {
@@ -183,12 +189,11 @@ void ModelReader::take_body(const Hung& body) {
   }
   if (files_.error()) return;
   const int link = static_cast<int>(robot_.links.size()) - 1;
-  add_masses(content, shift, robot_.links[static_cast<std::size_t>(link)]);
+  add_masses(content, shift, robot_.links[index(link)]);
   add_hand(content, shift, link);
   for (const Inside& child : content) {
     if (!is(child.part.element, "body") || files_.error()) continue;
-    const char* named = child.part.element.Attribute("childclass");
-    const MjcfPart part{child.part.element, named != nullptr ? named : child.part.childclass};
+    const MjcfPart part = in_class(child.part.element, child.part.childclass);
     take_body({{part, child.frame}, link, shift, body.depth + 1});
   }
 }
@@ -260,6 +265,18 @@ Vec3d ModelReader::add_joints(const Hung& body, const std::vector<Inside>& joint
   return shift;
 }
 
+std::vector<Robot::Joint> ModelReader::read_ball(const Inside& inside, Robot::Joint joint) {
+  read_ends(inside.part, joint, true);
+  std::vector<Robot::Joint> three(3, joint);
+  constexpr std::array kAxes{"_x", "_y", "_z"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    three[k].name += kAxes[k];
+    three[k].axis = inside.frame.rotation.column(static_cast<int>(k));
+    three[k].effort = actuators_.effort(joint.name, inside.part, k);
+  }
+  return three;
+}
+
 // A hinge or a slide, or the three hinges of a ball; the origin is turned to the angle 0.
 std::vector<Robot::Joint> ModelReader::read_joint(const Inside& inside, const std::string& body) {
   const MjcfPart& part = inside.part;
@@ -275,18 +292,7 @@ std::vector<Robot::Joint> ModelReader::read_joint(const Inside& inside, const st
   joint.moves = true;
   joint.slides = type == "slide";
   joint.turns = !joint.slides;
-  if (type == "ball") {
-    std::vector<Robot::Joint> three(3, joint);
-    read_ends(part, joint, true);
-    constexpr std::array kAxes{"_x", "_y", "_z"};
-    for (std::size_t k = 0; k < 3; ++k) {
-      three[k] = joint;
-      three[k].name += kAxes[k];
-      three[k].axis = inside.frame.rotation.column(static_cast<int>(k));
-      three[k].effort = actuators_.effort(name, part, k);
-    }
-    return three;
-  }
+  if (type == "ball") return read_ball(inside, joint);
   if (type != "hinge" && type != "slide") {
     files_.wrong(part.element, "type is {}; a joint is a hinge, ball, slide or free", shown(type));
   }
@@ -351,10 +357,7 @@ void ModelReader::add_masses(const std::vector<Inside>& content, const Vec3d& sh
           LinkMass::of(own.mass, each.frame * own.com, turn * own.inertia * transpose(turn)));
     }
     if (!geom.collides) continue;
-    for (int k = 0; k < 8; ++k) {
-      const Vec3d corner{(k & 1) != 0 ? geom.half.x : -geom.half.x,
-                         (k & 2) != 0 ? geom.half.y : -geom.half.y,
-                         (k & 4) != 0 ? geom.half.z : -geom.half.z};
+    for (const Vec3d& corner : box_corners(geom.half)) {
       link.corners.push_back(each.frame * (geom.place * corner) - shift);
     }
   }
@@ -372,7 +375,7 @@ void ModelReader::add_masses(const std::vector<Inside>& content, const Vec3d& sh
 // A forearm that no body follows has its hand as a shape, called so, in many a model.
 void ModelReader::add_hand(const std::vector<Inside>& content, const Vec3d& shift, int forearm) {
   const auto is_body = [](const Inside& each) { return is(each.part.element, "body"); };
-  const std::string& name = robot_.links[static_cast<std::size_t>(forearm)].name;
+  const std::string& name = robot_.links[index(forearm)].name;
   if (read_bone_name(name).part != BonePart::lower_arm) return;
   if (std::any_of(content.begin(), content.end(), is_body)) return;
   for (const Inside& each : content) {
@@ -413,24 +416,21 @@ void ModelReader::scale_masses() {
   const double scale = total / sum;
   for (Robot::Link& link : robot_.links) {
     link.mass *= scale;
-    link.inertia = {link.inertia.cx * scale, link.inertia.cy * scale, link.inertia.cz * scale};
+    link.inertia = scaled(link.inertia, scale);
   }
 }
 
 // Numbers that the file's own came to.
 Result<void> ModelReader::check_numbers() const {
-  const auto tame = [](const Vec3d& v) {
-    const double most = max(abs(v.x), max(abs(v.y), abs(v.z)));
-    return most <= kMjcfMaxValue && is_finite(v.x + v.y + v.z);
-  };
+  const auto tame = [](const Vec3d& v) { return is_within(v, kMjcfMaxValue); };
   std::vector<bool> good;
   for (const Robot::Link& link : robot_.links) {
-    const Mat3d& i = link.inertia;
-    good.push_back(abs(link.mass) <= kMjcfMaxValue && tame(link.com) && tame(i.cx) && tame(i.cy) &&
-                   tame(i.cz) && std::all_of(link.corners.begin(), link.corners.end(), tame));
+    good.push_back(abs(link.mass) <= kMjcfMaxValue && tame(link.com) &&
+                   is_within(link.inertia, kMjcfMaxValue) &&
+                   std::all_of(link.corners.begin(), link.corners.end(), tame));
   }
   for (const Robot::Joint& joint : robot_.joints) {
-    const auto child = static_cast<std::size_t>(joint.child);
+    const auto child = index(joint.child);
     good[child] = good[child] && tame(joint.origin.translation);
   }
   const auto bad = std::find(good.begin(), good.end(), false);
@@ -452,11 +452,9 @@ tl::unexpected<Error> ModelReader::no_body() const {
 }
 
 void ModelReader::tell() {
-  const auto doubt = [&](const std::vector<std::string>& names, const char* one, const char* many) {
-    if (names.empty()) return;
-    robot_.doubts.push_back(names.size() == 1
-                                ? fmt::format(fmt::runtime(one), shown(names[0]))
-                                : fmt::format(fmt::runtime(many), names.size(), shown(names[0])));
+  const auto doubt = [&](std::vector<std::string> names, const char* one, const char* many) {
+    for (std::string& name : names) name = shown(name);
+    doubt_about(names, one, many, robot_.doubts);
   };
   doubt(files_.absent(), "the file includes {}, which is not here: it was read without it",
         "the file includes {} files that are not here, {} the first: it was read without them");

@@ -5,6 +5,9 @@
 #include <shigusa/quat.hpp>
 #include <shigusa/words.hpp>
 
+#include "core/index.hpp"
+#include "core/text.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -19,14 +22,14 @@ bool is_actuator(std::string_view tag) {
   constexpr std::string_view kTags[] = {"general",  "motor",       "position",
                                         "velocity", "intvelocity", "damper",
                                         "cylinder", "muscle",      "adhesion"};
-  return std::find(std::begin(kTags), std::end(kTags), tag) != std::end(kTags);
+  return contains(kTags, tag);
 }
 
 bool same_kind(std::string_view tag, std::string_view other) {
   return tag == other || (is_actuator(tag) && is_actuator(other));
 }
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+double farther(const std::array<double, 2>& ends) { return max(abs(ends[0]), abs(ends[1])); }
 
 }  // namespace
 
@@ -226,32 +229,32 @@ Vec3d MjcfValues::direction(const Found& found, const char* attribute, const Vec
 }
 
 Mat3d MjcfValues::orientation(const MjcfPart& part) {
-  constexpr std::array kWays{"quat", "axisangle", "euler", "xyaxes", "zaxis"};
-  const char* way = nullptr;
+  constexpr std::array kForms{"quat", "axisangle", "euler", "xyaxes", "zaxis"};
+  const char* form = nullptr;
   Found nearest;
-  for (const char* each : kWays) {
+  for (const char* each : kForms) {
     const Found found = find(part, each);
     // of one element's own, MuJoCo takes quat last
     const bool nearer = nearest.text == nullptr || found.distance <= nearest.distance;
     if (found.text == nullptr || !nearer) continue;
     nearest = found;
-    way = each;
+    form = each;
   }
-  if (way == nullptr) return {};
+  if (form == nullptr) return {};
   std::array<double, 6> v{};
-  const std::string_view name = way;
+  const std::string_view name = form;
   const std::size_t count = name == "xyaxes" ? 6 : name == "quat" || name == "axisangle" ? 4 : 3;
-  parse(nearest, way, std::span(v).first(count), count, kMjcfMaxValue);
+  parse(nearest, form, std::span(v).first(count), count, kMjcfMaxValue);
   const Vec3d first{v[0], v[1], v[2]};
   if (name == "euler") return euler(first);
-  if (name == "zaxis") return turned_to(direction(nearest, way, first));
+  if (name == "zaxis") return turned_to(direction(nearest, form, first));
   if (name == "axisangle") {
-    return turned_about(direction(nearest, way, first), angle(v[3]));
+    return turned_about(direction(nearest, form, first), angle(v[3]));
   }
   if (name == "xyaxes") {
-    const Vec3d x = direction(nearest, way, first);
+    const Vec3d x = direction(nearest, form, first);
     const Vec3d other{v[3], v[4], v[5]};
-    const Vec3d y = direction(nearest, way, other - x * dot(x, other));
+    const Vec3d y = direction(nearest, form, other - x * dot(x, other));
     return {x, y, cross(x, y)};
   }
   const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
@@ -265,7 +268,7 @@ Mat3d MjcfValues::orientation(const MjcfPart& part) {
 Mat3d MjcfValues::euler(const Vec3d& written) const {
   Mat3d turn;
   for (int k = 0; k < 3; ++k) {
-    const char axis = settings_.euler[static_cast<std::size_t>(k)];
+    const char axis = settings_.euler[index(k)];
     const bool fixed = axis >= 'X' && axis <= 'Z';
     const Vec3d about{axis == 'x' || axis == 'X' ? 1.0 : 0.0,
                       axis == 'y' || axis == 'Y' ? 1.0 : 0.0,
@@ -274,6 +277,49 @@ Mat3d MjcfValues::euler(const Vec3d& written) const {
     turn = fixed ? one * turn : turn * one;
   }
   return turn;
+}
+
+MjcfActuators::MjcfActuators(MjcfFiles& files, MjcfValues& values) : values_(values) {
+  if (files.root() == nullptr) return;
+  files.each(*files.root(), [&](const XmlElement& section) {
+    if (std::string_view(section.Name()) != "actuator") return;
+    files.each(section, [&](const XmlElement& e) { read({e, {}}); });
+  });
+}
+
+void MjcfActuators::read(const MjcfPart& part) {
+  std::string_view joint = values_.word(part, "joint");
+  if (joint.empty()) joint = values_.word(part, "jointinparent");
+  if (joint.empty()) return;
+  std::array<double, 6> gear{1.0};
+  values_.numbers(part, "gear", gear, 1);
+  double force = kInfinity;
+  if (const auto ends = values_.range(part, "forcerange", "forcelimited")) force = farther(*ends);
+  const std::string_view tag = part.element.Name();
+  const std::string_view bias = values_.word(part, "biastype");
+  const std::string_view gain_type = values_.word(part, "gaintype");
+  const bool plain =
+      (bias.empty() || bias == "none") && (gain_type.empty() || gain_type == "fixed");
+  if (tag == "motor" || (tag == "general" && plain)) {
+    std::array<double, 10> gain{1.0};
+    if (tag == "general") values_.numbers(part, "gainprm", gain, 1);
+    if (const auto ends = values_.range(part, "ctrlrange", "ctrllimited")) {
+      force = min(force, abs(gain[0]) * farther(*ends));
+    }
+  }
+  std::array<double, 3>& sum = sums_[std::string(joint)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (gear[k] != 0.0) sum[k] += abs(gear[k]) * force;
+  }
+}
+
+double MjcfActuators::effort(const std::string& joint, const MjcfPart& part, std::size_t axis) {
+  const auto found = sums_.find(joint);
+  double effort = found == sums_.end() ? 0.0 : found->second[axis];
+  if (const auto ends = values_.range(part, "actuatorfrcrange", "actuatorfrclimited")) {
+    effort = effort > 0.0 ? min(effort, farther(*ends)) : farther(*ends);
+  }
+  return effort <= kMjcfMaxValue ? effort : 0.0;
 }
 
 }  // namespace shigusa

@@ -21,7 +21,7 @@ struct MjcfPart {
   std::string_view childclass;
 };
 
-// What <compiler> says of all the model.
+// The settings of <compiler>, for all the model.
 struct MjcfSettings {
   bool degrees = true;
   bool autolimits = true;           // a range is a limit
@@ -33,7 +33,7 @@ struct MjcfSettings {
 };
 
 // Reads the attributes of a model's elements, by their own words, their class's and those of the
-// classes around it. What is wrong is noted in the files; a value then is the one that was given.
+// classes around it. Errors are noted in the files; a wrong value leaves the one that was given.
 class MjcfValues {
  public:
   // Reads settings and classes.
@@ -88,6 +88,22 @@ class MjcfValues {
   MjcfSettings settings_;
   std::map<std::string, Class, std::less<>> classes_;
   std::string main_ = "main";  // the outermost class
+};
+
+// How much the actuators of a model can do about the axes of its joints.
+class MjcfActuators {
+ public:
+  MjcfActuators(MjcfFiles& files, MjcfValues& values);
+
+  // N·m, or N: what the actuators of a joint come to about its axis of that index, no more than
+  // actuatorfrcrange allows; 0 where there is no limit, or nothing that drives it.
+  [[nodiscard]] double effort(const std::string& joint, const MjcfPart& part, std::size_t axis);
+
+ private:
+  void read(const MjcfPart& part);
+
+  MjcfValues& values_;
+  std::map<std::string, std::array<double, 3>> sums_;  // by joint; infinite: no limit
 };
 
 // The rotation about a unit vector.

@@ -8,8 +8,10 @@
 #include <shigusa/skeleton.hpp>
 #include <utility>
 
+#include "core/index.hpp"
 #include "person/find_humanoid.hpp"
 #include "person/humanoid_names.hpp"
+#include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
@@ -22,24 +24,18 @@ void tell_sides(const Robot& robot, const std::vector<Transformd>& places, Human
     return doubt.starts_with("left and right are a guess");
   });
   if (guess == map.doubts.end()) return;
-  const auto at = [&](Bone bone) {
-    return places[static_cast<std::size_t>(map[bone])].translation;
-  };
+  const auto at = [&](Bone bone) { return places[index(map[bone])].translation; };
   const Vec3d across = at(Bone::left_upper_leg) - at(Bone::right_upper_leg);
   const Vec3d up = at(Bone::left_upper_leg) - at(Bone::left_foot);
   if (!(up.z > 0.9 * norm(up)) || !(abs(across.y) > 0.9 * norm(across))) return;
   *guess = "left and right are told by the axes of '" + robot.links[0].name + "': +y is left";
   if (across.y > 0.0) return;
-  for (const auto& [left, right] :
-       {std::pair(Bone::left_upper_leg, Bone::right_upper_leg),
-        std::pair(Bone::left_lower_leg, Bone::right_lower_leg),
-        std::pair(Bone::left_foot, Bone::right_foot), std::pair(Bone::left_toes, Bone::right_toes),
-        std::pair(Bone::left_upper_arm, Bone::right_upper_arm),
-        std::pair(Bone::left_lower_arm, Bone::right_lower_arm),
-        std::pair(Bone::left_hand, Bone::right_hand),
-        std::pair(Bone::left_shoulder, Bone::right_shoulder)}) {
-    std::swap(map[left], map[right]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::swap(map[leg_bones(Side::left)[k]], map[leg_bones(Side::right)[k]]);
+    std::swap(map[arm_bones(Side::left)[k]], map[arm_bones(Side::right)[k]]);
   }
+  std::swap(map[Bone::left_toes], map[Bone::right_toes]);
+  std::swap(map[Bone::left_shoulder], map[Bone::right_shoulder]);
 }
 
 // Where a forearm ends, in its link's frame: at its shapes' end, else at twice the distance of its
@@ -49,8 +45,9 @@ std::optional<Vec3d> forearm_end(const Robot::Link& link) {
   Vec3d along = link.com;
   if (!link.corners.empty()) {
     Vec3d mean{};
-    for (const Vec3d& c : link.corners)
+    for (const Vec3d& c : link.corners) {
       mean += c * (1.0 / static_cast<double>(link.corners.size()));
+    }
     double length = 0.0;
     for (const Vec3d& c : link.corners) length = max(length, dot(c, normalized(mean)));
     along = normalized(mean) * length;
@@ -69,7 +66,7 @@ int carrier_of(const Robot& robot, int link) {
 
 // Moves a link's frame in it; what the link has stays where it is.
 void move_frame(Robot& robot, int link, const Vec3d& by) {
-  Robot::Link& moved = robot.links[static_cast<std::size_t>(link)];
+  Robot::Link& moved = robot.links[index(link)];
   moved.com = moved.com - by;
   for (Vec3d& corner : moved.corners) corner = corner - by;
   for (Robot::Joint& joint : robot.joints) {
@@ -82,45 +79,68 @@ void move_frame(Robot& robot, int link, const Vec3d& by) {
 void add_ankle(Robot& robot, int foot, const Robot::Joint& knee, int fixed) {
   constexpr double kAnkle = 0.137;  // of the way from a person's knee to the sole, from the sole
   const std::vector<Transformd> places = robot_places(robot);
-  const auto at = [&](int link) { return places[static_cast<std::size_t>(link)]; };
+  const auto at = [&](int link) { return places[index(link)]; };
   const Vec3d from = at(knee.child).translation;
   const Vec3d along = normalized(at(foot).translation - from);
   double sole = 0.0;
-  for (const Vec3d& corner : robot.links[static_cast<std::size_t>(foot)].corners) {
+  for (const Vec3d& corner : robot.links[index(foot)].corners) {
     sole = max(sole, dot(at(foot) * corner - from, along));
   }
-  Robot::Joint& joint = robot.joints[static_cast<std::size_t>(fixed)];
+  Robot::Joint& joint = robot.joints[index(fixed)];
   const Transformd child = at(joint.child);
   const double length = sole > 0.0 ? (1.0 - kAnkle) * sole : norm(at(foot).translation - from);
   move_frame(robot, joint.child,
              transpose_times(child.rotation, from + along * length - child.translation));
   joint.axis = transpose_times(child.rotation, at(knee.child).rotation * knee.axis);
   joint.turns = joint.moves = true;
-  joint.name = robot.links[static_cast<std::size_t>(foot)].name + "_ankle";
+  joint.name = robot.links[index(foot)].name + "_ankle";
 }
 
 bool is_toe(std::string_view link) { return read_bone_name(link).part == BonePart::toes; }
 
 }  // namespace
 
+std::array<Vec3d, 8> box_corners(const Vec3d& half) {
+  std::array<Vec3d, 8> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    corners[k] = {(k & 1) != 0 ? half.x : -half.x, (k & 2) != 0 ? half.y : -half.y,
+                  (k & 4) != 0 ? half.z : -half.z};
+  }
+  return corners;
+}
+
+void doubt_about(const std::vector<std::string>& names, const char* one, const char* many,
+                 std::vector<std::string>& doubts) {
+  if (names.empty()) return;
+  doubts.push_back(names.size() == 1 ? fmt::format(fmt::runtime(one), names[0])
+                                     : fmt::format(fmt::runtime(many), names.size(), names[0]));
+}
+
+Result<void> check_text(std::string_view text, std::size_t most, std::string_view name) {
+  if (text.size() > most) {
+    return fail(ErrorCode::parse, fmt::format("{} bytes; {} are allowed", text.size(), most),
+                std::string(name));
+  }
+  if (text.find('\0') == text.npos) return {};
+  return fail(ErrorCode::parse, "a zero byte: this is no text", std::string(name));
+}
+
 std::vector<Transformd> robot_places(const Robot& robot) {
   std::vector<const Robot::Joint*> carrier(robot.links.size(), nullptr);
   for (const Robot::Joint& joint : robot.joints) {
-    carrier[static_cast<std::size_t>(joint.child)] = &joint;
+    carrier[index(joint.child)] = &joint;
   }
   std::vector<Transformd> places;
   for (const Robot::Joint* joint : carrier) {
-    places.push_back(joint == nullptr
-                         ? Transformd{}
-                         : places[static_cast<std::size_t>(joint->parent)] * joint->origin);
+    places.push_back(joint == nullptr ? Transformd{}
+                                      : places[index(joint->parent)] * joint->origin);
   }
   return places;
 }
 
 Robot with_hands(Robot robot) {
   std::vector<bool> bears(robot.links.size(), false);
-  for (const Robot::Joint& joint : robot.joints)
-    bears[static_cast<std::size_t>(joint.parent)] = true;
+  for (const Robot::Joint& joint : robot.joints) bears[index(joint.parent)] = true;
   const auto taken = [&](const std::string& name) {
     return std::any_of(robot.links.begin(), robot.links.end(),
                        [&](const Robot::Link& link) { return link.name == name; });
@@ -147,23 +167,22 @@ Robot with_hands(Robot robot) {
 }
 
 Robot with_ankles(Robot robot, const HumanoidMap& map) {
-  using Bone = HumanoidBone;
   std::vector<std::string> added;
-  for (const auto& [shank, foot] : {std::pair(Bone::left_lower_leg, Bone::left_foot),
-                                    std::pair(Bone::right_lower_leg, Bone::right_foot)}) {
+  for (const Side side : kBothSides) {
+    const auto& [thigh, shank, foot] = leg_bones(side);
     const int knee = carrier_of(robot, map[shank]);
-    if (knee < 0 || !robot.joints[static_cast<std::size_t>(knee)].turns) continue;
+    if (knee < 0 || !robot.joints[index(knee)].turns) continue;
     int first = -1;  // the joint by which the foot hangs on the shank
     bool turns = false;
     for (int link = map[foot]; link != map[shank];) {
       first = carrier_of(robot, link);
       if (first < 0) break;
-      turns = turns || robot.joints[static_cast<std::size_t>(first)].turns;
-      link = robot.joints[static_cast<std::size_t>(first)].parent;
+      turns = turns || robot.joints[index(first)].turns;
+      link = robot.joints[index(first)].parent;
     }
     if (first < 0 || turns) continue;
-    add_ankle(robot, map[foot], robot.joints[static_cast<std::size_t>(knee)], first);
-    added.push_back(robot.joints[static_cast<std::size_t>(first)].name);
+    add_ankle(robot, map[foot], robot.joints[index(knee)], first);
+    added.push_back(robot.joints[index(first)].name);
   }
   if (!added.empty()) {
     robot.doubts.push_back(fmt::format(
@@ -176,17 +195,14 @@ Robot with_ankles(Robot robot, const HumanoidMap& map) {
 
 Landmarks limbs_of(const Robot& robot, const HumanoidMap& map) {
   const std::vector<Transformd> places = robot_places(robot);
-  const auto at = [&](HumanoidBone bone) {
-    return places[static_cast<std::size_t>(map[bone])].translation;
-  };
-  using Bone = HumanoidBone;
+  const auto at = [&](HumanoidBone bone) { return places[index(map[bone])].translation; };
   Landmarks limbs;
-  limbs.left_leg = {at(Bone::left_upper_leg), at(Bone::left_lower_leg), at(Bone::left_foot), {}};
-  limbs.right_leg = {
-      at(Bone::right_upper_leg), at(Bone::right_lower_leg), at(Bone::right_foot), {}};
-  limbs.left_arm = {at(Bone::left_upper_arm), at(Bone::left_lower_arm), at(Bone::left_hand), {}};
-  limbs.right_arm = {
-      at(Bone::right_upper_arm), at(Bone::right_lower_arm), at(Bone::right_hand), {}};
+  for (const Side side : kBothSides) {
+    const auto& [hip, knee, ankle] = leg_bones(side);
+    const auto& [shoulder, elbow, wrist] = arm_bones(side);
+    limbs.leg(side) = {at(hip), at(knee), at(ankle), {}};
+    limbs.arm(side) = {at(shoulder), at(elbow), at(wrist), {}};
+  }
   return limbs;
 }
 
@@ -194,15 +210,14 @@ Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) 
   const std::vector<Transformd> places = robot_places(robot);
   std::vector<int> parent(robot.links.size(), -1);
   for (const Robot::Joint& joint : robot.joints) {
-    parent[static_cast<std::size_t>(joint.child)] = joint.parent;
+    parent[index(joint.child)] = joint.parent;
   }
   // only where a link stands tells of a person; how its axes lie does not
   Skeleton skeleton;
   std::vector<Transformd> world;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const Vec3d& at = places[i].translation;
-    const Vec3d from =
-        parent[i] < 0 ? Vec3d{} : places[static_cast<std::size_t>(parent[i])].translation;
+    const Vec3d from = parent[i] < 0 ? Vec3d{} : places[index(parent[i])].translation;
     skeleton.nodes.push_back({robot.links[i].name, parent[i], at - from});
     world.push_back({Mat3d{}, at});
   }
@@ -212,8 +227,7 @@ Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) 
   if (map) {
     for (const HumanoidBone toes : {HumanoidBone::left_toes, HumanoidBone::right_toes}) {
       const int node = (*map)[toes];
-      if (node >= 0 && asked[toes] < 0 &&
-          !is_toe(robot.links[static_cast<std::size_t>(node)].name)) {
+      if (node >= 0 && asked[toes] < 0 && !is_toe(robot.links[index(node)].name)) {
         (*map)[toes] = -1;
       }
     }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <shigusa/body_model.hpp>
 #include <shigusa/landmarks.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shigusa {
@@ -39,6 +41,19 @@ struct Robot {
   std::vector<Joint> joints;  // in the file's order, one for each link but the root
   std::vector<std::string> doubts;
 };
+
+// The eight corners of a box about the origin: bit k of a corner's number tells which end of axis k
+// it stands at.
+[[nodiscard]] std::array<Vec3d, 8> box_corners(const Vec3d& half);
+
+// Adds a doubt about things of these names: `one` with the name, or `many` with the number and the
+// first name.
+void doubt_about(const std::vector<std::string>& names, const char* one, const char* many,
+                 std::vector<std::string>& doubts);
+
+// Fails on a text that is too long or none; `name` stands for its file.
+[[nodiscard]] Result<void> check_text(std::string_view text, std::size_t most,
+                                      std::string_view name);
 
 // Places of the links (links) where all angles are 0, in the root's frame.
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);

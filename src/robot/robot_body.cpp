@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
+#include "core/index.hpp"
+#include "math/axes.hpp"
 #include "person/segment_mass.hpp"
 #include "robot_builder.hpp"
 
@@ -24,7 +26,7 @@ double usual_strength(const std::string& part) {
   return is_one_of({"wrist", "neck", "head"}) ? 0.02 : 0.06;
 }
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) { return index(i); }
 
 // Which coordinate axis a direction is nearest to, which way, and, where it is none, the frame that
 // has the direction as that axis.
@@ -36,8 +38,7 @@ struct TurnAxis {
 
 TurnAxis turn_axis(const Vec3d& v) {
   constexpr double kRounding = 1e-9;
-  int k = 0;
-  for (int i = 1; i < 3; ++i) k = abs(v[i]) > abs(v[k]) ? i : k;
+  const int k = main_axis(v);
   const double sign = v[k] < 0.0 ? -1.0 : 1.0;
   TurnAxis result{static_cast<Axis>(k), sign};
   const Vec3d along = v * sign;
@@ -62,14 +63,14 @@ Mat3d rotation_about(const Vec3d& axis, double angle) {
 }  // namespace
 
 Result<BodyModel> RobotBuilder::build() {
-  if (const auto done = understand(); !done) return tl::unexpected(done.error());
+  SHG_TRY(understand());
   body_.name = robot_.name;
   body_.doubts = map_.doubts;
   body_.doubts.insert(body_.doubts.end(), robot_.doubts.begin(), robot_.doubts.end());
   find_groups();
   measure();
   add_links();
-  if (const auto done = add_masses(); !done) return tl::unexpected(done.error());
+  SHG_TRY(add_masses());
   for (const std::size_t side : {kRight, 1 - kRight}) {
     add_foot(side);
     add_hand(side);
@@ -83,12 +84,8 @@ Result<BodyModel> RobotBuilder::build() {
 
 Result<void> RobotBuilder::understand() {
   for (int round = 0; round < 2; ++round) {
-    Result<PlacedRobot> placed = place_robot(robot_, map_);
-    if (!placed) return tl::unexpected(placed.error());
-    placed_ = std::move(*placed);
-    Result<PersonJoints> person = person_joints(robot_, map_, placed_);
-    if (!person) return tl::unexpected(person.error());
-    person_ = std::move(*person);
+    SHG_TRY_ASSIGN(placed_, place_robot(robot_, map_));
+    SHG_TRY_ASSIGN(person_, person_joints(robot_, map_, placed_));
     list_moving();
     if (!bend_still_joints()) break;
   }

@@ -6,11 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "core/index.hpp"
 #include "robot/robot.hpp"
-#include "robot_feet.hpp"
 #include "robot_joints.hpp"
 
 namespace shigusa {
+
+// The sole of a robot's foot in the posture of PlacedRobot: corners in its world (m), at one
+// height, counter-clockwise from above.
+struct RobotSole {
+  std::array<Vec3d, 4> corners;
+  bool guessed = false;  // by a person's proportions
+};
+
+// `links`: those that are rigid with the foot; `ankle`: the ankle joint's centre.
+[[nodiscard]] RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed,
+                                   const std::vector<int>& links, const Vec3d& ankle,
+                                   double stature);
 
 // Builds a body from a robot, link by link; all positions are in shigusa's world where every angle
 // is 0, in which the frames of all links are parallel.
@@ -66,7 +78,7 @@ class RobotBuilder {
 
   [[nodiscard]] int dof_of(const PersonJoint& joint) const;
   [[nodiscard]] int link_of(int robot_link) const {
-    return link_of_[static_cast<std::size_t>(group_[static_cast<std::size_t>(robot_link)])];
+    return link_of_[static_cast<std::size_t>(group_[index(robot_link)])];
   }
   [[nodiscard]] Vec3d local(int link, const Vec3d& world) const { return world - origin(link); }
 

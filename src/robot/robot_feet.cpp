@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "robot_feet.hpp"
-
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
+#include "core/index.hpp"
+#include "robot_builder.hpp"
 
 namespace shigusa {
 namespace {
 
 using F = StatureFractions;
 
-// What is this near (m) to the lowest corner touches the floor as well.
+// Corners this near (m) to the lowest one touch the floor as well.
 constexpr double kSoleSlack = 0.01;
 // Shapes that leave a sole smaller than this (share of the stature) are no foot's.
 constexpr double kLeastSole = 0.02;
@@ -46,7 +46,7 @@ RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed, const std::v
   std::vector<Vec3d> corners;
   double lowest_frame = ankle.y;
   for (const int link : links) {
-    const auto i = static_cast<std::size_t>(link);
+    const auto i = index(link);
     for (const Vec3d& corner : robot.links[i].corners) corners.push_back(placed.links[i] * corner);
     lowest_frame = min(lowest_frame, placed.links[i].translation.y);
   }

@@ -5,6 +5,7 @@
 
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"
+#include "math/axes.hpp"
 
 namespace shigusa {
 namespace {
@@ -171,11 +172,7 @@ void JointNamer::name_trunk(std::vector<PersonJoint>& joints, bool neck) const {
     std::array<bool, 3> seen{};
     std::size_t last = first;
     for (; last < joints.size(); ++last) {
-      const Vec3d& axis = placed_.axis[index(joints[last].joint)];
-      std::size_t along = 0;
-      for (int k = 1; k < 3; ++k) {
-        if (abs(axis[k]) > abs(axis[static_cast<int>(along)])) along = static_cast<std::size_t>(k);
-      }
+      const std::size_t along = index(main_axis(placed_.axis[index(joints[last].joint)]));
       if (seen[along]) break;
       seen[along] = true;
     }

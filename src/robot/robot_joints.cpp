@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "core/index.hpp"
+#include "core/text.hpp"
+#include "math/axes.hpp"
+#include "person/landmark_points.hpp"
 #include "robot_freedoms.hpp"
 
 namespace shigusa {
@@ -14,12 +17,6 @@ namespace {
 
 using Bone = HumanoidBone;
 
-constexpr std::array<std::array<Bone, 3>, 2> kLegs{
-    {{Bone::left_upper_leg, Bone::left_lower_leg, Bone::left_foot},
-     {Bone::right_upper_leg, Bone::right_lower_leg, Bone::right_foot}}};
-constexpr std::array<std::array<Bone, 3>, 2> kArms{
-    {{Bone::left_upper_arm, Bone::left_lower_arm, Bone::left_hand},
-     {Bone::right_upper_arm, Bone::right_lower_arm, Bone::right_hand}}};
 constexpr std::array<const char*, 2> kSideWords{"left_", "right_"};
 
 // The next joint of an ankle or wrist is no further away than this share of the limb's last
@@ -28,7 +25,7 @@ constexpr double kOneAnkle = 0.15;
 constexpr double kOneWrist = 0.6;
 constexpr double kOneNeck = 0.15;  // … of the way from the chest
 
-// The coordinate axis that a direction all but is, else the direction.
+// The coordinate axis that a direction nearly is, else the direction.
 Vec3d snapped(const Vec3d& v) {
   constexpr double kNearly = 0.995;
   for (int k = 0; k < 3; ++k) {
@@ -41,8 +38,8 @@ Vec3d snapped(const Vec3d& v) {
 }
 
 // Whether a link is part of a gripper or a finger, by its name.
-bool is_digit(std::string name) {
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+bool is_digit(const std::string& link) {
+  const std::string name = lower(link);
   for (const char* word : {"grip", "finger", "thumb", "jaw"}) {
     if (name.find(word) != name.npos) return true;
   }
@@ -62,8 +59,8 @@ class JointFinder {
     }
     found_.chest = meet(map_[Bone::left_upper_arm], map_[Bone::right_upper_arm]);
     for (std::size_t side = 0; side < 2; ++side) {
-      if (const auto done = find_leg(side); !done) return tl::unexpected(done.error());
-      if (const auto done = find_arm(side); !done) return tl::unexpected(done.error());
+      SHG_TRY(find_leg(side));
+      SHG_TRY(find_arm(side));
     }
     found_.spine = turning(found_.pelvis, found_.chest);
     namer_.name_spine(found_.spine);
@@ -94,7 +91,7 @@ class JointFinder {
   }
 
   // All joints on the way between two links, from the first on.
-  [[nodiscard]] std::vector<PersonJoint> way(int from, int to) const {
+  [[nodiscard]] std::vector<PersonJoint> joints_between(int from, int to) const {
     const int top = meet(from, to);
     std::vector<PersonJoint> joints;
     for (int i = from; i != top; i = parent(i)) {
@@ -108,7 +105,7 @@ class JointFinder {
   }
 
   [[nodiscard]] std::vector<PersonJoint> turning(int from, int to) const {
-    std::vector<PersonJoint> joints = way(from, to);
+    std::vector<PersonJoint> joints = joints_between(from, to);
     std::erase_if(joints, [&](const PersonJoint& j) { return !joint(j.joint).turns; });
     return joints;
   }
@@ -138,7 +135,7 @@ class JointFinder {
   // `bone`, or before what hangs on it.
   [[nodiscard]] std::size_t before(const std::vector<PersonJoint>& joints, int from,
                                    int bone) const {
-    const std::vector<PersonJoint> all = way(from, bone);
+    const std::vector<PersonJoint> all = joints_between(from, bone);
     if (all.empty()) return 0;
     const bool carried = joint(all.back().joint).turns;
     std::size_t count = turning(from, bone).size();
@@ -174,7 +171,7 @@ class JointFinder {
   }
 
   Result<void> find_leg(std::size_t side) {
-    const auto [hip, knee, ankle] = kLegs[side];
+    const auto [hip, knee, ankle] = kLimbBones[side];
     PersonLimb& leg = found_.legs[side];
     const double shank = norm(at(map_[ankle]) - at(map_[knee]));
     leg.end = end_of_joint(map_[ankle], kOneAnkle * shank);
@@ -183,15 +180,13 @@ class JointFinder {
     std::size_t to_ankle = before(leg.joints, found_.pelvis, map_[ankle]);
     give_back_rotation(leg.joints, at(map_[knee]) - at(map_[hip]), 0, to_ankle, to_knee);
     leg.begins = {0, to_knee, to_ankle};
-    if (const auto done = check(leg, kSideWords[side], {"hip", "knee", "ankle"}); !done) {
-      return done;
-    }
+    SHG_TRY(check(leg, kSideWords[side], {"hip", "knee", "ankle"}));
     namer_.name_leg(leg, side);
     return {};
   }
 
   Result<void> find_arm(std::size_t side) {
-    const auto [upper, elbow, hand] = kArms[side];
+    const auto [upper, elbow, hand] = kLimbBones[2 + side];
     PersonLimb& arm = found_.arms[side];
     const Vec3d forearm = at(map_[hand]) - at(map_[elbow]);
     arm.end = end_of_joint(map_[hand], kOneWrist * norm(forearm));
@@ -208,10 +203,7 @@ class JointFinder {
     const std::size_t ball = to_elbow >= 3 ? to_elbow - 3 : 0;
     const std::size_t to_shoulder = std::min(before(arm.joints, found_.chest, map_[upper]), ball);
     arm.begins = {0, to_shoulder, to_elbow, to_wrist};
-    if (const auto done = check(arm, kSideWords[side], {"clavicle", "shoulder", "elbow", "wrist"});
-        !done) {
-      return done;
-    }
+    SHG_TRY(check(arm, kSideWords[side], {"clavicle", "shoulder", "elbow", "wrist"}));
     namer_.name_arm(arm, side, upper_arm, forearm);
     return {};
   }
@@ -232,10 +224,7 @@ Result<PlacedRobot> place_robot(const Robot& robot, const HumanoidMap& map) {
   const auto mid = [&](Bone a, Bone b) { return (at(a) + at(b)) * 0.5; };
   const Vec3d ankles = mid(Bone::left_foot, Bone::right_foot);
   const Vec3d rise = mid(Bone::left_upper_arm, Bone::right_upper_arm) - ankles;
-  int axis = 0;
-  for (int k = 1; k < 3; ++k) axis = abs(rise[k]) > abs(rise[axis]) ? k : axis;
-  Vec3d up{};
-  up[axis] = rise[axis] < 0.0 ? -1.0 : 1.0;
+  const Vec3d up = nearest_axis(rise);
   const Vec3d across = normalized(at(Bone::left_upper_leg) - at(Bone::right_upper_leg), {}) +
                        normalized(at(Bone::left_upper_arm) - at(Bone::right_upper_arm), {});
   const Vec3d level = across - up * dot(across, up);

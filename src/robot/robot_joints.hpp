@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/index.hpp"
 #include "robot/robot.hpp"
 
 namespace shigusa {
@@ -21,15 +22,15 @@ struct PlacedRobot {
   std::vector<std::vector<int>> below;
 
   [[nodiscard]] const Vec3d& centre(const Robot& robot, int joint) const {
-    const int child = robot.joints[static_cast<std::size_t>(joint)].child;
-    return links[static_cast<std::size_t>(child)].translation;
+    const int child = robot.joints[index(joint)].child;
+    return links[index(child)].translation;
   }
 };
 
-// Stands the robot up by its map: y up, facing +z. Fails where its up or its left cannot be told.
+// Stands the robot up by its map: y up, facing +z. Fails where its up or its left is not clear.
 [[nodiscard]] Result<PlacedRobot> place_robot(const Robot& robot, const HumanoidMap& map);
 
-// What a joint of the file is in a person.
+// A joint of the file as one of a person.
 struct PersonJoint {
   int joint = -1;         // of the robot's joints
   bool outward = true;    // the child is the side away from the pelvis

@@ -5,6 +5,8 @@
 #include <shigusa/human_body.hpp>
 
 #include "body/anthropometry.hpp"
+#include "core/index.hpp"
+#include "core/text.hpp"
 #include "robot_builder.hpp"
 
 namespace shigusa {
@@ -19,7 +21,7 @@ constexpr double kLeastHand = 0.01;
 constexpr double kHeadJoint = 0.09;
 constexpr double kVertex = 1.0 - F::kShoulderHeight;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) { return index(i); }
 
 }  // namespace
 
@@ -44,10 +46,9 @@ int RobotBuilder::hand_link(std::size_t side) const {
   const PersonLimb& arm = person_.arms[side];
   for (const char* word : {"grip", "palm", "hand"}) {
     for (const int link : members_[at(group_[at(arm.end)])]) {
-      std::string name = robot_.links[at(link)].name;
-      for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      const Vec3d way = placed_.links[at(link)].translation - wrist(side);
-      const bool apart = norm(way) > kLeastHand * body_.stature;
+      const std::string name = lower(robot_.links[at(link)].name);
+      const double beyond = norm(placed_.links[at(link)].translation - wrist(side));
+      const bool apart = beyond > kLeastHand * body_.stature;
       if (apart && name.find(word) != name.npos) return link;
     }
   }
@@ -222,12 +223,10 @@ void RobotBuilder::add_robot_frame() {
 }
 
 void RobotBuilder::tell() {
-  const auto doubt = [&](const char* noun, const std::vector<std::string>& names,
-                         const char* what) {
-    if (names.empty()) return;
-    body_.doubts.push_back(names.size() == 1 ? fmt::format("{} '{}' {}", noun, names[0], what)
-                                             : fmt::format("{} {}s, '{}' the first, each {}",
-                                                           names.size(), noun, names[0], what));
+  const auto doubt = [&](const std::string& noun, const std::vector<std::string>& names,
+                         const std::string& what) {
+    doubt_about(names, (noun + " '{}' " + what).c_str(),
+                ("{} " + noun + "s, '{}' the first, each " + what).c_str(), body_.doubts);
   };
   doubt("joint", still_names_, "is of no limb, or of fingers, toes or face: it keeps its angle");
   doubt("joint", unlimited_, "has no limits in the file: it gets a person's");

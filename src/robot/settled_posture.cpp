@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "body/posture_modes.hpp"
+#include "core/index.hpp"
 #include "kinematics/weighted_ik.hpp"
 
 namespace shigusa {
@@ -63,16 +64,16 @@ class Settler {
     forward_kinematics<double>(body_, angles, kinematics_);
     std::vector<IkTarget<double>> targets;
     for (const Effector& effector : body_.effectors()) {
-      const Vec3d shoulder = kinematics_.origin[static_cast<std::size_t>(effector.limb_root)];
+      const Vec3d shoulder = kinematics_.origin[index(effector.limb_root)];
       const Vec3d hand = kinematics_.point(effector.link, effector.point);
-      const Vec3d way = hand - shoulder;
-      const double aside = abs(way.x);
-      if (aside <= kHanging * abs(way.y) || aside <= abs(way.z)) continue;
-      const double out = way.x < 0.0 ? -kAside : kAside;
+      const Vec3d reach = hand - shoulder;
+      const double aside = abs(reach.x);
+      if (aside <= kHanging * abs(reach.y) || aside <= abs(reach.z)) continue;
+      const double out = reach.x < 0.0 ? -kAside : kAside;
       IkTarget<double> target;
       target.link = effector.link;
       target.point = effector.point;
-      target.position = shoulder + normalized(Vec3d{out, -1.0, 0.1}) * norm(way);
+      target.position = shoulder + normalized(Vec3d{out, -1.0, 0.1}) * norm(reach);
       targets.push_back(target);
     }
     return targets;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <shigusa/file_format.hpp>
 #include <shigusa/result.hpp>
 #include <string>
@@ -12,7 +11,7 @@
 
 namespace shigusa {
 
-// What a URDF file may hold at most; more is refused before memory is taken.
+// Limits of a URDF file; more is refused before memory is taken.
 inline constexpr std::size_t kUrdfMaxBytes = info_of(FileFormat::urdf).max_bytes;
 inline constexpr int kUrdfMaxLinks = 1024;
 inline constexpr int kUrdfMaxDepth = 64;  // of elements in one another
@@ -28,9 +27,6 @@ inline constexpr double kUrdfMaxValue = 1e6;
 // link or joint, the value seen and what is allowed. Sliding, planar, floating and mimic joints are
 // kept at 0, with a doubt. Fails with ErrorCode::unsupported in a build without urdfdom.
 [[nodiscard]] Result<Robot> parse_urdf(std::string_view text, std::string_view name);
-
-// Reads and reduces a file; parse_urdf takes the result.
-[[nodiscard]] Result<std::string> read_urdf(const std::filesystem::path& path);
 
 // The robot as a URDF file that parse_urdf reads as the same robot, its angles to a few 1e-16; a
 // link's corners are written as the boxes that they are of, by eights. Doubts are not written.

@@ -6,6 +6,8 @@
 #include <shigusa/quat.hpp>
 #include <shigusa/transform.hpp>
 
+#include "body/link_mass.hpp"
+#include "math/axes.hpp"
 #include "robot/urdf.hpp"
 
 #ifdef SHIGUSA_HAS_URDF
@@ -95,14 +97,11 @@ Transformd place(const urdf::Pose& pose) {
           vector(pose.position)};
 }
 
-bool is_tame(double x) { return is_finite(x) && abs(x) <= kUrdfMaxValue; }
-bool is_tame(const Vec3d& v) { return is_tame(v.x) && is_tame(v.y) && is_tame(v.z); }
+bool is_tame(double x) { return abs(x) <= kUrdfMaxValue; }
+bool is_tame(const Vec3d& v) { return is_within(v, kUrdfMaxValue); }
 bool is_tame(const Transformd& x) {
-  return is_tame(x.translation) && is_tame(x.rotation.cx) && is_tame(x.rotation.cy) &&
-         is_tame(x.rotation.cz);
+  return is_tame(x.translation) && is_within(x.rotation, kUrdfMaxValue);
 }
-
-Mat3d scaled(const Mat3d& m, double s) { return {m.cx * s, m.cy * s, m.cz * s}; }
 
 // Corners of a box around a collision shape, link frame.
 void add_corners(const urdf::Collision& collision, std::vector<Vec3d>& corners) {
@@ -126,10 +125,7 @@ void add_corners(const urdf::Collision& collision, std::vector<Vec3d>& corners) 
       return;
   }
   const Transformd at = place(collision.origin);
-  for (int k = 0; k < 8; ++k) {
-    corners.push_back(at * Vec3d{(k & 1) != 0 ? half.x : -half.x, (k & 2) != 0 ? half.y : -half.y,
-                                 (k & 4) != 0 ? half.z : -half.z});
-  }
+  for (const Vec3d& corner : box_corners(half)) corners.push_back(at * corner);
 }
 
 class RobotReader {
@@ -141,13 +137,15 @@ class RobotReader {
   }
 
   Result<Robot> read() {
-    if (const auto done = take_tree(); !done) return tl::unexpected(done.error());
+    SHG_TRY(take_tree());
     for (const urdf::Joint* joint : joints_) {
-      if (const auto done = take_joint(*joint); !done) return tl::unexpected(done.error());
+      SHG_TRY(take_joint(*joint));
     }
-    tell("slides: it keeps its place", "slide: they keep their places", sliding_);
-    tell("follows another joint: it keeps the angle 0",
-         "follow other joints: they keep the angle 0", mimics_);
+    doubt_about(sliding_, "joint '{}' slides: it keeps its place",
+                "{} joints, '{}' the first, slide: they keep their places", robot_.doubts);
+    doubt_about(mimics_, "joint '{}' follows another joint: it keeps the angle 0",
+                "{} joints, '{}' the first, follow other joints: they keep the angle 0",
+                robot_.doubts);
     return std::move(robot_);
   }
 
@@ -156,13 +154,6 @@ class RobotReader {
   [[nodiscard]] tl::unexpected<Error> wrong(fmt::format_string<Args...> format,
                                             Args&&... args) const {
     return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...), name_);
-  }
-
-  void tell(const char* one, const char* many, const std::vector<std::string>& names) {
-    if (names.empty()) return;
-    robot_.doubts.push_back(names.size() == 1 ? fmt::format("joint '{}' {}", names[0], one)
-                                              : fmt::format("{} joints, '{}' the first, {}",
-                                                            names.size(), names[0], many));
   }
 
   // urdfdom keeps joints by name; the file's order is that of their tags, whose names may be
@@ -194,7 +185,7 @@ class RobotReader {
     for (const urdf::Joint* joint : joints_) below[joint->parent_link_name].push_back(joint);
     std::vector<const urdf::Link*> waiting{model_.getRoot().get()};
     for (std::size_t i = 0; i < waiting.size(); ++i) {
-      if (const auto done = take_link(*waiting[i]); !done) return done;
+      SHG_TRY(take_link(*waiting[i]));
       for (const urdf::Joint* joint : below[waiting[i]->name]) {
         if (waiting.size() == model_.links_.size()) {
           return wrong("link '{}' hangs on two joints; one is allowed", joint->child_link_name);
@@ -231,7 +222,7 @@ class RobotReader {
                    kUrdfMaxValue);
     }
     const Mat3d inertia{{i.ixx, i.ixy, i.ixz}, {i.ixy, i.iyy, i.iyz}, {i.ixz, i.iyz, i.izz}};
-    if (!is_tame(at) || !is_tame(Transformd{inertia, {}})) {
+    if (!is_tame(at) || !is_within(inertia, kUrdfMaxValue)) {
       return wrong("the inertia of link '{}' has numbers beyond {:g}", link.name, kUrdfMaxValue);
     }
     to.mass = i.mass;
@@ -266,7 +257,7 @@ class RobotReader {
                      axis.y, axis.z);
       }
       to.axis = normalized(axis);
-      if (const auto done = take_limits(joint, revolute || to.slides, to); !done) return done;
+      SHG_TRY(take_limits(joint, revolute || to.slides, to));
     }
     robot_.joints.push_back(to);
     return {};
@@ -305,15 +296,14 @@ class RobotReader {
 }  // namespace
 
 Result<Robot> parse_urdf(std::string_view text, std::string_view name) {
-  const Result<std::string> reduced = reduced_urdf(text, name);
-  if (!reduced) return tl::unexpected(reduced.error());
-  const Model model(*reduced);
+  SHG_TRY_ASSIGN(const std::string reduced, reduced_urdf(text, name));
+  const Model model(reduced);
   if (model.get() == nullptr || !model.get()->getRoot()) {
     return fail(ErrorCode::parse,
                 model.said().empty() ? "no robot that urdfdom can read" : model.said(),
                 std::string(name));
   }
-  return RobotReader(*model.get(), *reduced, name).read();
+  return RobotReader(*model.get(), reduced, name).read();
 }
 
 #endif

@@ -5,47 +5,36 @@
 #include <charconv>
 #include <map>
 #include <optional>
-#include <shigusa/file.hpp>
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
 #include "robot/urdf.hpp"
 
 namespace shigusa {
 namespace {
 
-struct Rule {
-  std::string_view parent;
-  std::string_view child;
-};
-constexpr Rule kKept[] = {
-    {"", "robot"},
-    {"robot", "link"},
-    {"robot", "joint"},
-    {"link", "inertial"},
-    {"inertial", "origin"},
-    {"inertial", "mass"},
-    {"inertial", "inertia"},
-    {"link", "collision"},
-    {"collision", "origin"},
-    {"collision", "geometry"},
-    {"geometry", "box"},
-    {"geometry", "sphere"},
-    {"geometry", "cylinder"},
-    {"geometry", "capsule"},
-    {"joint", "origin"},
-    {"joint", "parent"},
-    {"joint", "child"},
-    {"joint", "axis"},
-    {"joint", "limit"},
-    {"joint", "mimic"},
-};
-
-bool is_kept(std::string_view parent, std::string_view child) {
-  return std::any_of(std::begin(kKept), std::end(kKept), [&](const Rule& rule) {
-    return rule.parent == parent && rule.child == child;
-  });
-}
+// Elements that are kept, each after the one that it stands in.
+constexpr std::pair<std::string_view, std::string_view> kKept[] = {{"", "robot"},
+                                                                   {"robot", "link"},
+                                                                   {"robot", "joint"},
+                                                                   {"link", "inertial"},
+                                                                   {"inertial", "origin"},
+                                                                   {"inertial", "mass"},
+                                                                   {"inertial", "inertia"},
+                                                                   {"link", "collision"},
+                                                                   {"collision", "origin"},
+                                                                   {"collision", "geometry"},
+                                                                   {"geometry", "box"},
+                                                                   {"geometry", "sphere"},
+                                                                   {"geometry", "cylinder"},
+                                                                   {"geometry", "capsule"},
+                                                                   {"joint", "origin"},
+                                                                   {"joint", "parent"},
+                                                                   {"joint", "child"},
+                                                                   {"joint", "axis"},
+                                                                   {"joint", "limit"},
+                                                                   {"joint", "mimic"}};
 
 // "inf" and "nan" in any case, and numbers of more than kUrdfMaxValue, by their digits.
 bool is_no_limit(std::string_view text) {
@@ -68,8 +57,6 @@ bool is_no_limit(std::string_view text) {
   return static_cast<long>(whole - zeros) + exponent > kDigits;
 }
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
 // Walks over the tags of an XML text and copies those that are kept, with what they are kept in.
 class Scanner {
  public:
@@ -80,11 +67,11 @@ class Scanner {
       const std::size_t open = text_.find('<', at_);
       if (open == text_.npos) break;
       at_ = open;
-      if (const auto done = take_markup(); !done) return tl::unexpected(done.error());
+      SHG_TRY(take_markup());
     }
     if (!open_.empty()) return wrong("<{}> is never closed", shortened(open_.back().name));
     if (roots_ == 0) return wrong("no element <robot>: this is no URDF file");
-    if (const auto done = check_tree(); !done) return tl::unexpected(done.error());
+    SHG_TRY(check_tree());
     return std::move(out_);
   }
 
@@ -147,11 +134,11 @@ class Scanner {
   static std::optional<std::string_view> attribute(std::string_view tag, std::string_view name) {
     std::size_t at = name_of(tag).size();
     while (true) {
-      while (at < tag.size() && is_space(tag[at])) ++at;
+      while (at < tag.size() && is_blank(tag[at])) ++at;
       const std::size_t equals = tag.find('=', at);
       if (equals == tag.npos) return std::nullopt;
       std::string_view found = tag.substr(at, equals - at);
-      while (!found.empty() && is_space(found.back())) found.remove_suffix(1);
+      while (!found.empty() && is_blank(found.back())) found.remove_suffix(1);
       const std::size_t begin = tag.find_first_not_of(" \t\r\n", equals + 1);
       if (begin == tag.npos || (tag[begin] != '"' && tag[begin] != '\'')) return std::nullopt;
       const std::size_t end = tag.find(tag[begin], begin + 1);
@@ -161,8 +148,8 @@ class Scanner {
     }
   }
 
-  // What a joint hangs on, or carries. urdfdom is given no other attribute, so that it reads the
-  // link that is checked here.
+  // The link that a joint hangs on, or carries. urdfdom is given no other attribute, so that it
+  // reads the link that is checked here.
   Result<void> hang(std::string_view name, std::string_view tag) {
     auto& [parent, child] = hung_.back();
     std::string_view& link = name == "parent" ? parent : child;
@@ -183,7 +170,7 @@ class Scanner {
     return name == "capsule" ? "cylinder" : name;
   }
 
-  // A joint's limits. What stands for none, "inf" or a number beyond all others, is no limit, and
+  // A joint's limits. A word for none, "inf" or a number beyond all others, is no limit, and
   // urdfdom reads neither infinity nor a joint without effort.
   void limit(std::string_view tag) {
     out_ += "<limit";
@@ -223,7 +210,7 @@ class Scanner {
 
   static std::string_view name_of(std::string_view tag) {
     std::size_t length = 0;
-    while (length < tag.size() && !is_space(tag[length]) && tag[length] != '/') ++length;
+    while (length < tag.size() && !is_blank(tag[length]) && tag[length] != '/') ++length;
     return tag.substr(0, length);
   }
 
@@ -243,8 +230,8 @@ class Scanner {
       return wrong("<{}> is nested deeper than {} elements", shortened(name), kUrdfMaxDepth);
     }
     const bool parent_kept = open_.empty() || open_.back().kept;
-    Element element{name, written_as(name),
-                    parent_kept && is_kept(open_.empty() ? "" : open_.back().name, name),
+    const std::string_view parent = open_.empty() ? std::string_view{} : open_.back().name;
+    Element element{name, written_as(name), parent_kept && contains(kKept, std::pair(parent, name)),
                     out_.size()};
     if (element.kept && name == "link" && ++links_ > kUrdfMaxLinks) {
       return wrong("more than {} links", kUrdfMaxLinks);
@@ -255,7 +242,7 @@ class Scanner {
     const bool hangs = element.kept && (name == "parent" || name == "child");
     if (element.kept && name == "joint") hung_.emplace_back();
     if (hangs) {
-      if (const auto done = hang(name, tag); !done) return done;
+      SHG_TRY(hang(name, tag));
     } else if (element.kept && name == "limit") {
       limit(tag);
     } else if (element.kept) {
@@ -301,21 +288,8 @@ class Scanner {
 }  // namespace
 
 Result<std::string> reduced_urdf(std::string_view text, std::string_view name) {
-  if (text.size() > kUrdfMaxBytes) {
-    return fail(ErrorCode::parse,
-                fmt::format("{} bytes; {} are allowed", text.size(), kUrdfMaxBytes),
-                std::string(name));
-  }
-  if (text.find('\0') != text.npos) {
-    return fail(ErrorCode::parse, "a zero byte: this is no text", std::string(name));
-  }
+  SHG_TRY(check_text(text, kUrdfMaxBytes, name));
   return Scanner(text, name).reduce();
-}
-
-Result<std::string> read_urdf(const std::filesystem::path& path) {
-  const Result<std::string> text = read_text_file(path, kUrdfMaxBytes);
-  if (!text) return tl::unexpected(text.error());
-  return reduced_urdf(*text, path.filename().string());
 }
 
 }  // namespace shigusa

@@ -3,6 +3,7 @@
 
 #include <iterator>
 
+#include "core/index.hpp"
 #include "robot/urdf.hpp"
 
 namespace shigusa {
@@ -29,25 +30,12 @@ std::string origin(const Transformd& x) {
 std::string escaped(const std::string& name) {
   std::string text;
   for (const char c : name) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += c;
-    }
+    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
   }
   return text;
 }
 
-// The box that eight corners of a link are of, as robots have them: bit k of a corner's number
-// tells which end of axis k it stands at.
+// The box that eight corners of a link are of, as box_corners numbers them.
 std::string box(const Vec3d* corners) {
   const Vec3d x = corners[1] - corners[0];
   const Vec3d y = corners[2] - corners[0];
@@ -76,16 +64,14 @@ void write_link(const Robot::Link& link, std::string& text) {
 
 void write_joint(const Robot& robot, const Robot::Joint& joint, std::string& text) {
   const auto out = std::back_inserter(text);
-  // one that can be at one angle only is told by its limits
+  // limits tell a joint that can be at one angle only
   const bool rigid = joint.limited && joint.upper - joint.lower < 1e-6;
   const bool follows = joint.moves && !joint.slides && !joint.turns && !rigid;
   const char* type = !joint.moves               ? "fixed"
                      : joint.slides             ? "prismatic"
                      : joint.limited || follows ? "revolute"
                                                 : "continuous";
-  const auto name = [&](int link) {
-    return escaped(robot.links[static_cast<std::size_t>(link)].name);
-  };
+  const auto name = [&](int link) { return escaped(robot.links[index(link)].name); };
   fmt::format_to(out, "<joint name=\"{}\" type=\"{}\"><parent link=\"{}\"/><child link=\"{}\"/>{}",
                  escaped(joint.name), type, name(joint.parent), name(joint.child),
                  origin(joint.origin));

@@ -35,11 +35,11 @@ class RecordedCharacter : public testing::TestWithParam<Recorded> {
   // The landmarks of the file's own posture, measured apart from the body.
   [[nodiscard]] Landmarks recorded() const {
     const bool bvh = path_.ends_with(".bvh");
-    const GltfCharacter gltf = bvh ? GltfCharacter{} : read_gltf(path_).value();
+    const std::string bytes = bvh ? "" : read_text_file(path_, kGltfMaxBytes).value();
+    const GltfCharacter gltf = bvh ? GltfCharacter{} : parse_gltf(bytes, path_).value();
     const SkeletonMotion file = bvh ? read_bvh(path_).value() : gltf.rest;
     const auto world = world_transforms(file.skeleton, file.clip, GetParam().frame);
     const HumanoidMap map = find_humanoid(file.skeleton, world, gltf.humanoid).value();
-    const std::string bytes = bvh ? "" : read_text_file(path_, kGltfMaxBytes).value();
     const Skin skin = bvh ? Skin{} : read_gltf_skin(bytes, path_, gltf, gltf.places);
     const MeasureSettings settings{.stature = {}, .skin = skin.vertices};
     return measure_person(file.skeleton, world, map, settings).value().landmarks;
