@@ -78,15 +78,6 @@ void search_approaches(const Task& task, Planner& planner, std::size_t first,
 // Other postures at the edge of reach that are tried where nothing arrives by the first.
 constexpr int kOtherPostures = 3;
 
-// The task as it is searched, or first as it stands with its loads and on its contacts.
-template <class Use>
-auto with_prepared(const Task& task, Use&& use) -> decltype(use(task)) {
-  if (!needs_preparing(task)) return use(task);
-  const Result<Task> ready = prepared(task);
-  if (!ready) return tl::unexpected(ready.error());
-  return use(*ready);
-}
-
 }  // namespace
 
 Task played_task(Task task, const GenerateResult& generation) {
@@ -96,14 +87,11 @@ Task played_task(Task task, const GenerateResult& generation) {
 
 namespace {
 
-// One search, of a task that is prepared.
-Result<GenerateResult> search_task(const Task& task, const Progress& progress) {
-  const Result<std::unique_ptr<Planner>> made = make_planner(task);
-  if (!made) return tl::unexpected(made.error());
-  Planner& planner = **made;
-  if (const auto checked = planner.check_search(); !checked) {
-    return tl::unexpected(checked.error());
-  }
+// Searches once.
+Result<GenerateResult> search_task(const PreparedTask& task, const Progress& progress) {
+  SHG_TRY_ASSIGN(const std::unique_ptr<Planner> made, make_planner(task));
+  Planner& planner = *made;
+  SHG_TRY(planner.check_search());
   GenerateResult generation;
   generation.duration = planner.duration();
   JointProgress joint(progress);
@@ -140,15 +128,32 @@ std::optional<double> possible_duration(const GenerateResult& generation) {
   return least;
 }
 
+// Plays values without a search.
+Result<GenerateResult> play_values(const PreparedTask& task, const Parameters& values) {
+  SHG_TRY_ASSIGN(const std::unique_ptr<Planner> made, make_planner(task));
+  Planner& planner = *made;
+  SHG_TRY(check_parameters(planner.plan(), values));
+  GenerateResult generation;
+  generation.duration = planner.duration();
+  generation.candidates.push_back(only_candidate(planner, values));
+  for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
+    if (miss_of(generation.candidates.front()) <= kReachTolerance) break;
+    if (!planner.go_by_other_posture(other)) continue;
+    Candidate candidate = only_candidate(planner, values);
+    if (miss_of(candidate) <= kReachTolerance) generation.candidates.front() = std::move(candidate);
+  }
+  finish(planner.in_reach(), generation);
+  return generation;
+}
+
 // The candidates as the task plays them, which has another duration.
-Result<GenerateResult> played_anew(const Task& task, const GenerateResult& generation) {
+Result<GenerateResult> played_anew(const PreparedTask& task, const GenerateResult& generation) {
   GenerateResult again = generation;
   again.duration = *task.duration;
   again.candidates.clear();
   for (const Candidate& candidate : generation.candidates) {
-    Result<GenerateResult> one = regenerate(task, candidate.parameters);
-    if (!one) return one;
-    again.candidates.push_back(std::move(one.value().candidates.front()));
+    SHG_TRY_ASSIGN(GenerateResult one, play_values(task, candidate.parameters));
+    again.candidates.push_back(std::move(one.candidates.front()));
   }
   std::stable_sort(again.candidates.begin(), again.candidates.end(), ranks_before);
   again.status = status_of(generation.meets_goals(), again.candidates);
@@ -171,10 +176,10 @@ bool take_place(GenerateResult other, GenerateResult& found) {
 
 // Where motions are impossible only for their haste, and the task gives no duration, it takes
 // longer.
-void try_slower(const Task& task, JointProgress& progress, GenerateResult& found) {
+void try_slower(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {
   const std::optional<double> duration = possible_duration(found);
   if (!wants_more(found) || task.duration || !duration) return;
-  Task slower = task;
+  PreparedTask slower = task;
   slower.duration = duration;
   // a budget that was given is used up
   const bool spent = task.evaluations.has_value();
@@ -188,9 +193,9 @@ void try_slower(const Task& task, JointProgress& progress, GenerateResult& found
 // How many times as many motions are scored where nothing that was found is possible.
 constexpr int kLongerSearch = 3;
 
-void try_longer(const Task& task, JointProgress& progress, GenerateResult& found) {
+void try_longer(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {
   if (!wants_more(found) || task.evaluations) return;
-  Task longer = task;
+  PreparedTask longer = task;
   longer.evaluations = kLongerSearch * usual_evaluations(task);
   Result<GenerateResult> again = search_task(longer, progress.part(1.0));
   if (again) take_place(std::move(*again), found);
@@ -199,44 +204,26 @@ void try_longer(const Task& task, JointProgress& progress, GenerateResult& found
 }  // namespace
 
 Result<void> check_task(const Task& task) {
-  if (const auto checked = check_choices(task); !checked) return checked;
-  return with_prepared(task, check_plan);
+  SHG_TRY(check_choices(task));
+  SHG_TRY_ASSIGN(const PreparedTask ready, prepared(task));
+  return check_plan(ready);
 }
 
 Result<GenerateResult> generate(const Task& task, const Progress& progress) {
-  if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
-  return with_prepared(task, [&progress](const Task& ready) {
-    JointProgress joint(progress);
-    Result<GenerateResult> found = search_task(ready, joint.part(1.0));
-    if (found && traits_of(ready.preset).natural) {
-      try_slower(ready, joint, *found);
-      try_longer(ready, joint, *found);
-    }
-    return found;
-  });
+  SHG_TRY(check_choices(task));
+  SHG_TRY_ASSIGN(const PreparedTask ready, prepared(task));
+  JointProgress joint(progress);
+  SHG_TRY_ASSIGN(GenerateResult found, search_task(ready, joint.part(1.0)));
+  if (traits_of(ready.preset).natural) {
+    try_slower(ready, joint, found);
+    try_longer(ready, joint, found);
+  }
+  return found;
 }
 
 Result<GenerateResult> regenerate(const Task& task, const Parameters& values) {
-  return with_prepared(task, [&values](const Task& ready) -> Result<GenerateResult> {
-    const Result<std::unique_ptr<Planner>> made = make_planner(ready);
-    if (!made) return tl::unexpected(made.error());
-    Planner& planner = **made;
-    if (const auto checked = check_parameters(planner.plan(), values); !checked) {
-      return tl::unexpected(checked.error());
-    }
-    GenerateResult generation;
-    generation.duration = planner.duration();
-    generation.candidates.push_back(only_candidate(planner, values));
-    for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
-      if (miss_of(generation.candidates.front()) <= kReachTolerance) break;
-      if (!planner.go_by_other_posture(other)) continue;
-      Candidate candidate = only_candidate(planner, values);
-      if (miss_of(candidate) <= kReachTolerance)
-        generation.candidates.front() = std::move(candidate);
-    }
-    finish(planner.in_reach(), generation);
-    return generation;
-  });
+  SHG_TRY_ASSIGN(const PreparedTask ready, prepared(task));
+  return play_values(ready, values);
 }
 
 }  // namespace shigusa

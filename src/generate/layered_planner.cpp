@@ -186,9 +186,8 @@ class LayeredPlanner : public Planner {
 }  // namespace
 
 Result<std::unique_ptr<Planner>> make_layered_planner(const Task& task) {
-  Result<LayeredProblem> problem = make_layered_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  return std::make_unique<LayeredPlanner>(task, std::move(*problem));
+  SHG_TRY_ASSIGN(LayeredProblem problem, make_layered_problem(task));
+  return std::make_unique<LayeredPlanner>(task, std::move(problem));
 }
 
 }  // namespace shigusa

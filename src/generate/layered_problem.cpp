@@ -22,18 +22,16 @@ Result<void> check_layers(const Task& task) {
             "parameters can be fixed with the other presets; edit a result of the preset {}",
             word_of(task.preset)));
   }
-  const Result<Plan> plan = plan_of(task);
-  return plan ? Result<void>{} : tl::unexpected(plan.error());
+  SHG_TRY(plan_of(task));
+  return {};
 }
 
 Result<LayeredProblem> make_layered_problem(const Task& task) {
-  Result<ReachProblem> reach = make_problem(task);
-  if (!reach) return tl::unexpected(reach.error());
-  Result<Plan> layers = plan_of(task);
-  if (!layers) return tl::unexpected(layers.error());
-  LayeredProblem problem{.reach = std::move(*reach),
+  SHG_TRY_ASSIGN(ReachProblem reach, make_problem(task));
+  SHG_TRY_ASSIGN(Plan layers, plan_of(task));
+  LayeredProblem problem{.reach = std::move(reach),
                          .in_reach = true,
-                         .layers = std::move(*layers),
+                         .layers = std::move(layers),
                          .limbs = find_limbs(task.body).value(),
                          .arms = {},
                          .arm_bodies = {}};

@@ -72,8 +72,9 @@ class Planner {
   virtual void finish(GenerateResult& generation) = 0;
 };
 
-// The planner of a task that is prepared. Fails on a task that is wrong: see make_problem, plan_of.
-[[nodiscard]] Result<std::unique_ptr<Planner>> make_planner(const Task& task);
+// The planner of a task, which outlives it. Fails on a task that is wrong: see make_problem,
+// plan_of.
+[[nodiscard]] Result<std::unique_ptr<Planner>> make_planner(const PreparedTask& task);
 // Of a plan of one layer, and of several.
 [[nodiscard]] Result<std::unique_ptr<Planner>> make_whole_body_planner(const Task& task);
 [[nodiscard]] Result<std::unique_ptr<Planner>> make_layered_planner(const Task& task);
@@ -81,6 +82,6 @@ class Planner {
 // The same of a plan of several layers, where its layers can be made.
 [[nodiscard]] Result<void> check_layers(const Task& task);
 // Fails as make_planner and check_search do, at once.
-[[nodiscard]] Result<void> check_plan(const Task& task);
+[[nodiscard]] Result<void> check_plan(const PreparedTask& task);
 
 }  // namespace shigusa

@@ -17,7 +17,7 @@ Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
   if (!task.fixed) return {};
   const Plan plan = whole_body_plan(task.body);
   Parameters values = task.fixed->values;
-  if (const auto checked = check_parameters(plan, values); !checked) return checked;
+  SHG_TRY(check_parameters(plan, values));
   if (task.fixed->set.size() != parameters_of(plan, values).size()) {
     return fail(ErrorCode::invalid_argument, "fixed parameters are of another body");
   }
@@ -109,19 +109,17 @@ class WholeBodyPlanner : public Planner {
 }  // namespace
 
 Result<std::unique_ptr<Planner>> make_whole_body_planner(const Task& task) {
-  Result<ReachProblem> problem = make_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  return std::make_unique<WholeBodyPlanner>(task, std::move(*problem));
+  SHG_TRY_ASSIGN(ReachProblem problem, make_problem(task));
+  return std::make_unique<WholeBodyPlanner>(task, std::move(problem));
 }
 
-Result<std::unique_ptr<Planner>> make_planner(const Task& task) {
+Result<std::unique_ptr<Planner>> make_planner(const PreparedTask& task) {
   return traits_of(task.preset).layers ? make_layered_planner(task) : make_whole_body_planner(task);
 }
 
-Result<void> check_plan(const Task& task) {
-  const Result<ReachProblem> problem = make_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  if (!traits_of(task.preset).layers) return check_fixed(task, *problem);
+Result<void> check_plan(const PreparedTask& task) {
+  SHG_TRY_ASSIGN(const ReachProblem problem, make_problem(task));
+  if (!traits_of(task.preset).layers) return check_fixed(task, problem);
   return check_layers(task);
 }
 

@@ -161,25 +161,22 @@ Result<ReachProblem> make_problem(const Task& task) {
   if (task.goals.empty()) {
     return fail(ErrorCode::invalid_argument, "no goal: give at least one effector's position");
   }
-  if (const auto checked = check_settings(task); !checked) {
-    return tl::unexpected(checked.error());
-  }
+  SHG_TRY(check_settings(task));
   const BodyModel& body = task.body;
   const Kinematics<double> kinematics = start_kinematics(body);
   ReachProblem problem;
   problem.body = &body;
   problem.duration = 0.0;
   for (const Goal& goal : task.goals) {
-    Result<ReachGoal> reach = make_reach_goal(body, kinematics, goal);
-    if (!reach) return tl::unexpected(reach.error());
+    SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
     for (const ReachGoal& earlier : problem.goals) {
-      if (earlier.effector != reach->effector) continue;
+      if (earlier.effector != reach.effector) continue;
       return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
     }
-    problem.duration = max(problem.duration, goal_duration(body, kinematics, *reach));
-    problem.goals.push_back(std::move(*reach));
+    problem.duration = max(problem.duration, goal_duration(body, kinematics, reach));
+    problem.goals.push_back(std::move(reach));
   }
-  if (const auto checked = check_rows(problem); !checked) return tl::unexpected(checked.error());
+  SHG_TRY(check_rows(problem));
   problem.duration *= load_factor(body.load());
   if (task.duration) problem.duration = *task.duration;
   problem.hold_limits = problem.posture_law = traits_of(task.preset).natural;

@@ -166,11 +166,18 @@ Result<void> check_contacts(const Task& task) {
               "contacts");
 }
 
+// Whether goals have loads, or feet do not stand.
+bool needs_preparing(const Task& task) {
+  const auto loaded = [](const Goal& goal) { return goal.load != 0.0; };
+  const auto feet = task.body.feet();
+  return task.contacts || std::any_of(task.goals.begin(), task.goals.end(), loaded) ||
+         std::any_of(feet.begin(), feet.end(),
+                     [&](const Foot& foot) { return moves_foot(task, foot); });
+}
+
 // Frees the feet that do not stand.
 Result<void> stand(Task& task) {
-  if (task.contacts) {
-    if (const auto checked = check_contacts(task); !checked) return checked;
-  }
+  if (task.contacts) SHG_TRY(check_contacts(task));
   name_soles(task);
   const Kinematics<double> start = start_kinematics(task.body);
   std::vector<std::string> standing;
@@ -219,18 +226,17 @@ EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
 
 Result<ReachGoal> make_reach_goal(const BodyModel& body, const Kinematics<double>& start,
                                   const Goal& goal) {
-  const Result<int> index = effector_index(body, goal);
-  if (!index) return tl::unexpected(index.error());
-  if (const auto checked = check_goal(goal); !checked) return tl::unexpected(checked.error());
-  const Effector& effector = body.effector(*index);
+  SHG_TRY_ASSIGN(const int index, effector_index(body, goal));
+  SHG_TRY(check_goal(goal));
+  const Effector& effector = body.effector(index);
   const Vec3d from = start.point(effector.link, effector.point);
   const Vec3d way = goal.position - from;
   ReachGoal reach;
-  reach.effector = *index;
+  reach.effector = index;
   reach.path = {from, goal.position};
-  reach.turn = goal_turn(body, goal, *index, start);
+  reach.turn = goal_turn(body, goal, index, start);
   reach.tolerance = goal.tolerance;
-  if (is_foot(body, *index)) {
+  if (is_foot(body, index)) {
     // neither through the floor nor far above it
     const double length = norm(Vec3d{way.x, 0.0, way.z});
     if (length > kLeastStep) {
@@ -273,25 +279,16 @@ std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals)
   return std::nullopt;
 }
 
-bool needs_preparing(const Task& task) {
-  const auto loaded = [](const Goal& goal) { return goal.load != 0.0; };
-  const auto feet = task.body.feet();
-  return task.contacts || std::any_of(task.goals.begin(), task.goals.end(), loaded) ||
-         std::any_of(feet.begin(), feet.end(),
-                     [&](const Foot& foot) { return moves_foot(task, foot); });
-}
-
-Result<Task> prepared(const Task& task) {
-  Task ready = task;
-  for (Goal& goal : ready.goals) {
-    const Result<int> index = effector_index(task.body, goal);
-    if (!index) return tl::unexpected(index.error());
-    if (const auto checked = check_goal(goal); !checked) return tl::unexpected(checked.error());
-    if (goal.load > 0.0) ready.body = with_load(ready.body, *index, goal.load);
+Result<PreparedTask> prepared(Task task) {
+  if (!needs_preparing(task)) return PreparedTask(std::move(task));
+  for (Goal& goal : task.goals) {
+    SHG_TRY_ASSIGN(const int effector, effector_index(task.body, goal));
+    SHG_TRY(check_goal(goal));
+    if (goal.load > 0.0) task.body = with_load(task.body, effector, goal.load);
     goal.load = 0.0;
   }
-  if (const auto standing = stand(ready); !standing) return tl::unexpected(standing.error());
-  return ready;
+  SHG_TRY(stand(task));
+  return PreparedTask(std::move(task));
 }
 
 }  // namespace shigusa
