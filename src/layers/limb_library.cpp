@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
+#include "core/bytes.hpp"
 #include "core/check.hpp"
+#include "core/hash.hpp"
 #include "layers/layer.hpp"
 #include "rollout/detour.hpp"
 
@@ -24,27 +25,11 @@ constexpr double kDetourStep = 0.01;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of numbers as bytes, lowest first on any machine.
-class Hash {
- public:
-  void add(std::string_view bytes) {
-    for (const char c : bytes) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
-  }
-  void add(std::uint64_t x) {
-    for (int k = 0; k < 8; ++k) value_ = (value_ ^ ((x >> (8 * k)) & 0xFF)) * 0x100000001B3ULL;
-  }
-  void add(double x) { add(__builtin_bit_cast(std::uint64_t, x)); }
-  void add(const Vec3d& v) {
-    for (int k = 0; k < 3; ++k) add(v[k]);
-  }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xCBF29CE484222325ULL;
-};
-
 std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings) {
-  Hash hash;
+  Fnv1a hash;
+  const auto add = [&hash](const Vec3d& v) {
+    for (int k = 0; k < 3; ++k) hash.add(v[k]);
+  };
   hash.add(std::uint64_t{kVersion});
   hash.add(static_cast<std::uint64_t>(settings.search));
   for_each_criterion([&](const auto& entry) {
@@ -53,7 +38,7 @@ std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings)
   });
   for (int d = 0; d < arm.dof_count(); ++d) {
     const Dof& dof = arm.dof(d);
-    hash.add(dof.offset);
+    add(dof.offset);
     hash.add(static_cast<std::uint64_t>(dof.axis));
     for (const double x : {dof.sign, dof.lower, dof.upper, dof.torque_positive, dof.torque_negative,
                            arm.start()[index(d)], arm.link_mass(d).mass}) {
@@ -61,10 +46,10 @@ std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings)
     }
     const MassProperties& mass = arm.link_mass(d);
     for (const Vec3d& v : {mass.com, mass.inertia.cx, mass.inertia.cy, mass.inertia.cz}) {
-      hash.add(v);
+      add(v);
     }
   }
-  hash.add(arm.effectors()[0].point);
+  add(arm.effectors()[0].point);
   return hash.value();
 }
 
@@ -83,19 +68,10 @@ ArmGenes genes_of(std::uint16_t code) {
   return genes;
 }
 
+// Takes an integer off the front.
 template <class T>
-void put(std::string& to, T x) {
-  const auto bits = static_cast<std::make_unsigned_t<T>>(x);
-  for (std::size_t k = 0; k < sizeof bits; ++k) to += static_cast<char>((bits >> (8 * k)) & 0xFF);
-}
-
-template <class T>
-T get(std::string_view& from) {
-  T x = 0;
-  for (std::size_t k = 0; k < sizeof x; ++k) {
-    x = static_cast<T>(
-        x | static_cast<T>(static_cast<T>(static_cast<unsigned char>(from[k])) << (8 * k)));
-  }
+T take_off(std::string_view& from) {
+  const T x = integer_at<T>(from, 0);
   from.remove_prefix(sizeof x);
   return x;
 }
@@ -225,35 +201,36 @@ void LimbLibrary::build(int cell) {
 // "shigusa-limbs\n", version, hash, count of cells; cells; check sum: all numbers lowest byte first
 std::string LimbLibrary::bytes() const {
   std::string text(kMagic);
-  put(text, kVersion);
-  put(text, hash_);
-  put(text, static_cast<std::uint32_t>(built_));
+  append_bytes(text, kVersion);
+  append_bytes(text, hash_);
+  append_bytes(text, static_cast<std::uint32_t>(built_));
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     if (!cells_[c].built) continue;
-    put(text, static_cast<std::uint16_t>(c));
-    put(text, code_of(cells_[c].genes));
-    put(text, __builtin_bit_cast(std::uint32_t, cells_[c].score));
+    append_bytes(text, static_cast<std::uint16_t>(c));
+    append_bytes(text, code_of(cells_[c].genes));
+    append_bytes(text, __builtin_bit_cast(std::uint32_t, cells_[c].score));
   }
-  Hash sum;
+  Fnv1a sum;
   sum.add(text);
-  put(text, sum.value());
+  append_bytes(text, sum.value());
   return text;
 }
 
 bool LimbLibrary::take(std::string_view bytes) {
   if (bytes.size() < kHeaderBytes + 8 || bytes.substr(0, kMagic.size()) != kMagic) return false;
   std::string_view rest = bytes.substr(kMagic.size());
-  if (get<std::uint32_t>(rest) != kVersion || get<std::uint64_t>(rest) != hash_) return false;
-  const auto count = get<std::uint32_t>(rest);
+  if (take_off<std::uint32_t>(rest) != kVersion || take_off<std::uint64_t>(rest) != hash_)
+    return false;
+  const auto count = take_off<std::uint32_t>(rest);
   if (count > kLimbCells || rest.size() != count * kCellBytes + 8) return false;
-  Hash sum;
+  Fnv1a sum;
   sum.add(bytes.substr(0, bytes.size() - 8));
   std::string_view stored = bytes.substr(bytes.size() - 8);
-  if (get<std::uint64_t>(stored) != sum.value()) return false;
+  if (take_off<std::uint64_t>(stored) != sum.value()) return false;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto number = get<std::uint16_t>(rest);
-    const auto code = get<std::uint16_t>(rest);
-    const auto score = __builtin_bit_cast(float, get<std::uint32_t>(rest));
+    const auto number = take_off<std::uint16_t>(rest);
+    const auto code = take_off<std::uint16_t>(rest);
+    const auto score = __builtin_bit_cast(float, take_off<std::uint32_t>(rest));
     if (number >= kLimbCells || cells_[number].built) continue;
     cells_[number] = {true, genes_of(code), score};
     ++built_;

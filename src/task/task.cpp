@@ -42,7 +42,7 @@ Result<void> check_obstacles(const Task& task) {
   return {};
 }
 
-// What lifts heels is beyond the bodies that the other presets know.
+// Only the preset flat knows bodies whose heels lift.
 Result<void> check_heels(const Task& task) {
   const auto feet = task.body.feet();
   const bool lift =
@@ -69,7 +69,7 @@ Result<void> check_phases(const Task& task) {
   return {};
 }
 
-Result<void> check_settings(const Task& task) {
+Result<void> check_numbers(const Task& task) {
   if (task.duration &&
       !(*task.duration >= kTaskDurationMin && *task.duration <= kTaskDurationMax)) {
     return fail(ErrorCode::invalid_argument,
@@ -85,25 +85,29 @@ Result<void> check_settings(const Task& task) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
   }
-  if (const auto checked = check_phases(task); !checked) return checked;
-  if (const auto checked = check_heels(task); !checked) return checked;
-  if (task.look_at && !within(*task.look_at, -kGoalRange, kGoalRange)) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("allowed are finite numbers from -{:g} to {:g} m", kGoalRange, kGoalRange),
-        "look_at");
-  }
-  if (const auto checked = check_obstacles(task); !checked) return checked;
-  const CriteriaSettings& c = task.criteria;
+  return {};
+}
+
+Result<void> check_gaze(const Task& task) {
+  if (!task.look_at || within(*task.look_at, -kGoalRange, kGoalRange)) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("allowed are finite numbers from -{:g} to {:g} m", kGoalRange, kGoalRange),
+      "look_at");
+}
+
+Result<void> check_criteria(const CriteriaSettings& criteria) {
   double sum = 0.0;
   const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
   bool valid = true;
   bool scaled = true;
   for_each_criterion([&](const auto& criterion) {
-    valid = add(criterion.weight(c)) && valid;
-    scaled = scaled && criterion.scale(c) > 0.0;
+    valid = add(criterion.weight(criteria)) && valid;
+    scaled = scaled && criterion.scale(criteria) > 0.0;
   });
-  for (const UserCriterion& user : c.user) valid = valid && add(user.weight) && user.scale > 0.0;
+  for (const UserCriterion& user : criteria.user) {
+    valid = valid && add(user.weight) && user.scale > 0.0;
+  }
   if (!valid || sum <= 0.0) {
     return fail(ErrorCode::invalid_argument,
                 "criteria weights must be finite, 0 or more, and not all 0; scales above 0");
@@ -112,6 +116,15 @@ Result<void> check_settings(const Task& task) {
     return fail(ErrorCode::invalid_argument, "reference scales of criteria must be above 0");
   }
   return {};
+}
+
+Result<void> check_settings(const Task& task) {
+  SHG_TRY(check_numbers(task));
+  SHG_TRY(check_phases(task));
+  SHG_TRY(check_heels(task));
+  SHG_TRY(check_gaze(task));
+  SHG_TRY(check_obstacles(task));
+  return check_criteria(task.criteria);
 }
 
 // Where limits hold joints back, a frame takes up to so many further steps to bring an effector
