@@ -5,15 +5,6 @@
 #include <utility>
 
 namespace shigusa {
-namespace {
-
-bool ends_with(const std::string& name, const char* end) {
-  const std::string tail = end;
-  return name.size() >= tail.size() &&
-         name.compare(name.size() - tail.size(), tail.size(), tail) == 0;
-}
-
-}  // namespace
 
 Style style_of(const std::optional<double>& stoop_squat_index) {
   if (!stoop_squat_index) return Style::upright;
@@ -26,7 +17,7 @@ Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()), meter_(body
   for (std::size_t d = 0; d < dofs_; ++d) {
     const std::string& name = body.dofs()[d].name;
     if (name == "right_hip.rotation") descriptors_[0].push_back(d);
-    if (ends_with(name, "shoulder.rotation")) descriptors_[1].push_back(d);
+    if (name.ends_with("shoulder.rotation")) descriptors_[1].push_back(d);
   }
 }
 

@@ -97,10 +97,11 @@ class Reducer {
     hold_to_limits(dof, joint);
     ReducedDof& added = reduced_.dofs.back();
     // the joints of the spine go by one weight for each way that it bends
-    const std::string freedom = from.name.substr(from.name.rfind('.') + 1);
+    const std::string_view freedom = parse_joint_name(from.name).freedom;
     for (const TrunkJoint& earlier : reduced_.joints) {
       const ReducedDof& other = reduced_.dofs[static_cast<std::size_t>(earlier.dof)];
-      if (!is_of_arm(dof) && other.weight_of < 0 && other.name.ends_with("." + freedom)) {
+      if (!is_of_arm(dof) && other.weight_of < 0 &&
+          parse_joint_name(other.name).freedom == freedom) {
         added.weight_of = earlier.dof;
       }
     }
