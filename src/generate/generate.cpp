@@ -10,7 +10,6 @@
 #include "joint_progress.hpp"
 #include "pareto.hpp"
 #include "planner.hpp"
-#include "runs.hpp"
 #include "task/make_problem.hpp"
 
 namespace shigusa {
@@ -78,14 +77,61 @@ void search_approaches(const Task& task, Planner& planner, std::size_t first,
 // Other postures at the edge of reach that are tried where nothing arrives by the first.
 constexpr int kOtherPostures = 3;
 
-}  // namespace
+// The paper has a person choose from this many distinct candidates (section 4.1).
+constexpr int kPaperCandidates = 3;
 
-Task played_task(Task task, const GenerateResult& generation) {
-  if (generation.slowed) task.duration = generation.duration;
-  return task;
+// Whether the search of a task begins again with other random numbers: of the preset paper, of
+// whose genetic algorithm one run often ends with all genomes alike, where the task does not say
+// how many motions are scored; until there are kPaperCandidates candidates, or as many as the task
+// asks for, or Task::most_runs are done.
+bool runs_again(const Task& task, const GenerateResult& generation) {
+  if (task.preset != Preset::paper || task.evaluations || task.own_search) return false;
+  if (task.search.value_or(SearchMethod::paper_ga) != SearchMethod::paper_ga) return false;
+  if (generation.end == SearchEnd::cancelled || generation.runs >= task.most_runs) return false;
+  return static_cast<int>(generation.candidates.size()) < min(kPaperCandidates, task.candidates);
 }
 
-namespace {
+// Adds the candidates of another run, but for those that move as one that is there does.
+void take_in(std::vector<Candidate> candidates, GenerateResult& generation) {
+  std::vector<Candidate>& all = generation.candidates;
+  for (Candidate& candidate : candidates) {
+    const bool is_copy = std::any_of(all.begin(), all.end(), [&candidate](const Candidate& other) {
+      return largest_distance(other.motion.clip, candidate.motion.clip) < kDistinctPosture;
+    });
+    if (is_copy) {
+      ++generation.near_copies;
+    } else {
+      all.push_back(std::move(candidate));
+    }
+  }
+}
+
+// Adds another run to the result.
+void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
+  ++generation.runs;
+  generation.evaluations += run.evaluations;
+  generation.generations += run.generations;
+  generation.rejected_nan += run.rejected_nan;
+  generation.near_copies += run.near_copies;
+  generation.missed += run.missed;
+  generation.replay_differs += run.replay_differs;
+  generation.replay_difference = max(generation.replay_difference, run.replay_difference);
+  generation.end = run.end;
+  if (run.best_seen_score < generation.best_seen_score) {
+    generation.best_seen = std::move(run.best_seen);
+    generation.best_seen_score = run.best_seen_score;
+  }
+  take_in(std::move(run.candidates), generation);
+  std::vector<Candidate>& all = generation.candidates;
+  std::stable_sort(all.begin(), all.end(), ranks_before);
+  const auto most = static_cast<std::size_t>(task.candidates);
+  if (all.size() > most) all.erase(all.begin() + task.candidates, all.end());
+  generation.fewer.clear();
+  if (all.size() == most) return;
+  generation.fewer =
+      fmt::format("{} of {} candidates: {} runs with other random numbers each ended in no others",
+                  all.size(), task.candidates, generation.runs);
+}
 
 // Searches once.
 Result<GenerateResult> search_task(const PreparedTask& task, const Progress& progress) {
@@ -202,6 +248,11 @@ void try_longer(const PreparedTask& task, JointProgress& progress, GenerateResul
 }
 
 }  // namespace
+
+Task played_task(Task task, const GenerateResult& generation) {
+  if (generation.slowed) task.duration = generation.duration;
+  return task;
+}
 
 Result<void> check_task(const Task& task) {
   SHG_TRY(check_choices(task));

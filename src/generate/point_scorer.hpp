@@ -9,12 +9,27 @@
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"
 #include "rollout/batch_rollout.hpp"
-#include "squat_target.hpp"
 
 namespace shigusa {
 
-// Scores the points of one part of a search, and keeps what their motions end in. Problem, task and
-// criteria outlive it.
+// The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
+// leave more or less of it, so the search is told how much. A later phase that is fixed to another
+// squat ends somewhere between them, so that then there is no such target.
+class SquatTarget {
+ public:
+  // None where the task fixes no squat.
+  static std::optional<SquatTarget> of(const Task& task);
+
+  // How far (rad) the mean of the knees' angles is off.
+  [[nodiscard]] double off(std::span<const float> angles) const;
+
+ private:
+  std::vector<std::size_t> knees_;
+  double wanted_ = 0.0;  // rad, of all knees together
+};
+
+// Scores the points of one part of a search, and keeps the postures that their motions end in.
+// Problem, task and criteria outlive it.
 class PointScorer {
  public:
   // The best of the first motions.

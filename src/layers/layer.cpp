@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "body/joint_name.hpp"
-#include "reducer.hpp"
 
 namespace shigusa {
 namespace {

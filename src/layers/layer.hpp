@@ -38,7 +38,8 @@ enum class LengthLaw {
         // an arm that goes up in front bends on the way
 };
 
-// A limb of a reduced body: one rigid rod of variable length.
+// A limb of a reduced body: a telescopic limb (paper, section 3.4), one rigid rod of variable
+// length.
 struct ReducedLimb {
   BodyLimb joints;  // what it stands for
   int slide = 0;    // dof that is its length
@@ -67,6 +68,10 @@ struct ReducedBody {
   std::vector<TrunkJoint> joints;  // what arms hang on, from the trunk on
   std::vector<ReducedLimb> limbs;  // legs, then arms
 };
+
+// The body on which the upper layer moves: the trunk with its joints, as the body starts, and its
+// limbs as telescopic rods (paper, section 3.4).
+[[nodiscard]] ReducedBody reduced_body(const BodyModel& body, const BodyLimbs& limbs);
 
 // How what a layer decides about a limb becomes the limb's joints below.
 enum class DelegateMethod {

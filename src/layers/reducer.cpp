@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "reducer.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "body/joint_name.hpp"
 #include "kinematics/forward_kinematics.hpp"
+#include "layers/layer.hpp"
 
 namespace shigusa {
 namespace {
