@@ -31,8 +31,8 @@ bool has_use(const LayeredProblem& problem, int dof) {
   return true;
 }
 
-// What the freedoms that have a final angle cost by the torque that they take, by their layers'
-// criteria: as Torque, of them alone.
+// The cost of the torque that freedoms with a final angle take, by their layers' criteria: as the
+// criterion Torque has it, but of these freedoms alone.
 double own_torque(const LayeredProblem& problem, const Motion& motion) {
   const BodyModel& body = *problem.reach.body;
   double cost = 0.0;
@@ -197,43 +197,44 @@ double LayeredScorer::judged(const RolledOut& played) const {
   return score + min(kOverLimitCost * excess, kOverLimitMost);
 }
 
-void LayeredScorer::score(std::span<const Parameters> parameters, std::span<double> scores,
-                          std::span<float> postures) {
-  const int count = static_cast<int>(scores.size());
-  // first where the layers' trunk goes …
-  std::vector<ReducedClip> clips(scores.size());
-  std::vector<std::vector<HandPath>> paths(scores.size());
+std::vector<LayeredScorer::UpperMotion> LayeredScorer::run_upper(
+    std::span<const Parameters> parameters, std::span<double> scores) {
+  std::vector<UpperMotion> uppers(scores.size());
   const double worst = worst_score(*criteria_);
   const ReachTolerance& tolerance = problem_->reach.tolerance;
-  parallel_for(count, threads_, [&](int i, int thread) {
-    const auto k = index(i);
+  parallel_for(static_cast<int>(scores.size()), threads_, [&](int i, int thread) {
+    auto& [clip, paths] = uppers[index(i)];
     LayeredPlayer& player = worker(thread).player;
-    player.run_upper(parameters[k], clips[k]);
-    const bool kept =
-        clips[k].path_error <= tolerance.path && clips[k].foot_error <= kReachTolerance;
-    const bool leads = kept && player.check_pelvis(clips[k]).in_reach;
-    scores[k] = worst + min(clips[k].path_error + clips[k].foot_error, 1.0);
-    if (leads) paths[k] = player.hand_paths(clips[k]);
+    player.run_upper(parameters[index(i)], clip);
+    const bool kept = clip.path_error <= tolerance.path && clip.foot_error <= kReachTolerance;
+    const bool leads = kept && player.check_pelvis(clip).in_reach;
+    scores[index(i)] = worst + min(clip.path_error + clip.foot_error, 1.0);
+    if (leads) paths = player.hand_paths(clip);
   });
-  // … then what arms it needs, one after the other as a library may have to be built …
+  return uppers;
+}
+
+void LayeredScorer::score(std::span<const Parameters> parameters, std::span<double> scores,
+                          std::span<float> postures) {
+  std::vector<UpperMotion> uppers = run_upper(parameters, scores);
+  // arms are chosen one after the other, as a library may have to be built
   std::vector<Parameters> below(scores.size(), start_);
   for (std::size_t k = 0; k < scores.size(); ++k) {
-    if (!paths[k].empty() && choose_) below[k].arms = choose_(paths[k]);
+    if (!uppers[k].paths.empty() && choose_) below[k].arms = choose_(uppers[k].paths);
   }
-  // … then the whole body; a user's criteria are called by one thread
-  const int threads = criteria_->user.empty() ? threads_ : 1;
-  parallel_for(count, threads, [&](int i, int thread) {
+  parallel_for(static_cast<int>(scores.size()), body_threads(), [&](int i, int thread) {
     const auto k = index(i);
-    if (paths[k].empty()) return;
+    auto& [clip, paths] = uppers[k];
+    if (paths.empty()) return;
     Worker& own = worker(thread);
     for (std::size_t g = 0; g < swivel_goals(); ++g) {
-      below[k].swivels[g] = own.swivels[g].coarse(bare(g, clips[k], std::move(paths[k][g])));
+      below[k].swivels[g] = own.swivels[g].coarse(bare(g, clip, std::move(paths[g])));
     }
-    const RolledOut played = own.player.expand_freeing(clips[k], below[k]);
+    const RolledOut played = own.player.expand_freeing(clip, below[k]);
     scores[k] = judged(played);
     if (postures.empty()) return;
-    const Clip& clip = played.motion.clip;
-    const std::span<const double> last = clip.frame(clip.frames - 1);
+    const Clip& whole = played.motion.clip;
+    const std::span<const double> last = whole.frame(whole.frames - 1);
     std::transform(last.begin(), last.end(),
                    postures.begin() + static_cast<std::ptrdiff_t>(k * last.size()),
                    [](double angle) { return static_cast<float>(angle); });
@@ -298,9 +299,8 @@ void LayeredScorer::settle_rest(const ReducedClip& clip, const Feedback& feedbac
                                 Parameters& parameters) {
   const std::size_t angles = parameters.finals.size();
   const BodyModel& body = *problem_->reach.body;
-  const int threads = criteria_->user.empty() ? threads_ : 1;
   const RestEvaluation score = [&](std::span<const double> finals, std::span<double> scores) {
-    parallel_for(static_cast<int>(scores.size()), threads, [&](int i, int thread) {
+    parallel_for(static_cast<int>(scores.size()), body_threads(), [&](int i, int thread) {
       Parameters tried = parameters;
       const auto first = finals.subspan(index(i) * angles, angles);
       tried.finals.assign(first.begin(), first.end());

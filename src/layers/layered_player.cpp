@@ -65,13 +65,7 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
       arms_.push_back({.by_weights = std::make_unique<ArmRollout>(arm), .slot = by_weights++});
     }
   }
-  for (const Layer& layer : problem.layers) {
-    for (const ParameterInfo& info : layer.parameters) {
-      if (info.kind != ParameterKind::final_angle) continue;
-      const ReducedDof& dof = layer.body.dofs[index(info.applies_to[0])];
-      finals_.push_back({index(body_->find_dof(dof.name).value()), dof.start});
-    }
-  }
+  for (const Layer& layer : problem.layers) add_finals(layer);
   for (const TrunkJoint& joint : problem.layers[0].body.joints) {
     const bool used = std::any_of(problem.arms.begin(), problem.arms.end(), [&](int arm) {
       return body_->moves(joint.of_body, problem.limbs.arms[index(arm)].carrier);
@@ -83,6 +77,14 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
     const Dof& knee = body_->dof(leg.hinge);
     ranges_.emplace_back(leg.segments,
                          PelvisRange::Limits{ankle.lower, ankle.upper, knee.lower, knee.upper});
+  }
+}
+
+void LayeredPlayer::add_finals(const Layer& layer) {
+  for (const ParameterInfo& info : layer.parameters) {
+    if (info.kind != ParameterKind::final_angle) continue;
+    const ReducedDof& dof = layer.body.dofs[index(info.applies_to[0])];
+    finals_.push_back({index(body_->find_dof(dof.name).value()), dof.start});
   }
 }
 

@@ -77,6 +77,7 @@ class LayeredPlayer {
     double start = 0.0;  // rad
   };
 
+  void add_finals(const Layer& layer);
   [[nodiscard]] LegLine leg_line(const BodyLimb& leg, const ReducedClip& clip, int frame) const;
   void bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
                 std::span<double> angles) const;

@@ -50,29 +50,12 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
     : body_(&body), problem_(&problem), moves_(body.limbs.size(), false) {
   for (const ReducedDof& dof : body.dofs) q_.push_back(dof.start);
   place_reduced(body, q_, placed_);
-  for (const ReachGoal& goal : problem.goals) {
-    for (std::size_t i = 0; i < body.limbs.size(); ++i) {
-      const ReducedLimb& limb = body.limbs[i];
-      if (limb.joints.kind != LimbKind::arm || limb.joints.effector != goal.effector) continue;
-      moves_[i] = true;
-      targets_.push_back(
-          {.link = limb.slide, .carrier = limb.carrier, .chain = chain_to(body, limb.slide)});
-      add_clavicle(limb);
-    }
-  }
+  for (const ReachGoal& goal : problem.goals) add_hand(goal.effector);
   SHG_CHECK(targets_.size() == problem.goals.size(), "each goal is for an arm of the layer's body");
   for (std::size_t i = 0; i < body.limbs.size(); ++i) {
-    const ReducedLimb& limb = body.limbs[i];
-    if (limb.joints.kind != LimbKind::leg) continue;
+    if (body.limbs[i].joints.kind != LimbKind::leg) continue;
     moves_[i] = true;
-    if (limb.joints.carries) continue;
-    // the last of the ankle's freedoms, which follow the slide
-    const int foot = limb.slide + (limb.joints.inversion < 0 ? 1 : 2);
-    targets_.push_back({.link = foot,
-                        .contact = true,
-                        .position = placed_.origin[index(foot)],
-                        .orientation = placed_.rotation[index(foot)],
-                        .chain = chain_to(body, foot)});
+    if (!body.limbs[i].joints.carries) add_planted_foot(body.limbs[i]);
   }
   std::vector<bool> used(q_.size(), false);
   for (const Target& target : targets_) {
@@ -83,17 +66,35 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
     if (used[d]) used_.push_back(d);
   }
   SHG_CHECK(rows_ <= kMaxIkRows, "too many goals for one motion");
-  inverse_.resize(q_.size());
-  reference_.resize(q_.size());
-  final_lengths_.resize(q_.size());
-  stretched_.resize(q_.size());
+  for (auto* of_dofs : {&inverse_, &reference_, &final_lengths_, &stretched_, &change_, &force_}) {
+    of_dofs->resize(q_.size());
+  }
   given_.resize(q_.size());
   shorter_.resize(q_.size());
-  change_.resize(q_.size());
   jacobian_.resize(rows_ * q_.size());
   residual_.resize(rows_);
-  force_.resize(q_.size());
   if (problem.hold_limits) limits_.emplace(body, used_);
+}
+
+void ReducedRollout::add_hand(int effector) {
+  for (std::size_t i = 0; i < body_->limbs.size(); ++i) {
+    const ReducedLimb& limb = body_->limbs[i];
+    if (limb.joints.kind != LimbKind::arm || limb.joints.effector != effector) continue;
+    moves_[i] = true;
+    targets_.push_back(
+        {.link = limb.slide, .carrier = limb.carrier, .chain = chain_to(*body_, limb.slide)});
+    add_clavicle(limb);
+  }
+}
+
+void ReducedRollout::add_planted_foot(const ReducedLimb& leg) {
+  // the last of the ankle's freedoms, which follow the slide
+  const int foot = leg.slide + (leg.joints.inversion < 0 ? 1 : 2);
+  targets_.push_back({.link = foot,
+                      .contact = true,
+                      .position = placed_.origin[index(foot)],
+                      .orientation = placed_.rotation[index(foot)],
+                      .chain = chain_to(*body_, foot)});
 }
 
 void ReducedRollout::set_up(const Parameters& parameters) {
@@ -214,7 +215,8 @@ double ReducedRollout::measure(ReducedClip& clip) {
   return worst;
 }
 
-void ReducedRollout::step(int frame, bool first) {
+// sets by how much each length is to change in this step
+void ReducedRollout::draw_lengths(int frame, bool first) {
   const double schedule = minimum_jerk(static_cast<double>(frame) / problem_->steps);
   for (std::size_t d = 0; d < q_.size(); ++d) {
     const ReducedDof& dof = body_->dofs[d];
@@ -232,6 +234,23 @@ void ReducedRollout::step(int frame, bool first) {
       reference_[d] = stretched ? stretched_[d] - q_[d] : 0.0;
     }
   }
+}
+
+// changes lengths in full, and angles by no more than a step's limit
+void ReducedRollout::apply_change() {
+  double largest = 0.0;
+  for (std::size_t d = 0; d < q_.size(); ++d) {
+    if (body_->dofs[d].kind == ReducedDof::Kind::hinge) largest = max(largest, abs(change_[d]));
+  }
+  const double limit = problem_->ik.max_step;
+  const double scale = limit / max(largest, limit);
+  for (std::size_t d = 0; d < q_.size(); ++d) {
+    q_[d] += change_[d] * (body_->dofs[d].kind == ReducedDof::Kind::hinge ? scale : 1.0);
+  }
+}
+
+void ReducedRollout::step(int frame, bool first) {
+  draw_lengths(frame, first);
   if (first) {
     if (limits_) limits_->soften(q_, inverse_);
     draw_clavicles();
@@ -245,15 +264,7 @@ void ReducedRollout::step(int frame, bool first) {
   take_off_reference();
   solve();
   if (limits_ && first) limits_->learn(force_, change_);
-  double largest = 0.0;
-  for (std::size_t d = 0; d < q_.size(); ++d) {
-    if (body_->dofs[d].kind == ReducedDof::Kind::hinge) largest = max(largest, abs(change_[d]));
-  }
-  const double limit = problem_->ik.max_step;
-  const double scale = limit / max(largest, limit);
-  for (std::size_t d = 0; d < q_.size(); ++d) {
-    q_[d] += change_[d] * (body_->dofs[d].kind == ReducedDof::Kind::hinge ? scale : 1.0);
-  }
+  apply_change();
   if (limits_) {
     limits_->follow_length(change_, q_);
     limits_->hold(q_, inverse_);

@@ -82,8 +82,12 @@ class ReducedRollout {
     double lag = 0.0;  // m
   };
 
+  void add_hand(int effector);
+  void add_planted_foot(const ReducedLimb& leg);
   void set_up(const Parameters& parameters);
   void set_up_ways();
+  void draw_lengths(int frame, bool first);
+  void apply_change();
   void step(int frame, bool first);
   void add_clavicle(const ReducedLimb& limb);
   [[nodiscard]] PostureLaw<double>::Shrug<double> shrugged(int slide, int elevation) const;
