@@ -30,10 +30,10 @@ double Archive::mean_of(std::size_t descriptor, std::span<const float> posture) 
 
 Archive::Cell Archive::cell_of(std::span<const float> posture, std::optional<double> index) const {
   Cell cell{};
-  // who hardly bends has a cell apart
+  // a posture that hardly bends has a cell apart
   cell[2] = index ? static_cast<int>(clamp(*index / kIndexCell + 100.0, 0.0, 200.0)) : -1;
   for (std::size_t k = 0; k < descriptors_.size(); ++k) {
-    // far outside anybody's range all is one
+    // far outside anybody's range all angles share a cell
     cell[k] = static_cast<int>(clamp(mean_of(k, posture) / kCell + 100.0, 0.0, 200.0));
   }
   return cell;
@@ -64,7 +64,7 @@ void Archive::add(const Archive& later) {
   }
 }
 
-// behind those of the same score
+// Inserts a point behind those of the same score.
 void Archive::insert(Archived archived, std::vector<Archived>& cell) {
   const auto after =
       std::upper_bound(cell.begin(), cell.end(), archived.score,

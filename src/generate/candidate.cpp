@@ -20,7 +20,7 @@ PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
   return timing.bow == 0.0 && timing.sway == 0.0 ? PathKind::straight : PathKind::bowed;
 }
 
-// What the motion ends with of what the task asks for, whatever way it took.
+// Adds how the motion meets each of the task's goals, whatever approach it took.
 void add_goal_results(const Task& task, const ReachProblem& problem, const Motion& motion,
                       Candidate& candidate) {
   const BodyModel& body = task.body;
@@ -31,8 +31,8 @@ void add_goal_results(const Task& task, const ReachProblem& problem, const Motio
   forward_kinematics<double>(body, clip.frame(clip.frames - 1), end);
   for (std::size_t g = 0; g < task.goals.size(); ++g) {
     const Goal& asked = task.goals[g];
-    const ReachGoal& way = problem.goals[g];
-    const Effector& effector = body.effector(way.effector);
+    const ReachGoal& reach = problem.goals[g];
+    const Effector& effector = body.effector(reach.effector);
     const Vec3d reached = motion.effectors[g].back();
     ReachGoal box;
     box.path.goal = asked.position;
@@ -44,8 +44,8 @@ void add_goal_results(const Task& task, const ReachProblem& problem, const Motio
     result.tolerance = asked.tolerance;
     result.reached = reached;
     result.error = norm(box.nearest(reached) - reached);
-    result.path = path_kind(problem, way.path, candidate.parameters);
-    const EffectorTurn turn = goal_turn(body, asked, way.effector, start);
+    result.path = path_kind(problem, reach.path, candidate.parameters);
+    const EffectorTurn turn = goal_turn(body, asked, reach.effector, start);
     result.turn.start = to_quat(start.link_rotation(effector.link));
     result.turn.reached = to_quat(end.link_rotation(effector.link));
     if (turn.kind != Turning::free) {

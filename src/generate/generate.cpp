@@ -15,7 +15,7 @@
 namespace shigusa {
 namespace {
 
-// Searches on one approach.
+// Searches on one approach, and delivers the candidates.
 void search_best(const Task& task, Planner& planner, std::size_t approach, const Progress& progress,
                  GenerateResult& generation) {
   Found found = planner.search(task, approach, progress);
@@ -44,7 +44,7 @@ void finish(bool in_reach, GenerateResult& generation) {
   generation.remaining_distance = sqrt(squares);
 }
 
-// What belongs to one preset is not passed over in silence by another.
+// Fails where the task asks for something that its preset does not know.
 Result<void> check_choices(const Task& task) {
   const auto wrong = [&](const char* what) {
     return fail(ErrorCode::invalid_argument,
@@ -74,7 +74,7 @@ void search_approaches(const Task& task, Planner& planner, std::size_t first,
   }
 }
 
-// Other postures at the edge of reach that are tried where nothing arrives by the first.
+// Where nothing arrives by the first posture at the edge of reach, so many others are tried.
 constexpr int kOtherPostures = 3;
 
 // The paper has a person choose from this many distinct candidates (section 4.1).
@@ -210,7 +210,7 @@ bool wants_more(const GenerateResult& generation) {
   return generation.status == ReachStatus::unsteady && generation.end != SearchEnd::cancelled;
 }
 
-// Another search of the same task takes the place of one that found nothing possible, if it did.
+// Puts another search's result in the place of one that found nothing possible, if the other did.
 bool take_place(GenerateResult other, GenerateResult& found) {
   found.evaluations += other.evaluations;
   found.end = other.end;
@@ -220,8 +220,8 @@ bool take_place(GenerateResult other, GenerateResult& found) {
   return true;
 }
 
-// Where motions are impossible only for their haste, and the task gives no duration, it takes
-// longer.
+// Searches in a longer duration where motions are impossible only for their haste, and the task
+// gives no duration.
 void try_slower(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {
   const std::optional<double> duration = possible_duration(found);
   if (!wants_more(found) || task.duration || !duration) return;
@@ -236,7 +236,7 @@ void try_slower(const PreparedTask& task, JointProgress& progress, GenerateResul
   if (spent) found.evaluations = evaluations;
 }
 
-// How many times as many motions are scored where nothing that was found is possible.
+// Where nothing that was found is possible, this many times as many motions are scored.
 constexpr int kLongerSearch = 3;
 
 void try_longer(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {

@@ -13,8 +13,8 @@
 namespace shigusa {
 
 // The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
-// leave more or less of it, so the search is told how much. A later phase that is fixed to another
-// squat ends somewhere between them, so that then there is no such target.
+// leave more or less of it, so that the score says how much. A later phase that is fixed to another
+// squat ends somewhere between them: then there is no such target.
 class SquatTarget {
  public:
   // None where the task fixes no squat.
@@ -40,12 +40,12 @@ class PointScorer {
   };
   static constexpr int kGuessed = 480;  // motions
 
-  // On so many threads (0: one for each core).
+  // `threads` as BatchSettings has them (0: one for each core).
   PointScorer(const ReachProblem& problem, const Task& task, const CriteriaSettings& criteria,
               const ParameterSpace& space, int threads);
 
-  // points (motions × genes) → scores (motions), lower is better; what a fixed squat asks for is
-  // added to them.
+  // Scores points (motions × genes) → scores (motions), lower is better, and adds the cost of
+  // missing a fixed squat.
   void score(std::span<const double> points, std::span<double> scores);
 
   [[nodiscard]] const Archive& archive() const { return archive_; }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 namespace shigusa {
+
 Selection distinct_postures(const Archive& archive, int most) {
   const std::vector<Archived> ranked = archive.ranked();
   std::vector<const Archived*> picked;

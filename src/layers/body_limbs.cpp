@@ -38,7 +38,7 @@ bool begins_with(std::span<const int> chain, std::span<const int> first) {
   return chain.size() >= first.size() && std::equal(first.begin(), first.end(), chain.begin());
 }
 
-// the part of the way to a hand from the base that is the standing leg
+// the part of the chain from the base to a hand that is the standing leg
 std::span<const int> leg_of(const BodyModel& body, std::span<const int> chain) {
   const bool inverts = !chain.empty() && body.dof(chain[0]).axis == Axis::z;
   return chain.first(std::min(chain.size(), kLegDofs + (inverts ? 1 : 0)));
@@ -90,7 +90,7 @@ std::optional<BodyLimb> planted_leg(const BodyModel& body, std::span<const int> 
   if (ankle.axis != Axis::x || knee.axis != Axis::x || ankle.sign != -1.0) return std::nullopt;
   if (inverts && !is_hinge(body, leg.inversion, Axis::z)) return std::nullopt;
   leg.root = body.dof(leg.flexion).offset;
-  // climbed from the foot, all turns are the other way round
+  // climbed from the foot, all turns are reversed
   leg.segments = HingedLimb(-ankle.offset, -knee.offset, -knee.sign);
   return leg;
 }
@@ -127,18 +127,18 @@ std::optional<BodyLimb> arm_of(const BodyModel& body, std::span<const int> chain
 }  // namespace
 
 BallTurns BodyLimb::turns_of(const BodyModel& body, std::span<const double> angles) const {
-  const double way = carries ? -1.0 : 1.0;
+  const double sense = carries ? -1.0 : 1.0;
   const auto turn = [&](int dof) {
-    return way * body.dof(dof).sign * angles[static_cast<std::size_t>(dof)];
+    return sense * body.dof(dof).sign * angles[static_cast<std::size_t>(dof)];
   };
   return {turn(flexion), turn(abduction), turn(rotation)};
 }
 
 void BodyLimb::put_turns(const BodyModel& body, const BallTurns& turns,
                          std::span<double> angles) const {
-  const double way = carries ? -1.0 : 1.0;
+  const double sense = carries ? -1.0 : 1.0;
   const auto put = [&](int dof, double turn) {
-    angles[static_cast<std::size_t>(dof)] = way * body.dof(dof).sign * turn;
+    angles[static_cast<std::size_t>(dof)] = sense * body.dof(dof).sign * turn;
   };
   put(flexion, turns.x);
   put(abduction, turns.z);

@@ -33,7 +33,7 @@ CriteriaSettings swivel_criteria() {
   return criteria;
 }
 
-// What a free limb's own motion is scored by, beside the whole body's.
+// The criteria of a free limb's own motion, beside the whole body's.
 CriteriaSettings rest_criteria() {
   CriteriaSettings criteria;
   for_each_criterion([&](const auto& entry) { entry.weight(criteria) = 0.0; });
@@ -81,7 +81,7 @@ Result<std::vector<Layer>> human_layers(const BodyModel& body, const CriteriaSet
     handed.idle = kRest;
   }
   for (ReducedLimb& limb : layers[0].body.limbs) {
-    if (limb.joints.kind == LimbKind::arm) limb.law = LengthLaw::way;
+    if (limb.joints.kind == LimbKind::arm) limb.law = LengthLaw::path;
   }
   Layer rest{
       .name = kRest, .body = {}, .parameters = {}, .criteria = rest_criteria(), .delegates = {}};

@@ -112,14 +112,14 @@ LayeredPlayer::LegLine LayeredPlayer::leg_line(const BodyLimb& leg, const Reduce
   }
   const Vec3d hip = clip.trunk[index(frame)] * leg.root;
   const int foot = foot_link(leg);
-  Vec3d way = transpose_times(start_.link_rotation(foot),
-                              hip - start_.point(foot, ankle_in_foot(*body_, leg)));
+  Vec3d line = transpose_times(start_.link_rotation(foot),
+                               hip - start_.point(foot, ankle_in_foot(*body_, leg)));
   double turn = 0.0;
   if (leg.inversion >= 0) {
-    turn = plane_turn(way, leg.segments.across());
-    way = transpose_times(rotation(Axis::z, turn), way);
+    turn = plane_turn(line, leg.segments.across());
+    line = transpose_times(rotation(Axis::z, turn), line);
   }
-  return {atan2(way.z, way.y), sqrt(way.y * way.y + way.z * way.z), turn};
+  return {atan2(line.z, line.y), sqrt(line.y * line.y + line.z * line.z), turn};
 }
 
 // rad, of the ankle
@@ -164,7 +164,7 @@ void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line, const Mat
   leg.put_turns(*body_, ball_turns(transpose(trunk) * thigh, before), angles);
 }
 
-// what no goal moves, from where the frame before left it
+// Draws what no goal moves, from where the frame before left it.
 void LayeredPlayer::follow_law(int frame, std::span<double> angles) {
   if (law_.empty()) return;
   std::fill(drawn_.begin(), drawn_.end(), 0.0);

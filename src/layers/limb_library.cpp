@@ -85,7 +85,7 @@ double nearest_radius(const EffectorPath& path) {
   return least;
 }
 
-// When (0..1) a minimum-jerk motion has covered that share of its way.
+// When (0..1) a minimum-jerk motion has covered that share of its path.
 double time_of(double share) {
   double low = 0.0;
   double high = 1.0;
@@ -145,11 +145,11 @@ EffectorPath LimbLibrary::path_to(int cell) const {
   EffectorPath path{.start = hanging_, .goal = goal_of(cell)};
   const double least = kLimbRadiusMin * longest_ * (1.0 - kShoulderSlack);
   if (nearest_radius(path) >= least) return path;
-  const Vec3d way = path.goal - path.start;
-  const double share = clamp(-dot(path.start, way) / max(dot(way, way), 1e-12), 0.0, 1.0);
-  const Vec3d nearest = path.start + way * share;
+  const Vec3d line = path.goal - path.start;
+  const double share = clamp(-dot(path.start, line) / max(dot(line, line), 1e-12), 0.0, 1.0);
+  const Vec3d nearest = path.start + line * share;
   path.detour_peak = clamp(time_of(share), kDetourMargin, 1.0 - kDetourMargin);
-  // through the shoulder itself the way out is forwards
+  // from the shoulder's own centre a path leaves it forwards
   const Vec3d out = normalized(nearest, {0, 0, 1});
   // beside its peak a detour is less, so it takes more than what is missing
   for (double more = 0.0; more < longest_ && nearest_radius(path) < least; more += kDetourStep) {

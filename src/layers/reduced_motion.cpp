@@ -9,12 +9,12 @@
 namespace shigusa {
 namespace {
 
-// What is left after the two steps of the last frame is taken off by so many more at the most.
+// Up to so many further steps take off what the two steps of the last frame leave.
 constexpr int kLastSteps = 12;
 constexpr double kLastTolerance = 1e-10;  // m
-// The most that LengthLaw::way takes of what a hand comes nearer: all of it and the shoulder could
-// stay, but the elbow folds faster than a trunk gives way.
-constexpr double kWayShare = 0.5;
+// LengthLaw::path shortens an arm by this share at the most of what its hand comes nearer: by all
+// of it the shoulder could stay, but the elbow folds faster than a trunk yields.
+constexpr double kPathShare = 0.5;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -120,16 +120,16 @@ void ReducedRollout::set_up(const Parameters& parameters) {
   }
   for (Target& target : targets_) target.lag = 0.0;
   place_reduced(*body_, q_, placed_);
-  set_up_ways();
+  shorten_by_paths();
 }
 
-void ReducedRollout::set_up_ways() {
+void ReducedRollout::shorten_by_paths() {
   for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
     const auto slide = index(targets_[g].link);
     const ReducedLimb& limb =
         *std::find_if(body_->limbs.begin(), body_->limbs.end(),
                       [&](const ReducedLimb& l) { return l.slide == targets_[g].link; });
-    if (limb.law != LengthLaw::way) continue;
+    if (limb.law != LengthLaw::path) continue;
     const EffectorPath& path = problem_->goals[g].path;
     const Vec3d& shoulder = placed_.origin[index(body_->dofs[slide].parent)];
     const auto distance = [&](double tau) { return norm(path.at(tau) - shoulder); };
@@ -141,7 +141,7 @@ void ReducedRollout::set_up_ways() {
     if (last > limb.longest) continue;
     const double least = min(limb.shortest, q_[slide]);
     shorter.assign(1, 0.0);
-    double share = kWayShare;
+    double share = kPathShare;
     for (int frame = 1; frame <= problem_->steps; ++frame) {
       const double tau = static_cast<double>(frame) / problem_->steps;
       const double schedule = minimum_jerk(tau);

@@ -127,8 +127,8 @@ Result<void> check_settings(const Task& task) {
   return check_criteria(task.criteria);
 }
 
-// Where limits hold joints back, a frame takes up to so many further steps to bring an effector
-// back that has left its path by more than this.
+// Where limits hold joints back, a frame takes up to kLimitCorrections further steps to bring back
+// an effector that has left its path by more than kPathSlack.
 constexpr int kLimitCorrections = 2;
 constexpr double kPathSlack = 3e-4;  // m
 

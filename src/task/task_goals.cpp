@@ -14,7 +14,7 @@
 namespace shigusa {
 namespace {
 
-// A foot that steps lifts on its way by this (m), and this share of the way: toes clear the floor.
+// A foot that steps lifts by this (m), and this share of the step's length: toes clear the floor.
 constexpr double kStepLift = 0.05;
 constexpr double kStepLiftShare = 0.12;
 constexpr double kStepLiftMax = 0.15;
@@ -85,11 +85,11 @@ Result<void> check_goal(const Goal& goal) {
   return check_turn(goal);
 }
 
-// Which way a path over `way` bows out, and how far (m): forwards, square to the way; a way that
-// leads forwards bows upwards.
-Vec3d bow_of(const Vec3d& way) {
-  const double length = norm(way);
-  const Vec3d along = normalized(way);
+// The offset (m) by which a path to `offset` from its start bows out: forwards, square to the path;
+// a path that leads forwards bows upwards.
+Vec3d bow_of(const Vec3d& offset) {
+  const double length = norm(offset);
+  const Vec3d along = normalized(offset);
   for (const Vec3d& out : {Vec3d{0, 0, 1}, Vec3d{0, 1, 0}}) {
     const Vec3d square = out - along * dot(along, out);
     if (norm(square) > 0.5) return normalized(square) * length;
@@ -97,11 +97,11 @@ Vec3d bow_of(const Vec3d& way) {
   return {};
 }
 
-// Which way a path over `way` sways, and how far (m): square to way and bow, outwards on the
-// effector's side; a way that leads sideways sways upwards.
-Vec3d sway_of(const Vec3d& way, const Vec3d& bow, const std::string& effector) {
+// The offset (m) by which a path to `offset` from its start sways: square to path and bow, outwards
+// on the effector's side; a path that leads sideways sways upwards.
+Vec3d sway_of(const Vec3d& offset, const Vec3d& bow, const std::string& effector) {
   const Vec3d out{parse_joint_name(effector).side == Side::left ? 1.0 : -1.0, 0.1, 0.0};
-  const Vec3d sway = cross(normalized(way), bow);
+  const Vec3d sway = cross(normalized(offset), bow);
   return dot(sway, out) < 0.0 ? -sway : sway;
 }
 
@@ -230,7 +230,7 @@ Result<ReachGoal> make_reach_goal(const BodyModel& body, const Kinematics<double
   SHG_TRY(check_goal(goal));
   const Effector& effector = body.effector(index);
   const Vec3d from = start.point(effector.link, effector.point);
-  const Vec3d way = goal.position - from;
+  const Vec3d offset = goal.position - from;
   ReachGoal reach;
   reach.effector = index;
   reach.path = {from, goal.position};
@@ -238,14 +238,14 @@ Result<ReachGoal> make_reach_goal(const BodyModel& body, const Kinematics<double
   reach.tolerance = goal.tolerance;
   if (is_foot(body, index)) {
     // neither through the floor nor far above it
-    const double length = norm(Vec3d{way.x, 0.0, way.z});
+    const double length = norm(Vec3d{offset.x, 0.0, offset.z});
     if (length > kLeastStep) {
       reach.path.detour.y = min(kStepLift + kStepLiftShare * length, kStepLiftMax);
     }
     return reach;
   }
-  reach.bow = bow_of(way);
-  reach.sway = sway_of(way, reach.bow, effector.name);
+  reach.bow = bow_of(offset);
+  reach.sway = sway_of(offset, reach.bow, effector.name);
   return reach;
 }
 
