@@ -22,6 +22,9 @@ struct Timing {
   S skew{};   ///< of the bow towards the start (> 0) or the end
   S sway{};   ///< share of the path's length, outwards where > 0
 
+  /// Whether it takes paths off their lines.
+  [[nodiscard]] bool bends_paths() const { return bow != S{} || sway != S{}; }
+
   friend bool operator==(const Timing&, const Timing&) = default;
 };
 

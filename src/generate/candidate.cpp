@@ -16,8 +16,7 @@ PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
                    const Parameters& parameters) {
   if (!problem.follow_path) return PathKind::free;
   if (path.detour != Vec3d{}) return PathKind::detour;
-  const Timing<double>& timing = parameters.posture.timing;
-  return timing.bow == 0.0 && timing.sway == 0.0 ? PathKind::straight : PathKind::bowed;
+  return parameters.posture.timing.bends_paths() ? PathKind::bowed : PathKind::straight;
 }
 
 // Adds how the motion meets each of the task's goals, whatever approach it took.
