@@ -53,13 +53,11 @@ struct TurnResult {
 
 /// Where a goal's effector ends.
 struct GoalResult {
-  std::string effector;                ///< that the goal is for
+  Goal asked;                          ///< the task's, without a load
   std::string node;                    ///< node of the exported skeleton whose origin it is
-  Vec3d goal{};                        ///< m, world
   Vec3d reached{};                     ///< m, world
   double error = 0.0;                  ///< m, from the goal or its box
   PathKind path = PathKind::straight;  ///< how it went there
-  Vec3d tolerance{};                   ///< m, see Goal
   TurnResult turn;                     ///< how it is turned
 };
 

@@ -38,13 +38,9 @@ bool arrives(const ReachProblem& approach, const RolledOut& rolled) {
 }  // namespace
 
 std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const ClosestReach& reach) {
-  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-    // a path to a box ends where the posture that is known to arrive has the effector
-    ReachGoal& goal = problem.goals[g];
-    if (reach.reached() && goal.tolerance != Vec3d{}) {
-      goal.path.goal = goal.nearest(reach.positions[g], kBoxInset);
-      goal.tolerance = {};
-    }
+  // a path to a box ends where the posture that is known to arrive has the effector
+  for (std::size_t g = 0; reach.reached() && g < problem.goals.size(); ++g) {
+    problem.goals[g].end_nearest(reach.positions[g]);
   }
   if (reach.reached()) add_detours(problem);
   ReachProblem guided = problem;

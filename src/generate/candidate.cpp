@@ -33,16 +33,11 @@ void add_goal_results(const Task& task, const ReachProblem& problem, const Motio
     const ReachGoal& reach = problem.goals[g];
     const Effector& effector = body.effector(reach.effector);
     const Vec3d reached = motion.effectors[g].back();
-    ReachGoal box;
-    box.path.goal = asked.position;
-    box.tolerance = asked.tolerance;
     GoalResult& result = candidate.goals.emplace_back();
-    result.effector = asked.effector;
+    result.asked = asked;
     result.node = effector.node;
-    result.goal = asked.position;
-    result.tolerance = asked.tolerance;
     result.reached = reached;
-    result.error = norm(box.nearest(reached) - reached);
+    result.error = goal_miss(asked, reached);
     result.path = path_kind(problem, reach.path, candidate.parameters);
     const EffectorTurn turn = goal_turn(body, asked, reach.effector, start);
     result.turn.start = to_quat(start.link_rotation(effector.link));

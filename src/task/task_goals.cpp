@@ -249,6 +249,11 @@ Result<ReachGoal> make_reach_goal(const BodyModel& body, const Kinematics<double
   return reach;
 }
 
+double goal_miss(const Goal& goal, const Vec3d& at) {
+  const ReachGoal box{.path = {.goal = goal.position}, .tolerance = goal.tolerance};
+  return norm(box.nearest(at) - at);
+}
+
 double goal_duration(const BodyModel& body, const Kinematics<double>& start,
                      const ReachGoal& goal) {
   const Effector& effector = body.effector(goal.effector);

@@ -18,6 +18,9 @@ namespace shigusa {
 [[nodiscard]] EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
                                      const Kinematics<double>& start);
 
+// How far (m) a place is from a goal, or from its box.
+[[nodiscard]] double goal_miss(const Goal& goal, const Vec3d& at);
+
 // Duration (s) of a path to a goal.
 [[nodiscard]] double goal_duration(const BodyModel& body, const Kinematics<double>& start,
                                    const ReachGoal& goal);
