@@ -81,6 +81,11 @@ std::vector<Archived> Archive::ranked() const {
   return all;
 }
 
+void copy_end(const Clip& clip, std::span<float> posture) {
+  const std::span<const double> last = clip.frame(clip.frames - 1);
+  for (std::size_t d = 0; d < posture.size(); ++d) posture[d] = static_cast<float>(last[d]);
+}
+
 double posture_distance(std::span<const float> a, std::span<const float> b) {
   double squares = 0.0;
   for (std::size_t d = 0; d < a.size(); ++d) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <shigusa/motion.hpp>
 #include <shigusa/search.hpp>
 #include <span>
 #include <vector>
@@ -64,6 +65,9 @@ class Archive {
   std::array<std::vector<std::size_t>, 2> descriptors_;  // dofs whose mean each is
   std::map<Cell, std::vector<Archived>> cells_;          // each best first
 };
+
+// Copies a clip's last frame into a posture (dofs, or empty), as archives keep them.
+void copy_end(const Clip& clip, std::span<float> posture);
 
 // Root-mean-square difference of two postures' joint angles (rad).
 [[nodiscard]] double posture_distance(std::span<const float> a, std::span<const float> b);

@@ -157,10 +157,8 @@ class UpperSearch {
       const auto arrival = body_arrival(problem_, whole(parameters[k]));
       scores[k] = worst_score(criteria);
       if (!arrival) return;
-      const Clip& clip = arrival->rolled.motion.clip;
       scores[k] = score_motion(task_.body, arrival->rolled.motion, criteria).total;
-      const std::span<const double> last = clip.frame(clip.frames - 1);
-      for (std::size_t d = 0; d < dofs; ++d) postures_[k * dofs + d] = static_cast<float>(last[d]);
+      copy_end(arrival->rolled.motion.clip, std::span(postures_).subspan(k * dofs, dofs));
     };
     // a user's criteria are called by one thread
     parallel_for(static_cast<int>(scores.size()), criteria.user.empty() ? task_.batch.threads : 1,

@@ -217,6 +217,7 @@ std::vector<LayeredScorer::UpperMotion> LayeredScorer::run_upper(
 void LayeredScorer::score(std::span<const Parameters> parameters, std::span<double> scores,
                           std::span<float> postures) {
   std::vector<UpperMotion> uppers = run_upper(parameters, scores);
+  const std::size_t dofs = postures.empty() ? 0 : problem_->reach.body->dofs().size();
   // arms are chosen one after the other, as a library may have to be built
   std::vector<Parameters> below(scores.size(), start_);
   for (std::size_t k = 0; k < scores.size(); ++k) {
@@ -232,12 +233,7 @@ void LayeredScorer::score(std::span<const Parameters> parameters, std::span<doub
     }
     const RolledOut played = own.player.expand_freeing(clip, below[k]);
     scores[k] = judged(played);
-    if (postures.empty()) return;
-    const Clip& whole = played.motion.clip;
-    const std::span<const double> last = whole.frame(whole.frames - 1);
-    std::transform(last.begin(), last.end(),
-                   postures.begin() + static_cast<std::ptrdiff_t>(k * last.size()),
-                   [](double angle) { return static_cast<float>(angle); });
+    copy_end(played.motion.clip, postures.subspan(k * dofs, dofs));
   });
 }
 

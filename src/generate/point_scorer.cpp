@@ -87,7 +87,7 @@ void PointScorer::score(std::span<const double> points, std::span<double> scores
 
 void PointScorer::score_one_by_one(std::span<const double> points, std::span<double> scores) {
   const auto genes = static_cast<std::size_t>(space_.genes());
-  const std::size_t dofs = problem_.body->dofs().size();
+  const std::size_t dofs = angles_.empty() ? 0 : problem_.body->dofs().size();
   const auto score = [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     const RolledOut rolled =
@@ -95,11 +95,7 @@ void PointScorer::score_one_by_one(std::span<const double> points, std::span<dou
     scores[i] = rolled.outcome.met(problem_.tolerance)
                     ? score_motion(*problem_.body, rolled.motion, criteria_).total
                     : worst_score(criteria_);
-    if (angles_.empty()) return;
-    const Clip& clip = rolled.motion.clip;
-    std::transform(clip.frame(clip.frames - 1).begin(), clip.frame(clip.frames - 1).end(),
-                   angles_.begin() + static_cast<std::ptrdiff_t>(i * dofs),
-                   [](double angle) { return static_cast<float>(angle); });
+    copy_end(rolled.motion.clip, std::span(angles_).subspan(i * dofs, dofs));
   };
   // a user's functions are called from one thread only
   parallel_for(static_cast<int>(scores.size()), criteria_.user.empty() ? threads_ : 1, score);

@@ -21,20 +21,16 @@ constexpr double kStepLiftMax = 0.15;
 // Less than this (m) along the floor is no step.
 constexpr double kLeastStep = 0.01;
 
-Error goal_error(const Goal& goal, std::string message) {
-  return {ErrorCode::invalid_argument, std::move(message), "goal of " + goal.effector};
-}
-
-Error base_moves(const std::string& foot) {
-  return {ErrorCode::invalid_argument,
-          foot + " bears this body and cannot move: only the other foot can", "goal"};
+tl::unexpected<Error> wrong_goal(const Goal& goal, std::string message) {
+  return fail(ErrorCode::invalid_argument, std::move(message), "goal of " + goal.effector);
 }
 
 Result<int> effector_index(const BodyModel& body, const Goal& goal) {
   if (const auto index = body.find_effector(goal.effector)) return *index;
   const Foot* base = base_foot(body);
   if (base != nullptr && base->name == goal.effector) {
-    return tl::unexpected(base_moves(goal.effector));
+    return fail(ErrorCode::invalid_argument,
+                base->name + " bears this body and cannot move: only the other foot can", "goal");
   }
   std::vector<std::string> names;
   for (int i = 0; i < body.effector_count(); ++i) names.push_back(body.effector(i).name);
@@ -43,44 +39,43 @@ Result<int> effector_index(const BodyModel& body, const Goal& goal) {
 
 Result<void> check_turn(const Goal& goal) {
   if (goal.rotation && goal.axis) {
-    return tl::unexpected(goal_error(goal, "has a rotation and an axis; allowed is one of both"));
+    return wrong_goal(goal, "has a rotation and an axis; allowed is one of both");
   }
   if (goal.rotation && !is_unit(*goal.rotation)) {
     const Quatd& q = *goal.rotation;
-    return tl::unexpected(
-        goal_error(goal, fmt::format("rotation is ({}, {}, {}, {}) of length {}; allowed is a unit "
-                                     "quaternion x, y, z, w",
-                                     q.x, q.y, q.z, q.w, sqrt(squared_length(q)))));
+    return wrong_goal(goal,
+                      fmt::format("rotation is ({}, {}, {}, {}) of length {}; allowed is a unit "
+                                  "quaternion x, y, z, w",
+                                  q.x, q.y, q.z, q.w, sqrt(squared_length(q))));
   }
   if (!goal.axis) return {};
   for (const Vec3d& v : {goal.axis->axis, goal.axis->direction}) {
     const double length = norm(v);
     if (length > 1e-6 && length <= kGoalRange) continue;
-    return tl::unexpected(goal_error(
+    return wrong_goal(
         goal, fmt::format("axis or direction is ({}, {}, {}); allowed is a finite vector that is "
                           "not 0",
-                          v.x, v.y, v.z)));
+                          v.x, v.y, v.z));
   }
   return {};
 }
 
 Result<void> check_goal(const Goal& goal) {
   if (!(goal.load >= 0.0 && goal.load <= kLoadMax)) {
-    return tl::unexpected(goal_error(
-        goal, fmt::format("load is {} kg; allowed are 0 to {:g} kg", goal.load, kLoadMax)));
+    return wrong_goal(goal,
+                      fmt::format("load is {} kg; allowed are 0 to {:g} kg", goal.load, kLoadMax));
   }
   for (int k = 0; k < 3; ++k) {
     const double x = goal.position[k];
     const double half = goal.tolerance[k];
     if (!(x >= -kGoalRange && x <= kGoalRange)) {
-      return tl::unexpected(goal_error(
+      return wrong_goal(
           goal, fmt::format("{} coordinate is {}; allowed are finite numbers from -{:g} to {:g} m",
-                            "xyz"[k], x, kGoalRange, kGoalRange)));
+                            "xyz"[k], x, kGoalRange, kGoalRange));
     }
     if (half >= 0.0 && half <= kToleranceMax) continue;
-    return tl::unexpected(goal_error(
-        goal,
-        fmt::format("{} tolerance is {}; allowed are 0 to {:g} m", "xyz"[k], half, kToleranceMax)));
+    return wrong_goal(goal, fmt::format("{} tolerance is {}; allowed are 0 to {:g} m", "xyz"[k],
+                                        half, kToleranceMax));
   }
   return check_turn(goal);
 }
