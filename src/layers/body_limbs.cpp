@@ -14,14 +14,6 @@ constexpr std::size_t kLegDofs = 5;
 constexpr std::size_t kArmToElbow = 4;
 constexpr std::size_t kArmToHand = 7;
 
-Error unlike_a_person(const BodyModel& body, const std::string& what) {
-  return {ErrorCode::unsupported,
-          "layers are for bodies that stand, with arms of 3 + 1 or 3 + 2 + 2 and legs of 1 + 1 + 3 "
-          "or 2 + 1 + 3 freedoms; " +
-              what,
-          body.name()};
-}
-
 // "right" of "right_ankle"
 std::string side_of(const Dof& dof) { return dof.joint.substr(0, dof.joint.find('_')); }
 
@@ -155,7 +147,11 @@ Transformd held_place(const BodyModel& body, int carrier, int link) {
 
 Result<BodyLimbs> find_limbs(const BodyModel& body) {
   const auto refuse = [&body](const std::string& what) {
-    return tl::unexpected(unlike_a_person(body, what));
+    return fail(ErrorCode::unsupported,
+                "layers are for bodies that stand, with arms of 3 + 1 or 3 + 2 + 2 and legs of "
+                "1 + 1 + 3 or 2 + 1 + 3 freedoms; " +
+                    what,
+                body.name());
   };
   BodyLimbs limbs;
   if (body.robot()) return refuse("a robot has others");
