@@ -53,13 +53,11 @@ struct TurnResult {
 
 /// Where a goal's effector ends.
 struct GoalResult {
-  std::string effector;                ///< that the goal is for
+  Goal asked;                          ///< the task's, without a load
   std::string node;                    ///< node of the exported skeleton whose origin it is
-  Vec3d goal{};                        ///< m, world
   Vec3d reached{};                     ///< m, world
   double error = 0.0;                  ///< m, from the goal or its box
   PathKind path = PathKind::straight;  ///< how it went there
-  Vec3d tolerance{};                   ///< m, see Goal
   TurnResult turn;                     ///< how it is turned
 };
 
@@ -84,7 +82,7 @@ struct ArmCollision {
   bool left = false;   ///< it is deeper than kCollisionDepth all the same
 };
 
-/// One way to get there.
+/// One motion to the goals.
 struct Candidate {
   Parameters parameters;          ///< that the motion is generated from
   Motion motion;                  ///< from the start posture to the goals
@@ -116,7 +114,7 @@ struct GenerateResult {
   int runs = 1;          ///< of the preset paper: with other random numbers each, see generate
   int generations = 0;   ///< of the search, in all runs
   int rejected_nan = 0;  ///< motions that a criterion scored NaN
-  int near_copies = 0;   ///< distinct genomes whose motions were all but a better one's
+  int near_copies = 0;   ///< distinct genomes that move nearly as a better one
   int missed = 0;        ///< final genomes that missed a goal, left the path or moved a foot
   int collided = 0;      ///< left out as others pass through nothing
   int over_limit = 0;    ///< of layers that hold limits: left out as others are within them
@@ -140,7 +138,7 @@ struct GenerateResult {
 inline constexpr double kDistinctPosture = radians(5.0);
 /// Presets other than the paper's tell candidates apart by how they end: root mean square (rad).
 inline constexpr double kDistinctEnd = radians(10.0);
-/// Where fewer than asked for differ by so much, this is enough (rad): a hand's own way, such as an
+/// Where fewer than asked for differ by kDistinctEnd, this is enough (rad): an arm's own pose, an
 /// elbow held higher.
 inline constexpr double kNearEnd = radians(5.0);
 /// A replay in double may bring two ends nearer by this (rad).

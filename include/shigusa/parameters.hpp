@@ -22,6 +22,9 @@ struct Timing {
   S skew{};   ///< of the bow towards the start (> 0) or the end
   S sway{};   ///< share of the path's length, outwards where > 0
 
+  /// Whether it takes paths off their lines.
+  [[nodiscard]] bool bends_paths() const { return bow != S{} || sway != S{}; }
+
   friend bool operator==(const Timing&, const Timing&) = default;
 };
 
@@ -37,8 +40,8 @@ struct TimingNumber {
 };
 
 inline constexpr double kDelayMax = 0.5;  ///< share of the duration
-/// Of the path's length, what a path may leave its line by: by its bow forwards or (< 0) backwards,
-/// by its sway outwards or inwards. People's reaches leave it by a tenth to a fifth.
+/// The share of its length by which a path may leave its line: by its bow forwards or (< 0)
+/// backwards, by its sway outwards or inwards. People's reaches leave it by a tenth to a fifth.
 inline constexpr double kBowMax = 0.3;
 /// By so much of it searches let a path leave its line.
 inline constexpr double kBowSearched = 0.2;
@@ -132,7 +135,7 @@ struct Parameters {
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
-/// The parts of a limb's range; so many make it shortest.
+/// A limb's range has this many parts; all of them make it shortest.
 inline constexpr int kContractionMax = 15;
 
 /// Gives a motion of one phase a later one that is like the first.

@@ -18,11 +18,11 @@ namespace shigusa {
 
 /// Motions that the preset flat scores where a task says nothing else.
 inline constexpr int kFlatEvaluations = 1800;
-/// The same of the preset human, whose upper motions are played in double one by one, each with a
-/// few swivels of its arms.
+/// Motions that the preset human scores, whose upper motions are played in double one by one, each
+/// with a few swivels of its arms.
 inline constexpr int kHumanEvaluations = 600;
-/// The same of the preset flat by NLP-IK, which takes some ten times as long for one and knows no
-/// lanes.
+/// Motions that the preset flat scores by NLP-IK, which takes some ten times as long for one and
+/// knows no lanes.
 inline constexpr int kNlpEvaluations = 300;
 
 /// Candidates of the preset flat: what a person can look over.
@@ -36,7 +36,7 @@ enum class Preset {
   human,   ///< three layers: trunk and limb lengths, the swivel of arms, then what no goal moves
 };
 
-/// What a preset is, and has where a task says nothing else.
+/// The facts about a preset, which hold where a task says nothing else.
 struct PresetTraits {
   /// The preset that these are of.
   Preset preset;
@@ -93,7 +93,7 @@ inline constexpr double kTaskDurationMin = 0.05;  ///< s
 inline constexpr double kTaskDurationMax = 60.0;  ///< s
 inline constexpr int kPhasesMax = 2;              ///< weights and posture change once at most
 
-/// What generates a motion from parameters.
+/// The method that makes a motion from parameters.
 enum class MotionGenerator {
   weighted_ik,  ///< the weighted pseudo-inverse (WeightedIk)
   nlp_ik,       ///< constrained minimisation in each frame (Zhao and Badler), always within limits

@@ -47,10 +47,13 @@ struct Task : Request {
 /// first goal of a limb where nothing else is said.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
 
-/// The task with its goals' loads in the body's hands, standing on its contacts; fails as
-/// make_problem does, and where a foot has no way to be what is asked of it.
-[[nodiscard]] Result<Task> prepared(const Task& task);
-/// Whether that is another task.
-[[nodiscard]] bool needs_preparing(const Task& task);
+/// A task with its goals' loads in the body's hands, whose body stands on its contacts.
+struct PreparedTask : Task {
+  /// The task that `prepared` has made.
+  explicit PreparedTask(Task task) : Task(std::move(task)) {}
+};
+/// Prepares a task; one that has no loads and frees no foot stays as it is. Fails as make_problem
+/// does, and where a foot has no way to be what is asked of it.
+[[nodiscard]] Result<PreparedTask> prepared(Task task);
 
 }  // namespace shigusa

@@ -117,7 +117,7 @@ Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
     held.feet.push_back(foot);
   }
   for (const GoalResult& goal : candidate.goals) {
-    if (const auto effector = body.find_effector(goal.effector)) {
+    if (const auto effector = body.find_effector(goal.asked.effector)) {
       held.effectors.push_back(body.effector(*effector));
     }
   }

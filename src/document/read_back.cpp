@@ -79,7 +79,7 @@ ReadBackCheck::ReadBackCheck(const CharacterSpec& character, const Task& task,
     : character_(character), body_(task.body), clip_(clip) {
   if (character.rig) start_ = start_places(body_, character.rig->rig);
   for (const GoalResult& goal : candidate.goals) {
-    add_mark(goal.effector, goal.node, false,
+    add_mark(goal.asked.effector, goal.node, false,
              goal.turn.error.has_value() && !is_twist_segment(goal.node));
   }
   for (const ContactResult& contact : candidate.contacts) {

@@ -33,12 +33,13 @@ void add_gltf_node(const CharacterSpec& character, const std::string& body_node,
 Json goals_to_json(const CharacterSpec& character, const Candidate& candidate) {
   Json list = Json::array();
   for (const GoalResult& goal : candidate.goals) {
-    list.push_back({{"effector", goal.effector},
+    list.push_back({{"effector", goal.asked.effector},
                     {"joint", joint_of(character, goal.node)},
-                    {"goal_m", to_json(goal.goal)},
+                    {"goal_m", to_json(goal.asked.position)},
                     {"reached_m", to_json(goal.reached)},
                     {"error_mm", goal.error * kMillimetres}});
-    if (goal.tolerance != Vec3d{}) list.back()["tolerance_m"] = to_json(goal.tolerance);
+    const Vec3d& tolerance = goal.asked.tolerance;
+    if (tolerance != Vec3d{}) list.back()["tolerance_m"] = to_json(tolerance);
     list.back()["start_rotation_xyzw"] = to_json(goal.turn.start);
     list.back()["rotation_xyzw"] = to_json(goal.turn.reached);
     if (goal.turn.error) list.back()["rotation_error_deg"] = degrees(*goal.turn.error);
@@ -50,7 +51,7 @@ Json goals_to_json(const CharacterSpec& character, const Candidate& candidate) {
 Json paths_to_json(const Candidate& candidate) {
   Json list = Json::array();
   for (const GoalResult& goal : candidate.goals) {
-    list.push_back({{"effector", goal.effector}, {"kind", word_of(goal.path)}});
+    list.push_back({{"effector", goal.asked.effector}, {"kind", word_of(goal.path)}});
   }
   return list;
 }

@@ -31,7 +31,7 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
     };
     add_point_columns("centre_of_mass", turned(motion.centre_of_mass), columns);
     for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
-      add_point_columns(candidate.goals[g].effector, turned(motion.effectors[g]), columns);
+      add_point_columns(candidate.goals[g].asked.effector, turned(motion.effectors[g]), columns);
     }
     return format_csv(columns);
   }
@@ -45,7 +45,7 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
   for (std::size_t d = 0; d < dofs; ++d) add(d, "torque [N m]", motion.torques);
   add_point_columns("centre_of_mass", motion.centre_of_mass, columns);
   for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
-    add_point_columns(candidate.goals[g].effector, motion.effectors[g], columns);
+    add_point_columns(candidate.goals[g].asked.effector, motion.effectors[g], columns);
   }
   return format_csv(columns);
 }

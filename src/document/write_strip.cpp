@@ -31,7 +31,7 @@ StripSettings strip_settings(const Task& task) {
 Result<MadeFile> motion_strip(const WriteRequest& request, FigureFormat format) {
   const auto& [character, task, candidate, settings] = request;
   StripOverlay overlay;
-  for (const GoalResult& goal : candidate.goals) overlay.goals.push_back(goal.goal);
+  for (const GoalResult& goal : candidate.goals) overlay.goals.push_back(goal.asked.position);
   overlay.centre_of_mass = candidate.motion.centre_of_mass;
   overlay.hand_path = candidate.motion.effectors.front();
   return unread(draw_strip(skeleton_motion(task.body, candidate.motion.clip), overlay,

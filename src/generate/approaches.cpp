@@ -27,24 +27,20 @@ bool ends_at_rest(const Motion& motion) {
   return true;
 }
 
-// The motion does what its way asks for; beyond reach, without a jolt and at rest at the
+// Whether a motion does what its approach asks for; beyond reach, without a jolt and at rest at the
 // end.
-bool arrives(const ReachProblem& way, const RolledOut& rolled) {
-  if (!rolled.outcome.met(way.tolerance)) return false;
-  if (way.tolerance.goal <= kReachTolerance) return true;
+bool arrives(const ReachProblem& approach, const RolledOut& rolled) {
+  if (!rolled.outcome.met(approach.tolerance)) return false;
+  if (approach.tolerance.goal <= kReachTolerance) return true;
   return !jolts(rolled.motion.clip) && ends_at_rest(rolled.motion);
 }
 
 }  // namespace
 
 std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const ClosestReach& reach) {
-  for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-    // of a box the way ends where the posture that is known to arrive has the effector
-    ReachGoal& goal = problem.goals[g];
-    if (reach.reached() && goal.tolerance != Vec3d{}) {
-      goal.path.goal = goal.nearest(reach.positions[g], kBoxInset);
-      goal.tolerance = {};
-    }
+  // a path to a box ends where the posture that is known to arrive has the effector
+  for (std::size_t g = 0; reach.reached() && g < problem.goals.size(); ++g) {
+    problem.goals[g].end_nearest(reach.positions[g]);
   }
   if (reach.reached()) add_detours(problem);
   ReachProblem guided = problem;
@@ -73,25 +69,26 @@ RolledOut play(const ReachProblem& problem, const Parameters& parameters,
                                               : roll_out(problem, parameters);
 }
 
-std::optional<Arrival> first_arrival(std::span<const ReachProblem> ways,
+std::optional<Arrival> first_arrival(std::span<const ReachProblem> approaches,
                                      const Parameters& parameters, MotionGenerator generator) {
-  for (const ReachProblem& way : ways) {
-    RolledOut rolled = play(way, parameters, generator);
-    if (arrives(way, rolled)) return Arrival{&way, std::move(rolled)};
+  for (const ReachProblem& approach : approaches) {
+    RolledOut rolled = play(approach, parameters, generator);
+    if (arrives(approach, rolled)) return Arrival{&approach, std::move(rolled)};
   }
   return std::nullopt;
 }
 
-Arrival nearest_arrival(std::span<const ReachProblem> ways, const Parameters& parameters,
+Arrival nearest_arrival(std::span<const ReachProblem> approaches, const Parameters& parameters,
                         MotionGenerator generator) {
-  if (auto arrival = first_arrival(ways, parameters, generator)) return std::move(*arrival);
+  if (auto arrival = first_arrival(approaches, parameters, generator)) return std::move(*arrival);
   std::optional<Arrival> best;
-  for (const ReachProblem& way : ways) {
-    RolledOut rolled = play(way, parameters, generator);
+  for (const ReachProblem& approach : approaches) {
+    RolledOut rolled = play(approach, parameters, generator);
     const bool stands = rolled.outcome.stands();
     const bool best_stands = best && best->rolled.outcome.stands();
     const bool nearer = best && rolled.outcome.goal_error < best->rolled.outcome.goal_error;
-    if (!best || (stands == best_stands ? nearer : stands)) best = Arrival{&way, std::move(rolled)};
+    if (!best || (stands == best_stands ? nearer : stands))
+      best = Arrival{&approach, std::move(rolled)};
   }
   return std::move(*best);
 }

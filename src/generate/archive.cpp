@@ -5,15 +5,6 @@
 #include <utility>
 
 namespace shigusa {
-namespace {
-
-bool ends_with(const std::string& name, const char* end) {
-  const std::string tail = end;
-  return name.size() >= tail.size() &&
-         name.compare(name.size() - tail.size(), tail.size(), tail) == 0;
-}
-
-}  // namespace
 
 Style style_of(const std::optional<double>& stoop_squat_index) {
   if (!stoop_squat_index) return Style::upright;
@@ -26,7 +17,7 @@ Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()), meter_(body
   for (std::size_t d = 0; d < dofs_; ++d) {
     const std::string& name = body.dofs()[d].name;
     if (name == "right_hip.rotation") descriptors_[0].push_back(d);
-    if (ends_with(name, "shoulder.rotation")) descriptors_[1].push_back(d);
+    if (name.ends_with("shoulder.rotation")) descriptors_[1].push_back(d);
   }
 }
 
@@ -39,10 +30,10 @@ double Archive::mean_of(std::size_t descriptor, std::span<const float> posture) 
 
 Archive::Cell Archive::cell_of(std::span<const float> posture, std::optional<double> index) const {
   Cell cell{};
-  // who hardly bends has a cell apart
+  // a posture that hardly bends has a cell apart
   cell[2] = index ? static_cast<int>(clamp(*index / kIndexCell + 100.0, 0.0, 200.0)) : -1;
   for (std::size_t k = 0; k < descriptors_.size(); ++k) {
-    // far outside anybody's range all is one
+    // far outside anybody's range all angles share a cell
     cell[k] = static_cast<int>(clamp(mean_of(k, posture) / kCell + 100.0, 0.0, 200.0));
   }
   return cell;
@@ -73,7 +64,7 @@ void Archive::add(const Archive& later) {
   }
 }
 
-// behind those of the same score
+// Inserts a point behind those of the same score.
 void Archive::insert(Archived archived, std::vector<Archived>& cell) {
   const auto after =
       std::upper_bound(cell.begin(), cell.end(), archived.score,
@@ -88,6 +79,11 @@ std::vector<Archived> Archive::ranked() const {
   std::stable_sort(all.begin(), all.end(),
                    [](const Archived& a, const Archived& b) { return a.score < b.score; });
   return all;
+}
+
+void copy_end(const Clip& clip, std::span<float> posture) {
+  const std::span<const double> last = clip.frame(clip.frames - 1);
+  for (std::size_t d = 0; d < posture.size(); ++d) posture[d] = static_cast<float>(last[d]);
 }
 
 double posture_distance(std::span<const float> a, std::span<const float> b) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <shigusa/motion.hpp>
 #include <shigusa/search.hpp>
 #include <span>
 #include <vector>
@@ -26,11 +27,11 @@ struct Archived {
   Style style = Style::upright;
 };
 
-// What a search came upon, sorted by how the motion ends, so that different answers are kept beside
-// better ones: of each cell of a grid over measured descriptors (the stoop-squat index; hip
-// rotation: twist of the trunk; shoulder rotation: swivel of the arm) the best few. Its memory is
-// bounded by the grid. After MAP-Elites (J.-B. Mouret and J. Clune, arXiv 1504.04909), but the
-// archive only watches: the search does not draw from it.
+// Keeps the points that a search came upon, sorted by how their motions end, so that different
+// answers stay beside better ones: the best few of each cell of a grid over measured descriptors
+// (the stoop-squat index; hip rotation: twist of the trunk; shoulder rotation: swivel of the arm).
+// The grid bounds its memory. After MAP-Elites (J.-B. Mouret and J. Clune, arXiv 1504.04909), but
+// the archive only watches: the search does not draw from it.
 class Archive {
  public:
   static constexpr double kCell = radians(20.0);  // rad, of each joint's descriptor
@@ -40,8 +41,8 @@ class Archive {
   // The body outlives the archive.
   explicit Archive(const BodyModel& body);
 
-  // points (motions × genes), scores (motions), postures (motions × dofs). Motions whose score is
-  // `worst` or above missed something and are passed over.
+  // Takes in points (motions × genes) with their scores (motions) and postures (motions × dofs).
+  // It passes over motions whose score is `worst` or above: they missed something.
   void add(std::span<const double> points, std::span<const double> scores,
            std::span<const float> postures, double worst);
 
@@ -64,6 +65,9 @@ class Archive {
   std::array<std::vector<std::size_t>, 2> descriptors_;  // dofs whose mean each is
   std::map<Cell, std::vector<Archived>> cells_;          // each best first
 };
+
+// Copies a clip's last frame into a posture (dofs, or empty), as archives keep them.
+void copy_end(const Clip& clip, std::span<float> posture);
 
 // Root-mean-square difference of two postures' joint angles (rad).
 [[nodiscard]] double posture_distance(std::span<const float> a, std::span<const float> b);

@@ -16,11 +16,10 @@ PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
                    const Parameters& parameters) {
   if (!problem.follow_path) return PathKind::free;
   if (path.detour != Vec3d{}) return PathKind::detour;
-  const Timing<double>& timing = parameters.posture.timing;
-  return timing.bow == 0.0 && timing.sway == 0.0 ? PathKind::straight : PathKind::bowed;
+  return parameters.posture.timing.bends_paths() ? PathKind::bowed : PathKind::straight;
 }
 
-// What the motion ends with of what the task asks for, whatever way it took.
+// Adds how the motion meets each of the task's goals, whatever approach it took.
 void add_goal_results(const Task& task, const ReachProblem& problem, const Motion& motion,
                       Candidate& candidate) {
   const BodyModel& body = task.body;
@@ -31,21 +30,16 @@ void add_goal_results(const Task& task, const ReachProblem& problem, const Motio
   forward_kinematics<double>(body, clip.frame(clip.frames - 1), end);
   for (std::size_t g = 0; g < task.goals.size(); ++g) {
     const Goal& asked = task.goals[g];
-    const ReachGoal& way = problem.goals[g];
-    const Effector& effector = body.effector(way.effector);
+    const ReachGoal& reach = problem.goals[g];
+    const Effector& effector = body.effector(reach.effector);
     const Vec3d reached = motion.effectors[g].back();
-    ReachGoal box;
-    box.path.goal = asked.position;
-    box.tolerance = asked.tolerance;
     GoalResult& result = candidate.goals.emplace_back();
-    result.effector = asked.effector;
+    result.asked = asked;
     result.node = effector.node;
-    result.goal = asked.position;
-    result.tolerance = asked.tolerance;
     result.reached = reached;
-    result.error = norm(box.nearest(reached) - reached);
-    result.path = path_kind(problem, way.path, candidate.parameters);
-    const EffectorTurn turn = goal_turn(body, asked, way.effector, start);
+    result.error = goal_miss(asked, reached);
+    result.path = path_kind(problem, reach.path, candidate.parameters);
+    const EffectorTurn turn = goal_turn(body, asked, reach.effector, start);
     result.turn.start = to_quat(start.link_rotation(effector.link));
     result.turn.reached = to_quat(end.link_rotation(effector.link));
     if (turn.kind != Turning::free) {

@@ -8,14 +8,14 @@
 
 namespace shigusa {
 
-// A motion with all that is told of it.
+// A motion with all facts about it.
 [[nodiscard]] Candidate make_candidate(const Task& task, const ReachProblem& problem,
                                        const Parameters& parameters, RolledOut rolled);
 
 // Distance that is left to the goals (m), the root of the summed squares.
 [[nodiscard]] double miss_of(const Candidate& candidate);
 
-// What a search came to, by whether its candidates meet their goals.
+// The status of a search, by whether its candidates meet their goals (`met`) and are possible.
 [[nodiscard]] ReachStatus status_of(bool met, std::span<const Candidate> candidates);
 
 // Orders candidates: what is impossible after all that is not, and of each the lowest score first,
@@ -24,10 +24,10 @@ namespace shigusa {
 
 // Largest root-mean-square difference of two motions' joint angles over their frames (rad).
 [[nodiscard]] double largest_distance(const Clip& a, const Clip& b);
-// The same of the postures they end in.
+// Root-mean-square difference of the joint angles of their last frames (rad).
 [[nodiscard]] double final_distance(const Clip& a, const Clip& b);
 
-// Counts what a search did.
+// Adds a search's counts to the result's.
 void add_counts(const SearchResult& found, GenerateResult& generation);
 
 }  // namespace shigusa

@@ -103,7 +103,7 @@ class Delivery {
     }
   }
 
-  // Of what is spare.
+  // The number of spare motions that became candidates.
   [[nodiscard]] int taken() const { return taken_; }
 
  private:
@@ -127,7 +127,7 @@ class Delivery {
            }) >= task_.candidates;
   }
 
-  // Of a candidate, or of one that is free.
+  // Whether a motion is a copy of a candidate, or with `of_free` of one that is free.
   [[nodiscard]] bool is_copy(const Clip& clip, double apart, bool of_free) const {
     return std::any_of(all().begin(), all().end(), [&](const Candidate& better) {
       if (of_free && !is_free(better)) return false;
@@ -136,7 +136,8 @@ class Delivery {
     });
   }
 
-  // A point's motion, unless it misses, or is a copy that nobody asks for.
+  // Plays a point's motion again; none where it misses, or is a copy that the policy has no use
+  // for.
   std::optional<Replayed> replay(std::span<const double> point, double apart, bool of_free) {
     const Expanded expanded = planner_.expand(point);
     std::optional<Arrival> arrival = planner_.arrival(expanded.values, approach_);
@@ -151,7 +152,8 @@ class Delivery {
     return Replayed{planner_.candidate(expanded, std::move(*arrival)), as_searched, copy};
   }
 
-  // What passes through something hinders none that ends alike, as it is left out in the end.
+  // Takes a spare motion that is no copy of a free candidate: candidates that pass through
+  // something are left out in the end.
   void take_spare(const Archived& spare, double apart) {
     std::optional<Replayed> replayed = replay(spare.point, apart, true);
     if (!replayed || replayed->copy || !is_free(replayed->candidate)) return;
@@ -197,7 +199,8 @@ void keep_within_limits(GenerateResult& generation) {
   generation.over_limit = static_cast<int>(std::erase_if(all, passes));
 }
 
-// Of too many, what is impossible goes first, then the worst that is not the only one of its style.
+// Drops candidates beyond so many: impossible ones first, then the worst that is not the only one
+// of its style.
 void keep_most(std::size_t most, std::vector<Candidate>& all) {
   while (all.size() > most) {
     if (all.back().judgement.verdict == Verdict::impossible) {

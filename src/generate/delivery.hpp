@@ -16,7 +16,7 @@ namespace shigusa {
 //  4. Spare motions that score little worse than the best fill up what is lacking, first those that
 //     end kDistinctEnd from all others, then those that end kNearEnd from them.
 //  5. Motions that pass a limit or a body go where others do not, then the worst of too many.
-// Which of these steps there are, the task's preset says.
+// The task's preset says which of these steps there are.
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         GenerateResult& generation);
 

@@ -10,13 +10,12 @@
 #include "joint_progress.hpp"
 #include "pareto.hpp"
 #include "planner.hpp"
-#include "runs.hpp"
 #include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {
 
-// Searches on one approach.
+// Searches on one approach, and delivers the candidates.
 void search_best(const Task& task, Planner& planner, std::size_t approach, const Progress& progress,
                  GenerateResult& generation) {
   Found found = planner.search(task, approach, progress);
@@ -45,7 +44,7 @@ void finish(bool in_reach, GenerateResult& generation) {
   generation.remaining_distance = sqrt(squares);
 }
 
-// What belongs to one preset is not passed over in silence by another.
+// Fails where the task asks for something that its preset does not know.
 Result<void> check_choices(const Task& task) {
   const auto wrong = [&](const char* what) {
     return fail(ErrorCode::invalid_argument,
@@ -75,35 +74,70 @@ void search_approaches(const Task& task, Planner& planner, std::size_t first,
   }
 }
 
-// Other postures at the edge of reach that are tried where nothing arrives by the first.
+// Where nothing arrives by the first posture at the edge of reach, so many others are tried.
 constexpr int kOtherPostures = 3;
 
-// The task as it is searched, or first as it stands with its loads and on its contacts.
-template <class Use>
-auto with_prepared(const Task& task, Use&& use) -> decltype(use(task)) {
-  if (!needs_preparing(task)) return use(task);
-  const Result<Task> ready = prepared(task);
-  if (!ready) return tl::unexpected(ready.error());
-  return use(*ready);
+// The paper has a person choose from this many distinct candidates (section 4.1).
+constexpr int kPaperCandidates = 3;
+
+// Whether the search of a task begins again with other random numbers: of the preset paper, of
+// whose genetic algorithm one run often ends with all genomes alike, where the task does not say
+// how many motions are scored; until there are kPaperCandidates candidates, or as many as the task
+// asks for, or Task::most_runs are done.
+bool runs_again(const Task& task, const GenerateResult& generation) {
+  if (task.preset != Preset::paper || task.evaluations || task.own_search) return false;
+  if (task.search.value_or(SearchMethod::paper_ga) != SearchMethod::paper_ga) return false;
+  if (generation.end == SearchEnd::cancelled || generation.runs >= task.most_runs) return false;
+  return static_cast<int>(generation.candidates.size()) < min(kPaperCandidates, task.candidates);
 }
 
-}  // namespace
-
-Task played_task(Task task, const GenerateResult& generation) {
-  if (generation.slowed) task.duration = generation.duration;
-  return task;
-}
-
-namespace {
-
-// One search, of a task that is prepared.
-Result<GenerateResult> search_task(const Task& task, const Progress& progress) {
-  const Result<std::unique_ptr<Planner>> made = make_planner(task);
-  if (!made) return tl::unexpected(made.error());
-  Planner& planner = **made;
-  if (const auto checked = planner.check_search(); !checked) {
-    return tl::unexpected(checked.error());
+// Adds the candidates of another run, but for those that move as one that is there does.
+void take_in(std::vector<Candidate> candidates, GenerateResult& generation) {
+  std::vector<Candidate>& all = generation.candidates;
+  for (Candidate& candidate : candidates) {
+    const bool is_copy = std::any_of(all.begin(), all.end(), [&candidate](const Candidate& other) {
+      return largest_distance(other.motion.clip, candidate.motion.clip) < kDistinctPosture;
+    });
+    if (is_copy) {
+      ++generation.near_copies;
+    } else {
+      all.push_back(std::move(candidate));
+    }
   }
+}
+
+// Adds another run to the result.
+void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
+  ++generation.runs;
+  generation.evaluations += run.evaluations;
+  generation.generations += run.generations;
+  generation.rejected_nan += run.rejected_nan;
+  generation.near_copies += run.near_copies;
+  generation.missed += run.missed;
+  generation.replay_differs += run.replay_differs;
+  generation.replay_difference = max(generation.replay_difference, run.replay_difference);
+  generation.end = run.end;
+  if (run.best_seen_score < generation.best_seen_score) {
+    generation.best_seen = std::move(run.best_seen);
+    generation.best_seen_score = run.best_seen_score;
+  }
+  take_in(std::move(run.candidates), generation);
+  std::vector<Candidate>& all = generation.candidates;
+  std::stable_sort(all.begin(), all.end(), ranks_before);
+  const auto most = static_cast<std::size_t>(task.candidates);
+  if (all.size() > most) all.erase(all.begin() + task.candidates, all.end());
+  generation.fewer.clear();
+  if (all.size() == most) return;
+  generation.fewer =
+      fmt::format("{} of {} candidates: {} runs with other random numbers each ended in no others",
+                  all.size(), task.candidates, generation.runs);
+}
+
+// Searches once.
+Result<GenerateResult> search_task(const PreparedTask& task, const Progress& progress) {
+  SHG_TRY_ASSIGN(const std::unique_ptr<Planner> made, make_planner(task));
+  Planner& planner = *made;
+  SHG_TRY(planner.check_search());
   GenerateResult generation;
   generation.duration = planner.duration();
   JointProgress joint(progress);
@@ -140,15 +174,32 @@ std::optional<double> possible_duration(const GenerateResult& generation) {
   return least;
 }
 
+// Plays values without a search.
+Result<GenerateResult> play_values(const PreparedTask& task, const Parameters& values) {
+  SHG_TRY_ASSIGN(const std::unique_ptr<Planner> made, make_planner(task));
+  Planner& planner = *made;
+  SHG_TRY(check_parameters(planner.plan(), values));
+  GenerateResult generation;
+  generation.duration = planner.duration();
+  generation.candidates.push_back(only_candidate(planner, values));
+  for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
+    if (miss_of(generation.candidates.front()) <= kReachTolerance) break;
+    if (!planner.go_by_other_posture(other)) continue;
+    Candidate candidate = only_candidate(planner, values);
+    if (miss_of(candidate) <= kReachTolerance) generation.candidates.front() = std::move(candidate);
+  }
+  finish(planner.in_reach(), generation);
+  return generation;
+}
+
 // The candidates as the task plays them, which has another duration.
-Result<GenerateResult> played_anew(const Task& task, const GenerateResult& generation) {
+Result<GenerateResult> played_anew(const PreparedTask& task, const GenerateResult& generation) {
   GenerateResult again = generation;
   again.duration = *task.duration;
   again.candidates.clear();
   for (const Candidate& candidate : generation.candidates) {
-    Result<GenerateResult> one = regenerate(task, candidate.parameters);
-    if (!one) return one;
-    again.candidates.push_back(std::move(one.value().candidates.front()));
+    SHG_TRY_ASSIGN(GenerateResult one, play_values(task, candidate.parameters));
+    again.candidates.push_back(std::move(one.candidates.front()));
   }
   std::stable_sort(again.candidates.begin(), again.candidates.end(), ranks_before);
   again.status = status_of(generation.meets_goals(), again.candidates);
@@ -159,7 +210,7 @@ bool wants_more(const GenerateResult& generation) {
   return generation.status == ReachStatus::unsteady && generation.end != SearchEnd::cancelled;
 }
 
-// Another search of the same task takes the place of one that found nothing possible, if it did.
+// Puts another search's result in the place of one that found nothing possible, if the other did.
 bool take_place(GenerateResult other, GenerateResult& found) {
   found.evaluations += other.evaluations;
   found.end = other.end;
@@ -169,12 +220,12 @@ bool take_place(GenerateResult other, GenerateResult& found) {
   return true;
 }
 
-// Where motions are impossible only for their haste, and the task gives no duration, it takes
-// longer.
-void try_slower(const Task& task, JointProgress& progress, GenerateResult& found) {
+// Searches in a longer duration where motions are impossible only for their haste, and the task
+// gives no duration.
+void try_slower(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {
   const std::optional<double> duration = possible_duration(found);
   if (!wants_more(found) || task.duration || !duration) return;
-  Task slower = task;
+  PreparedTask slower = task;
   slower.duration = duration;
   // a budget that was given is used up
   const bool spent = task.evaluations.has_value();
@@ -185,12 +236,12 @@ void try_slower(const Task& task, JointProgress& progress, GenerateResult& found
   if (spent) found.evaluations = evaluations;
 }
 
-// How many times as many motions are scored where nothing that was found is possible.
+// Where nothing that was found is possible, this many times as many motions are scored.
 constexpr int kLongerSearch = 3;
 
-void try_longer(const Task& task, JointProgress& progress, GenerateResult& found) {
+void try_longer(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {
   if (!wants_more(found) || task.evaluations) return;
-  Task longer = task;
+  PreparedTask longer = task;
   longer.evaluations = kLongerSearch * usual_evaluations(task);
   Result<GenerateResult> again = search_task(longer, progress.part(1.0));
   if (again) take_place(std::move(*again), found);
@@ -198,45 +249,32 @@ void try_longer(const Task& task, JointProgress& progress, GenerateResult& found
 
 }  // namespace
 
+Task played_task(Task task, const GenerateResult& generation) {
+  if (generation.slowed) task.duration = generation.duration;
+  return task;
+}
+
 Result<void> check_task(const Task& task) {
-  if (const auto checked = check_choices(task); !checked) return checked;
-  return with_prepared(task, check_plan);
+  SHG_TRY(check_choices(task));
+  SHG_TRY_ASSIGN(const PreparedTask ready, prepared(task));
+  return check_plan(ready);
 }
 
 Result<GenerateResult> generate(const Task& task, const Progress& progress) {
-  if (const auto checked = check_choices(task); !checked) return tl::unexpected(checked.error());
-  return with_prepared(task, [&progress](const Task& ready) {
-    JointProgress joint(progress);
-    Result<GenerateResult> found = search_task(ready, joint.part(1.0));
-    if (found && traits_of(ready.preset).natural) {
-      try_slower(ready, joint, *found);
-      try_longer(ready, joint, *found);
-    }
-    return found;
-  });
+  SHG_TRY(check_choices(task));
+  SHG_TRY_ASSIGN(const PreparedTask ready, prepared(task));
+  JointProgress joint(progress);
+  SHG_TRY_ASSIGN(GenerateResult found, search_task(ready, joint.part(1.0)));
+  if (traits_of(ready.preset).natural) {
+    try_slower(ready, joint, found);
+    try_longer(ready, joint, found);
+  }
+  return found;
 }
 
 Result<GenerateResult> regenerate(const Task& task, const Parameters& values) {
-  return with_prepared(task, [&values](const Task& ready) -> Result<GenerateResult> {
-    const Result<std::unique_ptr<Planner>> made = make_planner(ready);
-    if (!made) return tl::unexpected(made.error());
-    Planner& planner = **made;
-    if (const auto checked = check_parameters(planner.plan(), values); !checked) {
-      return tl::unexpected(checked.error());
-    }
-    GenerateResult generation;
-    generation.duration = planner.duration();
-    generation.candidates.push_back(only_candidate(planner, values));
-    for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
-      if (miss_of(generation.candidates.front()) <= kReachTolerance) break;
-      if (!planner.go_by_other_posture(other)) continue;
-      Candidate candidate = only_candidate(planner, values);
-      if (miss_of(candidate) <= kReachTolerance)
-        generation.candidates.front() = std::move(candidate);
-    }
-    finish(planner.in_reach(), generation);
-    return generation;
-  });
+  SHG_TRY_ASSIGN(const PreparedTask ready, prepared(task));
+  return play_values(ready, values);
 }
 
 }  // namespace shigusa

@@ -4,12 +4,11 @@
 #include <shigusa/parallel.hpp>
 #include <utility>
 
-#include "arm_libraries.hpp"
 #include "candidate.hpp"
 #include "core/index.hpp"
 #include "generate/layered_problem.hpp"
-#include "layered_approaches.hpp"
 #include "layered_search.hpp"
+#include "layers/limb_library.hpp"
 #include "planner.hpp"
 #include "task/task_search.hpp"
 
@@ -21,15 +20,72 @@ bool searches_paper_code(const Task& task) { return info_of(search_of(task)).pap
 // Postures beside the archive's best that a search delivers from, for each candidate asked for.
 constexpr int kKeptPerCandidate = 2;
 
-// The search of the upper layer on one way to the goals: of the whole body its weights alone.
+// The libraries of the arms that have a goal and go by weights.
+class ArmLibraries {
+ public:
+  ArmLibraries(const Task& task, const LayeredProblem& problem) : store_(task.layers.store) {
+    for (std::size_t g = 0; g < problem.arms.size(); ++g) {
+      const Layer& layer = problem.layers[1 + g];
+      if (!searches(layer, ParameterKind::weight)) continue;
+      libraries_.emplace_back(problem.arm_bodies[g], LimbLibrarySettings{
+                                                         .search = task.layers.limb_search,
+                                                         .criteria = layer.criteria,
+                                                         .batch = task.batch,
+                                                     });
+      names_.push_back(limb_file_name(layer.name, libraries_[g].hash()));
+      take_stored(g);
+      found_ += libraries_[g].cells_built();
+    }
+  }
+
+  // (goals) By where the hands end: the lower layer's weights stay the same during a motion.
+  std::vector<ArmWeights> choose(std::span<const HandPath> paths) {
+    std::vector<ArmWeights> arms;
+    for (std::size_t g = 0; g < libraries_.size(); ++g) {
+      const int cell = libraries_[g].cell_of(paths[g].back());
+      arms.push_back(arm_weights(libraries_[g].genes(cell)));
+    }
+    return arms;
+  }
+
+  // Cells that were in no store; counted before keep().
+  [[nodiscard]] int cells_searched() const {
+    int built = 0;
+    for (const LimbLibrary& library : libraries_) built += library.cells_built();
+    return built - found_;
+  }
+
+  // Stores the new cells, beside those that others have stored meanwhile.
+  void keep() {
+    if (cells_searched() == 0 || !store_.save) return;
+    for (std::size_t g = 0; g < libraries_.size(); ++g) {
+      take_stored(g);
+      store_.save(names_[g], libraries_[g].bytes());
+    }
+  }
+
+ private:
+  void take_stored(std::size_t goal) {
+    if (!store_.load) return;
+    // damaged or old ones are left alone, and replaced when something new is stored
+    if (const auto bytes = store_.load(names_[goal])) libraries_[goal].take(*bytes);
+  }
+
+  LimbStore store_;
+  std::vector<LimbLibrary> libraries_;  // (goals)
+  std::vector<std::string> names_;
+  int found_ = 0;  // cells that were stored
+};
+
+// The search of the upper layer on one approach; for LayeredApproach::body it searches weights
+// alone.
 class UpperSearch {
  public:
-  UpperSearch(const Task& task, const LayeredProblem& problem, const LayeredApproaches& ways,
-              LayeredApproach way, ArmLibraries& libraries)
+  UpperSearch(const Task& task, const LayeredProblem& problem, LayeredApproach approach,
+              ArmLibraries& libraries)
       : task_(task),
         problem_(problem),
-        ways_(ways),
-        layers_(way == LayeredApproach::layers),
+        layers_(approach == LayeredApproach::layers),
         genes_(searched_genes(problem)),
         archive_(task.body),
         scorer_(problem, problem.layers[0].criteria, task.batch.threads,
@@ -62,20 +118,20 @@ class UpperSearch {
     return run_search(task_, searched, evaluations, !task_.evaluations, progress);
   }
 
-  // What is worth expanding of all that was found, best first.
+  // The found postures that are worth expanding, best first.
   [[nodiscard]] Selection choice(const SearchResult& found) const {
     return keeps_ends() ? distinct_postures(archive_, kKeptPerCandidate * task_.candidates)
                         : Selection{.picked = ranked_population(found)};
   }
 
-  // What a point's motion is generated from, with all that the layers below find for it; or as the
-  // search had it.
+  // The values that a point's motion is generated from, with all that the layers below find for it.
   Expanded expanded(std::span<const double> point) {
     if (!layers_) return {whole(decoded(point)), 0};
     return scorer_.play(decoded(point), {.rounds = task_.layers.feedback_rounds,
                                          .search = task_.layers.limb_search,
                                          .seed = task_.seed});
   }
+  // The values of a point as the search scored them.
   Parameters as_searched(std::span<const double> point) {
     if (!layers_) return whole(decoded(point));
     return scorer_.play(decoded(point), {.rounds = 0, .coarse = true}).values;
@@ -87,7 +143,7 @@ class UpperSearch {
     return decode_searched(problem_, genes_, point, searches_paper_code(task_));
   }
 
-  // with what the layers below have before any search
+  // upper values above the start values of the layers below
   [[nodiscard]] Parameters whole(const Parameters& upper) const {
     return below_upper(start_values(problem_.layers), upper);
   }
@@ -97,13 +153,11 @@ class UpperSearch {
     const std::size_t dofs = postures_.size() / scores.size();
     const auto score = [&](int i, int) {
       const auto k = index(i);
-      const auto arrival = ways_.body_arrival(whole(parameters[k]));
+      const auto arrival = body_arrival(problem_, whole(parameters[k]));
       scores[k] = worst_score(criteria);
       if (!arrival) return;
-      const Clip& clip = arrival->rolled.motion.clip;
       scores[k] = score_motion(task_.body, arrival->rolled.motion, criteria).total;
-      const std::span<const double> last = clip.frame(clip.frames - 1);
-      for (std::size_t d = 0; d < dofs; ++d) postures_[k * dofs + d] = static_cast<float>(last[d]);
+      copy_end(arrival->rolled.motion.clip, std::span(postures_).subspan(k * dofs, dofs));
     };
     // a user's criteria are called by one thread
     parallel_for(static_cast<int>(scores.size()), criteria.user.empty() ? task_.batch.threads : 1,
@@ -112,7 +166,6 @@ class UpperSearch {
 
   const Task& task_;
   const LayeredProblem& problem_;
-  const LayeredApproaches& ways_;
   bool layers_;
   std::vector<std::size_t> genes_;
   Archive archive_;
@@ -123,7 +176,7 @@ class UpperSearch {
 class LayeredPlanner : public Planner {
  public:
   LayeredPlanner(const Task& task, LayeredProblem problem)
-      : task_(task), problem_(std::move(problem)), libraries_(task, problem_), ways_(problem_) {
+      : task_(task), problem_(std::move(problem)), libraries_(task, problem_) {
     if (problem_.in_reach) tried_.push_back(LayeredApproach::layers);
     tried_.push_back(LayeredApproach::body);
   }
@@ -136,7 +189,7 @@ class LayeredPlanner : public Planner {
   bool go_by_other_posture(int other) override { return other == 0; }
 
   Found search(const Task& task, std::size_t approach, const Progress& progress) override {
-    search_.emplace(task, problem_, ways_, tried_[approach], libraries_);
+    search_.emplace(task, problem_, tried_[approach], libraries_);
     Found found{.result = search_->run(progress), .choice = {}, .best_seen = {}};
     found.choice = search_->choice(found.result);
     found.best_seen = search_->as_searched(found.result.best_seen.point);
@@ -148,18 +201,19 @@ class LayeredPlanner : public Planner {
 
   [[nodiscard]] std::optional<Arrival> arrival(const Parameters& values,
                                                std::size_t last) const override {
-    return ways_.arrival(values, tried_[last]);
+    return layered_arrival(problem_, values, tried_[last]);
   }
   [[nodiscard]] Arrival nearest(const Parameters& values) const override {
-    return ways_.any_arrival(values);
+    return nearest_layered_arrival(problem_, values);
   }
 
   [[nodiscard]] Candidate candidate(const Expanded& expanded, Arrival arrival) const override {
-    const ReachProblem& way = *arrival.approach;
-    Candidate candidate = make_candidate(task_, way, expanded.values, std::move(arrival.rolled));
+    const ReachProblem& approach = *arrival.approach;
+    Candidate candidate =
+        make_candidate(task_, approach, expanded.values, std::move(arrival.rolled));
     ArmCollision arms{.depth = -std::numeric_limits<double>::infinity(),
                       .searches = expanded.searches};
-    for (const ReachGoal& goal : way.goals) {
+    for (const ReachGoal& goal : approach.goals) {
       const Effector& hand = task_.body.effectors()[index(goal.effector)];
       arms.depth = max(arms.depth, collision_depth(task_.body, candidate.motion.clip, hand));
     }
@@ -177,7 +231,6 @@ class LayeredPlanner : public Planner {
   const Task& task_;
   LayeredProblem problem_;
   ArmLibraries libraries_;
-  LayeredApproaches ways_;
   std::vector<LayeredApproach> tried_;
   std::optional<UpperSearch> search_;
 };
@@ -185,9 +238,8 @@ class LayeredPlanner : public Planner {
 }  // namespace
 
 Result<std::unique_ptr<Planner>> make_layered_planner(const Task& task) {
-  Result<LayeredProblem> problem = make_layered_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  return std::make_unique<LayeredPlanner>(task, std::move(*problem));
+  SHG_TRY_ASSIGN(LayeredProblem problem, make_layered_problem(task));
+  return std::make_unique<LayeredPlanner>(task, std::move(problem));
 }
 
 }  // namespace shigusa

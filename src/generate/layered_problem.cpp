@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
 #include "approaches.hpp"
@@ -13,6 +14,44 @@
 #include "task/plan_of.hpp"
 
 namespace shigusa {
+namespace {
+
+RolledOut play_layers(const LayeredProblem& problem, const Parameters& parameters) {
+  LayeredPlayer player(problem);
+  ReducedClip clip;
+  player.run_upper(parameters, clip);
+  return player.expand(clip, parameters);
+}
+
+// The weights that layers give to the whole body's freedoms; what they move in closed form has
+// weights of 1.
+Parameters body_parameters(const LayeredProblem& problem, const Parameters& layered) {
+  const BodyModel& body = *problem.reach.body;
+  Parameters parameters = uniform_parameters(body);
+  const auto set = [&](int dof, const JointWeight& joint) {
+    parameters.joints[static_cast<std::size_t>(dof)] = joint;
+  };
+  const ReducedBody& upper = problem.layers[0].body;
+  for (const ParameterInfo& info : problem.layers[0].parameters) {
+    if (info.kind != ParameterKind::weight) continue;
+    for (const int d : info.applies_to) {
+      const auto k = static_cast<std::size_t>(d);
+      if (const auto dof = body.find_dof(upper.dofs[k].name)) set(*dof, layered.joints[k]);
+    }
+  }
+  constexpr std::array kArm{&BodyLimb::flexion, &BodyLimb::abduction, &BodyLimb::rotation,
+                            &BodyLimb::hinge};
+  std::size_t slot = 0;
+  for (std::size_t g = 0; g < problem.arms.size(); ++g) {
+    if (!searches(problem.layers[1 + g], ParameterKind::weight)) continue;
+    const BodyLimb& arm = problem.limbs.arms[static_cast<std::size_t>(problem.arms[g])];
+    const ArmWeights& weights = layered.arms[slot++];
+    for (std::size_t k = 0; k < kArm.size(); ++k) set(arm.*kArm[k], weights[k]);
+  }
+  return parameters;
+}
+
+}  // namespace
 
 Result<void> check_layers(const Task& task) {
   if (task.fixed) {
@@ -22,18 +61,16 @@ Result<void> check_layers(const Task& task) {
             "parameters can be fixed with the other presets; edit a result of the preset {}",
             word_of(task.preset)));
   }
-  const Result<Plan> plan = plan_of(task);
-  return plan ? Result<void>{} : tl::unexpected(plan.error());
+  SHG_TRY(plan_of(task));
+  return {};
 }
 
 Result<LayeredProblem> make_layered_problem(const Task& task) {
-  Result<ReachProblem> reach = make_problem(task);
-  if (!reach) return tl::unexpected(reach.error());
-  Result<Plan> layers = plan_of(task);
-  if (!layers) return tl::unexpected(layers.error());
-  LayeredProblem problem{.reach = std::move(*reach),
+  SHG_TRY_ASSIGN(ReachProblem reach, make_problem(task));
+  SHG_TRY_ASSIGN(Plan layers, plan_of(task));
+  LayeredProblem problem{.reach = std::move(reach),
                          .in_reach = true,
-                         .layers = std::move(*layers),
+                         .layers = std::move(layers),
                          .limbs = find_limbs(task.body).value(),
                          .arms = {},
                          .arm_bodies = {}};
@@ -45,8 +82,8 @@ Result<LayeredProblem> make_layered_problem(const Task& task) {
       problem.arm_bodies.push_back(arm_body(task.body, problem.limbs.arms[a], turning));
     }
   }
-  // the straight way, or around the body; out of reach, to the closest point there is, and a hand
-  // keeps to its path all the same
+  // the hand goes straight or around the body; out of reach it goes to the closest point there is,
+  // and keeps to its path all the same
   const ReachTolerance tolerance = problem.reach.tolerance;
   const ClosestReach closest = closest_reach(problem.reach);
   problem.body_approaches = approaches_to_goal(problem.reach, closest);
@@ -54,6 +91,28 @@ Result<LayeredProblem> make_layered_problem(const Task& task) {
   problem.reach.tolerance = tolerance;
   problem.in_reach = closest.reached();
   return problem;
+}
+
+std::optional<Arrival> body_arrival(const LayeredProblem& problem, const Parameters& parameters) {
+  return first_arrival(problem.body_approaches, body_parameters(problem, parameters));
+}
+
+std::optional<Arrival> layered_arrival(const LayeredProblem& problem, const Parameters& parameters,
+                                       LayeredApproach last) {
+  if (problem.in_reach) {
+    RolledOut rolled = play_layers(problem, parameters);
+    if (rolled.outcome.met(problem.reach.tolerance)) {
+      return Arrival{&problem.reach, std::move(rolled)};
+    }
+  }
+  return last == LayeredApproach::layers ? std::nullopt : body_arrival(problem, parameters);
+}
+
+Arrival nearest_layered_arrival(const LayeredProblem& problem, const Parameters& parameters) {
+  if (auto arrived = layered_arrival(problem, parameters, LayeredApproach::body)) {
+    return std::move(*arrived);
+  }
+  return nearest_arrival(problem.body_approaches, body_parameters(problem, parameters));
 }
 
 }  // namespace shigusa

@@ -2,13 +2,13 @@
 #include "layered_search.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <shigusa/parallel.hpp>
 #include <type_traits>
 #include <utility>
 
 #include "candidate.hpp"
 #include "core/index.hpp"
-#include "layers/idle_limb_search.hpp"
 #include "search/genetic.hpp"
 
 namespace shigusa {
@@ -30,8 +30,8 @@ bool has_use(const LayeredProblem& problem, int dof) {
   return true;
 }
 
-// What the freedoms that have a final angle cost by the torque that they take, by their layers'
-// criteria: as Torque, of them alone.
+// The cost of the torque that freedoms with a final angle take, by their layers' criteria: as the
+// criterion Torque has it, but of these freedoms alone.
 double own_torque(const LayeredProblem& problem, const Motion& motion) {
   const BodyModel& body = *problem.reach.body;
   double cost = 0.0;
@@ -53,6 +53,58 @@ double own_torque(const LayeredProblem& problem, const Motion& motion) {
     cost += criteria.torque_weight * min(1.0, sqrt(squares / count) / criteria.torque.share);
   }
   return cost;
+}
+
+// Each final angle of a limb that no goal moves takes this many motions to be found.
+constexpr int kRestEvaluations = 40;
+
+// Scores of motions by their final angles: `finals` is (scores × angles) rad.
+using RestEvaluation = std::function<void(std::span<const double> finals, std::span<double>)>;
+
+// The final angles that one freedom may have (rad).
+struct Range {
+  double low;
+  double high;
+
+  // rounding could take the last share beyond the range
+  [[nodiscard]] double at(double share) const { return min(high, low + share * (high - low)); }
+  [[nodiscard]] double share(double value) const {
+    return high > low ? clamp((value - low) / (high - low), 0.0, 1.0) : 0.0;
+  }
+};
+
+// Sets the final angles to those with the lowest score, searched from `finals` on by CMA-ES within
+// their ranges. They stay if none is better, or where the layers have no final angles.
+void search_finals(std::span<const Layer> layers, std::uint64_t seed, const RestEvaluation& score,
+                   std::vector<double>& finals) {
+  std::vector<Range> ranges;
+  for (const Layer& layer : layers) {
+    for (const ParameterInfo& info : layer.parameters) {
+      if (info.kind == ParameterKind::final_angle) ranges.push_back({info.low, info.high});
+    }
+  }
+  if (ranges.empty()) return;
+  const auto angles_of = [&ranges](std::span<const double> points) {
+    std::vector<double> angles;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      angles.push_back(ranges[k % ranges.size()].at(points[k]));
+    }
+    return angles;
+  };
+  SearchProblem problem;
+  problem.genes = static_cast<int>(ranges.size());
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    problem.start.push_back(ranges[k].share(finals[k]));
+  }
+  problem.evaluate = [&](std::span<const double> points, std::span<double> scores) {
+    score(angles_of(points), scores);
+  };
+  // no rounding of shares may lose the motion as it is
+  double before = 0.0;
+  score(finals, std::span(&before, 1));
+  const SearchResult found =
+      search(SearchMethod::cma_es, problem, kRestEvaluations * problem.genes, seed);
+  if (found.best_seen.score < before) finals = angles_of(found.best_seen.point);
 }
 
 }  // namespace
@@ -144,46 +196,43 @@ double LayeredScorer::judged(const RolledOut& played) const {
   return score + min(kOverLimitCost * excess, kOverLimitMost);
 }
 
-void LayeredScorer::score(std::span<const Parameters> parameters, std::span<double> scores,
-                          std::span<float> postures) {
-  const int count = static_cast<int>(scores.size());
-  // first where the layers' trunk goes …
-  std::vector<ReducedClip> clips(scores.size());
-  std::vector<std::vector<HandPath>> paths(scores.size());
+std::vector<LayeredScorer::UpperMotion> LayeredScorer::run_upper(
+    std::span<const Parameters> parameters, std::span<double> scores) {
+  std::vector<UpperMotion> uppers(scores.size());
   const double worst = worst_score(*criteria_);
   const ReachTolerance& tolerance = problem_->reach.tolerance;
-  parallel_for(count, threads_, [&](int i, int thread) {
-    const auto k = index(i);
+  parallel_for(static_cast<int>(scores.size()), threads_, [&](int i, int thread) {
+    auto& [clip, paths] = uppers[index(i)];
     LayeredPlayer& player = worker(thread).player;
-    player.run_upper(parameters[k], clips[k]);
-    const bool kept =
-        clips[k].path_error <= tolerance.path && clips[k].foot_error <= kReachTolerance;
-    const bool leads = kept && player.check_pelvis(clips[k]).in_reach;
-    scores[k] = worst + min(clips[k].path_error + clips[k].foot_error, 1.0);
-    if (leads) paths[k] = player.hand_paths(clips[k]);
+    player.run_upper(parameters[index(i)], clip);
+    const bool kept = clip.path_error <= tolerance.path && clip.foot_error <= kReachTolerance;
+    const bool leads = kept && player.check_pelvis(clip).in_reach;
+    scores[index(i)] = worst + min(clip.path_error + clip.foot_error, 1.0);
+    if (leads) paths = player.hand_paths(clip);
   });
-  // … then what arms it needs, one after the other as a library may have to be built …
+  return uppers;
+}
+
+void LayeredScorer::score(std::span<const Parameters> parameters, std::span<double> scores,
+                          std::span<float> postures) {
+  std::vector<UpperMotion> uppers = run_upper(parameters, scores);
+  const std::size_t dofs = postures.empty() ? 0 : problem_->reach.body->dofs().size();
+  // arms are chosen one after the other, as a library may have to be built
   std::vector<Parameters> below(scores.size(), start_);
   for (std::size_t k = 0; k < scores.size(); ++k) {
-    if (!paths[k].empty() && choose_) below[k].arms = choose_(paths[k]);
+    if (!uppers[k].paths.empty() && choose_) below[k].arms = choose_(uppers[k].paths);
   }
-  // … then the whole body; a user's criteria are called by one thread
-  const int threads = criteria_->user.empty() ? threads_ : 1;
-  parallel_for(count, threads, [&](int i, int thread) {
+  parallel_for(static_cast<int>(scores.size()), body_threads(), [&](int i, int thread) {
     const auto k = index(i);
-    if (paths[k].empty()) return;
+    auto& [clip, paths] = uppers[k];
+    if (paths.empty()) return;
     Worker& own = worker(thread);
     for (std::size_t g = 0; g < swivel_goals(); ++g) {
-      below[k].swivels[g] = own.swivels[g].coarse(bare(g, clips[k], std::move(paths[k][g])));
+      below[k].swivels[g] = own.swivels[g].coarse(bare(g, clip, std::move(paths[g])));
     }
-    const RolledOut played = own.player.expand_freeing(clips[k], below[k]);
+    const RolledOut played = own.player.expand_freeing(clip, below[k]);
     scores[k] = judged(played);
-    if (postures.empty()) return;
-    const Clip& clip = played.motion.clip;
-    const std::span<const double> last = clip.frame(clip.frames - 1);
-    std::transform(last.begin(), last.end(),
-                   postures.begin() + static_cast<std::ptrdiff_t>(k * last.size()),
-                   [](double angle) { return static_cast<float>(angle); });
+    copy_end(played.motion.clip, postures.subspan(k * dofs, dofs));
   });
 }
 
@@ -245,9 +294,8 @@ void LayeredScorer::settle_rest(const ReducedClip& clip, const Feedback& feedbac
                                 Parameters& parameters) {
   const std::size_t angles = parameters.finals.size();
   const BodyModel& body = *problem_->reach.body;
-  const int threads = criteria_->user.empty() ? threads_ : 1;
   const RestEvaluation score = [&](std::span<const double> finals, std::span<double> scores) {
-    parallel_for(static_cast<int>(scores.size()), threads, [&](int i, int thread) {
+    parallel_for(static_cast<int>(scores.size()), body_threads(), [&](int i, int thread) {
       Parameters tried = parameters;
       const auto first = finals.subspan(index(i) * angles, angles);
       tried.finals.assign(first.begin(), first.end());

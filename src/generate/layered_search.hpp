@@ -23,8 +23,8 @@ namespace shigusa {
 // The values of all layers: those of the upper one, and below it those that they start with.
 [[nodiscard]] Parameters below_upper(Parameters start, const Parameters& upper);
 
-// What an upper motion whose limbs pass their limits costs, where limits are to be held: so much a
-// radian in all, and no more than the second. One that is within them is better unless it is bad.
+// Where limits are to be held, an upper motion whose limbs pass them costs the first for each
+// radian in all, and the second at most: so a motion within its limits is better unless it is bad.
 inline constexpr double kOverLimitCost = 2.0;
 inline constexpr double kOverLimitMost = 0.5;
 
@@ -43,28 +43,38 @@ class LayeredScorer {
   void score(std::span<const Parameters> parameters, std::span<double> scores,
              std::span<float> postures = {});
 
-  // One motion in full, with all that the layers below find for it.
-  // How much is searched for it. What the upper layer reports to the lower one (rule R11): arms
-  // that pass through the body are searched again for this motion alone, up to `rounds` times each.
-  // The upper motion stays. Arms that go by their swivel are given the best of all, then what no
-  // goal moves its final angles, unless `coarse`: then all is as score() has it.
+  // How much `play` searches. The upper layer reports arms that pass through the body to the lower
+  // one (rule R11), which searches each of them again for this motion alone, up to `rounds` times;
+  // the upper motion stays. Then arms that go by their swivel are given the best of all, and limbs
+  // that no goal moves the best final angles, unless `coarse`: then all is as score() has it.
   struct Feedback {
     int rounds = kCollisionRounds;
     LimbSearch search = LimbSearch::ladder;
     bool coarse = false;
     std::uint64_t seed = 0;  // of the search for final angles
   };
+  // Plays one motion in full, with all that the layers below find for it.
   [[nodiscard]] Expanded play(const Parameters& upper, const Feedback& feedback);
 
  private:
-  // What one thread plays with.
+  // An upper motion, and the paths on which it leads hands (goals); none where it leads nowhere.
+  struct UpperMotion {
+    ReducedClip clip;
+    std::vector<HandPath> paths;
+  };
+  // The scratch memory of one thread.
   struct Worker {
     LayeredPlayer player;
     std::vector<SwivelSearch> swivels;  // (goals whose arm goes by its swivel)
   };
   Worker& worker(int index);
   [[nodiscard]] std::size_t swivel_goals() const { return start_.swivels.size(); }
-  // a path of an upper motion as the lower layer is told of it, without obstacles
+  // Plays all upper motions, and gives each the score that it has if it leads nowhere.
+  std::vector<UpperMotion> run_upper(std::span<const Parameters> parameters,
+                                     std::span<double> scores);
+  // One thread alone calls a user's criteria.
+  [[nodiscard]] int body_threads() const { return criteria_->user.empty() ? threads_ : 1; }
+  // a path of an upper motion as the lower layer's feedback has it, without obstacles
   [[nodiscard]] ArmFeedback bare(std::size_t goal, const ReducedClip& clip, HandPath path) const;
   [[nodiscard]] double judged(const RolledOut& played) const;
   void retake_weights(const ReducedClip& clip, const Feedback& feedback, Expanded& played);

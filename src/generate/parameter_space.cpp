@@ -13,10 +13,10 @@
 namespace shigusa {
 namespace {
 
-// Of what gives way last (Dof::give), the logarithm of the least weight that is searched.
+// The logarithm of the least weight that is searched for a freedom that gives way last (Dof::give).
 constexpr double kLastLogWeight = -1.0;
 
-// the freedoms that move a target: the others do nothing in weighted IK
+// Whether each freedom moves a target: the others do nothing in weighted IK.
 std::vector<bool> useful_dofs(const ReachProblem& problem) {
   std::vector<bool> useful(problem.body->dofs().size());
   for (const IkTarget<double>& target : ik_targets(problem)) {
@@ -34,8 +34,8 @@ std::string shared_name(const std::string& name) {
   return joint.limb() == LimbKind::leg ? std::string(without_side(name)) : name;
 }
 
-// What is fixed for the motion is fixed in both of its phases, but for what the later one has of
-// its own.
+// Fixes in both phases each parameter that is fixed for the motion, unless the later phase has its
+// own value.
 FixedParameters in_both_phases(std::span<const Layer> plan, FixedParameters fixed) {
   add_later_phase(fixed.values);
   const std::vector<Parameter> all = parameters_of(plan, fixed.values);
@@ -52,7 +52,7 @@ FixedParameters in_both_phases(std::span<const Layer> plan, FixedParameters fixe
   return fixed;
 }
 
-// as single precision has them, once for each motion
+// Repeats the values for each motion, in single precision.
 void repeat(std::span<const double> values, std::size_t motions, std::vector<float>& rows) {
   rows.clear();
   for (std::size_t i = 0; i < motions; ++i) {
@@ -60,7 +60,7 @@ void repeat(std::span<const double> values, std::size_t motions, std::vector<flo
   }
 }
 
-// those that are set, of all
+// Copies the weights that are set.
 void keep_joints(const std::vector<bool>& set, std::span<const JointWeight> from,
                  std::vector<JointWeight>& joints) {
   for (std::size_t d = 0; d < set.size(); ++d) {
@@ -148,7 +148,7 @@ void ParameterSpace::add_weight(Gene gene, const std::vector<bool>& useful) {
       own->dofs.push_back(d);
       return;
     }
-    // what gives way last is not to be among the first
+    // a freedom that gives way last is not to be among the first
     if (body_->dofs()[d].give < 1.0) gene.lower = kLastLogWeight;
   }
   genes_.push_back(std::move(gene));
@@ -177,7 +177,7 @@ double ParameterSpace::coordinate(int gene, double value) const {
   return clamp(genes_[static_cast<std::size_t>(gene)].of(value), 0.0, 1.0);
 }
 
-// what is fixed of the weights; of the posture, what has no gene is as it was
+// Sets the fixed weights, and the posture as it is fixed: genes come after.
 void ParameterSpace::keep_fixed(Parameters& parameters) const {
   if (fixed_.values.later) {
     parameters.later = {.switch_at = fixed_.values.later->switch_at,

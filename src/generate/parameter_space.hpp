@@ -13,7 +13,7 @@
 
 namespace shigusa {
 
-// What a point of a search's unit cube means.
+// The meaning of a point of a search's unit cube.
 enum class GeneCode {
   paper,        // a 4-bit weight 0..15 for each freedom, 0 locks it
   logarithmic,  // a weight for each freedom, even in its logarithm
@@ -33,7 +33,7 @@ class ParameterSpace {
                  const std::optional<FixedParameters>& fixed = {}, int phases = 1);
 
   [[nodiscard]] int genes() const { return static_cast<int>(genes_.size()); }
-  // What each coordinate is: "right_knee.flexion", "squat", "delay", "later.squat", "switch".
+  // The name of each coordinate: "right_knee.flexion", "squat", "delay", "later.squat", "switch".
   [[nodiscard]] std::vector<std::string> names() const;
   // (genes) the plain pseudo-inverse on a straight path, in both phases.
   [[nodiscard]] std::vector<double> start() const;
@@ -44,7 +44,7 @@ class ParameterSpace {
   // Where a coordinate is when its parameter has that value, held to [0, 1].
   [[nodiscard]] double coordinate(int gene, double value) const;
 
-  // The same of many points, one after the other, as BatchRollout takes them; valid until the next
+  // Decodes many points, one after the other, as BatchRollout takes them; valid until the next
   // call.
   [[nodiscard]] MotionInputs rows(std::span<const double> points);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "candidate.hpp"
@@ -71,6 +72,42 @@ double square_distance(std::span<const double> a, std::span<const double> b) {
   return squares;
 }
 
+// The candidates that are best by one criterion, each once; of equals by that criterion, the one
+// that is better by the others.
+std::vector<std::size_t> best_by_each(std::span<const std::vector<double>> scaled) {
+  const auto sum = [](const std::vector<double>& penalties) {
+    return std::accumulate(penalties.begin(), penalties.end(), 0.0);
+  };
+  std::vector<std::size_t> taken;
+  for (std::size_t k = 0; k < scaled.front().size(); ++k) {
+    const auto best =
+        std::min_element(scaled.begin(), scaled.end(), [&](const auto& a, const auto& b) {
+          return a[k] < b[k] || (a[k] == b[k] && sum(a) < sum(b));
+        });
+    const auto i = static_cast<std::size_t>(best - scaled.begin());
+    if (std::find(taken.begin(), taken.end(), i) == taken.end()) taken.push_back(i);
+  }
+  return taken;
+}
+
+// The candidate that is farthest from all that are taken.
+std::size_t farthest_from(std::span<const std::size_t> taken,
+                          std::span<const std::vector<double>> scaled) {
+  double farthest = -1.0;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < scaled.size(); ++i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::size_t t : taken) {
+      nearest = min(nearest, t == i ? -1.0 : square_distance(scaled[i], scaled[t]));
+    }
+    if (nearest > farthest) {
+      farthest = nearest;
+      next = i;
+    }
+  }
+  return next;
+}
+
 }  // namespace
 
 std::vector<CriteriaSettings> pareto_mixtures(const CriteriaSettings& criteria) {
@@ -109,39 +146,9 @@ std::vector<Candidate> not_dominated(std::vector<Candidate> candidates) {
 std::vector<Candidate> spread_over(std::vector<Candidate> front, int most) {
   if (front.empty()) return front;
   const std::vector<std::vector<double>> scaled = scaled_penalties(front);
-  std::vector<std::size_t> taken;
-  const auto take = [&](std::size_t i) {
-    if (std::find(taken.begin(), taken.end(), i) == taken.end()) taken.push_back(i);
-  };
-  for (std::size_t k = 0; k < scaled.front().size(); ++k) {
-    // of equals, the one that is better by the others
-    const auto sum = [](const auto& penalties) {
-      double total = 0.0;
-      for (const double penalty : penalties) total += penalty;
-      return total;
-    };
-    const auto best =
-        std::min_element(scaled.begin(), scaled.end(), [&](const auto& a, const auto& b) {
-          return a[k] < b[k] || (a[k] == b[k] && sum(a) < sum(b));
-        });
-    take(static_cast<std::size_t>(best - scaled.begin()));
-  }
   const std::size_t count = std::min(front.size(), static_cast<std::size_t>(most));
-  while (taken.size() < count) {
-    double farthest = -1.0;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < front.size(); ++i) {
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const std::size_t t : taken) {
-        nearest = min(nearest, t == i ? -1.0 : square_distance(scaled[i], scaled[t]));
-      }
-      if (nearest > farthest) {
-        farthest = nearest;
-        next = i;
-      }
-    }
-    take(next);
-  }
+  std::vector<std::size_t> taken = best_by_each(scaled);
+  while (taken.size() < count) taken.push_back(farthest_from(taken, scaled));
   taken.resize(count);
   std::vector<Candidate> chosen;
   for (const std::size_t i : taken) chosen.push_back(std::move(front[i]));

@@ -3,11 +3,52 @@
 
 #include <algorithm>
 #include <shigusa/parallel.hpp>
+#include <string_view>
 
 #include "approaches.hpp"
 #include "generate/posture_meter.hpp"
 
 namespace shigusa {
+namespace {
+
+// The search counts a motion as one of the target when it ends this near to it (rad), and aims
+// nearer; each radian beyond that aim costs so much that no criterion makes up for it.
+constexpr double kSquatSlack = radians(8.0);
+constexpr double kSquatAim = radians(4.0);
+constexpr double kSquatPull = 1.0;
+
+std::optional<double> fixed_value(const Task& task, std::string_view name) {
+  if (!task.fixed) return std::nullopt;
+  Parameters values = task.fixed->values;
+  const Plan plan = whole_body_plan(task.body);
+  const std::vector<Parameter> all = parameters_of(plan, values);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].info->name == name && task.fixed->set[i]) return all[i].value();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SquatTarget> SquatTarget::of(const Task& task) {
+  const std::optional<double> squat = fixed_value(task, "squat");
+  if (!squat || fixed_value(task, "later.squat").value_or(*squat) != *squat) return std::nullopt;
+  SquatTarget target;
+  for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
+    const std::optional<int> dof = task.body.find_dof(knee);
+    if (!dof) continue;
+    target.knees_.push_back(static_cast<std::size_t>(*dof));
+    target.wanted_ += *squat + task.body.start()[target.knees_.back()];
+  }
+  if (target.knees_.empty()) return std::nullopt;
+  return target;
+}
+
+double SquatTarget::off(std::span<const float> angles) const {
+  double sum = -wanted_;
+  for (const std::size_t knee : knees_) sum += static_cast<double>(angles[knee]);
+  return abs(sum) / static_cast<double>(knees_.size());
+}
 
 bool scores_whole_motions(const Task& task, const CriteriaSettings& criteria) {
   return !criteria.user.empty() || task.generator != MotionGenerator::weighted_ik;
@@ -46,7 +87,7 @@ void PointScorer::score(std::span<const double> points, std::span<double> scores
 
 void PointScorer::score_one_by_one(std::span<const double> points, std::span<double> scores) {
   const auto genes = static_cast<std::size_t>(space_.genes());
-  const std::size_t dofs = problem_.body->dofs().size();
+  const std::size_t dofs = angles_.empty() ? 0 : problem_.body->dofs().size();
   const auto score = [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     const RolledOut rolled =
@@ -54,11 +95,7 @@ void PointScorer::score_one_by_one(std::span<const double> points, std::span<dou
     scores[i] = rolled.outcome.met(problem_.tolerance)
                     ? score_motion(*problem_.body, rolled.motion, criteria_).total
                     : worst_score(criteria_);
-    if (angles_.empty()) return;
-    const Clip& clip = rolled.motion.clip;
-    std::transform(clip.frame(clip.frames - 1).begin(), clip.frame(clip.frames - 1).end(),
-                   angles_.begin() + static_cast<std::ptrdiff_t>(i * dofs),
-                   [](double angle) { return static_cast<float>(angle); });
+    copy_end(rolled.motion.clip, std::span(angles_).subspan(i * dofs, dofs));
   };
   // a user's functions are called from one thread only
   parallel_for(static_cast<int>(scores.size()), criteria_.user.empty() ? threads_ : 1, score);

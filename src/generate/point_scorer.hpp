@@ -9,12 +9,27 @@
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"
 #include "rollout/batch_rollout.hpp"
-#include "squat_target.hpp"
 
 namespace shigusa {
 
-// Scores the points of one part of a search, and keeps what their motions end in. Problem, task and
-// criteria outlive it.
+// The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
+// leave more or less of it, so that the score says how much. A later phase that is fixed to another
+// squat ends somewhere between them: then there is no such target.
+class SquatTarget {
+ public:
+  // None where the task fixes no squat.
+  static std::optional<SquatTarget> of(const Task& task);
+
+  // How far (rad) the mean of the knees' angles is off.
+  [[nodiscard]] double off(std::span<const float> angles) const;
+
+ private:
+  std::vector<std::size_t> knees_;
+  double wanted_ = 0.0;  // rad, of all knees together
+};
+
+// Scores the points of one part of a search, and keeps the postures that their motions end in.
+// Problem, task and criteria outlive it.
 class PointScorer {
  public:
   // The best of the first motions.
@@ -25,12 +40,12 @@ class PointScorer {
   };
   static constexpr int kGuessed = 480;  // motions
 
-  // On so many threads (0: one for each core).
+  // `threads` as BatchSettings has them (0: one for each core).
   PointScorer(const ReachProblem& problem, const Task& task, const CriteriaSettings& criteria,
               const ParameterSpace& space, int threads);
 
-  // points (motions × genes) → scores (motions), lower is better; what a fixed squat asks for is
-  // added to them.
+  // Scores points (motions × genes) → scores (motions), lower is better, and adds the cost of
+  // missing a fixed squat.
   void score(std::span<const double> points, std::span<double> scores);
 
   [[nodiscard]] const Archive& archive() const { return archive_; }

@@ -16,7 +16,7 @@ class PostureMeter {
  public:
   explicit PostureMeter(const BodyModel& body);
 
-  // Of angles (dofs, rad); `effector` is the index of the hand that the elbow belongs to.
+  // Measures angles (dofs, rad); `effector` is the index of the hand that the elbow belongs to.
   [[nodiscard]] FinalPosture measure(std::span<const double> angles, int effector);
   // The stoop-squat index alone.
   [[nodiscard]] std::optional<double> index(std::span<const double> angles);

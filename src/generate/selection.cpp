@@ -7,6 +7,7 @@
 #include <string_view>
 
 namespace shigusa {
+
 Selection distinct_postures(const Archive& archive, int most) {
   const std::vector<Archived> ranked = archive.ranked();
   std::vector<const Archived*> picked;
@@ -43,9 +44,8 @@ Selection distinct_postures(const Archive& archive, int most) {
 }
 
 bool ends_like(const Candidate& candidate, const Archived& archived, double apart) {
-  const Clip& clip = candidate.motion.clip;
-  const auto last = clip.frame(clip.frames - 1);
-  const std::vector<float> end(last.begin(), last.end());
+  std::vector<float> end(archived.posture.size());
+  copy_end(candidate.motion.clip, end);
   return posture_distance(end, archived.posture) < apart;
 }
 

@@ -10,7 +10,7 @@
 
 namespace shigusa {
 
-// What is worth a replay, best first, and what was not.
+// The points of a search that are worth a replay, best first, and those that are not.
 struct Selection {
   std::vector<Individual> picked;
   std::vector<Archived> spare{};  // for where those picked will not do, best first
@@ -18,16 +18,16 @@ struct Selection {
   int worse = 0;                  // score more than kCandidateSpread worse than the best
 };
 
-// Of all that a search came upon, at most so many that end differently and are not much worse than
-// the best: first the best of each style, then what is left, best first. Spare is all else that is
-// not much worse.
+// Picks at most `most` points of all that a search came upon, which end differently and are not
+// much worse than the best: first the best of each style, then the others, best first. All others
+// that are not much worse are spare.
 [[nodiscard]] Selection distinct_postures(const Archive& archive, int most);
 
 // Whether a candidate ends less than `apart` (rad) from where an archived motion does.
 [[nodiscard]] bool ends_like(const Candidate& candidate, const Archived& archived, double apart);
 
-// Of what is spare and little worse than the best, how many end all but as a candidate; without
-// those that became one themselves, `taken`.
+// The number of spare points little worse than the best that end nearly as a candidate does, less
+// the `taken` ones, which became candidates themselves.
 [[nodiscard]] int count_similar(const Selection& choice, std::span<const Candidate> candidates,
                                 int taken);
 

@@ -17,7 +17,7 @@ Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
   if (!task.fixed) return {};
   const Plan plan = whole_body_plan(task.body);
   Parameters values = task.fixed->values;
-  if (const auto checked = check_parameters(plan, values); !checked) return checked;
+  SHG_TRY(check_parameters(plan, values));
   if (task.fixed->set.size() != parameters_of(plan, values).size()) {
     return fail(ErrorCode::invalid_argument, "fixed parameters are of another body");
   }
@@ -34,36 +34,36 @@ class WholeBodyPlanner : public Planner {
         plan_(whole_body_plan(task.body)),
         problem_(std::move(problem)),
         reach_(closest_reach(problem_)),
-        usual_ways_(approaches_to_goal(problem_, reach_)),
-        ways_(usual_ways_) {}
+        usual_approaches_(approaches_to_goal(problem_, reach_)),
+        approaches_(usual_approaches_) {}
 
   [[nodiscard]] std::span<const Layer> plan() const override { return plan_; }
   [[nodiscard]] double duration() const override { return problem_.duration; }
   [[nodiscard]] bool in_reach() const override { return reach_.reached(); }
   [[nodiscard]] Result<void> check_search() const override { return check_fixed(task_, problem_); }
-  [[nodiscard]] std::size_t approaches() const override { return ways_.size(); }
+  [[nodiscard]] std::size_t approaches() const override { return approaches_.size(); }
 
   bool go_by_other_posture(int other) override {
     if (other == 0) {
-      ways_ = usual_ways_;
+      approaches_ = usual_approaches_;
       return true;
     }
     const ClosestReach reach = closest_reach(problem_, {.other = other});
     if (!reach.reached()) return false;
-    ways_ = approaches_to_goal(problem_, reach);
+    approaches_ = approaches_to_goal(problem_, reach);
     return true;
   }
 
   Found search(const Task& task, std::size_t approach, const Progress& progress) override {
-    const ReachProblem& way = ways_[approach];
-    WholeBodySearch searched(way, task);
+    const ReachProblem& problem = approaches_[approach];
+    WholeBodySearch searched(problem, task);
     Found found{.result = searched.run(progress), .choice = {}, .best_seen = {}};
     space_ = searched.space();
     found.choice = traits_of(task.preset).natural
                        ? distinct_postures(searched.archive(), kKeptPerCandidate * task.candidates)
                        : Selection{.picked = ranked_population(found.result)};
     found.best_seen = space_->decode(found.result.best_seen.point);
-    found.best_seen_score = replayed_score(way, found.best_seen);
+    found.best_seen_score = replayed_score(problem, found.best_seen);
     return found;
   }
 
@@ -73,13 +73,13 @@ class WholeBodyPlanner : public Planner {
 
   [[nodiscard]] std::optional<Arrival> arrival(const Parameters& values,
                                                std::size_t last) const override {
-    auto arrival = first_arrival(std::span(ways_).first(last + 1), values, task_.generator);
-    if (arrival) arrival->as_searched = arrival->approach == &ways_[last];
+    auto arrival = first_arrival(std::span(approaches_).first(last + 1), values, task_.generator);
+    if (arrival) arrival->as_searched = arrival->approach == &approaches_[last];
     return arrival;
   }
 
   [[nodiscard]] Arrival nearest(const Parameters& values) const override {
-    return nearest_arrival(ways_, values, task_.generator);
+    return nearest_arrival(approaches_, values, task_.generator);
   }
 
   [[nodiscard]] Candidate candidate(const Expanded& expanded, Arrival arrival) const override {
@@ -89,10 +89,10 @@ class WholeBodyPlanner : public Planner {
   void finish(GenerateResult& /*generation*/) override {}
 
  private:
-  // The score in double of what was searched in single precision.
-  [[nodiscard]] double replayed_score(const ReachProblem& way, const Parameters& values) const {
-    const RolledOut rolled = play(way, values, task_.generator);
-    return rolled.outcome.met(way.tolerance)
+  // The score in double of values that were searched in single precision.
+  [[nodiscard]] double replayed_score(const ReachProblem& problem, const Parameters& values) const {
+    const RolledOut rolled = play(problem, values, task_.generator);
+    return rolled.outcome.met(problem.tolerance)
                ? score_motion(task_.body, rolled.motion, task_criteria(task_)).total
                : worst_score(task_.criteria);
   }
@@ -101,27 +101,25 @@ class WholeBodyPlanner : public Planner {
   Plan plan_;
   ReachProblem problem_;
   ClosestReach reach_;
-  std::vector<ReachProblem> usual_ways_;
-  std::vector<ReachProblem> ways_;
+  std::vector<ReachProblem> usual_approaches_;
+  std::vector<ReachProblem> approaches_;
   std::optional<ParameterSpace> space_;  // of the last search
 };
 
 }  // namespace
 
 Result<std::unique_ptr<Planner>> make_whole_body_planner(const Task& task) {
-  Result<ReachProblem> problem = make_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  return std::make_unique<WholeBodyPlanner>(task, std::move(*problem));
+  SHG_TRY_ASSIGN(ReachProblem problem, make_problem(task));
+  return std::make_unique<WholeBodyPlanner>(task, std::move(problem));
 }
 
-Result<std::unique_ptr<Planner>> make_planner(const Task& task) {
+Result<std::unique_ptr<Planner>> make_planner(const PreparedTask& task) {
   return traits_of(task.preset).layers ? make_layered_planner(task) : make_whole_body_planner(task);
 }
 
-Result<void> check_plan(const Task& task) {
-  const Result<ReachProblem> problem = make_problem(task);
-  if (!problem) return tl::unexpected(problem.error());
-  if (!traits_of(task.preset).layers) return check_fixed(task, *problem);
+Result<void> check_plan(const PreparedTask& task) {
+  SHG_TRY_ASSIGN(const ReachProblem problem, make_problem(task));
+  if (!traits_of(task.preset).layers) return check_fixed(task, problem);
   return check_layers(task);
 }
 

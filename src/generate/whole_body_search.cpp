@@ -38,7 +38,7 @@ void add(SearchResult part, SearchResult& all) {
   if (better || all.best_seen.point.empty()) all.best_seen = std::move(part.best_seen);
 }
 
-// What somebody else's search has found.
+// Checks a point that a user's own search has found.
 void check_point(const Individual& found, int genes) {
   SHG_CHECK(static_cast<int>(found.point.size()) == genes,
             fmt::format("a search returned {} coordinates of {}", found.point.size(), genes));
@@ -132,7 +132,7 @@ SearchResult WholeBodySearch::run_part(const Part& part, PointScorer& scorer,
     scorer.score(moved, scores);
   };
   SearchResult found;
-  // in a niche it is not the knees that are chosen
+  // a niche says nothing of the knees
   if (task_.preset != Preset::paper && part.niche.empty() && part.from.empty())
     found = begin_bent(searched, part.budget);
   if (part.budget > found.evaluations) {
@@ -154,8 +154,8 @@ SearchResult WholeBodySearch::run_part(const Part& part, PointScorer& scorer,
   return found;
 }
 
-// Where all parameters together may begin, (points × genes): each lean of the trunk with each bend
-// of the knees.
+// The points (points × genes) where a search of all parameters may begin: each lean of the trunk
+// with each bend of the knees.
 std::vector<double> WholeBodySearch::postures() const {
   std::vector<double> points;
   const auto set = [&](std::string_view mode, double value) {

@@ -12,17 +12,17 @@
 
 namespace shigusa {
 
-// What the points of a task's search mean.
+// The meaning of the points of a task's search.
 [[nodiscard]] GeneCode gene_code(const Task& task);
 
-// What is searched on one way to the goal, and what the search came upon. Problem and task outlive
-// it.
+// The search on one approach, with the archive of the points that it came upon. Problem and task
+// outlive it.
 class WholeBodySearch {
  public:
   WholeBodySearch(const ReachProblem& problem, const Task& task);
 
-  // Of the preset flat, 0.4 of the budget goes to all parameters together, and a tenth or two each
-  // to what people do otherwise: squat, stoop, half squat, turn the other way, put the elbow
+  // The preset flat spends 0.4 of the budget on all parameters together, and a tenth or two on each
+  // style that people have otherwise: squat, stoop, half squat, turn the other way, put the elbow
   // elsewhere. A search that is good at finding the best ends with one motion, and no criterion
   // decides between those. Each part is a search of its own whose budget never shrinks as the whole
   // grows, and styles begin at the best of the first 480 motions, so more budget never gives a

@@ -22,11 +22,11 @@ constexpr StyleRange kBentStyles[] = {
     {"squat", 115, 138, true}, {"squat", 0, 30}, {"squat", 50, 90}};
 constexpr StyleRange kUprightStyles[] = {{"lean", 25, 60}, {"squat", 30, 60}};
 constexpr double kOtherTurn[] = {20, 65};    // deg, to the side that the best does not turn to
-constexpr double kOtherSwivel[] = {20, 60};  // deg, the same of the elbow
+constexpr double kOtherSwivel[] = {20, 60};  // deg, of the elbow, likewise
 
 }  // namespace
 
-// What people do otherwise than the guess.
+// The parts that search for the styles that the guess has not.
 std::vector<WholeBodySearch::Part> WholeBodySearch::styles(const PointScorer::Guess& guess,
                                                            int budget) const {
   std::vector<Part> parts;
@@ -62,7 +62,7 @@ std::vector<WholeBodySearch::Part> WholeBodySearch::styles(const PointScorer::Gu
   return parts;
 }
 
-// keeps a mode of both phases within a range (deg)
+// Keeps a mode of both phases within a range (deg).
 void WholeBodySearch::bind(Niche& niche, std::string_view mode, double low, double high) const {
   for (const int gene :
        {space_.find(mode), space_.find(std::string(kLaterPrefix) + std::string(mode))}) {

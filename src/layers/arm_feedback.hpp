@@ -8,19 +8,20 @@
 
 namespace shigusa {
 
-// Rule R11: a forearm that passes deeper than kCollisionDepth into the rest of the body, and deeper
-// than at the start, goes back to the lower layer, which searches the arm anew with a penalty
+// Rule R11: an arm that passes through the trunk goes back to the lower layer (paper, section 3.4).
+// It does so where its forearm is deeper than kCollisionDepth in the rest of the body, and deeper
+// than at the start. The lower layer searches the arm anew with a penalty
 // P = min(1, depth / kCollisionFull) of this weight …
 inline constexpr double kCollisionWeight = 0.5;
-// … that is so many times as heavy in each further round, of kCollisionRounds.
+// … which each further round, of kCollisionRounds, multiplies by this.
 inline constexpr double kCollisionGrowth = 4.0;
 
-// The deepest that a goal's forearm and hand are inside the rest of the body at any frame (m, less
-// what they are at the start, if they are; negative: that far apart).
+// The largest depth (m) of a goal's forearm and hand inside the rest of the body at any frame, less
+// their depth at the start, if they have one; negative: they are that far apart.
 [[nodiscard]] double collision_depth(const BodyModel& body, const Clip& clip,
                                      const Effector& effector);
 
-// What the lower layer is told for its search: one motion of the upper layer.
+// One motion of the upper layer, as the lower layer's search of one arm sees it.
 struct ArmFeedback {
   const BodyModel* arm = nullptr;  // an arm_body
   HandPath path;
@@ -37,8 +38,9 @@ struct ArmFeedback {
                                        const HandPath& path, const Clip& clip,
                                        const EffectorTurn& turn = {});
 
-// How deep the arm gets from the elbow on (m, at least 0, less what it is at the start) in what is
-// told of in a motion of the arm alone; 0 where nothing is. `placed` is scratch memory.
+// How deep the arm from the elbow on gets into the feedback's obstacles (m, at least 0, less its
+// depth at the start) in a motion of the arm alone; 0 without obstacles. `placed` is scratch
+// memory.
 [[nodiscard]] double depth_along(const ArmFeedback& feedback, const Clip& clip,
                                  Kinematics<double>& placed);
 

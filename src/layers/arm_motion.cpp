@@ -11,15 +11,11 @@ namespace shigusa {
 namespace {
 
 constexpr int kStepsPerFrame = 3;
-// The last frame is corrected until the hand is this near (m), by so many more steps at the most.
+// The last frame takes further steps, kLastSteps at the most, until the hand is this near (m).
 constexpr double kLastTolerance = 1e-10;
 constexpr int kLastSteps = 12;
 
-}  // namespace
-
-namespace {
-
-// of the elbow's link with all that it holds
+// The mass of the elbow's link with all links that it holds.
 MassProperties held_mass(const BodyModel& body, int elbow) {
   LinkMass sum = link_mass(body.link_mass(elbow));
   for (int link = elbow + 1; link < body.dof_count(); ++link) {

@@ -9,7 +9,7 @@
 namespace shigusa {
 namespace {
 
-// What is left of v across the unit vector u, as a unit vector.
+// The part of v across the unit vector u, as a unit vector.
 Vec3d square_to(const Vec3d& u, const Vec3d& v) { return normalized(v - dot(u, v) * u); }
 
 // v, square to u, after the shortest turn from u to w; both are unit vectors.

@@ -8,7 +8,7 @@ namespace shigusa {
 
 // Moves the hand of an arm_body along a path in closed form. The distance from the shoulder gives
 // the elbow; of the shoulder's three turns the direction of the hand leaves one, the swivel of the
-// elbow about the line u from shoulder to hand. It is counted from where the arm's way takes the
+// elbow about the line u from shoulder to hand. It is counted from where the hand's path takes the
 // elbow by itself: the axis of the elbow, square to u, is carried along from frame to frame by the
 // shortest turn from one u to the next, then turned about u by swivel · s(t), with s the minimum
 // jerk of the motion. So no direction of the hand is singular, hanging arms included, and an elbow

@@ -145,18 +145,15 @@ bool is_meant(const Assignment& asked, const Parameter& parameter) {
 
 // Sets what an assignment means; the indices of it in `all`.
 Result<std::vector<std::size_t>> set_meant(std::span<const Parameter> all, std::string_view text) {
-  const Result<Assignment> asked = split(all, text);
-  if (!asked) return tl::unexpected(asked.error());
+  SHG_TRY_ASSIGN(const Assignment asked, split(all, text));
   std::vector<std::size_t> meant;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!is_meant(*asked, all[i])) continue;
-    const auto set =
-        asked->member == kLocked ? set_lock(*asked, all[i]) : set_number(*asked, all[i]);
-    if (!set) return tl::unexpected(set.error());
+    if (!is_meant(asked, all[i])) continue;
+    SHG_TRY(asked.member == kLocked ? set_lock(asked, all[i]) : set_number(asked, all[i]));
     meant.push_back(i);
   }
   if (!meant.empty()) return meant;
-  return tl::unexpected(no_such_parameter(all, *asked).error());
+  return tl::unexpected(no_such_parameter(all, asked).error());
 }
 
 }  // namespace
@@ -169,11 +166,10 @@ Result<void> fix_parameter(std::span<const Layer> plan, std::string_view assignm
   const bool phases = searches(plan.front(), ParameterKind::switch_at);
   if (phases) add_later_phase(changed);
   const std::vector<Parameter> all = parameters_of(plan, changed);
-  const Result<std::vector<std::size_t>> meant = set_meant(all, assignment);
-  if (!meant) return tl::unexpected(meant.error());
+  SHG_TRY_ASSIGN(const std::vector<std::size_t> meant, set_meant(all, assignment));
   bool of_later = false;
   bool posed = false;
-  for (const std::size_t i : *meant) {
+  for (const std::size_t i : meant) {
     of_later = of_later || all[i].info->later;
     posed = posed || of_posture(all[i]);
   }
@@ -188,7 +184,7 @@ Result<void> fix_parameter(std::span<const Layer> plan, std::string_view assignm
   }
   fixed.values = std::move(changed);
   fixed.set.resize(parameters_of(plan, fixed.values).size());
-  for (const std::size_t i : *meant) {
+  for (const std::size_t i : meant) {
     if (i < fixed.set.size()) fixed.set[i] = true;
   }
   return {};
@@ -197,9 +193,9 @@ Result<void> fix_parameter(std::span<const Layer> plan, std::string_view assignm
 Result<void> assign_parameter(std::span<const Layer> plan, std::string_view assignment,
                               Parameters& values) {
   FixedParameters fixed{values, {}};
-  const Result<void> done = fix_parameter(plan, assignment, fixed);
-  if (done) values = std::move(fixed.values);
-  return done;
+  SHG_TRY(fix_parameter(plan, assignment, fixed));
+  values = std::move(fixed.values);
+  return {};
 }
 
 }  // namespace shigusa

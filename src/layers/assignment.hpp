@@ -24,7 +24,8 @@ namespace shigusa {
 // is changed.
 [[nodiscard]] Result<void> assign_parameter(std::span<const Layer> plan,
                                             std::string_view assignment, Parameters& values);
-// The same, and notes what was set; `fixed` begins as no_fixed_parameters.
+// Changes one of the fixed values so, and notes which were set; `fixed` begins as
+// no_fixed_parameters.
 [[nodiscard]] Result<void> fix_parameter(std::span<const Layer> plan, std::string_view assignment,
                                          FixedParameters& fixed);
 

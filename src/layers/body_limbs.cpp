@@ -14,14 +14,6 @@ constexpr std::size_t kLegDofs = 5;
 constexpr std::size_t kArmToElbow = 4;
 constexpr std::size_t kArmToHand = 7;
 
-Error unlike_a_person(const BodyModel& body, const std::string& what) {
-  return {ErrorCode::unsupported,
-          "layers are for bodies that stand, with arms of 3 + 1 or 3 + 2 + 2 and legs of 1 + 1 + 3 "
-          "or 2 + 1 + 3 freedoms; " +
-              what,
-          body.name()};
-}
-
 // "right" of "right_ankle"
 std::string side_of(const Dof& dof) { return dof.joint.substr(0, dof.joint.find('_')); }
 
@@ -38,7 +30,7 @@ bool begins_with(std::span<const int> chain, std::span<const int> first) {
   return chain.size() >= first.size() && std::equal(first.begin(), first.end(), chain.begin());
 }
 
-// the part of the way to a hand from the base that is the standing leg
+// the part of the chain from the base to a hand that is the standing leg
 std::span<const int> leg_of(const BodyModel& body, std::span<const int> chain) {
   const bool inverts = !chain.empty() && body.dof(chain[0]).axis == Axis::z;
   return chain.first(std::min(chain.size(), kLegDofs + (inverts ? 1 : 0)));
@@ -90,7 +82,7 @@ std::optional<BodyLimb> planted_leg(const BodyModel& body, std::span<const int> 
   if (ankle.axis != Axis::x || knee.axis != Axis::x || ankle.sign != -1.0) return std::nullopt;
   if (inverts && !is_hinge(body, leg.inversion, Axis::z)) return std::nullopt;
   leg.root = body.dof(leg.flexion).offset;
-  // climbed from the foot, all turns are the other way round
+  // climbed from the foot, all turns are reversed
   leg.segments = HingedLimb(-ankle.offset, -knee.offset, -knee.sign);
   return leg;
 }
@@ -127,18 +119,18 @@ std::optional<BodyLimb> arm_of(const BodyModel& body, std::span<const int> chain
 }  // namespace
 
 BallTurns BodyLimb::turns_of(const BodyModel& body, std::span<const double> angles) const {
-  const double way = carries ? -1.0 : 1.0;
+  const double sense = carries ? -1.0 : 1.0;
   const auto turn = [&](int dof) {
-    return way * body.dof(dof).sign * angles[static_cast<std::size_t>(dof)];
+    return sense * body.dof(dof).sign * angles[static_cast<std::size_t>(dof)];
   };
   return {turn(flexion), turn(abduction), turn(rotation)};
 }
 
 void BodyLimb::put_turns(const BodyModel& body, const BallTurns& turns,
                          std::span<double> angles) const {
-  const double way = carries ? -1.0 : 1.0;
+  const double sense = carries ? -1.0 : 1.0;
   const auto put = [&](int dof, double turn) {
-    angles[static_cast<std::size_t>(dof)] = way * body.dof(dof).sign * turn;
+    angles[static_cast<std::size_t>(dof)] = sense * body.dof(dof).sign * turn;
   };
   put(flexion, turns.x);
   put(abduction, turns.z);
@@ -155,7 +147,11 @@ Transformd held_place(const BodyModel& body, int carrier, int link) {
 
 Result<BodyLimbs> find_limbs(const BodyModel& body) {
   const auto refuse = [&body](const std::string& what) {
-    return tl::unexpected(unlike_a_person(body, what));
+    return fail(ErrorCode::unsupported,
+                "layers are for bodies that stand, with arms of 3 + 1 or 3 + 2 + 2 and legs of "
+                "1 + 1 + 3 or 2 + 1 + 3 freedoms; " +
+                    what,
+                body.name());
   };
   BodyLimbs limbs;
   if (body.robot()) return refuse("a robot has others");

@@ -38,7 +38,7 @@ struct BodyLimb {
   [[nodiscard]] bool has_wrist() const { return forearm >= 0; }
 
   // The rotation from the trunk to upper arm or thigh by the turns of the ball joint's dofs, and
-  // the other way round: signs of the dofs, and of the chain's direction.
+  // the reverse: signs of the dofs, and of the chain's direction.
   [[nodiscard]] BallTurns turns_of(const BodyModel& body, std::span<const double> angles) const;
   void put_turns(const BodyModel& body, const BallTurns& turns, std::span<double> angles) const;
 };

@@ -7,8 +7,8 @@
 
 namespace shigusa {
 
-// What a body's joint angles take: torques and centre of mass of each frame, as a rollout of the
-// whole body finds them. Holds its scratch memory: make one per thread. The body outlives it.
+// Finds the torques and the centre of mass of each frame of a clip, as a rollout of the whole body
+// finds them. Holds its scratch memory: make one per thread. The body outlives it.
 class ClipDynamics {
  public:
   explicit ClipDynamics(const BodyModel& body);

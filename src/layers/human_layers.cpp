@@ -33,7 +33,7 @@ CriteriaSettings swivel_criteria() {
   return criteria;
 }
 
-// What a free limb's own motion is scored by, beside the whole body's.
+// The criteria of a free limb's own motion, beside the whole body's.
 CriteriaSettings rest_criteria() {
   CriteriaSettings criteria;
   for_each_criterion([&](const auto& entry) { entry.weight(criteria) = 0.0; });
@@ -74,25 +74,24 @@ void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone
 
 Result<std::vector<Layer>> human_layers(const BodyModel& body, const CriteriaSettings& criteria,
                                         LayerReading reading) {
-  Result<std::vector<Layer>> layers = paper_layers(body, criteria, reading);
-  if (!layers) return layers;
-  for (Delegate& handed : (*layers)[0].delegates) {
+  SHG_TRY_ASSIGN(std::vector<Layer> layers, paper_layers(body, criteria, reading));
+  for (Delegate& handed : layers[0].delegates) {
     if (handed.by != DelegateMethod::limb_library) continue;
     handed.by = DelegateMethod::swivel;
     handed.idle = kRest;
   }
-  for (ReducedLimb& limb : (*layers)[0].body.limbs) {
-    if (limb.joints.kind == LimbKind::arm) limb.law = LengthLaw::way;
+  for (ReducedLimb& limb : layers[0].body.limbs) {
+    if (limb.joints.kind == LimbKind::arm) limb.law = LengthLaw::path;
   }
   Layer rest{
       .name = kRest, .body = {}, .parameters = {}, .criteria = rest_criteria(), .delegates = {}};
   const BodyLimbs limbs = find_limbs(body).value();
   for (std::size_t a = 0; a < limbs.arms.size(); ++a) {
-    Layer& arm = (*layers)[1 + a];
+    Layer& arm = layers[1 + a];
     add_idle_arm(body, limbs.arms[a], arm, rest);
     search_swivel(arm);
   }
-  layers->push_back(std::move(rest));
+  layers.push_back(std::move(rest));
   return layers;
 }
 

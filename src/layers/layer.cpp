@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "body/joint_name.hpp"
-#include "reducer.hpp"
 
 namespace shigusa {
 namespace {
@@ -91,10 +90,9 @@ Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
 
 Result<std::vector<Layer>> paper_layers(const BodyModel& body, const CriteriaSettings& criteria,
                                         LayerReading reading) {
-  const Result<BodyLimbs> limbs = find_limbs(body);
-  if (!limbs) return tl::unexpected(limbs.error());
+  SHG_TRY_ASSIGN(const BodyLimbs limbs, find_limbs(body));
   Layer upper{.name = "trunk_and_limb_lengths",
-              .body = reduced_body(body, *limbs),
+              .body = reduced_body(body, limbs),
               .parameters = {},
               .criteria = criteria,
               .delegates = {}};
@@ -108,7 +106,7 @@ Result<std::vector<Layer>> paper_layers(const BodyModel& body, const CriteriaSet
                                leg ? "" : limb.name});
   }
   std::vector<Layer> layers{std::move(upper)};
-  for (const BodyLimb& arm : limbs->arms) layers.push_back(arm_layer(body, arm));
+  for (const BodyLimb& arm : limbs.arms) layers.push_back(arm_layer(body, arm));
   return layers;
 }
 

@@ -34,11 +34,12 @@ struct ReducedDof {
 // How the length of a limb goes from the start to the final one.
 enum class LengthLaw {
   schedule,  // with minimum jerk (rule R3)
-  way,  // where the shoulder can stay, less by half of what the hand on its path is nearer to it:
-        // an arm that goes up in front bends on the way
+  path,  // less, where the shoulder can stay, by half of what the hand on its path is nearer to it:
+         // an arm that goes up in front bends meanwhile
 };
 
-// A limb of a reduced body: one rigid rod of variable length.
+// A limb of a reduced body: a telescopic limb (paper, section 3.4), one rigid rod of variable
+// length.
 struct ReducedLimb {
   BodyLimb joints;  // what it stands for
   int slide = 0;    // dof that is its length
@@ -67,6 +68,10 @@ struct ReducedBody {
   std::vector<TrunkJoint> joints;  // what arms hang on, from the trunk on
   std::vector<ReducedLimb> limbs;  // legs, then arms
 };
+
+// The body on which the upper layer moves: the trunk with its joints, as the body starts, and its
+// limbs as telescopic rods (paper, section 3.4).
+[[nodiscard]] ReducedBody reduced_body(const BodyModel& body, const BodyLimbs& limbs);
 
 // How what a layer decides about a limb becomes the limb's joints below.
 enum class DelegateMethod {
@@ -100,12 +105,12 @@ struct Layer {
     const BodyModel& body, const CriteriaSettings& criteria = {},
     LayerReading reading = LayerReading::shared_contractions);
 
-// How far an elbow may be swivelled from where the arm's way alone takes it (rad, outwards).
+// How far an elbow may be swivelled from where the hand's path alone takes it (rad, outwards).
 inline constexpr double kSwivelMin = radians(-60.0);
 inline constexpr double kSwivelMax = radians(90.0);
 
 // Three layers: the paper's upper one; then for each arm the swivel of its elbow, all that a hand's
-// way leaves open of an arm of four freedoms; then "rest", the final angles of what no goal moves,
+// path leaves open of an arm of four freedoms; then "rest", the final angles of what no goal moves,
 // scored by `criteria` on the whole body, so that a free arm balances what the others do, and by
 // the torque that it takes itself, so that it hangs where it need not. Of a body with a neck
 // PostureLaw moves head, clavicles and the free shoulder, and "rest" has the free elbow alone; its

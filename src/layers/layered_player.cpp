@@ -64,13 +64,7 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
       arms_.push_back({.by_weights = std::make_unique<ArmRollout>(arm), .slot = by_weights++});
     }
   }
-  for (const Layer& layer : problem.layers) {
-    for (const ParameterInfo& info : layer.parameters) {
-      if (info.kind != ParameterKind::final_angle) continue;
-      const ReducedDof& dof = layer.body.dofs[index(info.applies_to[0])];
-      finals_.push_back({index(body_->find_dof(dof.name).value()), dof.start});
-    }
-  }
+  for (const Layer& layer : problem.layers) add_finals(layer);
   for (const TrunkJoint& joint : problem.layers[0].body.joints) {
     const bool used = std::any_of(problem.arms.begin(), problem.arms.end(), [&](int arm) {
       return body_->moves(joint.of_body, problem.limbs.arms[index(arm)].carrier);
@@ -82,6 +76,14 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
     const Dof& knee = body_->dof(leg.hinge);
     ranges_.emplace_back(leg.segments,
                          PelvisRange::Limits{ankle.lower, ankle.upper, knee.lower, knee.upper});
+  }
+}
+
+void LayeredPlayer::add_finals(const Layer& layer) {
+  for (const ParameterInfo& info : layer.parameters) {
+    if (info.kind != ParameterKind::final_angle) continue;
+    const ReducedDof& dof = layer.body.dofs[index(info.applies_to[0])];
+    finals_.push_back({index(body_->find_dof(dof.name).value()), dof.start});
   }
 }
 
@@ -109,14 +111,14 @@ LayeredPlayer::LegLine LayeredPlayer::leg_line(const BodyLimb& leg, const Reduce
   }
   const Vec3d hip = clip.trunk[index(frame)] * leg.root;
   const int foot = foot_link(leg);
-  Vec3d way = transpose_times(start_.link_rotation(foot),
-                              hip - start_.point(foot, ankle_in_foot(*body_, leg)));
+  Vec3d line = transpose_times(start_.link_rotation(foot),
+                               hip - start_.point(foot, ankle_in_foot(*body_, leg)));
   double turn = 0.0;
   if (leg.inversion >= 0) {
-    turn = plane_turn(way, leg.segments.across());
-    way = transpose_times(rotation(Axis::z, turn), way);
+    turn = plane_turn(line, leg.segments.across());
+    line = transpose_times(rotation(Axis::z, turn), line);
   }
-  return {atan2(way.z, way.y), sqrt(way.y * way.y + way.z * way.z), turn};
+  return {atan2(line.z, line.y), sqrt(line.y * line.y + line.z * line.z), turn};
 }
 
 // rad, of the ankle
@@ -161,7 +163,7 @@ void LayeredPlayer::bend_leg(const BodyLimb& leg, const LegLine& line, const Mat
   leg.put_turns(*body_, ball_turns(transpose(trunk) * thigh, before), angles);
 }
 
-// what no goal moves, from where the frame before left it
+// Draws what no goal moves, from where the frame before left it.
 void LayeredPlayer::follow_law(int frame, std::span<double> angles) {
   if (law_.empty()) return;
   std::fill(drawn_.begin(), drawn_.end(), 0.0);

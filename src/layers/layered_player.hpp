@@ -12,7 +12,7 @@
 
 namespace shigusa {
 
-// What a hierarchy's motions are played with: the layers, and the problem of the whole body.
+// The layers of a hierarchy, and the problem of the whole body: all that its motions depend on.
 struct LayeredProblem {
   ReachProblem reach;         // points to the whole body
   bool in_reach = true;       // of the whole body; if not, paths end at the closest point
@@ -24,10 +24,10 @@ struct LayeredProblem {
   std::vector<ReachProblem> body_approaches{};
 };
 
-// Where the upper layer leads one arm: the way of its hand as its shoulder sees it.
+// Where the upper layer leads one arm: the path of its hand as its shoulder sees it.
 using HandPath = std::vector<Vec3d>;  // (frames) m, in the frame of the link that carries the arm
 
-// What is wanted of a goal's hand at the end of an upper motion, in its path's last frame.
+// The turn that a goal wants of its hand at the end of an upper motion, in its path's last frame.
 [[nodiscard]] EffectorTurn hand_turn(const LayeredProblem& problem, const ReducedClip& clip,
                                      std::size_t goal);
 
@@ -43,7 +43,7 @@ class LayeredPlayer {
 
   // The upper layer's motion.
   void run_upper(const Parameters& parameters, ReducedClip& clip) { upper_.run(parameters, clip); }
-  // The hand's way of each goal in an upper motion.
+  // The hand's path of each goal in an upper motion.
   [[nodiscard]] std::vector<HandPath> hand_paths(const ReducedClip& clip) const;
   // How far the legs' joints would pass their limits for the pelvis of an upper motion (rad, the
   // most of any frame; rule R4), and whether all legs can be so long.
@@ -56,7 +56,7 @@ class LayeredPlayer {
   // the upper layer are the clip's. A hand whose arm cannot follow its path with its weights
   // (locked, mostly) leaves it.
   [[nodiscard]] RolledOut expand(const ReducedClip& clip, const Parameters& parameters);
-  // The same; such an arm is given the weights of all freedoms alike.
+  // Expands so, but gives an arm that cannot follow its path the weights of all freedoms alike.
   [[nodiscard]] RolledOut expand_freeing(const ReducedClip& clip, Parameters& parameters);
 
  private:
@@ -66,7 +66,7 @@ class LayeredPlayer {
     double length = 0.0;  // m
     double turn = 0.0;    // rad, about the foot's z: of the leg's plane, where the ankle inverts
   };
-  // What moves a goal's arm: one of the two, with its place among the parameters.
+  // Moves a goal's arm by one of two methods, with its place among the parameters.
   struct GoalArm {
     std::unique_ptr<ArmRollout> by_weights{};
     std::unique_ptr<SwivelArm> by_swivel{};
@@ -77,6 +77,7 @@ class LayeredPlayer {
     double start = 0.0;  // rad
   };
 
+  void add_finals(const Layer& layer);
   [[nodiscard]] LegLine leg_line(const BodyLimb& leg, const ReducedClip& clip, int frame) const;
   void bend_leg(const BodyLimb& leg, const LegLine& line, const Mat3d& trunk,
                 std::span<double> angles) const;

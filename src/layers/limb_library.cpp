@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
+#include "core/bytes.hpp"
 #include "core/check.hpp"
+#include "core/hash.hpp"
 #include "core/index.hpp"
 #include "layers/layer.hpp"
 #include "rollout/detour.hpp"
@@ -23,27 +24,11 @@ constexpr double kShoulderSlack = 0.05;
 // … and is tried farther and farther out, by this (m).
 constexpr double kDetourStep = 0.01;
 
-// Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of numbers as bytes, lowest first on any machine.
-class Hash {
- public:
-  void add(std::string_view bytes) {
-    for (const char c : bytes) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
-  }
-  void add(std::uint64_t x) {
-    for (int k = 0; k < 8; ++k) value_ = (value_ ^ ((x >> (8 * k)) & 0xFF)) * 0x100000001B3ULL;
-  }
-  void add(double x) { add(__builtin_bit_cast(std::uint64_t, x)); }
-  void add(const Vec3d& v) {
-    for (int k = 0; k < 3; ++k) add(v[k]);
-  }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xCBF29CE484222325ULL;
-};
-
 std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings) {
-  Hash hash;
+  Fnv1a hash;
+  const auto add = [&hash](const Vec3d& v) {
+    for (int k = 0; k < 3; ++k) hash.add(v[k]);
+  };
   hash.add(std::uint64_t{kVersion});
   hash.add(static_cast<std::uint64_t>(settings.search));
   for_each_criterion([&](const auto& entry) {
@@ -52,7 +37,7 @@ std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings)
   });
   for (int d = 0; d < arm.dof_count(); ++d) {
     const Dof& dof = arm.dof(d);
-    hash.add(dof.offset);
+    add(dof.offset);
     hash.add(static_cast<std::uint64_t>(dof.axis));
     for (const double x : {dof.sign, dof.lower, dof.upper, dof.torque_positive, dof.torque_negative,
                            arm.start()[index(d)], arm.link_mass(d).mass}) {
@@ -60,10 +45,10 @@ std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings)
     }
     const MassProperties& mass = arm.link_mass(d);
     for (const Vec3d& v : {mass.com, mass.inertia.cx, mass.inertia.cy, mass.inertia.cz}) {
-      hash.add(v);
+      add(v);
     }
   }
-  hash.add(arm.effectors()[0].point);
+  add(arm.effectors()[0].point);
   return hash.value();
 }
 
@@ -82,19 +67,10 @@ ArmGenes genes_of(std::uint16_t code) {
   return genes;
 }
 
+// Takes an integer off the front.
 template <class T>
-void put(std::string& to, T x) {
-  const auto bits = static_cast<std::make_unsigned_t<T>>(x);
-  for (std::size_t k = 0; k < sizeof bits; ++k) to += static_cast<char>((bits >> (8 * k)) & 0xFF);
-}
-
-template <class T>
-T get(std::string_view& from) {
-  T x = 0;
-  for (std::size_t k = 0; k < sizeof x; ++k) {
-    x = static_cast<T>(
-        x | static_cast<T>(static_cast<T>(static_cast<unsigned char>(from[k])) << (8 * k)));
-  }
+T take_off(std::string_view& from) {
+  const T x = integer_at<T>(from, 0);
   from.remove_prefix(sizeof x);
   return x;
 }
@@ -108,7 +84,7 @@ double nearest_radius(const EffectorPath& path) {
   return least;
 }
 
-// When (0..1) a minimum-jerk motion has covered that share of its way.
+// When (0..1) a minimum-jerk motion has covered that share of its path.
 double time_of(double share) {
   double low = 0.0;
   double high = 1.0;
@@ -168,11 +144,11 @@ EffectorPath LimbLibrary::path_to(int cell) const {
   EffectorPath path{.start = hanging_, .goal = goal_of(cell)};
   const double least = kLimbRadiusMin * longest_ * (1.0 - kShoulderSlack);
   if (nearest_radius(path) >= least) return path;
-  const Vec3d way = path.goal - path.start;
-  const double share = clamp(-dot(path.start, way) / max(dot(way, way), 1e-12), 0.0, 1.0);
-  const Vec3d nearest = path.start + way * share;
+  const Vec3d line = path.goal - path.start;
+  const double share = clamp(-dot(path.start, line) / max(dot(line, line), 1e-12), 0.0, 1.0);
+  const Vec3d nearest = path.start + line * share;
   path.detour_peak = clamp(time_of(share), kDetourMargin, 1.0 - kDetourMargin);
-  // through the shoulder itself the way out is forwards
+  // from the shoulder's own centre a path leaves it forwards
   const Vec3d out = normalized(nearest, {0, 0, 1});
   // beside its peak a detour is less, so it takes more than what is missing
   for (double more = 0.0; more < longest_ && nearest_radius(path) < least; more += kDetourStep) {
@@ -224,35 +200,36 @@ void LimbLibrary::build(int cell) {
 // "shigusa-limbs\n", version, hash, count of cells; cells; check sum: all numbers lowest byte first
 std::string LimbLibrary::bytes() const {
   std::string text(kMagic);
-  put(text, kVersion);
-  put(text, hash_);
-  put(text, static_cast<std::uint32_t>(built_));
+  append_bytes(text, kVersion);
+  append_bytes(text, hash_);
+  append_bytes(text, static_cast<std::uint32_t>(built_));
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     if (!cells_[c].built) continue;
-    put(text, static_cast<std::uint16_t>(c));
-    put(text, code_of(cells_[c].genes));
-    put(text, __builtin_bit_cast(std::uint32_t, cells_[c].score));
+    append_bytes(text, static_cast<std::uint16_t>(c));
+    append_bytes(text, code_of(cells_[c].genes));
+    append_bytes(text, __builtin_bit_cast(std::uint32_t, cells_[c].score));
   }
-  Hash sum;
+  Fnv1a sum;
   sum.add(text);
-  put(text, sum.value());
+  append_bytes(text, sum.value());
   return text;
 }
 
 bool LimbLibrary::take(std::string_view bytes) {
   if (bytes.size() < kHeaderBytes + 8 || bytes.substr(0, kMagic.size()) != kMagic) return false;
   std::string_view rest = bytes.substr(kMagic.size());
-  if (get<std::uint32_t>(rest) != kVersion || get<std::uint64_t>(rest) != hash_) return false;
-  const auto count = get<std::uint32_t>(rest);
+  if (take_off<std::uint32_t>(rest) != kVersion || take_off<std::uint64_t>(rest) != hash_)
+    return false;
+  const auto count = take_off<std::uint32_t>(rest);
   if (count > kLimbCells || rest.size() != count * kCellBytes + 8) return false;
-  Hash sum;
+  Fnv1a sum;
   sum.add(bytes.substr(0, bytes.size() - 8));
   std::string_view stored = bytes.substr(bytes.size() - 8);
-  if (get<std::uint64_t>(stored) != sum.value()) return false;
+  if (take_off<std::uint64_t>(stored) != sum.value()) return false;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto number = get<std::uint16_t>(rest);
-    const auto code = get<std::uint16_t>(rest);
-    const auto score = __builtin_bit_cast(float, get<std::uint32_t>(rest));
+    const auto number = take_off<std::uint16_t>(rest);
+    const auto code = take_off<std::uint16_t>(rest);
+    const auto score = __builtin_bit_cast(float, take_off<std::uint32_t>(rest));
     if (number >= kLimbCells || cells_[number].built) continue;
     cells_[number] = {true, genes_of(code), score};
     ++built_;

@@ -33,9 +33,9 @@ struct LimbLibrarySettings {
   BatchSettings batch{};  // changes no result
 };
 
-// The best way to move an arm to each of a grid of goals, from where it hangs, with the trunk held
-// upright (paper, section 3.4; rule R5). A cell is searched when it is first asked for; cells do
-// not depend on each other nor on the order they are asked for in, so a library that was stored
+// The best weights to move an arm to each of a grid of goals, from where it hangs, with the trunk
+// held upright (paper, section 3.4; rule R5). A cell is searched when it is first asked for; cells
+// do not depend on each other nor on the order they are asked for in, so a library that was stored
 // gives the same results as a new one.
 class LimbLibrary {
  public:
@@ -44,7 +44,7 @@ class LimbLibrary {
 
   // The cell nearest to a hand's place (m, from the shoulder, in the trunk's frame).
   [[nodiscard]] int cell_of(const Vec3d& hand) const;
-  // m, the goal that a cell stands for, and the way to it: straight, or around the shoulder where
+  // m, the goal that a cell stands for, and the path to it: straight, or around the shoulder where
   // that would come nearer to it than the least radius.
   [[nodiscard]] Vec3d goal_of(int cell) const;
   [[nodiscard]] EffectorPath path_to(int cell) const;

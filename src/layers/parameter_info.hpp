@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// What a parameter's number means.
+// The meaning of a parameter's number.
 enum class ParameterKind {
   weight,       // of one freedom in weighted IK; a lock keeps the freedom at its start angle
   contraction,  // how much shorter limbs end: 0..kContractionMax parts of their range
@@ -20,7 +20,7 @@ enum class ParameterKind {
   switch_at,    // share of the duration about which the later phase begins
 };
 
-// What all parameters of one kind have in common.
+// The facts about all parameters of one kind.
 struct ParameterKindInfo {
   ParameterKind kind;
   std::string_view word;  // after the name, "weight" of "right_hip.flexion.weight"; may be empty

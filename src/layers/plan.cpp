@@ -242,12 +242,11 @@ void add_idle_layers(const BodyModel& body, std::span<const Layer> all, std::spa
 
 Result<Plan> layers_to_goals(const BodyModel& body, std::span<const Goal> goals,
                              const LayerChoice& choice, const CriteriaSettings& criteria) {
-  const Result<Plan> all = make_layers(body, choice, criteria);
-  if (!all) return all;
+  SHG_TRY_ASSIGN(const Plan all, make_layers(body, choice, criteria));
   const BodyLimbs limbs = find_limbs(body).value();
   std::vector<std::string> names;
   for (const Effector& effector : body.effectors()) names.push_back(effector.name);
-  Plan layers{(*all)[0]};
+  Plan layers{all[0]};
   for (const Goal& goal : goals) {
     const auto effector = body.find_effector(goal.effector);
     const auto arm = std::find_if(limbs.arms.begin(), limbs.arms.end(), [&](const BodyLimb& limb) {
@@ -265,9 +264,9 @@ Result<Plan> layers_to_goals(const BodyModel& body, std::span<const Goal> goals,
                   "goal of " + goal.effector);
     }
     // the arms' layers follow the upper one in the order of the arms
-    layers.push_back((*all)[1 + index(static_cast<int>(arm - limbs.arms.begin()))]);
+    layers.push_back(all[1 + index(static_cast<int>(arm - limbs.arms.begin()))]);
   }
-  add_idle_layers(body, *all, goals, layers);
+  add_idle_layers(body, all, goals, layers);
   return layers;
 }
 
@@ -322,10 +321,10 @@ std::vector<Parameter> parameters_of(std::span<const Layer> plan, Parameters& va
 }
 
 Result<void> check_parameters(std::span<const Layer> plan, const Parameters& values) {
-  if (const auto checked = check_counts(counts_of(plan), values); !checked) return checked;
+  SHG_TRY(check_counts(counts_of(plan), values));
   Parameters copy = values;
   for (const Parameter& parameter : parameters_of(plan, copy)) {
-    if (const auto checked = check_range(parameter); !checked) return checked;
+    SHG_TRY(check_range(parameter));
   }
   const std::vector<ReducedDof>& dofs = plan.front().body.dofs;
   for (std::size_t d = 0; d < dofs.size(); ++d) {

@@ -10,7 +10,7 @@ namespace shigusa {
 
 // Joint limits inside the weighted IK of a reduced body, after LimitGuard: a freedom that goes
 // towards a limit gives way by a share that falls to 0 over the last kLimitMargin, and comes to
-// rest there while others take over. Which way it goes is what pulled it in the step before.
+// rest there while others take over. It goes where it was pulled in the step before.
 //
 // The ankle of a leg that is a rod of variable length is at lean - shank(length): the lean of the
 // leg's line, less what the knee turns the shank away from it. Both move it, so near its limit both
@@ -18,7 +18,7 @@ namespace shigusa {
 // leaves the share of what the length alone moves the ankle by.
 class ReducedLimits {
  public:
-  // Of the freedoms `used` (dofs) that have limits. The body outlives it.
+  // Limits those of the freedoms `used` (dofs) that have limits. The body outlives it.
   ReducedLimits(const ReducedBody& body, std::span<const std::size_t> used);
 
   // Before a motion's first step; inverse (dofs): the weights far from limits.

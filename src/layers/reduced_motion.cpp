@@ -10,12 +10,12 @@
 namespace shigusa {
 namespace {
 
-// What is left after the two steps of the last frame is taken off by so many more at the most.
+// Up to so many further steps take off what the two steps of the last frame leave.
 constexpr int kLastSteps = 12;
 constexpr double kLastTolerance = 1e-10;  // m
-// The most that LengthLaw::way takes of what a hand comes nearer: all of it and the shoulder could
-// stay, but the elbow folds faster than a trunk gives way.
-constexpr double kWayShare = 0.5;
+// LengthLaw::path shortens an arm by this share at the most of what its hand comes nearer: by all
+// of it the shoulder could stay, but the elbow folds faster than a trunk yields.
+constexpr double kPathShare = 0.5;
 
 std::vector<int> chain_to(const ReducedBody& body, int link) {
   std::vector<int> chain;
@@ -49,29 +49,12 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
     : body_(&body), problem_(&problem), moves_(body.limbs.size(), false) {
   for (const ReducedDof& dof : body.dofs) q_.push_back(dof.start);
   place_reduced(body, q_, placed_);
-  for (const ReachGoal& goal : problem.goals) {
-    for (std::size_t i = 0; i < body.limbs.size(); ++i) {
-      const ReducedLimb& limb = body.limbs[i];
-      if (limb.joints.kind != LimbKind::arm || limb.joints.effector != goal.effector) continue;
-      moves_[i] = true;
-      targets_.push_back(
-          {.link = limb.slide, .carrier = limb.carrier, .chain = chain_to(body, limb.slide)});
-      add_clavicle(limb);
-    }
-  }
+  for (const ReachGoal& goal : problem.goals) add_hand(goal.effector);
   SHG_CHECK(targets_.size() == problem.goals.size(), "each goal is for an arm of the layer's body");
   for (std::size_t i = 0; i < body.limbs.size(); ++i) {
-    const ReducedLimb& limb = body.limbs[i];
-    if (limb.joints.kind != LimbKind::leg) continue;
+    if (body.limbs[i].joints.kind != LimbKind::leg) continue;
     moves_[i] = true;
-    if (limb.joints.carries) continue;
-    // the last of the ankle's freedoms, which follow the slide
-    const int foot = limb.slide + (limb.joints.inversion < 0 ? 1 : 2);
-    targets_.push_back({.link = foot,
-                        .contact = true,
-                        .position = placed_.origin[index(foot)],
-                        .orientation = placed_.rotation[index(foot)],
-                        .chain = chain_to(body, foot)});
+    if (!body.limbs[i].joints.carries) add_planted_foot(body.limbs[i]);
   }
   std::vector<bool> used(q_.size(), false);
   for (const Target& target : targets_) {
@@ -82,17 +65,35 @@ ReducedRollout::ReducedRollout(const ReducedBody& body, const ReachProblem& prob
     if (used[d]) used_.push_back(d);
   }
   SHG_CHECK(rows_ <= kMaxIkRows, "too many goals for one motion");
-  inverse_.resize(q_.size());
-  reference_.resize(q_.size());
-  final_lengths_.resize(q_.size());
-  stretched_.resize(q_.size());
+  for (auto* of_dofs : {&inverse_, &reference_, &final_lengths_, &stretched_, &change_, &force_}) {
+    of_dofs->resize(q_.size());
+  }
   given_.resize(q_.size());
   shorter_.resize(q_.size());
-  change_.resize(q_.size());
   jacobian_.resize(rows_ * q_.size());
   residual_.resize(rows_);
-  force_.resize(q_.size());
   if (problem.hold_limits) limits_.emplace(body, used_);
+}
+
+void ReducedRollout::add_hand(int effector) {
+  for (std::size_t i = 0; i < body_->limbs.size(); ++i) {
+    const ReducedLimb& limb = body_->limbs[i];
+    if (limb.joints.kind != LimbKind::arm || limb.joints.effector != effector) continue;
+    moves_[i] = true;
+    targets_.push_back(
+        {.link = limb.slide, .carrier = limb.carrier, .chain = chain_to(*body_, limb.slide)});
+    add_clavicle(limb);
+  }
+}
+
+void ReducedRollout::add_planted_foot(const ReducedLimb& leg) {
+  // the last of the ankle's freedoms, which follow the slide
+  const int foot = leg.slide + (leg.joints.inversion < 0 ? 1 : 2);
+  targets_.push_back({.link = foot,
+                      .contact = true,
+                      .position = placed_.origin[index(foot)],
+                      .orientation = placed_.rotation[index(foot)],
+                      .chain = chain_to(*body_, foot)});
 }
 
 void ReducedRollout::set_up(const Parameters& parameters) {
@@ -118,16 +119,16 @@ void ReducedRollout::set_up(const Parameters& parameters) {
   }
   for (Target& target : targets_) target.lag = 0.0;
   place_reduced(*body_, q_, placed_);
-  set_up_ways();
+  shorten_by_paths();
 }
 
-void ReducedRollout::set_up_ways() {
+void ReducedRollout::shorten_by_paths() {
   for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
     const auto slide = index(targets_[g].link);
     const ReducedLimb& limb =
         *std::find_if(body_->limbs.begin(), body_->limbs.end(),
                       [&](const ReducedLimb& l) { return l.slide == targets_[g].link; });
-    if (limb.law != LengthLaw::way) continue;
+    if (limb.law != LengthLaw::path) continue;
     const EffectorPath& path = problem_->goals[g].path;
     const Vec3d& shoulder = placed_.origin[index(body_->dofs[slide].parent)];
     const auto distance = [&](double tau) { return norm(path.at(tau) - shoulder); };
@@ -139,7 +140,7 @@ void ReducedRollout::set_up_ways() {
     if (last > limb.longest) continue;
     const double least = min(limb.shortest, q_[slide]);
     shorter.assign(1, 0.0);
-    double share = kWayShare;
+    double share = kPathShare;
     for (int frame = 1; frame <= problem_->steps; ++frame) {
       const double tau = static_cast<double>(frame) / problem_->steps;
       const double schedule = minimum_jerk(tau);
@@ -213,7 +214,8 @@ double ReducedRollout::measure(ReducedClip& clip) {
   return worst;
 }
 
-void ReducedRollout::step(int frame, bool first) {
+// sets by how much each length is to change in this step
+void ReducedRollout::draw_lengths(int frame, bool first) {
   const double schedule = minimum_jerk(static_cast<double>(frame) / problem_->steps);
   for (std::size_t d = 0; d < q_.size(); ++d) {
     const ReducedDof& dof = body_->dofs[d];
@@ -231,6 +233,23 @@ void ReducedRollout::step(int frame, bool first) {
       reference_[d] = stretched ? stretched_[d] - q_[d] : 0.0;
     }
   }
+}
+
+// changes lengths in full, and angles by no more than a step's limit
+void ReducedRollout::apply_change() {
+  double largest = 0.0;
+  for (std::size_t d = 0; d < q_.size(); ++d) {
+    if (body_->dofs[d].kind == ReducedDof::Kind::hinge) largest = max(largest, abs(change_[d]));
+  }
+  const double limit = problem_->ik.max_step;
+  const double scale = limit / max(largest, limit);
+  for (std::size_t d = 0; d < q_.size(); ++d) {
+    q_[d] += change_[d] * (body_->dofs[d].kind == ReducedDof::Kind::hinge ? scale : 1.0);
+  }
+}
+
+void ReducedRollout::step(int frame, bool first) {
+  draw_lengths(frame, first);
   if (first) {
     if (limits_) limits_->soften(q_, inverse_);
     draw_clavicles();
@@ -244,15 +263,7 @@ void ReducedRollout::step(int frame, bool first) {
   take_off_reference();
   solve();
   if (limits_ && first) limits_->learn(force_, change_);
-  double largest = 0.0;
-  for (std::size_t d = 0; d < q_.size(); ++d) {
-    if (body_->dofs[d].kind == ReducedDof::Kind::hinge) largest = max(largest, abs(change_[d]));
-  }
-  const double limit = problem_->ik.max_step;
-  const double scale = limit / max(largest, limit);
-  for (std::size_t d = 0; d < q_.size(); ++d) {
-    q_[d] += change_[d] * (body_->dofs[d].kind == ReducedDof::Kind::hinge ? scale : 1.0);
-  }
+  apply_change();
   if (limits_) {
     limits_->follow_length(change_, q_);
     limits_->hold(q_, inverse_);

@@ -37,7 +37,7 @@ struct ReducedClip {
   std::vector<std::vector<Vec3d>> hands;          // [goal][frame] m, world
   std::vector<std::vector<Transformd>> carriers;  // [goal][frame] of the link with the shoulder
   double path_error = 0.0;  // m, largest distance of a hand from its path at any frame
-  double foot_error = 0.0;  // m, the same of planted feet; their tilt counts by kContactLength
+  double foot_error = 0.0;  // m, largest slide of a planted foot; its tilt counts by kContactLength
 
   [[nodiscard]] std::span<const double> frame(int index) const {
     return std::span<const double>(values).subspan(
@@ -51,7 +51,7 @@ struct ReducedClip {
 //   L(t) = L_0 + (L_f - L_0) s(t),  L_f = longest - (longest - shortest) · contraction / 15,
 //   min Σ w_i Δq_i²   s.t.   J Δq = e - J_L ΔL,
 //
-// with s(t) the minimum jerk of the motion. By LengthLaw::way, where the goal is no farther than
+// with s(t) the minimum jerk of the motion. By LengthLaw::path, where the goal is no farther than
 // `longest` from where the shoulder starts, L(t) is less by a share k ≤ ½ of
 //   d_0 + (d_f - d_0) s(t) - d(t),
 // d(t) being the distance of the hand's path from where the shoulder starts and k the most that
@@ -82,8 +82,12 @@ class ReducedRollout {
     double lag = 0.0;  // m
   };
 
+  void add_hand(int effector);
+  void add_planted_foot(const ReducedLimb& leg);
   void set_up(const Parameters& parameters);
-  void set_up_ways();
+  void shorten_by_paths();
+  void draw_lengths(int frame, bool first);
+  void apply_change();
   void step(int frame, bool first);
   void add_clavicle(const ReducedLimb& limb);
   [[nodiscard]] PostureLaw<double>::Shrug<double> shrugged(int slide, int elevation) const;
@@ -104,7 +108,7 @@ class ReducedRollout {
   std::vector<double> q_;
   std::vector<double> final_lengths_;  // (dofs) m, of slides
   std::vector<double> stretched_;      // (dofs) m, of slides: what they never exceed if drawn
-  // (dofs) of slides by LengthLaw::way, (frames) m: what they are shorter by; else empty
+  // (dofs) of slides by LengthLaw::path, (frames) m: by how much they are shorter; else empty
   std::vector<std::vector<double>> shorter_;
   std::vector<bool> given_;  // (dofs) of slides: exactly their length, not drawn to it
   // A clavicle's freedoms, and what they are where its law wants nothing (rad).

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "reducer.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "body/joint_name.hpp"
 #include "kinematics/forward_kinematics.hpp"
+#include "layers/layer.hpp"
 
 namespace shigusa {
 namespace {
@@ -59,7 +58,8 @@ class Reducer {
     return slide;
   }
 
-  // Of an arm from shoulder to hand; of a leg in its plane, where its length is what changes.
+  // The length of an arm from shoulder to hand; that of a leg in its plane, where its length
+  // changes.
   static double length_at(const BodyLimb& limb, double bend) {
     const double plane = limb.segments.length(bend);
     if (limb.kind == LimbKind::leg) return plane;
@@ -96,11 +96,12 @@ class Reducer {
     const int joint = add_like(dof, reduced_link(from.parent), from.offset, start);
     hold_to_limits(dof, joint);
     ReducedDof& added = reduced_.dofs.back();
-    // the joints of the spine go by one weight for each way that it bends
-    const std::string freedom = from.name.substr(from.name.rfind('.') + 1);
+    // the joints of the spine go by one weight for each freedom of its
+    const std::string_view freedom = parse_joint_name(from.name).freedom;
     for (const TrunkJoint& earlier : reduced_.joints) {
       const ReducedDof& other = reduced_.dofs[static_cast<std::size_t>(earlier.dof)];
-      if (!is_of_arm(dof) && other.weight_of < 0 && other.name.ends_with("." + freedom)) {
+      if (!is_of_arm(dof) && other.weight_of < 0 &&
+          parse_joint_name(other.name).freedom == freedom) {
         added.weight_of = earlier.dof;
       }
     }
@@ -197,14 +198,14 @@ class Reducer {
     const Vec3d shoulder = placed_.origin[static_cast<std::size_t>(arm.flexion)];
     const Vec3d hand = placed_.point(effector.link, effector.point);
     // Rx(x) · Rz(z) brings -y to the hand's direction
-    const Vec3d way = transpose_times(placed_.link_rotation(arm.carrier), hand - shoulder);
-    const Vec3d up = -way;
+    const Vec3d line = transpose_times(placed_.link_rotation(arm.carrier), hand - shoulder);
+    const Vec3d up = -line;
     const double z = atan2(-up.x, sqrt(up.y * up.y + up.z * up.z));
     const double x = atan2(up.z, up.y);
     const int carrier = reduced_link(arm.carrier);
     const int flexion = add_like(arm.flexion, carrier, arm.root, x * body_.dof(arm.flexion).sign);
     const int abduction = add_like(arm.abduction, flexion, {}, z * body_.dof(arm.abduction).sign);
-    add_slide(arm, abduction, {}, -1.0, norm(way));
+    add_slide(arm, abduction, {}, -1.0, norm(line));
     ReducedLimb& limb = reduced_.limbs.back();
     limb.carrier = carrier;
     for (const TrunkJoint& joint : reduced_.joints) {

@@ -7,10 +7,10 @@
 
 namespace shigusa {
 
-// What a swivel costs beside the layer's criteria: one that leaves the joints' limits or jolts is
+// Beside the layer's criteria a swivel that leaves the joints' limits or jolts costs this: it is
 // taken only where all do …
 inline constexpr double kSwivelOver = 1.0;
-// … and the body in the arm's way counts by P = min(1, depth / kCollisionFull) times this.
+// … and one that leads the arm into the body costs P = min(1, depth / kCollisionFull) times this.
 inline constexpr double kSwivelCollisionWeight = 2.0;
 
 // Chooses the swivel of one arm on a hand's path. Holds its scratch memory: make one per thread.

@@ -42,6 +42,12 @@ struct ReachGoal {
 
   // The place of the box that is nearest to `at` (m, world), its sides moved inwards by `inset`.
   [[nodiscard]] Vec3d nearest(const Vec3d& at, double inset = 0.0) const;
+  // Makes the nearest place of the box the goal itself.
+  void end_nearest(const Vec3d& at) {
+    if (tolerance == Vec3d{}) return;
+    path.goal = nearest(at, kBoxInset);
+    tolerance = {};
+  }
 };
 
 // Everything that is the same for all motions of one search.

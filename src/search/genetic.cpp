@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/check.hpp"
+#include "core/hash.hpp"
 #include "scorer.hpp"
 #include "search/genetic_operators.hpp"
 
@@ -40,13 +41,15 @@ void check(const GeneticSettings& s) {
             fmt::format("fitness_offset is {}, allowed: 1e-12..1e12", s.fitness_offset));
 }
 
-// A genome in the order of its hash (FNV-1a), which mostly decides without a look at the genes.
+// A genome in the order of its hash, which mostly decides without a look at the genes.
 struct HashedGenome {
-  std::uint64_t hash = 14695981039346656037U;
+  std::uint64_t hash = 0;
   Genome genes;
 
   explicit HashedGenome(Genome genome) : genes(std::move(genome)) {
-    for (const std::uint16_t gene : genes) hash = (hash ^ gene) * 1099511628211U;
+    Fnv1a mixed;
+    for (const std::uint16_t gene : genes) mixed.mix(gene);
+    hash = mixed.value();
   }
   friend bool operator<(const HashedGenome& a, const HashedGenome& b) {
     return a.hash != b.hash ? a.hash < b.hash : a.genes < b.genes;

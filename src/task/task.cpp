@@ -42,7 +42,7 @@ Result<void> check_obstacles(const Task& task) {
   return {};
 }
 
-// What lifts heels is beyond the bodies that the other presets know.
+// Only the preset flat knows bodies whose heels lift.
 Result<void> check_heels(const Task& task) {
   const auto feet = task.body.feet();
   const bool lift =
@@ -69,7 +69,7 @@ Result<void> check_phases(const Task& task) {
   return {};
 }
 
-Result<void> check_settings(const Task& task) {
+Result<void> check_numbers(const Task& task) {
   if (task.duration &&
       !(*task.duration >= kTaskDurationMin && *task.duration <= kTaskDurationMax)) {
     return fail(ErrorCode::invalid_argument,
@@ -85,25 +85,29 @@ Result<void> check_settings(const Task& task) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
   }
-  if (const auto checked = check_phases(task); !checked) return checked;
-  if (const auto checked = check_heels(task); !checked) return checked;
-  if (task.look_at && !within(*task.look_at, -kGoalRange, kGoalRange)) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("allowed are finite numbers from -{:g} to {:g} m", kGoalRange, kGoalRange),
-        "look_at");
-  }
-  if (const auto checked = check_obstacles(task); !checked) return checked;
-  const CriteriaSettings& c = task.criteria;
+  return {};
+}
+
+Result<void> check_gaze(const Task& task) {
+  if (!task.look_at || within(*task.look_at, -kGoalRange, kGoalRange)) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("allowed are finite numbers from -{:g} to {:g} m", kGoalRange, kGoalRange),
+      "look_at");
+}
+
+Result<void> check_criteria(const CriteriaSettings& criteria) {
   double sum = 0.0;
   const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
   bool valid = true;
   bool scaled = true;
   for_each_criterion([&](const auto& criterion) {
-    valid = add(criterion.weight(c)) && valid;
-    scaled = scaled && criterion.scale(c) > 0.0;
+    valid = add(criterion.weight(criteria)) && valid;
+    scaled = scaled && criterion.scale(criteria) > 0.0;
   });
-  for (const UserCriterion& user : c.user) valid = valid && add(user.weight) && user.scale > 0.0;
+  for (const UserCriterion& user : criteria.user) {
+    valid = valid && add(user.weight) && user.scale > 0.0;
+  }
   if (!valid || sum <= 0.0) {
     return fail(ErrorCode::invalid_argument,
                 "criteria weights must be finite, 0 or more, and not all 0; scales above 0");
@@ -114,8 +118,17 @@ Result<void> check_settings(const Task& task) {
   return {};
 }
 
-// Where limits hold joints back, a frame takes up to so many further steps to bring an effector
-// back that has left its path by more than this.
+Result<void> check_settings(const Task& task) {
+  SHG_TRY(check_numbers(task));
+  SHG_TRY(check_phases(task));
+  SHG_TRY(check_heels(task));
+  SHG_TRY(check_gaze(task));
+  SHG_TRY(check_obstacles(task));
+  return check_criteria(task.criteria);
+}
+
+// Where limits hold joints back, a frame takes up to kLimitCorrections further steps to bring back
+// an effector that has left its path by more than kPathSlack.
 constexpr int kLimitCorrections = 2;
 constexpr double kPathSlack = 3e-4;  // m
 
@@ -161,25 +174,22 @@ Result<ReachProblem> make_problem(const Task& task) {
   if (task.goals.empty()) {
     return fail(ErrorCode::invalid_argument, "no goal: give at least one effector's position");
   }
-  if (const auto checked = check_settings(task); !checked) {
-    return tl::unexpected(checked.error());
-  }
+  SHG_TRY(check_settings(task));
   const BodyModel& body = task.body;
   const Kinematics<double> kinematics = start_kinematics(body);
   ReachProblem problem;
   problem.body = &body;
   problem.duration = 0.0;
   for (const Goal& goal : task.goals) {
-    Result<ReachGoal> reach = make_reach_goal(body, kinematics, goal);
-    if (!reach) return tl::unexpected(reach.error());
+    SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
     for (const ReachGoal& earlier : problem.goals) {
-      if (earlier.effector != reach->effector) continue;
+      if (earlier.effector != reach.effector) continue;
       return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
     }
-    problem.duration = max(problem.duration, goal_duration(body, kinematics, *reach));
-    problem.goals.push_back(std::move(*reach));
+    problem.duration = max(problem.duration, goal_duration(body, kinematics, reach));
+    problem.goals.push_back(std::move(reach));
   }
-  if (const auto checked = check_rows(problem); !checked) return tl::unexpected(checked.error());
+  SHG_TRY(check_rows(problem));
   problem.duration *= load_factor(body.load());
   if (task.duration) problem.duration = *task.duration;
   problem.hold_limits = problem.posture_law = traits_of(task.preset).natural;

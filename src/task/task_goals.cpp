@@ -14,27 +14,23 @@
 namespace shigusa {
 namespace {
 
-// A foot that steps lifts on its way by this (m), and this share of the way: toes clear the floor.
+// A foot that steps lifts by this (m), and this share of the step's length: toes clear the floor.
 constexpr double kStepLift = 0.05;
 constexpr double kStepLiftShare = 0.12;
 constexpr double kStepLiftMax = 0.15;
 // Less than this (m) along the floor is no step.
 constexpr double kLeastStep = 0.01;
 
-Error goal_error(const Goal& goal, std::string message) {
-  return {ErrorCode::invalid_argument, std::move(message), "goal of " + goal.effector};
-}
-
-Error base_moves(const std::string& foot) {
-  return {ErrorCode::invalid_argument,
-          foot + " bears this body and cannot move: only the other foot can", "goal"};
+tl::unexpected<Error> wrong_goal(const Goal& goal, std::string message) {
+  return fail(ErrorCode::invalid_argument, std::move(message), "goal of " + goal.effector);
 }
 
 Result<int> effector_index(const BodyModel& body, const Goal& goal) {
   if (const auto index = body.find_effector(goal.effector)) return *index;
   const Foot* base = base_foot(body);
   if (base != nullptr && base->name == goal.effector) {
-    return tl::unexpected(base_moves(goal.effector));
+    return fail(ErrorCode::invalid_argument,
+                base->name + " bears this body and cannot move: only the other foot can", "goal");
   }
   std::vector<std::string> names;
   for (int i = 0; i < body.effector_count(); ++i) names.push_back(body.effector(i).name);
@@ -43,53 +39,52 @@ Result<int> effector_index(const BodyModel& body, const Goal& goal) {
 
 Result<void> check_turn(const Goal& goal) {
   if (goal.rotation && goal.axis) {
-    return tl::unexpected(goal_error(goal, "has a rotation and an axis; allowed is one of both"));
+    return wrong_goal(goal, "has a rotation and an axis; allowed is one of both");
   }
   if (goal.rotation && !is_unit(*goal.rotation)) {
     const Quatd& q = *goal.rotation;
-    return tl::unexpected(
-        goal_error(goal, fmt::format("rotation is ({}, {}, {}, {}) of length {}; allowed is a unit "
-                                     "quaternion x, y, z, w",
-                                     q.x, q.y, q.z, q.w, sqrt(squared_length(q)))));
+    return wrong_goal(goal,
+                      fmt::format("rotation is ({}, {}, {}, {}) of length {}; allowed is a unit "
+                                  "quaternion x, y, z, w",
+                                  q.x, q.y, q.z, q.w, sqrt(squared_length(q))));
   }
   if (!goal.axis) return {};
   for (const Vec3d& v : {goal.axis->axis, goal.axis->direction}) {
     const double length = norm(v);
     if (length > 1e-6 && length <= kGoalRange) continue;
-    return tl::unexpected(goal_error(
+    return wrong_goal(
         goal, fmt::format("axis or direction is ({}, {}, {}); allowed is a finite vector that is "
                           "not 0",
-                          v.x, v.y, v.z)));
+                          v.x, v.y, v.z));
   }
   return {};
 }
 
 Result<void> check_goal(const Goal& goal) {
   if (!(goal.load >= 0.0 && goal.load <= kLoadMax)) {
-    return tl::unexpected(goal_error(
-        goal, fmt::format("load is {} kg; allowed are 0 to {:g} kg", goal.load, kLoadMax)));
+    return wrong_goal(goal,
+                      fmt::format("load is {} kg; allowed are 0 to {:g} kg", goal.load, kLoadMax));
   }
   for (int k = 0; k < 3; ++k) {
     const double x = goal.position[k];
     const double half = goal.tolerance[k];
     if (!(x >= -kGoalRange && x <= kGoalRange)) {
-      return tl::unexpected(goal_error(
+      return wrong_goal(
           goal, fmt::format("{} coordinate is {}; allowed are finite numbers from -{:g} to {:g} m",
-                            "xyz"[k], x, kGoalRange, kGoalRange)));
+                            "xyz"[k], x, kGoalRange, kGoalRange));
     }
     if (half >= 0.0 && half <= kToleranceMax) continue;
-    return tl::unexpected(goal_error(
-        goal,
-        fmt::format("{} tolerance is {}; allowed are 0 to {:g} m", "xyz"[k], half, kToleranceMax)));
+    return wrong_goal(goal, fmt::format("{} tolerance is {}; allowed are 0 to {:g} m", "xyz"[k],
+                                        half, kToleranceMax));
   }
   return check_turn(goal);
 }
 
-// Which way a path over `way` bows out, and how far (m): forwards, square to the way; a way that
-// leads forwards bows upwards.
-Vec3d bow_of(const Vec3d& way) {
-  const double length = norm(way);
-  const Vec3d along = normalized(way);
+// The offset (m) by which a path to `offset` from its start bows out: forwards, square to the path;
+// a path that leads forwards bows upwards.
+Vec3d bow_of(const Vec3d& offset) {
+  const double length = norm(offset);
+  const Vec3d along = normalized(offset);
   for (const Vec3d& out : {Vec3d{0, 0, 1}, Vec3d{0, 1, 0}}) {
     const Vec3d square = out - along * dot(along, out);
     if (norm(square) > 0.5) return normalized(square) * length;
@@ -97,11 +92,11 @@ Vec3d bow_of(const Vec3d& way) {
   return {};
 }
 
-// Which way a path over `way` sways, and how far (m): square to way and bow, outwards on the
-// effector's side; a way that leads sideways sways upwards.
-Vec3d sway_of(const Vec3d& way, const Vec3d& bow, const std::string& effector) {
+// The offset (m) by which a path to `offset` from its start sways: square to path and bow, outwards
+// on the effector's side; a path that leads sideways sways upwards.
+Vec3d sway_of(const Vec3d& offset, const Vec3d& bow, const std::string& effector) {
   const Vec3d out{parse_joint_name(effector).side == Side::left ? 1.0 : -1.0, 0.1, 0.0};
-  const Vec3d sway = cross(normalized(way), bow);
+  const Vec3d sway = cross(normalized(offset), bow);
   return dot(sway, out) < 0.0 ? -sway : sway;
 }
 
@@ -166,11 +161,18 @@ Result<void> check_contacts(const Task& task) {
               "contacts");
 }
 
+// Whether goals have loads, or feet do not stand.
+bool needs_preparing(const Task& task) {
+  const auto loaded = [](const Goal& goal) { return goal.load != 0.0; };
+  const auto feet = task.body.feet();
+  return task.contacts || std::any_of(task.goals.begin(), task.goals.end(), loaded) ||
+         std::any_of(feet.begin(), feet.end(),
+                     [&](const Foot& foot) { return moves_foot(task, foot); });
+}
+
 // Frees the feet that do not stand.
 Result<void> stand(Task& task) {
-  if (task.contacts) {
-    if (const auto checked = check_contacts(task); !checked) return checked;
-  }
+  if (task.contacts) SHG_TRY(check_contacts(task));
   name_soles(task);
   const Kinematics<double> start = start_kinematics(task.body);
   std::vector<std::string> standing;
@@ -219,28 +221,32 @@ EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
 
 Result<ReachGoal> make_reach_goal(const BodyModel& body, const Kinematics<double>& start,
                                   const Goal& goal) {
-  const Result<int> index = effector_index(body, goal);
-  if (!index) return tl::unexpected(index.error());
-  if (const auto checked = check_goal(goal); !checked) return tl::unexpected(checked.error());
-  const Effector& effector = body.effector(*index);
+  SHG_TRY_ASSIGN(const int index, effector_index(body, goal));
+  SHG_TRY(check_goal(goal));
+  const Effector& effector = body.effector(index);
   const Vec3d from = start.point(effector.link, effector.point);
-  const Vec3d way = goal.position - from;
+  const Vec3d offset = goal.position - from;
   ReachGoal reach;
-  reach.effector = *index;
+  reach.effector = index;
   reach.path = {from, goal.position};
-  reach.turn = goal_turn(body, goal, *index, start);
+  reach.turn = goal_turn(body, goal, index, start);
   reach.tolerance = goal.tolerance;
-  if (is_foot(body, *index)) {
+  if (is_foot(body, index)) {
     // neither through the floor nor far above it
-    const double length = norm(Vec3d{way.x, 0.0, way.z});
+    const double length = norm(Vec3d{offset.x, 0.0, offset.z});
     if (length > kLeastStep) {
       reach.path.detour.y = min(kStepLift + kStepLiftShare * length, kStepLiftMax);
     }
     return reach;
   }
-  reach.bow = bow_of(way);
-  reach.sway = sway_of(way, reach.bow, effector.name);
+  reach.bow = bow_of(offset);
+  reach.sway = sway_of(offset, reach.bow, effector.name);
   return reach;
+}
+
+double goal_miss(const Goal& goal, const Vec3d& at) {
+  const ReachGoal box{.path = {.goal = goal.position}, .tolerance = goal.tolerance};
+  return norm(box.nearest(at) - at);
 }
 
 double goal_duration(const BodyModel& body, const Kinematics<double>& start,
@@ -273,25 +279,16 @@ std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals)
   return std::nullopt;
 }
 
-bool needs_preparing(const Task& task) {
-  const auto loaded = [](const Goal& goal) { return goal.load != 0.0; };
-  const auto feet = task.body.feet();
-  return task.contacts || std::any_of(task.goals.begin(), task.goals.end(), loaded) ||
-         std::any_of(feet.begin(), feet.end(),
-                     [&](const Foot& foot) { return moves_foot(task, foot); });
-}
-
-Result<Task> prepared(const Task& task) {
-  Task ready = task;
-  for (Goal& goal : ready.goals) {
-    const Result<int> index = effector_index(task.body, goal);
-    if (!index) return tl::unexpected(index.error());
-    if (const auto checked = check_goal(goal); !checked) return tl::unexpected(checked.error());
-    if (goal.load > 0.0) ready.body = with_load(ready.body, *index, goal.load);
+Result<PreparedTask> prepared(Task task) {
+  if (!needs_preparing(task)) return PreparedTask(std::move(task));
+  for (Goal& goal : task.goals) {
+    SHG_TRY_ASSIGN(const int effector, effector_index(task.body, goal));
+    SHG_TRY(check_goal(goal));
+    if (goal.load > 0.0) task.body = with_load(task.body, effector, goal.load);
     goal.load = 0.0;
   }
-  if (const auto standing = stand(ready); !standing) return tl::unexpected(standing.error());
-  return ready;
+  SHG_TRY(stand(task));
+  return PreparedTask(std::move(task));
 }
 
 }  // namespace shigusa

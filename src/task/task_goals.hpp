@@ -9,15 +9,19 @@
 
 namespace shigusa {
 
-// The way of one goal, from the body's start posture; fails as make_problem does.
+// The path to one goal, from the body's start posture; fails as make_problem does.
 [[nodiscard]] Result<ReachGoal> make_reach_goal(const BodyModel& body,
                                                 const Kinematics<double>& start, const Goal& goal);
 
-// What a goal wants of its effector's orientation, of a foot level ground where it says nothing.
+// The orientation that a goal wants of its effector; a foot stays level where the goal says
+// nothing.
 [[nodiscard]] EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
                                      const Kinematics<double>& start);
 
-// Duration (s) of a way to a goal.
+// How far (m) a place is from a goal, or from its box.
+[[nodiscard]] double goal_miss(const Goal& goal, const Vec3d& at);
+
+// Duration (s) of a path to a goal.
 [[nodiscard]] double goal_duration(const BodyModel& body, const Kinematics<double>& start,
                                    const ReachGoal& goal);
 

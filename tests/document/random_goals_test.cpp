@@ -67,7 +67,7 @@ void judge(const Task& task, const GenerateResult& generation, const Candidate& 
   double miss = 0.0;
   for (const GoalResult& goal : candidate.goals) {
     if (reached) judge_path(exported, goal, candidate.motion.clip.duration());
-    miss = std::fmax(miss, norm(exported.at_end(goal.node) - goal.goal));
+    miss = std::fmax(miss, norm(exported.at_end(goal.node) - goal.asked.position));
   }
   ASSERT_EQ(miss <= kMillimetre, reached) << miss << " m";
 }

@@ -53,7 +53,7 @@ TEST(Rate, FramesAreAtTheirTimesAndTheLastIsOnTheGoal) {
       EXPECT_EQ(motion.frames(), static_cast<int>(std::ceil(duration * rate - 1e-6)) + 1);
       const GoalResult& goal = reach.candidate.goals[0];
       EXPECT_LE(norm(motion.at_end(goal.node) - goal.reached), kWritten);
-      EXPECT_LE(norm(motion.at_end(goal.node) - goal.goal), kMillimetre);
+      EXPECT_LE(norm(motion.at_end(goal.node) - goal.asked.position), kMillimetre);
     }
   }
 }

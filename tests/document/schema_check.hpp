@@ -91,8 +91,10 @@ class SchemaCheck {
 
   std::string judge_reference(const std::string& to, const Json& value,
                               const std::string& place) const {
-    if (!to.starts_with("#")) return place_before(place, in_docs(to).judge(value));
-    return judge(root_.at(Json::json_pointer(to.substr(1))), value, place);
+    const std::size_t hash = to.find('#');
+    if (hash == to.npos) return place_before(place, in_docs(to).judge(value));
+    if (hash == 0) return judge(root_.at(Json::json_pointer(to.substr(1))), value, place);
+    return in_docs(to.substr(0, hash)).judge_reference(to.substr(hash), value, place);
   }
 
   // the other schema calls the value "value"

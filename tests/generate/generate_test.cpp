@@ -96,11 +96,11 @@ TEST(Generate, CandidatesMeetTheGoal) {
   for (const Candidate& candidate : generation.candidates) {
     ASSERT_EQ(candidate.goals.size(), 1u);
     const GoalResult& goal = candidate.goals[0];
-    EXPECT_EQ(goal.effector, "right_hand");
+    EXPECT_EQ(goal.asked.effector, "right_hand");
     EXPECT_EQ(goal.node, "right_hand_grip");
-    EXPECT_EQ(goal.goal, kFrontLow);
+    EXPECT_EQ(goal.asked.position, kFrontLow);
     EXPECT_LE(goal.error, kReachTolerance);
-    EXPECT_DOUBLE_EQ(goal.error, norm(goal.goal - goal.reached));
+    EXPECT_DOUBLE_EQ(goal.error, norm(goal.asked.position - goal.reached));
     EXPECT_EQ(goal.reached,
               effector_position(full_body(), candidate.motion.clip.frame(60), "right_hand"));
   }
