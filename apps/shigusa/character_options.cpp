@@ -23,9 +23,8 @@ Result<void> add_bones(const std::string& text, CharacterSpec& spec) {
     spec.map.emplace_back(text.substr(0, sign), text.substr(sign + 1));
     return {};
   }
-  Result<BoneRequest> bones = read_bone_request(text);
-  if (!bones) return tl::unexpected(bones.error());
-  spec.map.insert(spec.map.end(), bones->begin(), bones->end());
+  SHG_TRY_ASSIGN(BoneRequest bones, read_bone_request(text));
+  spec.map.insert(spec.map.end(), bones.begin(), bones.end());
   return {};
 }
 
@@ -63,12 +62,11 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
   spec.heels = spec.heels || options.heels;
   if (options.sex) spec.sex = *value_of<Sex>(*options.sex, "sex");
   if (options.stature) {
-    const Result<double> stature = parse_stature(*options.stature, spec.sex);
-    if (!stature) return tl::unexpected(stature.error());
-    spec.stature = *stature;
+    SHG_TRY_ASSIGN(const double stature, parse_stature(*options.stature, spec.sex));
+    spec.stature = stature;
   }
   for (const std::string& text : options.map) {
-    if (const auto mapped = add_bones(text, spec); !mapped) return mapped;
+    SHG_TRY(add_bones(text, spec));
   }
   return {};
 }
@@ -78,10 +76,9 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
   usual.one_file = options.one_file;
   usual.rate = options.fps.value_or(usual.rate);
   if (!options.formats) return usual;
-  Result<std::vector<FileFormat>> asked = parse_formats(*options.formats);
-  if (!asked) return tl::unexpected(asked.error());
-  if (const auto can = check_formats(spec, *asked); !can) return tl::unexpected(can.error());
-  usual.formats = std::move(*asked);
+  SHG_TRY_ASSIGN(std::vector<FileFormat> asked, parse_formats(*options.formats));
+  SHG_TRY(check_formats(spec, asked));
+  usual.formats = std::move(asked);
   return usual;
 }
 

@@ -43,7 +43,7 @@ Result<fs::path> make_folder(const EditOptions& options) {
       return fail(ErrorCode::io, "cannot make this folder: " + error.message(), folder.string());
     }
   }
-  if (const auto ready = prepare_folder(folder); !ready) return tl::unexpected(ready.error());
+  SHG_TRY(prepare_folder(folder));
   return folder;
 }
 

@@ -32,9 +32,7 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
     file.character = {};
     file.character.source = *options.character;
   }
-  if (const auto applied = apply_character_options(options.person, file.character); !applied) {
-    return applied;
-  }
+  SHG_TRY(apply_character_options(options.person, file.character));
   auto applied = apply_task_options(options.asked, file);
   if (!applied || !options.asked.has("--layer-reading") || traits_of(file.preset).layers) {
     return applied;

@@ -107,9 +107,8 @@ Result<void> apply_to_goals(const Field<Goal, Value>& field, const Texts& texts,
     // numbers, points and rotations are so many doubles
     const auto named = parse_named(text, sizeof(Plain<Value>) / sizeof(double));
     if (!named) return misread(field, text);
-    const Result<Goal*> goal = goal_of(field.traits.option, named->name, request);
-    if (!goal) return tl::unexpected(goal.error());
-    field.set(**goal, from_numbers(named->numbers, Plain<Value>{}));
+    SHG_TRY_ASSIGN(Goal* const goal, goal_of(field.traits.option, named->name, request));
+    field.set(*goal, from_numbers(named->numbers, Plain<Value>{}));
   }
   return {};
 }
@@ -119,8 +118,7 @@ Result<void> point(const char* option, const char* axis_word, const std::string&
                    Request& request) {
   const auto parts = split(text);
   if (!parts) return misread(option, text, "HAND=DIRECTION");
-  const Result<Goal*> goal = goal_of(option, parts->first, request);
-  if (!goal) return tl::unexpected(goal.error());
+  SHG_TRY_ASSIGN(Goal* const goal, goal_of(option, parts->first, request));
   const Result<Vec3d> axis = hand_axis(axis_word, parts->first);
   if (!axis) return fail(axis.error().code, axis.error().message, option);
   Vec3d direction{};
@@ -131,7 +129,7 @@ Result<void> point(const char* option, const char* axis_word, const std::string&
     if (!named) return fail(named.error().code, named.error().message, option);
     direction = *named;
   }
-  Goal& of = **goal;
+  Goal& of = *goal;
   if (!of.axis || of.axis->axis == *axis) {
     of.axis = GoalAxis{*axis, direction};
     return {};
@@ -236,9 +234,8 @@ Result<void> apply_field(const Field<Request, std::vector<Item>>& field, const T
   std::vector<Item> list = request.*field.member;
   if (std::same_as<Item, Goal>) list.clear();
   for (const std::string& text : texts) {
-    Result<Item> item = parse<Item>(field, text);
-    if (!item) return tl::unexpected(item.error());
-    list.push_back(std::move(*item));
+    SHG_TRY_ASSIGN(Item item, parse<Item>(field, text));
+    list.push_back(std::move(item));
   }
   field.set(request, std::move(list));
   return {};
@@ -246,9 +243,8 @@ Result<void> apply_field(const Field<Request, std::vector<Item>>& field, const T
 template <class Value>
 Result<void> apply_field(const Field<Request, Value>& field, const std::optional<std::string>& text,
                          Request& request) {
-  Result<Plain<Value>> value = parse<Plain<Value>>(field, *text);
-  if (!value) return tl::unexpected(value.error());
-  field.set(request, std::move(*value));
+  SHG_TRY_ASSIGN(Plain<Value> value, parse<Plain<Value>>(field, *text));
+  field.set(request, std::move(value));
   return {};
 }
 template <class Value, class Number>

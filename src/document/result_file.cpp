@@ -250,19 +250,17 @@ std::string format_result(const TaskFile& file, const Task& task, const Generate
 }
 
 Result<StoredResult> parse_result(std::string_view text, std::string_view name) {
-  const Result<Json> json = parse_json(text, name);
-  if (!json) return tl::unexpected(json.error());
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   const std::string place(name);
-  if (!json->is_object() || !json->contains("task") || !json->contains("candidates") ||
-      !(*json)["candidates"].is_array()) {
+  if (!json.is_object() || !json.contains("task") || !json.contains("candidates") ||
+      !json["candidates"].is_array()) {
     return fail(ErrorCode::parse, "not a result of shigusa: it has no task and candidates", place);
   }
-  if (const auto known = check_version(*json, place); !known) return tl::unexpected(known.error());
-  Result<TaskFile> task = task_from_json((*json)["task"], place + ": task");
-  if (!task) return tl::unexpected(task.error());
-  StoredResult result{.task = std::move(*task), .candidates = {}};
-  if (json->contains("character_file") && (*json)["character_file"].is_string()) {
-    result.character = (*json)["character_file"].get<std::string>();
+  SHG_TRY(check_version(json, place));
+  SHG_TRY_ASSIGN(TaskFile task, task_from_json(json["task"], place + ": task"));
+  StoredResult result{.task = std::move(task), .candidates = {}};
+  if (json.contains("character_file") && json["character_file"].is_string()) {
+    result.character = json["character_file"].get<std::string>();
   }
   const CharacterSpec& character = result.task.character;
   if (!is_complete(character)) {
@@ -272,7 +270,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
                     : "landmarks_m is missing: a result holds the person as measured",
                 place + ": task.character");
   }
-  const Json& candidates = (*json)["candidates"];
+  const Json& candidates = json["candidates"];
   if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
   if (candidates.size() > kResultMaxCandidates) {
     return fail(
@@ -280,27 +278,22 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
         fmt::format("{} candidates; up to {} are allowed", candidates.size(), kResultMaxCandidates),
         place);
   }
-  const Result<BodyModel> body = build_body(result.task);
-  if (!body) return tl::unexpected(body.error());
+  SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
   const Result<Plan> plan =
-      plan_of(*body, result.task.goals, result.task.preset, result.task.layer_reading);
+      plan_of(body, result.task.goals, result.task.preset, result.task.layer_reading);
   if (!plan) return fail(ErrorCode::parse, plan.error().to_string(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);
-    Result<CandidateFiles> files = read_files(candidates[i], at);
-    if (!files) return tl::unexpected(files.error());
-    result.files.push_back(std::move(*files));
+    SHG_TRY_ASSIGN(CandidateFiles files, read_files(candidates[i], at));
+    result.files.push_back(std::move(files));
     if (candidates[i].contains("fps")) {
       const Json& rate = candidates[i]["fps"];
       if (!rate.is_number()) return fail(ErrorCode::parse, "must be a number", at + ".fps");
-      if (const auto ok = check_rate(rate.get<double>(), at + ".fps"); !ok) {
-        return tl::unexpected(ok.error());
-      }
+      SHG_TRY(check_rate(rate.get<double>(), at + ".fps"));
       result.rate = rate.get<double>();
     }
-    Result<Parameters> parameters = read_parameters(*plan, candidates[i], at);
-    if (!parameters) return tl::unexpected(parameters.error());
-    result.candidates.push_back(std::move(*parameters));
+    SHG_TRY_ASSIGN(Parameters parameters, read_parameters(*plan, candidates[i], at));
+    result.candidates.push_back(std::move(parameters));
   }
   return result;
 }
