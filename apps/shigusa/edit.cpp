@@ -116,13 +116,11 @@ int edit(const EditOptions& options) {
     const std::string place = error.place.empty() ? options.result : error.place;
     return report({error.code, error.message, (by_call ? "--set " : "") + place});
   }
-  RunInfo info{.search = options.mirror ? "mirror" : "edit"};
-  info.elapsed_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  RunInfo info = replay_info(options.mirror ? "mirror" : "edit", begin);
   const Result<fs::path> folder = make_folder(options);
   if (!folder) return report(folder.error());
-  const int exit_code =
-      deliver(*folder, stored->task, *task, *generation, info, *settings, options.json);
+  const int exit_code = deliver({stored->task, *task, *generation, std::move(info)},
+                                {.folder = *folder, .settings = *settings, .json = options.json});
   // a folder in which nothing could be written goes again
   std::error_code ignored;
   if (exit_code == kWrongInput && options.out.empty()) fs::remove(*folder, ignored);

@@ -99,13 +99,8 @@ int reach(const ReachOptions& options) {
   const Result<GenerateResult> generation = generate(*task, progress);
   end_progress_line();
   if (!generation) return report(generation.error());
-  RunInfo info;
-  info.search = word_of(search_of(*task));
-  info.threads = thread_count(batch->threads);
-  info.simd = simd_name(batch->simd);
-  info.elapsed_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  return deliver(options.out, *file, *task, *generation, info, *settings, options.json);
+  return deliver({*file, *task, *generation, search_info(*task, begin)},
+                 {.folder = options.out, .settings = *settings, .json = options.json});
 }
 
 }  // namespace shigusa::app

@@ -48,9 +48,8 @@ struct ExportSettings {
 /// they are written; where their nodes are not with the motion, this fails and writes nothing. CSV
 /// and figures have the frames of the motion itself.
 [[nodiscard]] Result<std::string> write_result(const std::filesystem::path& folder,
-                                               const TaskFile& file, const Task& task,
-                                               const GenerateResult& generation,
-                                               const RunInfo& info, const ExportSettings& settings);
+                                               const FinishedRun& run,
+                                               const ExportSettings& settings);
 
 /// How one motion is written.
 struct FileSettings {

@@ -14,21 +14,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The character's file as it is found from the folder, or nothing where it cannot be told.
+// The path of the character's file from the folder; empty where there is none.
 std::string from_folder(const fs::path& character, const fs::path& folder) {
   if (character.empty()) return {};
   std::error_code error;
-  const fs::path way = fs::relative(character, folder, error);
-  return error ? std::string() : way.generic_string();
+  const fs::path path = fs::relative(character, folder, error);
+  return error ? std::string() : path.generic_string();
 }
 
-// Adds the files of one format; notes them in `files`.
-Result<void> add_files(ResultFolder& folder, const CharacterSpec& character, const Task& task,
-                       const std::vector<Candidate>& candidates, FileFormat format,
+// Adds the files of one format to the folder, and notes them in `files`.
+Result<void> add_files(const FinishedRun& run, FileFormat format, ResultFolder& folder,
                        ResultFiles& files) {
+  const CharacterSpec& character = run.file.character;
+  const std::vector<Candidate>& candidates = run.generation.candidates;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const FileSettings settings{files.rate, candidate_animation(character, i + 1)};
-    SHG_TRY_ASSIGN(const auto made, make_file({character, task, candidates[i], settings}, format));
+    SHG_TRY_ASSIGN(const auto made,
+                   make_file({character, run.task, candidates[i], settings}, format));
     const std::string name = candidate_file(i + 1, format);
     SHG_TRY_ASSIGN(std::string sha256, folder.add(name, made.bytes));
     files.candidates[i][std::string(word_of(format))] = {name, std::move(sha256), made.back};
@@ -36,11 +38,11 @@ Result<void> add_files(ResultFolder& folder, const CharacterSpec& character, con
   return {};
 }
 
-Result<void> add_one_glb(ResultFolder& folder, const CharacterSpec& character, const Task& task,
-                         const std::vector<Candidate>& candidates, ResultFiles& files) {
-  SHG_TRY_ASSIGN(const auto made, make_one_glb(character, task, candidates, files.rate));
+Result<void> add_one_glb(const FinishedRun& run, ResultFolder& folder, ResultFiles& files) {
+  SHG_TRY_ASSIGN(const MadeGlb made,
+                 make_one_glb(run.file.character, run.task, run.generation.candidates, files.rate));
   SHG_TRY_ASSIGN(const std::string sha256, folder.add(kOneFile, made.bytes));
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
+  for (std::size_t i = 0; i < made.back.size(); ++i) {
     files.candidates[i][std::string(word_of(FileFormat::glb))] = {kOneFile, sha256, made.back[i]};
   }
   return {};
@@ -63,22 +65,20 @@ Result<void> prepare_folder(const fs::path& folder) {
   return ResultFolder().open(folder);
 }
 
-Result<std::string> write_result(const fs::path& folder, const TaskFile& file, const Task& task,
-                                 const GenerateResult& generation, const RunInfo& info,
+Result<std::string> write_result(const fs::path& folder, const FinishedRun& run,
                                  const ExportSettings& settings) {
-  SHG_TRY(check_formats(file.character, settings.formats));
+  SHG_TRY(check_formats(run.file.character, settings.formats));
   ResultFolder out;
   SHG_TRY(out.open(folder));
-  const std::vector<Candidate>& candidates = generation.candidates;
-  ResultFiles files{settings.rate, std::vector<CandidateFiles>(candidates.size()),
+  const std::size_t count = run.generation.candidates.size();
+  ResultFiles files{settings.rate, std::vector<CandidateFiles>(count),
                     from_folder(settings.character, folder)};
   for (const FileFormat format : settings.formats) {
-    if (!candidates.empty() && files.candidates[0].contains(std::string(word_of(format)))) continue;
+    if (count > 0 && files.candidates[0].contains(std::string(word_of(format)))) continue;
     const bool one = settings.one_file && format == FileFormat::glb;
-    SHG_TRY(one ? add_one_glb(out, file.character, task, candidates, files)
-                : add_files(out, file.character, task, candidates, format, files));
+    SHG_TRY(one ? add_one_glb(run, out, files) : add_files(run, format, out, files));
   }
-  std::string summary = format_result(file, task, generation, info, files);
+  std::string summary = format_result(run, files);
   SHG_TRY(out.publish(summary));
   return summary;
 }

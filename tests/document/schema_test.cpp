@@ -37,7 +37,7 @@ Json result_of(TaskFile file, bool edit = false) {
   const ResultFiles files{.rate = 29.97,
                           .candidates = {generation.candidates.size(), written},
                           .character = "../hero.glb"};
-  return Json::parse(format_result(file, task, generation, info, files));
+  return Json::parse(format_result({file, task, generation, info}, files));
 }
 
 TaskFile file_with(const Vec3d& goal, const char* body = "half_body") {

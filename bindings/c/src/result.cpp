@@ -26,11 +26,6 @@ Result<Task> task_of(TaskFile& file) {
   return make_task(file, {});
 }
 
-double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
-
 // How the caller watches. Stops the search once the caller says so.
 Progress watched_by(const shigusa_watch* watch, std::atomic<bool>& stop) {
   Progress progress;
@@ -44,13 +39,6 @@ Progress watched_by(const shigusa_watch* watch, std::atomic<bool>& stop) {
   return progress;
 }
 
-shigusa_status keep(TaskFile file, Task task, GenerateResult generation, RunInfo info,
-                    shigusa_result** result) {
-  *result =
-      new shigusa_result{std::move(file), std::move(task), std::move(generation), std::move(info)};
-  return SHIGUSA_OK;
-}
-
 // A result of what `work`, a function of a task and what is stored, generates.
 template <class Work>
 shigusa_status replayed(StoredResult stored, const char* how, Work&& work,
@@ -60,10 +48,9 @@ shigusa_status replayed(StoredResult stored, const char* how, Work&& work,
   const auto begin = std::chrono::steady_clock::now();
   Result<GenerateResult> generation = work(*task, stored);
   if (!generation) return refuse(generation.error());
-  RunInfo info{.search = how};
-  info.elapsed_ms = milliseconds_since(begin);
-  return keep(std::move(stored.task), std::move(*task), std::move(*generation), std::move(info),
-              result);
+  *result = new shigusa_result{std::move(stored.task), std::move(*task), std::move(*generation),
+                               replay_info(how, begin)};
+  return SHIGUSA_OK;
 }
 
 shigusa_status no_candidate(const shigusa_result& result, int32_t candidate) {
@@ -101,13 +88,10 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
     const auto begin = std::chrono::steady_clock::now();
     Result<GenerateResult> generation = generate(*asked, watched_by(watch, stop));
     if (!generation) return refuse(generation.error());
-    RunInfo info;
-    info.search = word_of(search_of(*asked));
-    info.threads = thread_count(threads);
-    info.simd = simd_name(asked->batch.simd);
-    info.elapsed_ms = milliseconds_since(begin);
-    return keep(std::move(*file), std::move(*asked), std::move(*generation), std::move(info),
-                result);
+    RunInfo info = search_info(*asked, begin);
+    *result = new shigusa_result{std::move(*file), std::move(*asked), std::move(*generation),
+                                 std::move(info)};
+    return shigusa_status{SHIGUSA_OK};
   });
 }
 
@@ -167,7 +151,8 @@ int32_t shigusa_result_candidates(const shigusa_result* result) {
 shigusa_status shigusa_result_describe(const shigusa_result* result, shigusa_bytes** json) {
   return guarded([&] {
     if (const auto null = need("result", result, "json", json)) return null;
-    return give(format_result(result->file, result->task, result->generation, result->info), json);
+    return give(format_result({result->file, result->task, result->generation, result->info}),
+                json);
   });
 }
 
