@@ -48,35 +48,30 @@ void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
 
 }  // namespace
 
-int score(const ScoreOptions& options) {
+Result<int> score(const ScoreOptions& options) {
   ScoreSettings settings;
-  const Result<CriteriaSettings> criteria = criteria_of(options.criteria);
-  if (!criteria) return report(criteria.error());
-  settings.criteria = *criteria;
+  SHG_TRY_ASSIGN(settings.criteria, criteria_of(options.criteria));
   if (options.smooth) settings.cutoff = *options.smooth;
-  const Result<FrameRange> frames = parse_frames(options.frames);
-  if (!frames) return report(frames.error());
-  settings.first = frames->first;
-  settings.last = frames->last;
+  SHG_TRY_ASSIGN(const FrameRange frames, parse_frames(options.frames));
+  settings.first = frames.first;
+  settings.last = frames.last;
   CharacterSpec character;
   character.source = options.character.value_or(options.clip);
   if (character.source == options.clip) character.frame = settings.first;
   CharacterOptions person = options.person;
   person.animation.reset();  // the clip's
-  if (const auto applied = apply_character_options(person, character); !applied) {
-    return report(applied.error());
-  }
-  const Result<RecordedMotion> recorded =
-      read_recorded(options.clip, character, settings.first, options.person.animation.value_or(""));
-  if (!recorded) return report(recorded.error());
-  const Result<ClipScore> score = score_clip(*recorded, settings);
-  if (!score) return report({score.error().code, score.error().to_string(), options.clip});
-  for (const std::string& doubt : recorded->body.doubts()) note(recorded->body.name(), doubt);
+  SHG_TRY(apply_character_options(person, character));
+  SHG_TRY_ASSIGN(const RecordedMotion recorded,
+                 read_recorded(options.clip, character, settings.first,
+                               options.person.animation.value_or("")));
+  const Result<ClipScore> score = score_clip(recorded, settings);
+  if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
+  for (const std::string& doubt : recorded.body.doubts()) note(recorded.body.name(), doubt);
   for (const std::string& doubt : score->doubts) note(options.clip, doubt);
   if (options.json) {
-    print_out("{}", format_clip_score(options.clip, *recorded, settings, *score));
+    print_out("{}", format_clip_score(options.clip, recorded, settings, *score));
   } else {
-    print_score(*recorded, settings, *score);
+    print_score(recorded, settings, *score);
   }
   return kDone;
 }

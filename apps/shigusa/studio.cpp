@@ -58,14 +58,12 @@ sigset_t blocked_ends() {
 
 }  // namespace
 
-int studio(const StudioOptions& options) {
-  const Result<fs::path> folder = page_folder(options.folder);
-  if (!folder) return report(folder.error());
-  Result<Page> page = read_page(*folder);
-  if (!page) return report(page.error());
+Result<int> studio(const StudioOptions& options) {
+  SHG_TRY_ASSIGN(const fs::path folder, page_folder(options.folder));
+  SHG_TRY_ASSIGN(Page page, read_page(folder));
   const sigset_t ends = blocked_ends();
-  PageServer server(std::move(*page));
-  if (const auto started = server.start(options.port); !started) return report(started.error());
+  PageServer server(std::move(page));
+  SHG_TRY(server.start(options.port));
   const std::string address = fmt::format("http://127.0.0.1:{}/", server.port());
   print_out("{}\n", address);
   std::fflush(stdout);

@@ -178,14 +178,13 @@ std::string score_table(const BodyModel& body, const ClipScore& scored) {
          fmt::format("  {}\n", measures_row(body, scored.measures, scored.final_posture));
 }
 
-int deliver(const FinishedRun& run, const Delivery& delivery) {
+Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {
   const auto& [folder, settings, json] = delivery;
-  const Result<std::string> summary = write_result(folder, run, settings);
-  if (!summary) return report(summary.error());
+  SHG_TRY_ASSIGN(const std::string summary, write_result(folder, run, settings));
   note_run(run);
   const GenerateResult& generation = run.generation;
   if (json) {
-    print_out("{}", *summary);
+    print_out("{}", summary);
   } else {
     print_out("{}{}", headline(run), candidate_table(run.task.body, generation.candidates));
     const auto& formats = settings.formats;

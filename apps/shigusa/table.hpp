@@ -17,7 +17,7 @@ struct Delivery {
   ExportSettings settings;
   bool json = false;  // prints summary.json in place of the table
 };
-// Writes a run's result and prints it; returns the exit code.
-int deliver(const FinishedRun& run, const Delivery& delivery);
+// Writes a run's result and prints it; gives the exit code.
+[[nodiscard]] Result<int> deliver(const FinishedRun& run, const Delivery& delivery);
 
 }  // namespace shigusa::app
