@@ -120,20 +120,8 @@ Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std:
   return json;
 }
 
-const char* end_name(SearchEnd end) {
-  switch (end) {
-    case SearchEnd::converged:
-      return "converged";
-    case SearchEnd::budget:
-      return "budget";
-    case SearchEnd::cancelled:
-      return "cancelled";
-  }
-  return "";
-}
-
 Json search_to_json(std::span<const Layer> plan, const GenerateResult& generation) {
-  Json json{{"end", end_name(generation.end)},
+  Json json{{"end", word_of(generation.end)},
             {"generations", generation.generations},
             {"missed", generation.missed},
             {"collided", generation.collided},

@@ -143,6 +143,20 @@ TEST(TaskSchema, RefusesWhatTheReaderRefuses) {
   EXPECT_GT(refused, 100);
 }
 
+TEST(ResultSchema, HasTheWordsOfTheTables) {
+  const Json schema = Json::parse(
+      read_text_file(SHIGUSA_SOURCE_DIR "/docs/result.schema.json", kTaskMaxBytes).value());
+  const auto words = [&](const std::string& place) {
+    return schema.at(Json::json_pointer(place)).at("enum").get<std::vector<std::string>>();
+  };
+  const std::string candidate = "/$defs/candidate/properties/";
+  EXPECT_EQ(words("/properties/status"), all_words<ReachStatus>());
+  EXPECT_EQ(words("/properties/search_detail/properties/end"), all_words<SearchEnd>());
+  EXPECT_EQ(words(candidate + "verdict"), all_words<Verdict>());
+  EXPECT_EQ(words(candidate + "paths/items/properties/kind"), all_words<PathKind>());
+  EXPECT_EQ(words("/$defs/reason/properties/kind"), all_words<ReasonKind>());
+}
+
 TEST(ResultSchema, RefusesBrokenResults) {
   // a list or a number of another size may stand in many places; null and true may stand nowhere
   const Json good = result_of(file_with({-0.2, 1.1, 0.4}));
