@@ -52,7 +52,7 @@ Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettin
 // searches find which are made to look for one; the worst score where they find none.
 double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goal,
                        const CriteriaSettings& criteria) {
-  GoalSearch searched(body, goal, criteria);
+  GoalSearch searched(body, goal, {.criteria = criteria});
   const double worst = worst_score(searched.criteria());
   double best = worst;
   PostureMeter meter(body);
