@@ -34,7 +34,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
   const struct {
     const char* name;
     bool given;
-    bool measures;  // told before the person in the file is measured
+    bool measures;  // it is needed when the person in the file is measured
   } of_a_file[] = {{"--extent", options.extent.has_value(), false},
                    {"--frame", options.frame.has_value(), true},
                    {"--animation", options.animation.has_value(), true},

@@ -111,12 +111,12 @@ struct FrameRange {
 };
 [[nodiscard]] Result<FrameRange> parse_frames(const std::string& text);
 
-// Fails on what a built-in body, or a person who was measured before, cannot be told.
+// Fails on facts that a built-in body, or a person who was measured before, cannot take.
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,
                                                    CharacterSpec& spec);
 
-// What to write: what is asked for, and else as in `usual`. Fails on formats that this character
-// cannot leave in.
+// How to write a result: as the options ask, and else as in `usual`. Fails on formats that this
+// character cannot leave in.
 [[nodiscard]] Result<ExportSettings> export_settings(const FileOptions& options,
                                                      const CharacterSpec& spec,
                                                      ExportSettings usual);
@@ -130,7 +130,7 @@ void open_standard_streams();
 
 // Writes to the standard output; what fails is kept for finish_output. Never throws.
 void write_out(std::string_view text);
-// The same to stderr, where a failure is nobody's to hear of.
+// Writes to stderr; nobody hears of a failure there.
 void write_err(std::string_view text);
 
 template <class... Args>

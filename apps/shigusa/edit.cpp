@@ -47,8 +47,8 @@ Result<fs::path> make_folder(const EditOptions& options) {
   return folder;
 }
 
-// Finds the file of the result's person: as told, or else where the result says it is, which may be
-// true no more. Returns where that is.
+// Finds the file of the result's person: the user's, or else the one that the result names, which
+// may be gone. Returns its path.
 Result<fs::path> attach_character(const EditOptions& options, StoredResult& stored) {
   CharacterSpec& person = stored.task.character;
   if (options.character) {

@@ -156,7 +156,7 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
   c->callback([&] { exit_code = exit_code_of(reach(o)); });
 }
 
-// What edit and mirror have in common.
+// The options that edit and mirror have in common.
 void add_result_options(CLI::App* c, EditOptions& o, int& exit_code) {
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
   c->add_option(

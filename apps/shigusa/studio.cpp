@@ -15,9 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where the page's built files are: as told, installed beside the program, or in the source tree.
-Result<fs::path> page_folder(const std::string& told) {
-  if (!told.empty()) return told;
+// The folder of the page's built files: the user's, the one installed beside the program, or the
+// source tree's.
+Result<fs::path> page_folder(const std::string& given) {
+  if (!given.empty()) return given;
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   for (const fs::path& folder : {program.parent_path().parent_path() / "share/shigusa/studio",

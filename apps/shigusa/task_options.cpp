@@ -14,7 +14,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// "NAME=1,2.5,-3": a name and so many numbers.
+// "NAME=1,2.5,-3": a name and numbers.
 struct Named {
   std::string name;
   std::vector<double> numbers;
@@ -104,7 +104,7 @@ double from_numbers(const std::vector<double>& n, double) { return n[0]; }
 template <class Value>
 Result<void> apply_to_goals(const Field<Goal, Value>& field, const Texts& texts, Request& request) {
   for (const std::string& text : texts) {
-    // numbers, points and rotations are so many doubles
+    // numbers, points and rotations are made of doubles alone
     const auto named = parse_named(text, sizeof(Plain<Value>) / sizeof(double));
     if (!named) return misread(field, text);
     SHG_TRY_ASSIGN(Goal* const goal, goal_of(field.traits.option, named->name, request));

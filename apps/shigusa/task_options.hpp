@@ -70,7 +70,7 @@ template <class Typed>
   }
 }
 
-// What is asked of the body, as it is typed.
+// The options of a task, as they are typed.
 struct TaskOptions {
   FieldOptions<Request> request;
   FieldOptions<Goal> goal;

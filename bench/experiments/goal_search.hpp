@@ -19,7 +19,7 @@ struct GoalSearchSettings {
 
 // The search of generate() for one goal of the right hand with the preset flat, laid open: the
 // problem, the space and its scores, without candidates. Its approach is the first by which one of
-// some random motions arrives: the straight path with its detour; the same with the null space
+// some random motions arrives: the straight path with its detour; that path with the null space
 // drawn to a posture that is there; that posture alone.
 class GoalSearch {
  public:

@@ -122,7 +122,8 @@ std::string parameters_table(const Plan& plan, const Subject& subject) {
   return fmt::format("\n{}:\n\n", subject.body.name()) + table.text();
 }
 
-// What a number of steps finds, and what that is worth when it is played with another.
+// The score that a search with a number of steps finds, and its worth when it is played with
+// another number.
 struct Stepped {
   double own = 0.0;           // the best score, at its own steps
   double fine = 0.0;          // the same parameters at the most steps

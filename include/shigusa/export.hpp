@@ -58,7 +58,7 @@ struct FileSettings {
 };
 
 /// A candidate's motion at a rate (Hz), as files of it have it: planted feet stay and the goals'
-/// effectors keep to their ways between the motion's own frames too.
+/// effectors keep to their paths between the motion's own frames too.
 [[nodiscard]] Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate);
 
 /// Parses {"fps": 24}.
@@ -73,8 +73,8 @@ struct FileSettings {
                                                    FileFormat format,
                                                    const FileSettings& settings = {});
 
-/// The same on the character's own skeleton where its file is at hand. Fails as check_formats and
-/// write_result do.
+/// One candidate on the character's own skeleton where its file is at hand. Fails as check_formats
+/// and write_result do.
 [[nodiscard]] Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
                                                    const Candidate& candidate, FileFormat format,
                                                    const FileSettings& settings = {});
@@ -88,7 +88,7 @@ struct FileSettings {
                                              const std::vector<Candidate>& candidates,
                                              double rate = kUsualRate);
 
-/// Fails on a rate that motions cannot leave at; `place` names what told it.
+/// Fails on a rate that motions cannot leave at; `place` names its origin.
 [[nodiscard]] Result<void> check_rate(double rate, std::string_view place);
 
 }  // namespace shigusa

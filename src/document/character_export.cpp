@@ -55,7 +55,7 @@ GltfAnimation animation_of(const Rig& rig, const std::vector<GltfPlace>& rest,
   return animation;
 }
 
-// The same rig with other nodes, none of them turned at rest.
+// The rig of a character with other nodes, none of which is turned at rest.
 Rig unturned(const CharacterRig& character) {
   Rig result = character.rig;
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {

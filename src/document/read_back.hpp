@@ -10,11 +10,11 @@
 
 namespace shigusa {
 
-// What a format leaves open of each node.
+// How far off a format's digits may put each node.
 struct ReadBackDigits {
   double turn = 0.0;      // rad, of its rotation
   double length = 0.0;    // m, of its place in its parent …
-  double relative = 0.0;  // … and the same as a share of it
+  double relative = 0.0;  // … and that as a share of the length
 };
 
 // Reads exported files back, as anybody else does, and compares where their nodes are with where

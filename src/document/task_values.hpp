@@ -8,7 +8,7 @@
 namespace shigusa {
 
 // Values of a task's fields that are more than a number, a text, a word or a point; field_json.hpp
-// finds these by their types. What is wrong is told to the reader.
+// finds these by their types. The reader keeps what is wrong.
 
 inline constexpr double kCriteriaRange = 1e6;  // weights and reference scales
 inline constexpr double kCriteriaTiny = 1e-9;  // reference scales are above 0

@@ -8,7 +8,7 @@
 namespace shigusa {
 namespace {
 
-// What moves a motion most comes first.
+// The parameters that change a motion most come first.
 bool comes_first(const Parameter& parameter) { return info_of(parameter.info->kind).word.empty(); }
 
 EditableParameter editable(const Parameter& parameter) {

@@ -6,7 +6,7 @@
 namespace shigusa::door {
 namespace {
 
-// Room of its own, so that a message is told even where memory is not to be had.
+// The message has room of its own, so that it is there even where memory is not to be had.
 constexpr std::size_t kMessageBytes = 1024;
 thread_local char last_message[kMessageBytes] = "";
 

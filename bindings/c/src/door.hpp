@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// What the handles of shigusa.h are.
+// The structs behind the handles of shigusa.h.
 
 struct shigusa_bytes {
   std::string text;
@@ -31,7 +31,7 @@ struct shigusa_result {
 
 namespace shigusa::door {
 
-// Keeps what shigusa_message() tells, and returns the status of it.
+// Keeps the text of shigusa_message(), and returns the status of it.
 shigusa_status refuse(shigusa_status status, const std::string& message);
 shigusa_status refuse(const Error& error);
 
