@@ -11,15 +11,6 @@
 namespace shigusa::app {
 namespace {
 
-Result<CriteriaSettings> criteria_of(const std::optional<std::string>& name) {
-  std::vector<std::string> names;
-  for (const CriteriaPreset& preset : criteria_presets()) {
-    if (!name || *name == preset.name) return name ? preset.settings() : default_criteria();
-    names.emplace_back(preset.name);
-  }
-  return fail(ErrorCode::invalid_argument, unknown_name("criteria", *name, names), "--criteria");
-}
-
 void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
                  const ClipScore& score) {
   const Clip& clip = score.motion.clip;
@@ -50,7 +41,11 @@ void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
 
 Result<int> score(const ScoreOptions& options) {
   ScoreSettings settings;
-  SHG_TRY_ASSIGN(settings.criteria, criteria_of(options.criteria));
+  if (options.criteria) {
+    const Result<CriteriaSettings> mixture = mixture_named(*options.criteria);
+    if (!mixture) return fail(mixture.error().code, mixture.error().message, "--criteria");
+    settings.criteria = *mixture;
+  }
   if (options.smooth) settings.cutoff = *options.smooth;
   SHG_TRY_ASSIGN(const FrameRange frames, parse_frames(options.frames));
   settings.first = frames.first;

@@ -190,15 +190,6 @@ std::string kind_of(std::string_view option) {
   return kind;
 }
 
-Result<CriteriaSettings> mixture_named(const std::string& name) {
-  Texts known;
-  for (const CriteriaPreset& mixture : criteria_presets()) {
-    if (name == mixture.name) return mixture.settings();
-    known.emplace_back(mixture.name);
-  }
-  return fail(ErrorCode::invalid_argument, unknown_name("criteria", name, known));
-}
-
 // The value of an option's text; of a list's option, of one item.
 template <class Value, class AnyField>
 Result<Value> parse(const AnyField& field, const std::string& text) {
@@ -259,6 +250,15 @@ Result<void> apply_field(const Field<Request, bool>& field, bool truth, Request&
 }
 
 }  // namespace
+
+Result<CriteriaSettings> mixture_named(const std::string& name) {
+  Texts known;
+  for (const CriteriaPreset& mixture : criteria_presets()) {
+    if (name == mixture.name) return mixture.settings();
+    known.emplace_back(mixture.name);
+  }
+  return fail(ErrorCode::invalid_argument, unknown_name("criteria", name, known));
+}
 
 bool TaskOptions::has(std::string_view option) const {
   bool given = false;

@@ -82,6 +82,9 @@ struct TaskOptions {
   [[nodiscard]] bool has(std::string_view option) const;
 };
 
+// The mixture of criteria of that name; fails on others.
+[[nodiscard]] Result<CriteriaSettings> mixture_named(const std::string& name);
+
 // Puts what is given into the request; goals take the place of those there. Fails on what cannot be
 // read, on unknown words and on what is of an effector without a goal.
 [[nodiscard]] Result<void> apply_task_options(const TaskOptions& options, Request& request);

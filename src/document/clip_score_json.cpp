@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/score_clip.hpp>
 #include <shigusa/task_file.hpp>
-#include <utility>
 
-#include "io/json_reader.hpp"
 #include "measures_json.hpp"
+#include "task_values.hpp"
 
 namespace shigusa {
 namespace {
@@ -38,11 +37,7 @@ Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view n
   SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   JsonReader reader(json, std::string(name) + ": ");
   ClipRequest request;
-  std::vector<std::pair<std::string, const CriteriaPreset*>> known;
-  for (const CriteriaPreset& preset : criteria_presets()) known.emplace_back(preset.name, &preset);
-  const CriteriaPreset* mixture = nullptr;
-  reader.choice<const CriteriaPreset*>("criteria", mixture, known);
-  if (mixture != nullptr) request.settings.criteria = mixture->settings();
+  read_mixture(reader, "criteria", request.settings.criteria);
   reader.integer("first", request.settings.first, 0, kFrameMost);
   if (reader.has("last")) {
     reader.integer("last", request.settings.last.emplace(), 0, kFrameMost);
@@ -50,8 +45,7 @@ Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view n
   reader.number("smoothed_hz", request.settings.cutoff, 0.0, kCutoffMost);
   reader.text("animation", request.animation);
   if (reader.has("character")) {
-    SHG_TRY_ASSIGN(request.character,
-                   parse_character_spec(reader.value("character").dump(), name));
+    SHG_TRY_ASSIGN(request.character, parse_character_spec(reader.value("character").dump(), name));
   }
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return request;
