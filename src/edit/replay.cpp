@@ -70,12 +70,11 @@ Result<void> mirror_result(StoredResult& stored) {
   SHG_TRY_ASSIGN(const BodyModel body, build_body(stored.task));
   SHG_TRY_ASSIGN(TaskFile image, mirrored(stored.task));
   SHG_TRY_ASSIGN(const Task task, make_task(image, {}));
-  const Result<Plan> from = plan_of(body, stored.task.goals, task.preset, task.layer_reading);
-  const Result<Plan> to = plan_of(task);
-  if (!from) return tl::unexpected(from.error());
-  if (!to) return tl::unexpected(to.error());
+  SHG_TRY_ASSIGN(const Plan from,
+                 plan_of(body, stored.task.goals, task.preset, task.layer_reading));
+  SHG_TRY_ASSIGN(const Plan to, plan_of(task));
   stored.task = std::move(image);
-  for (Parameters& values : stored.candidates) values = mirrored(*from, *to, values);
+  for (Parameters& values : stored.candidates) values = mirrored(from, to, values);
   return {};
 }
 
