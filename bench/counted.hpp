@@ -8,7 +8,7 @@
 
 namespace shigusa::bench {
 
-// Floating-point operations of the kernel. What only moves numbers or their signs is not counted.
+// Floating-point operations of the kernel. Moves of numbers or of their signs do not count.
 struct Operations {
   std::int64_t additions = 0;  // and subtractions
   std::int64_t multiplications = 0;
@@ -18,7 +18,7 @@ struct Operations {
   std::int64_t sines = 0;        // pairs of sine and cosine; their operations are counted above
 };
 
-// What comparing two of them gives.
+// The type of comparisons.
 struct CountedTruth {
   bool value = false;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shigusa_query SIMD_SET ROUNDS does one default query so many times, on one thread, and tells the
+// shigusa_query SIMD_SET ROUNDS does one default query ROUNDS times, on one thread, and prints the
 // median milliseconds of the processor and the most memory (KiB) that the process had resident.
 // shigusa_experiments runs it: a program of its own, as that one has loaded the libraries of
 // others.

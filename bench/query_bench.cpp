@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person waits for: a whole query, and a character's file.
+// The times that a person waits for: a whole query, and a character's file.
 #include <benchmark/benchmark.h>
 
 #include <shigusa/character.hpp>

@@ -75,23 +75,9 @@ std::string row(std::string_view name, const Audit& audit) {
                      count_of(audit.verdicts, "impossible"));
 }
 
-std::string page(const std::vector<Audit>& kinds) {
-  Audit all;
-  for (const Audit& kind : kinds) add(kind, all);
-  std::string text = fmt::format(
-      "# Reliability\n\n"
-      "Written by `scripts/make_reliability`; not edited by hand.\n\n"
-      "{} random tasks, the same each time: statures of 1.45 to 2.00 m, both sexes, goals within "
-      "and beyond\n"
-      "reach, {} motions scored for each. Goals, feet and rotations are judged by the exported "
-      "BVH's own forward\n"
-      "kinematics; limits by every frame; what is delivered as free by an ellipsoid for the head "
-      "and tapering\n"
-      "limbs, which are another geometry than the kernel's capsules; verdicts by every frame's "
-      "torques.\n\n"
-      "## What was promised and not kept: {}\n\n",
-      all.tasks, kEvaluations, all.failures.empty() ? "nothing" : "see below");
-  text += fmt::format(
+// The worst of each promise, and how bad it may be.
+std::string worst_table(const Audit& all) {
+  return fmt::format(
       "| | worst | allowed |\n|---|---|---|\n"
       "| goal that is told as met | {:.4f} mm | 1 mm |\n"
       "| its rotation | {:.4f}° | {:.3f}° |\n"
@@ -109,6 +95,25 @@ std::string page(const std::vector<Audit>& kinds) {
       degrees(kTilted), degrees(all.limit), degrees(kTilted), 1e3 * std::fmax(all.head, 0.0),
       1e3 * std::fmax(all.shank, 0.0), 1e3 * kThroughFlesh, all.through, all.candidates,
       all.over_limit);
+}
+
+std::string page(const std::vector<Audit>& kinds) {
+  Audit all;
+  for (const Audit& kind : kinds) add(kind, all);
+  std::string text = fmt::format(
+      "# Reliability\n\n"
+      "Written by `scripts/make_reliability`; not edited by hand.\n\n"
+      "{} random tasks, the same each time: statures of 1.45 to 2.00 m, both sexes, goals within "
+      "and beyond\n"
+      "reach, {} motions scored for each. Goals, feet and rotations are judged by the exported "
+      "BVH's own forward\n"
+      "kinematics; limits by every frame; what is delivered as free by an ellipsoid for the head "
+      "and tapering\n"
+      "limbs, which are another geometry than the kernel's capsules; verdicts by every frame's "
+      "torques.\n\n"
+      "## What was promised and not kept: {}\n\n",
+      all.tasks, kEvaluations, all.failures.empty() ? "nothing" : "see below");
+  text += worst_table(all);
   text +=
       "## Status and verdicts\n\n"
       "| asked for | tasks | reached | unsteady | unreachable | candidates | possible | strains | "

@@ -107,11 +107,12 @@ void candidate_table(const GenerateResult& generation, std::string& page) {
   }
 }
 
-void picture(const std::filesystem::path& docs, const Task& task, const Candidate& candidate,
-             const std::string& name, const std::string& words, std::string& page) {
+// Writes a candidate's figure; the line of the page that shows it.
+std::string picture(const std::filesystem::path& docs, const Task& task, const Candidate& candidate,
+                    const std::string& name, const std::string& words) {
   const std::string png = export_candidate(task, candidate, FileFormat::png).value();
   std::ofstream(docs / "images" / name, std::ios::binary) << png;
-  page += fmt::format("\n![{}](images/{})\n", words, name);
+  return fmt::format("\n![{}](images/{})\n", words, name);
 }
 
 void show(const std::filesystem::path& docs, const BodyModel& body, const Experiment& experiment,
@@ -133,8 +134,8 @@ void show(const std::filesystem::path& docs, const BodyModel& body, const Experi
   for (std::size_t i = 0; i < shown; ++i) {
     const std::string name = fmt::format("{}-{}{}-{}.png", experiment.file, body.name(),
                                          long_search ? "" : "-one_run", i + 1);
-    picture(docs, task, generation.candidates[i], name,
-            fmt::format("{}, candidate {}", experiment.title, i + 1), page);
+    page += picture(docs, task, generation.candidates[i], name,
+                    fmt::format("{}, candidate {}", experiment.title, i + 1));
   }
 }
 

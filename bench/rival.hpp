@@ -18,7 +18,7 @@
 // the floor's share of the second foot.
 namespace shigusa::bench {
 
-// What the library is asked for. Vectors and columns are in its own order of the freedoms.
+// A question to the library. Vectors and columns are in its own order of the freedoms.
 //   Engine(const ReachProblem&)
 //   int address(int dof)                      where a freedom of the body stands in that order
 //   void place(const VectorXd& q)             forward kinematics
@@ -72,7 +72,7 @@ class Rival {
     }
   }
 
-  // What is wrong with it, or nothing: it reaches the goal, stands, and knows the body's weight.
+  // The fault of the answer, or nothing: it reaches the goal, stands, and knows the body's weight.
   [[nodiscard]] std::string fault() {
     run(in_order(std::vector<double>(static_cast<std::size_t>(dofs_), 1.0)));
     if (!(norm(engine_.hand() - path_.back()) < kHandTolerance)) return "the hand misses its goal";

@@ -16,7 +16,7 @@ namespace {
 constexpr int kScalarMotions = 32;
 constexpr int kSearchMotions = 300;
 
-// What delivers motions: double precision, one at a time.
+// Motions are delivered so: in double precision, one at a time.
 void rollout_double(benchmark::State& state, const char* character) {
   const Measured measured(character, kScalarMotions);
   const CriteriaSettings criteria;

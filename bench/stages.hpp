@@ -9,7 +9,7 @@
 
 namespace shigusa::bench {
 
-// What a rollout does in each frame, and all of it.
+// The stages of a frame of a rollout, and whole rollouts.
 enum class Stage {
   forward_kinematics,
   ik_rows,      // Jacobian and residual
@@ -37,7 +37,7 @@ inline constexpr int kPeakChains = 7;  // of each kind
 inline constexpr int kPeakRounds = 1000;
 inline constexpr int kPeakOperations = 2 * kPeakChains * kPeakRounds;
 
-// What the stages are run on. The problem outlives them.
+// The input of the stages. The problem outlives them.
 struct StagesInput {
   const ReachProblem* problem = nullptr;
   const CriteriaSettings* criteria = nullptr;

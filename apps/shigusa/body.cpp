@@ -50,21 +50,16 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
 
 }  // namespace
 
-int body(const BodyOptions& options) {
+Result<int> body(const BodyOptions& options) {
   CharacterSpec spec;
   spec.source = options.source;
-  if (const auto applied = apply_character_options(options.person, spec); !applied) {
-    return report(applied.error());
-  }
-  if (const auto measured = measure_character(spec, {}); !measured) {
-    return report(measured.error());
-  }
-  const Result<BodyModel> model = build_character(spec);
-  if (!model) return report(model.error());
+  SHG_TRY(apply_character_options(options.person, spec));
+  SHG_TRY(measure_character(spec, {}));
+  SHG_TRY_ASSIGN(const BodyModel model, build_character(spec));
   if (options.json) {
-    print_out("{}", format_character(spec, *model));
+    print_out("{}", format_character(spec, model));
   } else {
-    print_body(*model, spec);
+    print_body(model, spec);
   }
   return kDone;
 }

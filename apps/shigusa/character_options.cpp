@@ -23,28 +23,27 @@ Result<void> add_bones(const std::string& text, CharacterSpec& spec) {
     spec.map.emplace_back(text.substr(0, sign), text.substr(sign + 1));
     return {};
   }
-  Result<BoneRequest> bones = read_bone_request(text);
-  if (!bones) return tl::unexpected(bones.error());
-  spec.map.insert(spec.map.end(), bones->begin(), bones->end());
+  SHG_TRY_ASSIGN(const BoneRequest bones, read_bone_request(text));
+  spec.map.insert(spec.map.end(), bones.begin(), bones.end());
   return {};
 }
 
-}  // namespace
-
-Result<void> apply_character_options(const CharacterOptions& options, CharacterSpec& spec) {
+// Fails on options of people from files that are given of others.
+Result<void> check_given(const CharacterOptions& options, const CharacterSpec& spec) {
+  const bool of_file = !is_built_in(spec);
   const struct {
     const char* name;
     bool given;
-    bool measures;  // told before the person in the file is measured
+    bool measures;  // it is needed when the person in the file is measured
   } of_a_file[] = {{"--extent", options.extent.has_value(), false},
                    {"--frame", options.frame.has_value(), true},
                    {"--animation", options.animation.has_value(), true},
                    {"--map", !options.map.empty(), true},
-                   {"--seat", options.seat.has_value() && !is_built_in(spec), true},
-                   {"--heels", options.heels && !is_built_in(spec), true},
-                   {"--stature", options.stature.has_value() && !is_built_in(spec), true}};
+                   {"--seat", options.seat.has_value() && of_file, true},
+                   {"--heels", options.heels && of_file, true},
+                   {"--stature", options.stature.has_value() && of_file, true}};
   for (const auto& option : of_a_file) {
-    if (option.given && is_built_in(spec)) {
+    if (option.given && !of_file) {
       return fail(ErrorCode::invalid_argument,
                   fmt::format("is of a person from a file, and {} is built in", spec.source),
                   option.name);
@@ -55,20 +54,25 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
                   option.name);
     }
   }
+  return {};
+}
+
+}  // namespace
+
+Result<void> apply_character_options(const CharacterOptions& options, CharacterSpec& spec) {
+  SHG_TRY(check_given(options, spec));
   if (options.extent) spec.extent = *value_of<BodyExtent>(*options.extent, "extent");
-  if (options.frame) spec.frame = *options.frame;
-  spec.animation = options.animation ? options.animation : spec.animation;
-  if (options.mass) spec.mass = *options.mass;
-  if (options.seat) spec.seat = *options.seat;
+  if (options.frame) spec.frame = options.frame;
+  if (options.animation) spec.animation = options.animation;
+  if (options.mass) spec.mass = options.mass;
+  if (options.seat) spec.seat = options.seat;
   spec.heels = spec.heels || options.heels;
   if (options.sex) spec.sex = *value_of<Sex>(*options.sex, "sex");
   if (options.stature) {
-    const Result<double> stature = parse_stature(*options.stature, spec.sex);
-    if (!stature) return tl::unexpected(stature.error());
-    spec.stature = *stature;
+    SHG_TRY_ASSIGN(spec.stature, parse_stature(*options.stature, spec.sex));
   }
   for (const std::string& text : options.map) {
-    if (const auto mapped = add_bones(text, spec); !mapped) return mapped;
+    SHG_TRY(add_bones(text, spec));
   }
   return {};
 }
@@ -78,10 +82,8 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
   usual.one_file = options.one_file;
   usual.rate = options.fps.value_or(usual.rate);
   if (!options.formats) return usual;
-  Result<std::vector<FileFormat>> asked = parse_formats(*options.formats);
-  if (!asked) return tl::unexpected(asked.error());
-  if (const auto can = check_formats(spec, *asked); !can) return tl::unexpected(can.error());
-  usual.formats = std::move(*asked);
+  SHG_TRY_ASSIGN(usual.formats, parse_formats(*options.formats));
+  SHG_TRY(check_formats(spec, usual.formats));
   return usual;
 }
 

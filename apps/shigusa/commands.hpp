@@ -22,7 +22,7 @@ inline constexpr int kWrongInput = 2;   // the call or a file is wrong, the stan
 inline constexpr int kUnreachable = 3;  // a goal is out of reach, or met by nothing that the body
                                         // could make; what is nearest is written
 
-// What is told of a character beside its source.
+// The facts of a character beside its source, as they are typed.
 struct CharacterOptions {
   std::optional<std::string> extent;
   std::optional<int> frame;
@@ -35,7 +35,7 @@ struct CharacterOptions {
   std::vector<std::string> map;  // BONE=NODE, or a JSON file of them
 };
 
-// What is written of a result.
+// The files of a result.
 struct FileOptions {
   std::optional<std::string> formats;
   bool one_file = false;
@@ -96,12 +96,13 @@ struct StudioOptions {
   std::string folder;  // of the built page; empty: where it is installed, or in the source tree
 };
 
-int studio(const StudioOptions& options);
-int reach(const ReachOptions& options);
-int edit(const EditOptions& options);
-int render(const RenderOptions& options);
-int score(const ScoreOptions& options);
-int body(const BodyOptions& options);
+// The commands; their values are exit codes.
+[[nodiscard]] Result<int> studio(const StudioOptions& options);
+[[nodiscard]] Result<int> reach(const ReachOptions& options);
+[[nodiscard]] Result<int> edit(const EditOptions& options);
+[[nodiscard]] Result<int> render(const RenderOptions& options);
+[[nodiscard]] Result<int> score(const ScoreOptions& options);
+[[nodiscard]] Result<int> body(const BodyOptions& options);
 
 // Part of a clip: "FIRST:LAST", or all of it where the text is empty.
 struct FrameRange {
@@ -110,12 +111,12 @@ struct FrameRange {
 };
 [[nodiscard]] Result<FrameRange> parse_frames(const std::string& text);
 
-// Fails on what a built-in body, or a person who was measured before, cannot be told.
+// Fails on facts that a built-in body, or a person who was measured before, cannot take.
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,
                                                    CharacterSpec& spec);
 
-// What to write: what is asked for, and else as in `usual`. Fails on formats that this character
-// cannot leave in.
+// How to write a result: as the options ask, and else as in `usual`. Fails on formats that this
+// character cannot leave in.
 [[nodiscard]] Result<ExportSettings> export_settings(const FileOptions& options,
                                                      const CharacterSpec& spec,
                                                      ExportSettings usual);
@@ -129,7 +130,7 @@ void open_standard_streams();
 
 // Writes to the standard output; what fails is kept for finish_output. Never throws.
 void write_out(std::string_view text);
-// The same to stderr, where a failure is nobody's to hear of.
+// Writes to stderr; nobody hears of a failure there.
 void write_err(std::string_view text);
 
 template <class... Args>
@@ -145,8 +146,8 @@ void print_err(fmt::format_string<Args...> format, Args&&... args) {
 // message, where not all of that could be written. A full disk may show only here.
 int finish_output(int exit_code);
 
-// Prints "shigusa: place: message" to stderr and returns the exit code that the error means.
-int report(const Error& error);
+// The exit code of a command. Prints its error to stderr, "shigusa: place: message".
+int exit_code_of(const Result<int>& command);
 
 // Prints "shigusa: place: note: message" to stderr.
 void note(std::string_view place, std::string_view message);

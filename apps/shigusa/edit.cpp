@@ -43,12 +43,12 @@ Result<fs::path> make_folder(const EditOptions& options) {
       return fail(ErrorCode::io, "cannot make this folder: " + error.message(), folder.string());
     }
   }
-  if (const auto ready = prepare_folder(folder); !ready) return tl::unexpected(ready.error());
+  SHG_TRY(prepare_folder(folder));
   return folder;
 }
 
-// Finds the file of the result's person: as told, or else where the result says it is, which may be
-// true no more. Returns where that is.
+// Finds the file of the result's person: the user's, or else the one that the result names, which
+// may be gone. Returns its path.
 Result<fs::path> attach_character(const EditOptions& options, StoredResult& stored) {
   CharacterSpec& person = stored.task.character;
   if (options.character) {
@@ -89,44 +89,36 @@ ExportSettings usual_settings(const StoredResult& stored, int candidate, const f
 
 }  // namespace
 
-int edit(const EditOptions& options) {
-  if (const auto formats = parse_formats(options.files.formats.value_or("")); !formats) {
-    return report(formats.error());
-  }
-  if (const auto ready = check_folder(options); !ready) return report(ready.error());
-  Result<StoredResult> stored = read_result(options.result, options.candidate);
-  if (!stored) return report(stored.error());
+Result<int> edit(const EditOptions& options) {
+  SHG_TRY(parse_formats(options.files.formats.value_or("")));
+  SHG_TRY(check_folder(options));
+  SHG_TRY_ASSIGN(StoredResult stored, read_result(options.result, options.candidate));
   if (options.mirror) {
-    if (const auto done = mirror_result(*stored); !done) return report(done.error());
+    SHG_TRY(mirror_result(stored));
   }
-  const Result<Task> task = make_task(stored->task, {});
-  if (!task) return report(task.error());
-  const Result<fs::path> file = attach_character(options, *stored);
-  if (!file) return report(file.error());
-  const Result<ExportSettings> settings = export_settings(
-      options.files, stored->task.character, usual_settings(*stored, options.candidate, *file));
-  if (!settings) return report(settings.error());
+  SHG_TRY_ASSIGN(const Task task, make_task(stored.task, {}));
+  SHG_TRY_ASSIGN(const fs::path file, attach_character(options, stored));
+  SHG_TRY_ASSIGN(const ExportSettings settings,
+                 export_settings(options.files, stored.task.character,
+                                 usual_settings(stored, options.candidate, file)));
   const auto begin = std::chrono::steady_clock::now();
   const Result<GenerateResult> generation =
-      replay(*task, *stored, options.candidate, options.assignments);
+      replay(task, stored, options.candidate, options.assignments);
   if (!generation) {
     const Error& error = generation.error();
     const auto& given = options.assignments;
     const bool by_call = std::find(given.begin(), given.end(), error.place) != given.end();
     const std::string place = error.place.empty() ? options.result : error.place;
-    return report({error.code, error.message, (by_call ? "--set " : "") + place});
+    return fail(error.code, error.message, (by_call ? "--set " : "") + place);
   }
-  RunInfo info{.search = options.mirror ? "mirror" : "edit"};
-  info.elapsed_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  const Result<fs::path> folder = make_folder(options);
-  if (!folder) return report(folder.error());
-  const int exit_code =
-      deliver(*folder, stored->task, *task, *generation, info, *settings, options.json);
+  RunInfo info = replay_info(options.mirror ? "mirror" : "edit", begin);
+  SHG_TRY_ASSIGN(const fs::path folder, make_folder(options));
+  Result<int> delivered = deliver({stored.task, task, *generation, std::move(info)},
+                                  {.folder = folder, .settings = settings, .json = options.json});
   // a folder in which nothing could be written goes again
   std::error_code ignored;
-  if (exit_code == kWrongInput && options.out.empty()) fs::remove(*folder, ignored);
-  return exit_code;
+  if (!delivered && options.out.empty()) fs::remove(folder, ignored);
+  return delivered;
 }
 
 }  // namespace shigusa::app

@@ -153,10 +153,10 @@ void add_reach(CLI::App& app, ReachOptions& o, int& exit_code) {
                            [](const FormatInfo& info) { return info.usual && needs_file(info); }),
                    "60");
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
-  c->callback([&] { exit_code = reach(o); });
+  c->callback([&] { exit_code = exit_code_of(reach(o)); });
 }
 
-// What edit and mirror have in common.
+// The options that edit and mirror have in common.
 void add_result_options(CLI::App* c, EditOptions& o, int& exit_code) {
   c->add_option("result", o.result, "Folder of a result, or its summary.json")->required();
   c->add_option(
@@ -169,7 +169,7 @@ void add_result_options(CLI::App* c, EditOptions& o, int& exit_code) {
       "Folder for the new result (default: a new one beside the old, named as the command)");
   add_file_options(c, o.files, "those of the result", "the result's");
   c->add_flag("--json", o.json, "Print summary.json instead of the table");
-  c->callback([&] { exit_code = edit(o); });
+  c->callback([&] { exit_code = exit_code_of(edit(o)); });
 }
 
 void add_edit(CLI::App& app, EditOptions& o, int& exit_code) {
@@ -200,7 +200,7 @@ void add_render(CLI::App& app, RenderOptions& o, int& exit_code) {
   c->add_option("--frames", o.frames, "FIRST:LAST part of the clip (from 0)");
   c->add_option("--stature", o.stature,
                 "Standing height in metres, where the file's unit misleads");
-  c->callback([&] { exit_code = render(o); });
+  c->callback([&] { exit_code = exit_code_of(render(o)); });
 }
 
 void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
@@ -218,7 +218,7 @@ void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
   c->add_option("--smooth", o.smooth,
                 "Hz: what is faster is taken for noise of the record (default 6; 0: nothing is)");
   c->add_flag("--json", o.json, "Print JSON");
-  c->callback([&] { exit_code = score(o); });
+  c->callback([&] { exit_code = exit_code_of(score(o)); });
 }
 
 void add_schema(CLI::App& app) {
@@ -234,7 +234,7 @@ void add_studio(CLI::App& app, StudioOptions& o, int& exit_code) {
       ->check(whole_number(0, 65535));
   c->add_flag("!--no-open", o.open, "Do not open a browser; the address is printed");
   c->add_option("--folder", o.folder, "Folder of the built page (default: the installed one)");
-  c->callback([&] { exit_code = studio(o); });
+  c->callback([&] { exit_code = exit_code_of(studio(o)); });
 }
 
 void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
@@ -242,7 +242,7 @@ void add_body(CLI::App& app, BodyOptions& o, int& exit_code) {
   c->add_option("source", o.source, character_help())->required();
   add_character_options(*c, o.person);
   c->add_flag("--json", o.json, "Print JSON");
-  c->callback([&] { exit_code = body(o); });
+  c->callback([&] { exit_code = exit_code_of(body(o)); });
 }
 
 }  // namespace

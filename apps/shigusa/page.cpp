@@ -53,11 +53,10 @@ Result<Page> read_page(const fs::path& folder) {
     std::error_code gone;
     if (at->symlink_status(gone).type() != fs::file_type::regular) continue;
     if (at->file_size(gone) > kPageMostBytes - bytes) return too_much();
-    Result<std::string> read = read_text_file(at->path(), kPageMostBytes - bytes);
-    if (!read) return tl::unexpected(read.error());
-    bytes += read->size();
+    SHG_TRY_ASSIGN(std::string read, read_text_file(at->path(), kPageMostBytes - bytes));
+    bytes += read.size();
     const std::string path = "/" + at->path().lexically_relative(folder).generic_string();
-    page[path] = {type_of(at->path()), std::move(*read)};
+    page[path] = {type_of(at->path()), std::move(read)};
   }
   if (wrong) return fail(ErrorCode::io, "cannot be read: " + wrong.message(), folder.string());
   if (!page.contains("/index.html")) {

@@ -70,7 +70,7 @@ bool is_ours(MHD_Connection* connection) {
 
 }  // namespace
 
-// What libmicrohttpd calls, on the server's thread.
+// Functions that libmicrohttpd calls, on the server's thread.
 struct PageServer::Callbacks {
   static MHD_Result answer(void* server, MHD_Connection* connection, const char* path,
                            const char* method, const char*, const char*, std::size_t*, void**) {
@@ -113,7 +113,7 @@ int PageServer::port() const {
   return MHD_get_daemon_info(daemon_.get(), MHD_DAEMON_INFO_BIND_PORT)->port;
 }
 
-// Who comes takes the place of the oldest that is not being answered, or else of the oldest.
+// A new visit takes the place of the oldest that is not being answered, or else of the oldest.
 void PageServer::come(MHD_Connection* connection) {
   if (visits_.size() == kMostConnections) {
     const auto idle = std::find_if(visits_.begin(), visits_.end(),

@@ -32,9 +32,7 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
     file.character = {};
     file.character.source = *options.character;
   }
-  if (const auto applied = apply_character_options(options.person, file.character); !applied) {
-    return applied;
-  }
+  SHG_TRY(apply_character_options(options.person, file.character));
   auto applied = apply_task_options(options.asked, file);
   if (!applied || !options.asked.has("--layer-reading") || traits_of(file.preset).layers) {
     return applied;
@@ -62,52 +60,40 @@ void note_goals_below_floor(const Task& task) {
 
 }  // namespace
 
-int reach(const ReachOptions& options) {
-  if (const auto formats = parse_formats(options.files.formats.value_or("")); !formats) {
-    return report(formats.error());
-  }
-  const Result<BatchSettings> batch = batch_settings(options);
-  if (!batch) return report(batch.error());
-  Result<TaskFile> file = options.task.empty() ? TaskFile{} : read_task(options.task);
-  if (!file) return report(file.error());
-  if (const auto applied = apply_options(options, *file); !applied) {
-    return report(applied.error());
-  }
+Result<int> reach(const ReachOptions& options) {
+  SHG_TRY(parse_formats(options.files.formats.value_or("")));
+  SHG_TRY_ASSIGN(const BatchSettings batch, batch_settings(options));
+  SHG_TRY_ASSIGN(TaskFile file, options.task.empty() ? TaskFile{} : read_task(options.task));
+  SHG_TRY(apply_options(options, file));
   // a character named on the command line is looked for from where the command is given
   const auto folder = options.character || options.task.empty()
                           ? std::filesystem::path{}
                           : std::filesystem::path(options.task).parent_path();
   const std::filesystem::path character =
-      is_complete(file->character) ? std::filesystem::path{} : folder / file->character.source;
-  Result<Task> task = make_task(*file, folder);
-  if (!task) return report(task.error());
-  const Result<ExportSettings> settings =
-      export_settings(options.files, file->character,
-                      {.formats = usual_formats(file->character), .character = character});
-  if (!settings) return report(settings.error());
-  task->batch = *batch;
-  task->layers.store = limb_store();
-  if (const auto checked = check_task(*task); !checked) {
-    return report(in_task(checked.error(), options));
+      is_complete(file.character) ? std::filesystem::path{} : folder / file.character.source;
+  SHG_TRY_ASSIGN(Task task, make_task(file, folder));
+  SHG_TRY_ASSIGN(
+      const ExportSettings settings,
+      export_settings(options.files, file.character,
+                      {.formats = usual_formats(file.character), .character = character}));
+  task.batch = batch;
+  task.layers.store = limb_store();
+  if (const auto checked = check_task(task); !checked) {
+    return tl::unexpected(in_task(checked.error(), options));
   }
-  note_goals_below_floor(*task);
-  if (const auto ready = prepare_folder(options.out); !ready) return report(ready.error());
+  note_goals_below_floor(task);
+  SHG_TRY(prepare_folder(options.out));
   const auto begin = std::chrono::steady_clock::now();
   Progress progress = terminal_progress();
   if (options.seconds) {
     progress.deadline = begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                     std::chrono::duration<double>(*options.seconds));
   }
-  const Result<GenerateResult> generation = generate(*task, progress);
+  const Result<GenerateResult> generation = generate(task, progress);
   end_progress_line();
-  if (!generation) return report(generation.error());
-  RunInfo info;
-  info.search = word_of(search_of(*task));
-  info.threads = thread_count(batch->threads);
-  info.simd = simd_name(batch->simd);
-  info.elapsed_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-  return deliver(options.out, *file, *task, *generation, info, *settings, options.json);
+  if (!generation) return tl::unexpected(generation.error());
+  return deliver({file, task, *generation, search_info(task, begin)},
+                 {.folder = options.out, .settings = settings, .json = options.json});
 }
 
 }  // namespace shigusa::app

@@ -44,39 +44,35 @@ Result<FrameRange> parse_frames(const std::string& text) {
               "--frames");
 }
 
-int render(const RenderOptions& options) {
+Result<int> render(const RenderOptions& options) {
   const std::filesystem::path clip = options.clip;
   const std::filesystem::path out = options.out.empty() ? clip.filename().replace_extension(".svg")
                                                         : std::filesystem::path(options.out);
   StripSettings settings;
   settings.poses = options.poses;
-  const Result<FrameRange> frames = parse_frames(options.frames);
-  if (!frames) return report(frames.error());
-  settings.first_frame = frames->first;
-  if (frames->last) settings.last_frame = *frames->last;
-  const Result<SkeletonMotion> motion = read_bvh(clip);
-  if (!motion) return report(motion.error());
-  const Result<FigureFormat> format = format_of(out);
-  if (!format) return report(format.error());
+  SHG_TRY_ASSIGN(const FrameRange frames, parse_frames(options.frames));
+  settings.first_frame = frames.first;
+  if (frames.last) settings.last_frame = *frames.last;
+  SHG_TRY_ASSIGN(const SkeletonMotion motion, read_bvh(clip));
+  SHG_TRY_ASSIGN(const FigureFormat format, format_of(out));
   std::error_code ignored;
   if (std::filesystem::equivalent(clip, out, ignored)) {
-    return report(
-        {ErrorCode::invalid_argument,
-         "is the clip itself, which the picture would replace; give another name by --out",
-         out.string()});
+    return fail(ErrorCode::invalid_argument,
+                "is the clip itself, which the picture would replace; give another name by --out",
+                out.string());
   }
-  const Result<std::string> no_person = understand_figure(*motion, options.stature, settings);
+  const Result<std::string> no_person = understand_figure(motion, options.stature, settings);
   if (!no_person) {
-    return report({no_person.error().code, no_person.error().message, "--stature"});
+    return fail(no_person.error().code, no_person.error().message, "--stature");
   }
   if (!no_person->empty()) {
     note(options.clip,
          fmt::format("no whole person: {}; drawn as it stands, +Y up, 1 unit = {:g} m", *no_person,
                      settings.metres_per_unit));
   }
-  const Result<std::string> picture = draw_strip(*motion, {}, settings, *format);
-  if (!picture) return report({picture.error().code, picture.error().to_string(), options.clip});
-  if (const auto written = write_file(out, *picture); !written) return report(written.error());
+  const Result<std::string> picture = draw_strip(motion, {}, settings, format);
+  if (!picture) return fail(picture.error().code, picture.error().to_string(), options.clip);
+  SHG_TRY(write_file(out, *picture));
   print_out("{}\n", out.string());
   return kDone;
 }

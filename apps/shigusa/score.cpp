@@ -11,15 +11,6 @@
 namespace shigusa::app {
 namespace {
 
-Result<CriteriaSettings> criteria_of(const std::optional<std::string>& name) {
-  std::vector<std::string> names;
-  for (const CriteriaPreset& preset : criteria_presets()) {
-    if (!name || *name == preset.name) return name ? preset.settings() : default_criteria();
-    names.emplace_back(preset.name);
-  }
-  return fail(ErrorCode::invalid_argument, unknown_name("criteria", *name, names), "--criteria");
-}
-
 void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
                  const ClipScore& score) {
   const Clip& clip = score.motion.clip;
@@ -48,35 +39,34 @@ void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
 
 }  // namespace
 
-int score(const ScoreOptions& options) {
+Result<int> score(const ScoreOptions& options) {
   ScoreSettings settings;
-  const Result<CriteriaSettings> criteria = criteria_of(options.criteria);
-  if (!criteria) return report(criteria.error());
-  settings.criteria = *criteria;
+  if (options.criteria) {
+    const Result<CriteriaSettings> mixture = mixture_named(*options.criteria);
+    if (!mixture) return fail(mixture.error().code, mixture.error().message, "--criteria");
+    settings.criteria = *mixture;
+  }
   if (options.smooth) settings.cutoff = *options.smooth;
-  const Result<FrameRange> frames = parse_frames(options.frames);
-  if (!frames) return report(frames.error());
-  settings.first = frames->first;
-  settings.last = frames->last;
+  SHG_TRY_ASSIGN(const FrameRange frames, parse_frames(options.frames));
+  settings.first = frames.first;
+  settings.last = frames.last;
   CharacterSpec character;
   character.source = options.character.value_or(options.clip);
   if (character.source == options.clip) character.frame = settings.first;
   CharacterOptions person = options.person;
   person.animation.reset();  // the clip's
-  if (const auto applied = apply_character_options(person, character); !applied) {
-    return report(applied.error());
-  }
-  const Result<RecordedMotion> recorded =
-      read_recorded(options.clip, character, settings.first, options.person.animation.value_or(""));
-  if (!recorded) return report(recorded.error());
-  const Result<ClipScore> score = score_clip(*recorded, settings);
-  if (!score) return report({score.error().code, score.error().to_string(), options.clip});
-  for (const std::string& doubt : recorded->body.doubts()) note(recorded->body.name(), doubt);
+  SHG_TRY(apply_character_options(person, character));
+  SHG_TRY_ASSIGN(const RecordedMotion recorded,
+                 read_recorded(options.clip, character, settings.first,
+                               options.person.animation.value_or("")));
+  const Result<ClipScore> score = score_clip(recorded, settings);
+  if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
+  for (const std::string& doubt : recorded.body.doubts()) note(recorded.body.name(), doubt);
   for (const std::string& doubt : score->doubts) note(options.clip, doubt);
   if (options.json) {
-    print_out("{}", format_clip_score(options.clip, *recorded, settings, *score));
+    print_out("{}", format_clip_score(options.clip, recorded, settings, *score));
   } else {
-    print_score(*recorded, settings, *score);
+    print_score(recorded, settings, *score);
   }
   return kDone;
 }

@@ -15,9 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where the page's built files are: as told, installed beside the program, or in the source tree.
-Result<fs::path> page_folder(const std::string& told) {
-  if (!told.empty()) return told;
+// The folder of the page's built files: the user's, the one installed beside the program, or the
+// source tree's.
+Result<fs::path> page_folder(const std::string& given) {
+  if (!given.empty()) return given;
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   for (const fs::path& folder : {program.parent_path().parent_path() / "share/shigusa/studio",
@@ -58,14 +59,12 @@ sigset_t blocked_ends() {
 
 }  // namespace
 
-int studio(const StudioOptions& options) {
-  const Result<fs::path> folder = page_folder(options.folder);
-  if (!folder) return report(folder.error());
-  Result<Page> page = read_page(*folder);
-  if (!page) return report(page.error());
+Result<int> studio(const StudioOptions& options) {
+  SHG_TRY_ASSIGN(const fs::path folder, page_folder(options.folder));
+  SHG_TRY_ASSIGN(Page page, read_page(folder));
   const sigset_t ends = blocked_ends();
-  PageServer server(std::move(*page));
-  if (const auto started = server.start(options.port); !started) return report(started.error());
+  PageServer server(std::move(page));
+  SHG_TRY(server.start(options.port));
   const std::string address = fmt::format("http://127.0.0.1:{}/", server.port());
   print_out("{}\n", address);
   std::fflush(stdout);

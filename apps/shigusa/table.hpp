@@ -2,28 +2,22 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <shigusa/score_clip.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
-#include <vector>
 
 namespace shigusa::app {
 
-// The candidates as a table for a person: verdicts, scores, criteria, errors, joints over their
-// limits; below it why what is not possible is not.
-[[nodiscard]] std::string candidate_table(const BodyModel& body, const GenerateResult& generation);
-
-// The same of a recorded motion.
+// The score and the measures of a recorded motion as a table for a person.
 [[nodiscard]] std::string score_table(const BodyModel& body, const ClipScore& scored);
 
-// What happened, in one line: status, body, goals, counts and time.
-[[nodiscard]] std::string headline(const Task& task, const GenerateResult& generation,
-                                   const RunInfo& info);
-
-// Writes a result, prints it as the options ask, and returns the exit code.
-int deliver(const std::filesystem::path& folder, const TaskFile& file, const Task& task,
-            const GenerateResult& generation, const RunInfo& info, const ExportSettings& settings,
-            bool json);
+// How a result goes to the user.
+struct Delivery {
+  std::filesystem::path folder;  // that it is written to
+  ExportSettings settings;
+  bool json = false;  // prints summary.json in place of the table
+};
+// Writes a run's result and prints it; gives the exit code.
+[[nodiscard]] Result<int> deliver(const FinishedRun& run, const Delivery& delivery);
 
 }  // namespace shigusa::app

@@ -14,7 +14,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// "NAME=1,2.5,-3": a name and so many numbers.
+// "NAME=1,2.5,-3": a name and numbers.
 struct Named {
   std::string name;
   std::vector<double> numbers;
@@ -104,12 +104,11 @@ double from_numbers(const std::vector<double>& n, double) { return n[0]; }
 template <class Value>
 Result<void> apply_to_goals(const Field<Goal, Value>& field, const Texts& texts, Request& request) {
   for (const std::string& text : texts) {
-    // numbers, points and rotations are so many doubles
+    // numbers, points and rotations are made of doubles alone
     const auto named = parse_named(text, sizeof(Plain<Value>) / sizeof(double));
     if (!named) return misread(field, text);
-    const Result<Goal*> goal = goal_of(field.traits.option, named->name, request);
-    if (!goal) return tl::unexpected(goal.error());
-    field.set(**goal, from_numbers(named->numbers, Plain<Value>{}));
+    SHG_TRY_ASSIGN(Goal* const goal, goal_of(field.traits.option, named->name, request));
+    field.set(*goal, from_numbers(named->numbers, Plain<Value>{}));
   }
   return {};
 }
@@ -119,8 +118,7 @@ Result<void> point(const char* option, const char* axis_word, const std::string&
                    Request& request) {
   const auto parts = split(text);
   if (!parts) return misread(option, text, "HAND=DIRECTION");
-  const Result<Goal*> goal = goal_of(option, parts->first, request);
-  if (!goal) return tl::unexpected(goal.error());
+  SHG_TRY_ASSIGN(Goal* const goal, goal_of(option, parts->first, request));
   const Result<Vec3d> axis = hand_axis(axis_word, parts->first);
   if (!axis) return fail(axis.error().code, axis.error().message, option);
   Vec3d direction{};
@@ -131,7 +129,7 @@ Result<void> point(const char* option, const char* axis_word, const std::string&
     if (!named) return fail(named.error().code, named.error().message, option);
     direction = *named;
   }
-  Goal& of = **goal;
+  Goal& of = *goal;
   if (!of.axis || of.axis->axis == *axis) {
     of.axis = GoalAxis{*axis, direction};
     return {};
@@ -192,15 +190,6 @@ std::string kind_of(std::string_view option) {
   return kind;
 }
 
-Result<CriteriaSettings> mixture_named(const std::string& name) {
-  Texts known;
-  for (const CriteriaPreset& mixture : criteria_presets()) {
-    if (name == mixture.name) return mixture.settings();
-    known.emplace_back(mixture.name);
-  }
-  return fail(ErrorCode::invalid_argument, unknown_name("criteria", name, known));
-}
-
 // The value of an option's text; of a list's option, of one item.
 template <class Value, class AnyField>
 Result<Value> parse(const AnyField& field, const std::string& text) {
@@ -236,9 +225,8 @@ Result<void> apply_field(const Field<Request, std::vector<Item>>& field, const T
   std::vector<Item> list = request.*field.member;
   if (std::same_as<Item, Goal>) list.clear();
   for (const std::string& text : texts) {
-    Result<Item> item = parse<Item>(field, text);
-    if (!item) return tl::unexpected(item.error());
-    list.push_back(std::move(*item));
+    SHG_TRY_ASSIGN(Item item, parse<Item>(field, text));
+    list.push_back(std::move(item));
   }
   field.set(request, std::move(list));
   return {};
@@ -246,9 +234,8 @@ Result<void> apply_field(const Field<Request, std::vector<Item>>& field, const T
 template <class Value>
 Result<void> apply_field(const Field<Request, Value>& field, const std::optional<std::string>& text,
                          Request& request) {
-  Result<Plain<Value>> value = parse<Plain<Value>>(field, *text);
-  if (!value) return tl::unexpected(value.error());
-  field.set(request, std::move(*value));
+  SHG_TRY_ASSIGN(Plain<Value> value, parse<Plain<Value>>(field, *text));
+  field.set(request, std::move(value));
   return {};
 }
 template <class Value, class Number>
@@ -263,6 +250,15 @@ Result<void> apply_field(const Field<Request, bool>& field, bool truth, Request&
 }
 
 }  // namespace
+
+Result<CriteriaSettings> mixture_named(const std::string& name) {
+  Texts known;
+  for (const CriteriaPreset& mixture : criteria_presets()) {
+    if (name == mixture.name) return mixture.settings();
+    known.emplace_back(mixture.name);
+  }
+  return fail(ErrorCode::invalid_argument, unknown_name("criteria", name, known));
+}
 
 bool TaskOptions::has(std::string_view option) const {
   bool given = false;

@@ -70,7 +70,7 @@ template <class Typed>
   }
 }
 
-// What is asked of the body, as it is typed.
+// The options of a task, as they are typed.
 struct TaskOptions {
   FieldOptions<Request> request;
   FieldOptions<Goal> goal;
@@ -81,6 +81,9 @@ struct TaskOptions {
   // Whether the request's option of that name is given.
   [[nodiscard]] bool has(std::string_view option) const;
 };
+
+// The mixture of criteria of that name; fails on others.
+[[nodiscard]] Result<CriteriaSettings> mixture_named(const std::string& name);
 
 // Puts what is given into the request; goals take the place of those there. Fails on what cannot be
 // read, on unknown words and on what is of an effector without a goal.

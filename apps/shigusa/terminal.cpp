@@ -51,9 +51,10 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-int report(const Error& error) {
+int exit_code_of(const Result<int>& command) {
+  if (command) return *command;
   end_progress_line();
-  print_err("shigusa: {}\n", printable(error.to_string()));
+  print_err("shigusa: {}\n", printable(command.error().to_string()));
   return kWrongInput;
 }
 

@@ -28,7 +28,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-// What to say where CLI11 only says that something is there or missing.
+// A message for errors of which CLI11 only says that something is there or missing.
 std::string usage_message(const CLI::App& app, const CLI::App& command,
                           const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);

@@ -13,7 +13,7 @@
 namespace shigusa::bench {
 namespace {
 
-// What layers and all parameters at once are searched by, and scored by.
+// The search and the criteria of layers and of all parameters at once.
 struct Pairing {
   const char* name;
   SearchMethod method;

@@ -30,11 +30,7 @@ struct Found {
   bool over_limit = false;  // … and passes a joint limit
 };
 
-Found find(const Subject& subject, const Place& place, Preset preset,
-           const CriteriaSettings& criteria, int evaluations, std::uint64_t seed) {
-  Task task = goal_task(subject.body, place.position, preset, criteria);
-  task.seed = seed;
-  task.evaluations = evaluations;
+Found find(const Task& task) {
   const Stopwatch watch;
   const GenerateResult generation = generate(task).value();
   const double milliseconds = watch.milliseconds();
@@ -52,7 +48,7 @@ struct Series {
   int over_limit = 0;
 };
 
-// `motions` of a place
+// `motions`: the evaluations of a place.
 Series run(int seeds, const Subject& subject, Preset preset, const CriteriaSettings& criteria,
            const std::function<int(std::size_t place)>& motions) {
   Series series;
@@ -60,9 +56,10 @@ Series run(int seeds, const Subject& subject, Preset preset, const CriteriaSetti
   std::vector<Found> found(static_cast<std::size_t>(series.runs));
   parallel_for(series.runs, 0, [&](int i, int) {
     const auto place = static_cast<std::size_t>(i / seeds);
-    found[static_cast<std::size_t>(i)] =
-        find(subject, subject.places[place], preset, criteria, motions(place),
-             static_cast<std::uint64_t>(i % seeds) + 1);
+    Task task = goal_task(subject.body, subject.places[place].position, preset, criteria);
+    task.seed = static_cast<std::uint64_t>(i % seeds) + 1;
+    task.evaluations = motions(place);
+    found[static_cast<std::size_t>(i)] = find(task);
   });
   std::vector<double> of_place;
   std::vector<double> times;
@@ -90,8 +87,13 @@ std::string ratio_of(const Subject& subject, const Series& series, const Series&
   return spread(of_drawn(subject, ratios_of(series.scores, paper.scores)));
 }
 
+struct Tables {
+  Table all;
+  Table named;  // of the goals that have names
+};
+
 void add_lines(const Plan& plan, const Subject& subject, const CriteriaPreset& criteria,
-               Table& table, Table& named, std::vector<PlotSeries>& dots) {
+               Tables& tables, std::vector<PlotSeries>& dots) {
   const CriteriaSettings settings = criteria.settings();
   const Series longest =
       run(1, subject, Preset::flat, settings, [](std::size_t) { return kLongSearch; });
@@ -117,12 +119,12 @@ void add_lines(const Plan& plan, const Subject& subject, const CriteriaPreset& c
                  fmt::format("{:.1f}", median(paper.milliseconds)),
                  fmt::format("{:.1f}", median(flat.milliseconds)),
                  percent(paper.over_limit, paper.arrived), percent(flat.over_limit, flat.arrived)});
-    table.add(line);
+    tables.all.add(line);
     for (std::size_t p = subject.drawn; p < ratios.size(); ++p) {
       cells.push_back(
           fmt::format("{:.3f} / {:.3f} = {:.2f}", flat.scores[p], paper.scores[p], ratios[p]));
     }
-    named.add(cells);
+    tables.named.add(cells);
     if (budget.wanted == 0.0) continue;
     dots.push_back({fmt::format("{}, {} motions", subject.body.name(), budget.motions),
                     of_drawn(subject, paper.scores), of_drawn(subject, flat.scores)});
@@ -133,15 +135,16 @@ void add_lines(const Plan& plan, const Subject& subject, const CriteriaPreset& c
 
 std::string against_paper(const Plan& plan, std::span<const Subject> subjects,
                           std::vector<Picture>& pictures) {
-  Table table({"criteria", "body", "motions", "paper", "flat", "flat / paper", "wanted",
-               "flat / paper in equal time", fmt::format("flat after {} / paper", kLongSearch),
-               "paper, ms", "flat, ms", "paper over a limit", "flat over a limit"});
-  Table named({"criteria", "body", "motions", "low front-left", "at the feet", "high right"});
+  Tables tables{
+      Table({"criteria", "body", "motions", "paper", "flat", "flat / paper", "wanted",
+             "flat / paper in equal time", fmt::format("flat after {} / paper", kLongSearch),
+             "paper, ms", "flat, ms", "paper over a limit", "flat over a limit"}),
+      Table({"criteria", "body", "motions", "low front-left", "at the feet", "high right"})};
   std::string images;
   // the paper's and the default; what is left is for fronts
   for (const CriteriaPreset& criteria : criteria_presets().first(2)) {
     std::vector<PlotSeries> dots;
-    for (const Subject& subject : subjects) add_lines(plan, subject, criteria, table, named, dots);
+    for (const Subject& subject : subjects) add_lines(plan, subject, criteria, tables, dots);
     const std::string name = "paper_" + std::string(criteria.name) + "_criteria";
     const std::vector<double> ticks{0.05, 0.1, 0.2, 0.3, 0.5, 1};
     pictures.push_back({name, dot_plot({"the preset paper's best score, " +
@@ -167,7 +170,8 @@ std::string against_paper(const Plan& plan, std::span<const Subject> subjects,
              "query takes time for, at flat's speed ({} seeds); times are those of whole queries "
              "on one thread.\n\n",
              plan.seeds, plan.few_seeds, kManyMotions, kLongSearch, plan.few_seeds) +
-         table.text() + images + "\nThe goals that have names, flat / paper:\n\n" + named.text();
+         tables.all.text() + images + "\nThe goals that have names, flat / paper:\n\n" +
+         tables.named.text();
 }
 
 }  // namespace shigusa::bench

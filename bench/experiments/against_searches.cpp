@@ -45,7 +45,7 @@ struct Run {
 };
 
 Run run(const Searcher& searcher, const Plan& plan, const BodyModel& body, const Vec3d& goal) {
-  GoalSearch searched(body, goal, default_criteria(), searcher.code);
+  GoalSearch searched(body, goal, {.code = searcher.code});
   const SearchProblem problem = searched.problem();
   std::vector<std::vector<double>> of_seeds;
   Run of_place;

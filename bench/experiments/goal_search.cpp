@@ -24,15 +24,14 @@ Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
   return task;
 }
 
-GoalSearch::GoalSearch(const BodyModel& body, const Vec3d& goal, const CriteriaSettings& criteria,
-                       GeneCode code, int steps, int phases)
-    : task_(goal_task(body, goal, Preset::flat, criteria)),
+GoalSearch::GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearchSettings& settings)
+    : task_(goal_task(body, goal, Preset::flat, settings.criteria)),
       reach_(make_problem(task_).value()),
       criteria_(task_criteria(task_)) {
   const ClosestReach closest = closest_reach(reach_);
   add_detours(reach_);
-  reach_.steps = steps;
-  space_.emplace(reach_, code, task_.fixed, phases);
+  reach_.steps = settings.steps;
+  space_.emplace(reach_, settings.code, task_.fixed, settings.phases);
   batch_.emplace(reach_, criteria_, task_.batch);
   if (any_arrives()) return;
   reach_.guide = closest.angles;

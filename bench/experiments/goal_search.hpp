@@ -10,14 +10,20 @@
 
 namespace shigusa::bench {
 
-// What generate() searches for one goal of the right hand with the preset flat, laid open: the
-// problem, the space and its scores, without candidates. Its way to the goal is the first on which
-// one of some random motions arrives: the straight one with its detour; the same with the null
-// space drawn to a posture that is there; that posture alone.
+struct GoalSearchSettings {
+  CriteriaSettings criteria = default_criteria();
+  GeneCode code = GeneCode::natural;
+  int steps = kMotionSteps;
+  int phases = 1;
+};
+
+// The search of generate() for one goal of the right hand with the preset flat, laid open: the
+// problem, the space and its scores, without candidates. Its approach is the first by which one of
+// some random motions arrives: the straight path with its detour; that path with the null space
+// drawn to a posture that is there; that posture alone.
 class GoalSearch {
  public:
-  GoalSearch(const BodyModel& body, const Vec3d& goal, const CriteriaSettings& criteria,
-             GeneCode code = GeneCode::natural, int steps = kMotionSteps, int phases = 1);
+  GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearchSettings& settings = {});
   GoalSearch(const GoalSearch&) = delete;
   GoalSearch& operator=(const GoalSearch&) = delete;
 

@@ -18,10 +18,10 @@ constexpr int kEvaluations = 600;
 constexpr int kBlock = 128;  // goals at a time, until enough motions are delivered
 constexpr int kStarts = 8;
 constexpr int kManyStarts = 60;  // where the body did not get there
-// What rounding may pass a limit by (rad).
+// Rounding may pass a limit by this (rad).
 constexpr double kRounding = 1e-9;
 
-// What one query delivered, measured from joint angles and placement of links alone.
+// One query's motions, measured from joint angles and placement of links alone.
 struct Judged {
   Vec3d goal{};
   int motions = 0;
@@ -77,7 +77,7 @@ Judged judge(const BodyModel& body, const Vec3d& goal, std::uint64_t number) {
   return judged;
 }
 
-// until so many motions are delivered for so many goals
+// until enough motions are delivered for enough goals
 std::vector<Judged> judge_many(const Plan& plan, const BodyModel& body, std::size_t goals) {
   Random places(plan.goal_seed, 4);
   std::vector<Judged> all;

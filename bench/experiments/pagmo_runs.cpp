@@ -81,7 +81,7 @@ class SideBySide {
 
 struct BudgetUsed {};
 
-// What all copies of pagmo's problem share: one run's place in SideBySide, and what it has seen.
+// All copies of pagmo's problem share this: one run's place in SideBySide, and what it has seen.
 struct Run {
   SideBySide* scorer = nullptr;
   std::size_t number = 0;

@@ -29,7 +29,7 @@ struct PlotGuide {
 // lies beyond an axis is drawn at its end.
 [[nodiscard]] std::string line_plot(const PlotAxis& x, const PlotAxis& y,
                                     const std::vector<PlotSeries>& lines);
-// The same with a dot for each point; names stand in a corner, those of guides at their upper ends.
+// A plot with a dot for each point; names stand in a corner, those of guides at their upper ends.
 [[nodiscard]] std::string dot_plot(const PlotAxis& x, const PlotAxis& y,
                                    const std::vector<PlotSeries>& dots,
                                    const std::vector<PlotGuide>& guides);

@@ -14,7 +14,7 @@ namespace shigusa::bench {
 // "0.512 (0.433–0.610)": median and quartiles.
 [[nodiscard]] std::string spread(const std::vector<double>& values);
 
-// "12.3 %" of `count` in `all`, with so many digits after the point unless it is 0 or 100.
+// "12.3 %" of `count` in `all`, with that number of digits after the point unless it is 0 or 100.
 [[nodiscard]] std::string percent(double count, double all, int digits = 1);
 
 // A table of Markdown, row by row.

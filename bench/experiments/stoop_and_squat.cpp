@@ -52,7 +52,7 @@ Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettin
 // searches find which are made to look for one; the worst score where they find none.
 double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goal,
                        const CriteriaSettings& criteria) {
-  GoalSearch searched(body, goal, criteria);
+  GoalSearch searched(body, goal, {.criteria = criteria});
   const double worst = worst_score(searched.criteria());
   double best = worst;
   PostureMeter meter(body);
@@ -81,6 +81,49 @@ double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goa
   return best;
 }
 
+// The line of a body and a mixture.
+std::vector<std::string> line_of(const Plan& plan, const Subject& subject,
+                                 const CriteriaPreset& criteria, const Vec3d& goal) {
+  std::vector<Delivered> all(static_cast<std::size_t>(plan.seeds));
+  parallel_for(plan.seeds, 0, [&](int s, int) {
+    all[static_cast<std::size_t>(s)] =
+        deliver(subject.body, goal, criteria.settings(), static_cast<std::uint64_t>(s) + 1);
+  });
+  int squats = 0, stoops = 0, both = 0, over = 0;
+  std::vector<double> counts, lowest, highest, squat_scores, stoop_scores, best_scores;
+  for (const Delivered& one : all) {
+    const bool squat = one.reached && one.squat >= 0.0;
+    const bool stoop = one.reached && one.stoop >= 0.0;
+    squats += squat ? 1 : 0;
+    stoops += stoop ? 1 : 0;
+    both += squat && stoop ? 1 : 0;
+    over += one.over_limit;
+    best_scores.push_back(one.best);
+    counts.push_back(static_cast<double>(one.index.size()));
+    if (squat) squat_scores.push_back(one.squat);
+    if (stoop) stoop_scores.push_back(one.stoop);
+    if (one.index.empty()) continue;
+    lowest.push_back(quantile(one.index, 0.0));
+    highest.push_back(quantile(one.index, 1.0));
+  }
+  const auto middle = [](const std::vector<double>& values, int digits) {
+    return values.empty() ? std::string("–") : fmt::format("{:.{}f}", median(values), digits);
+  };
+  return {std::string(criteria.name),
+          subject.body.name(),
+          percent(squats, plan.seeds),
+          percent(stoops, plan.seeds),
+          percent(both, plan.seeds),
+          middle(counts, 0),
+          std::to_string(over),
+          middle(lowest, 0),
+          middle(highest, 0),
+          middle(squat_scores, 3),
+          middle(stoop_scores, 3),
+          middle(best_scores, 3),
+          fmt::format("{:.3f}", asked_for_squat(plan, subject.body, goal, criteria.settings()))};
+}
+
 }  // namespace
 
 std::string stoop_and_squat(const Plan& plan, std::span<const Subject> subjects) {
@@ -91,37 +134,7 @@ std::string stoop_and_squat(const Plan& plan, std::span<const Subject> subjects)
   // the paper's and the default; what is left is for fronts
   for (const CriteriaPreset& criteria : criteria_presets().first(2)) {
     for (const Subject& subject : subjects) {
-      std::vector<Delivered> all(static_cast<std::size_t>(plan.seeds));
-      parallel_for(plan.seeds, 0, [&](int s, int) {
-        all[static_cast<std::size_t>(s)] =
-            deliver(subject.body, goal, criteria.settings(), static_cast<std::uint64_t>(s) + 1);
-      });
-      int squats = 0, stoops = 0, both = 0, over = 0;
-      std::vector<double> counts, lowest, highest, squat_scores, stoop_scores, best_scores;
-      for (const Delivered& one : all) {
-        const bool squat = one.reached && one.squat >= 0.0;
-        const bool stoop = one.reached && one.stoop >= 0.0;
-        squats += squat ? 1 : 0;
-        stoops += stoop ? 1 : 0;
-        both += squat && stoop ? 1 : 0;
-        over += one.over_limit;
-        best_scores.push_back(one.best);
-        counts.push_back(static_cast<double>(one.index.size()));
-        if (squat) squat_scores.push_back(one.squat);
-        if (stoop) stoop_scores.push_back(one.stoop);
-        if (one.index.empty()) continue;
-        lowest.push_back(quantile(one.index, 0.0));
-        highest.push_back(quantile(one.index, 1.0));
-      }
-      const auto middle = [](const std::vector<double>& values, int digits) {
-        return values.empty() ? std::string("–") : fmt::format("{:.{}f}", median(values), digits);
-      };
-      table.add(
-          {std::string(criteria.name), subject.body.name(), percent(squats, plan.seeds),
-           percent(stoops, plan.seeds), percent(both, plan.seeds), middle(counts, 0),
-           std::to_string(over), middle(lowest, 0), middle(highest, 0), middle(squat_scores, 3),
-           middle(stoop_scores, 3), middle(best_scores, 3),
-           fmt::format("{:.3f}", asked_for_squat(plan, subject.body, goal, criteria.settings()))});
+      table.add(line_of(plan, subject, criteria, goal));
     }
   }
   return fmt::format(

@@ -47,8 +47,7 @@ struct Variant {
 };
 
 std::vector<Variant> variants(const Subject& subject) {
-  GoalSearch searched(subject.body, subject.places[0].position, default_criteria(),
-                      GeneCode::every);
+  GoalSearch searched(subject.body, subject.places[0].position, {.code = GeneCode::every});
   const std::vector<std::string> names = searched.space().names();
   std::vector<Variant> all{{"the preset's", {"delay", "skew"}},
                            {"with delay", {"skew"}},
@@ -81,8 +80,8 @@ std::vector<Variant> variants(const Subject& subject) {
 
 double score_of(const Plan& plan, const Subject& subject, const Place& place,
                 const Variant& variant) {
-  GoalSearch searched(subject.body, place.position, default_criteria(), GeneCode::every,
-                      kMotionSteps, variant.phases);
+  GoalSearch searched(subject.body, place.position,
+                      {.code = GeneCode::every, .phases = variant.phases});
   std::vector<int> fixed;
   for (const std::string& name : variant.left_out) fixed.push_back(searched.space().find(name));
   const SearchProblem problem = without(searched.problem(), fixed);
@@ -123,7 +122,8 @@ std::string parameters_table(const Plan& plan, const Subject& subject) {
   return fmt::format("\n{}:\n\n", subject.body.name()) + table.text();
 }
 
-// What a number of steps finds, and what that is worth when it is played with another.
+// The score that a search with a number of steps finds, and its worth when it is played with
+// another number.
 struct Stepped {
   double own = 0.0;           // the best score, at its own steps
   double fine = 0.0;          // the same parameters at the most steps
@@ -131,9 +131,9 @@ struct Stepped {
 };
 
 Stepped step(const Plan& plan, const Subject& subject, const Place& place, int steps) {
-  GoalSearch searched(subject.body, place.position, default_criteria(), GeneCode::natural, steps);
-  GoalSearch finest(subject.body, place.position, default_criteria(), GeneCode::natural,
-                    kStepCounts[std::size(kStepCounts) - 1]);
+  GoalSearch searched(subject.body, place.position, {.steps = steps});
+  GoalSearch finest(subject.body, place.position,
+                    {.steps = kStepCounts[std::size(kStepCounts) - 1]});
   std::vector<double> own, fine, times;
   for (int seed = 1; seed <= plan.slow_seeds; ++seed) {
     const Stopwatch watch;

@@ -39,16 +39,14 @@ void add_two(const Recorded& reach, const std::string& of, const GenerateResult&
 }
 
 Result<Compared> compared(const std::filesystem::path& clip, const Segment& segment) {
-  Result<Recorded> reach = read_reach(clip, segment);
-  if (!reach) return tl::unexpected(reach.error());
-  Compared result{std::move(*reach)};
+  SHG_TRY_ASSIGN(Recorded reach, read_reach(clip, segment));
+  Compared result{std::move(reach)};
   const Recorded& record = result.reach;
   Task task = record.task();
   task.candidates = kCandidates;
-  const Result<GenerateResult> flat = generate(task);
-  if (!flat) return tl::unexpected(flat.error());
-  result.candidates = static_cast<int>(flat->candidates.size());
-  add_two(record, fmt::format(" of {}", kCandidates), *flat, result.chosen);
+  SHG_TRY_ASSIGN(const GenerateResult flat, generate(task));
+  result.candidates = static_cast<int>(flat.candidates.size());
+  add_two(record, fmt::format(" of {}", kCandidates), flat, result.chosen);
   const Task paper = with_preset(record.task(), Preset::paper);
   const Result<GenerateResult> uniform = regenerate(paper, uniform_parameters(task.body));
   const Result<GenerateResult> searched = generate(paper);
@@ -62,28 +60,26 @@ Result<Compared> compared(const std::filesystem::path& clip, const Segment& segm
     each.way = (each.way == "nearest" ? "preset `paper`, nearest" : "preset `paper`, best-scored");
     result.chosen.push_back(std::move(each));
   }
-  const Result<Recorded> on_toes = read_reach(clip, segment, true);
-  if (!on_toes) return tl::unexpected(on_toes.error());
-  Task lifting = on_toes->task();
+  SHG_TRY_ASSIGN(const Recorded on_toes, read_reach(clip, segment, true));
+  Task lifting = on_toes.task();
   lifting.candidates = kCandidates;
-  const Result<GenerateResult> lifted = generate(lifting);
-  if (!lifted) return tl::unexpected(lifted.error());
+  SHG_TRY_ASSIGN(const GenerateResult lifted, generate(lifting));
   std::vector<Chosen> on_heels;
-  add_two(*on_toes, fmt::format(" of {}", kCandidates), *lifted, on_heels);
+  add_two(on_toes, fmt::format(" of {}", kCandidates), lifted, on_heels);
   for (Chosen& each : on_heels) {
     each.way = "heels may lift, " + each.way;
     result.chosen.push_back(std::move(each));
   }
   task.duration.reset();
   result.own_duration = make_problem(task).value().duration;
-  const Result<RecordedMotion> recorded = read_recorded(
-      clip, {.source = clip.string(), .extent = BodyExtent::human, .frame = segment.first},
-      segment.first);
-  if (!recorded) return tl::unexpected(recorded.error());
-  const Result<ClipScore> score =
-      score_clip(*recorded, {.first = segment.first, .last = segment.last});
-  if (!score) return tl::unexpected(score.error());
-  result.recorded_score = score->score;
+  SHG_TRY_ASSIGN(
+      const RecordedMotion recorded,
+      read_recorded(clip,
+                    {.source = clip.string(), .extent = BodyExtent::human, .frame = segment.first},
+                    segment.first));
+  SHG_TRY_ASSIGN(const ClipScore score,
+                 score_clip(recorded, {.first = segment.first, .last = segment.last}));
+  result.recorded_score = score.score;
   return result;
 }
 

@@ -48,19 +48,13 @@ Result<std::vector<NamedPicture>> people_pictures(const std::vector<Compared>& c
       if (each.way.starts_with("best-scored")) drawn.emplace_back("best-scored", &each.track);
       if (each.way.starts_with("nearest")) drawn.emplace_back("nearest", &each.track);
     }
-    if (const auto done = add("recorded", recorded_strip(c.reach)); !done) {
-      return tl::unexpected(done.error());
-    }
+    SHG_TRY(add("recorded", recorded_strip(c.reach)));
     for (const auto& [what, track] : drawn) {
-      if (const auto done = add(what, generated_strip(c.reach, *track)); !done) {
-        return tl::unexpected(done.error());
-      }
+      SHG_TRY(add(what, generated_strip(c.reach, *track)));
     }
     if (c.fitted.back().clip.angles.empty()) continue;
     const Track fitted = track_of(c.reach, c.fitted.back().clip);
-    if (const auto done = add("fitted", generated_strip(c.reach, fitted)); !done) {
-      return tl::unexpected(done.error());
-    }
+    SHG_TRY(add("fitted", generated_strip(c.reach, fitted)));
   }
   return pictures;
 }

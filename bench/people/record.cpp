@@ -43,8 +43,7 @@ Result<CharacterSpec> measured(const std::filesystem::path& clip, int frame, Bod
                                bool heels = false) {
   CharacterSpec person{.source = clip.string(), .extent = extent, .frame = frame};
   person.heels = heels;
-  const auto done = measure_character(person, {});
-  if (!done) return tl::unexpected(done.error());
+  SHG_TRY(measure_character(person, {}));
   return person;
 }
 
@@ -83,10 +82,9 @@ Rig own_rig(const Landmarks& start, const SkeletonMotion& motion) {
 }  // namespace
 
 Result<std::vector<Segment>> downward_segments(const std::filesystem::path& manifest) {
-  const Result<std::string> text = read_text_file(manifest, kManifestMaxBytes);
-  if (!text) return tl::unexpected(text.error());
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(manifest, kManifestMaxBytes));
   std::vector<Segment> segments;
-  for (const std::string_view line : split(*text, '\n')) {
+  for (const std::string_view line : split(text, '\n')) {
     const auto cells = split(line, '\t');
     if (cells.size() < 4 || !cells[0].ends_with("-low")) continue;
     const auto first = number(cells[2]);
@@ -108,21 +106,17 @@ Task Recorded::task() const {
 }
 
 Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& segment, bool heels) {
-  Result<SkeletonMotion> motion = read_bvh(clip);
-  if (!motion) return tl::unexpected(motion.error());
-  const Result<CharacterSpec> person = measured(clip, segment.first, BodyExtent::human, heels);
-  if (!person) return tl::unexpected(person.error());
-  const Result<CharacterSpec> paper = measured(clip, segment.first, BodyExtent::full);
-  if (!paper) return tl::unexpected(paper.error());
-  Result<BodyModel> body = build_character(*person);
-  if (!body) return tl::unexpected(body.error());
-  Result<BodyModel> paper_body = build_character(*paper);
-  if (!paper_body) return tl::unexpected(paper_body.error());
-  Recorded reach{segment, std::move(*motion), *person, std::move(*body), std::move(*paper_body)};
+  SHG_TRY_ASSIGN(SkeletonMotion motion, read_bvh(clip));
+  SHG_TRY_ASSIGN(const CharacterSpec person,
+                 measured(clip, segment.first, BodyExtent::human, heels));
+  SHG_TRY_ASSIGN(const CharacterSpec paper, measured(clip, segment.first, BodyExtent::full));
+  SHG_TRY_ASSIGN(BodyModel body, build_character(person));
+  SHG_TRY_ASSIGN(BodyModel paper_body, build_character(paper));
+  Recorded reach{segment, std::move(motion), person, std::move(body), std::move(paper_body)};
   reach.track = record_track(reach);
   const FitFrames frames{segment.first, segment.last};
-  ClipFit fit = fit_clip(reach.body, person->rig->rig, reach.motion, frames);
-  ClipFit paper_fit = fit_clip(reach.paper_body, paper->rig->rig, reach.motion, frames);
+  ClipFit fit = fit_clip(reach.body, person.rig->rig, reach.motion, frames);
+  ClipFit paper_fit = fit_clip(reach.paper_body, paper.rig->rig, reach.motion, frames);
   reach.fit_mean = fit.mean_distance;
   reach.paper_fit_mean = paper_fit.mean_distance;
   reach.track.angles = std::move(fit.clip);

@@ -24,7 +24,7 @@ struct EditableParameter {
   EditableKind kind = EditableKind::weight;  ///< what the number is
   double value = 0.0;                        ///< angles in degrees
   double low = 0.0;                          ///< what makes sense; of a posture more is allowed
-  double high = 0.0;                         ///< the same
+  double high = 0.0;                         ///< the upper end of that
   bool locked = false;                       ///< of a weight: the freedom keeps its start angle
   std::string_view sentence{};               ///< what it does
 };
@@ -34,7 +34,7 @@ struct EditableParameter {
 [[nodiscard]] Result<std::vector<EditableParameter>> editable_parameters(
     const Task& task, const Candidate& candidate);
 
-/// The same as JSON text: a list of {"name", "group", "kind", "value", "low", "high", "scale"
+/// The parameters as JSON text: a list of {"name", "group", "kind", "value", "low", "high", "scale"
 /// ("linear" or "log"), "unit" ("" or "deg"), "locked", "sentence"}.
 [[nodiscard]] std::string format_parameters(const std::vector<EditableParameter>& parameters);
 

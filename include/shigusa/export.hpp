@@ -48,9 +48,8 @@ struct ExportSettings {
 /// they are written; where their nodes are not with the motion, this fails and writes nothing. CSV
 /// and figures have the frames of the motion itself.
 [[nodiscard]] Result<std::string> write_result(const std::filesystem::path& folder,
-                                               const TaskFile& file, const Task& task,
-                                               const GenerateResult& generation,
-                                               const RunInfo& info, const ExportSettings& settings);
+                                               const FinishedRun& run,
+                                               const ExportSettings& settings);
 
 /// How one motion is written.
 struct FileSettings {
@@ -59,7 +58,7 @@ struct FileSettings {
 };
 
 /// A candidate's motion at a rate (Hz), as files of it have it: planted feet stay and the goals'
-/// effectors keep to their ways between the motion's own frames too.
+/// effectors keep to their paths between the motion's own frames too.
 [[nodiscard]] Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate);
 
 /// Parses {"fps": 24}.
@@ -74,8 +73,8 @@ struct FileSettings {
                                                    FileFormat format,
                                                    const FileSettings& settings = {});
 
-/// The same on the character's own skeleton where its file is at hand. Fails as check_formats and
-/// write_result do.
+/// One candidate on the character's own skeleton where its file is at hand. Fails as check_formats
+/// and write_result do.
 [[nodiscard]] Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
                                                    const Candidate& candidate, FileFormat format,
                                                    const FileSettings& settings = {});

@@ -53,7 +53,7 @@ struct FieldTraits {
   bool required = false;         ///< in files
   const char* option = nullptr;  ///< of `shigusa reach`: "--look-at"
   const char* form = nullptr;    ///< of the option's text: "X,Y,Z"
-  /// What mirroring does to the value.
+  /// The mirror image of the value.
   Mirroring mirroring = Mirroring::same;
   /// Files hold the value where it differs from that of a new Holder, or where this is so.
   bool (*written)(const Holder&) = nullptr;
@@ -74,7 +74,7 @@ struct Field {
   /// The facts that most fields do without.
   FieldTraits<Holder, Value> traits{};
 
-  /// Puts a value that is told into its place, with what follows from it.
+  /// Puts a value into its place, with what follows from it.
   void set(Holder& into, Value value) const {
     if (traits.adopt != nullptr) return traits.adopt(into, value);
     into.*member = std::move(value);

@@ -19,9 +19,9 @@ enum class NeededFile { none, gltf, vrm };
 /// The libraries that a build may lack, and with them the formats that need one.
 enum class NeededLibrary { none, cairo, urdfdom };
 
-/// What there is to know of a format. Whatever reads, writes, lists or describes files goes by this
-/// table; a format that is written has a function write_as (src/document/export_file.hpp), one of
-/// people a function read_person (src/character/character_file.hpp).
+/// The facts of a format. All code that reads, writes, lists or describes files goes by this table;
+/// a format that is written has a function write_as (src/document/export_file.hpp), one of people a
+/// function read_person (src/character/character_file.hpp).
 struct FormatInfo {
   /// The format that the row is of.
   FileFormat format;

@@ -20,7 +20,7 @@ inline constexpr std::size_t kMaxLimbFile = 1 << 16;
 /// folder that cannot be read or written is as good as none.
 [[nodiscard]] LimbStore limb_store(const std::filesystem::path& folder);
 
-/// The same in cache_folder(); an empty one without it.
+/// A store in cache_folder(); an empty one without it.
 [[nodiscard]] LimbStore limb_store();
 
 }  // namespace shigusa

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -25,12 +26,25 @@ inline constexpr std::size_t kResultMaxCandidates = 1000;
 /// The name of a result's own file in its folder.
 inline constexpr const char* kSummaryName = "summary.json";
 
-/// Facts about a run, which a result tells beside the motions; none of them changes a motion.
+/// Facts about a run that stand in a result beside the motions; none of them changes a motion.
 struct RunInfo {
   double elapsed_ms = 0.0;          ///< of the search
   int threads = 1;                  ///< that it had
   std::string simd = "scalar";      ///< name of its SIMD set
   std::string search = "paper_ga";  ///< "edit" where parameters were given instead of searched
+};
+
+/// The facts of a search of the task that began then and has just ended.
+[[nodiscard]] RunInfo search_info(const Task& task, std::chrono::steady_clock::time_point begin);
+/// The facts of a run from given parameters; `how` stands in the place of the search.
+[[nodiscard]] RunInfo replay_info(std::string how, std::chrono::steady_clock::time_point begin);
+
+/// The run of a task, which a result is written of. Borrows all but the facts.
+struct FinishedRun {
+  const TaskFile& file;              ///< the task as its file has it
+  const Task& task;                  ///< make_task of that file
+  const GenerateResult& generation;  ///< the motions
+  RunInfo info{};                    ///< facts beside them
 };
 
 /// How far a written file's nodes are from the motion, as they were read back: the most in any
@@ -41,7 +55,7 @@ struct ReadBack {
   double turn = 0.0;      ///< rad, of planted feet, and of effectors whose goal says how they turn
 };
 
-/// The same of a task's file.
+/// The task's file with the duration that its motions have, where they were slowed down.
 [[nodiscard]] TaskFile played_task(TaskFile file, const GenerateResult& generation);
 
 /// A file of a candidate.
@@ -63,9 +77,7 @@ struct ResultFiles {
 /// The result as JSON text, the object of summary.json; docs/result.schema.json is its schema. The
 /// task stands in it with the measured character, so that the result can be edited without any
 /// other file.
-[[nodiscard]] std::string format_result(const TaskFile& file, const Task& task,
-                                        const GenerateResult& generation, const RunInfo& info,
-                                        const ResultFiles& files = {});
+[[nodiscard]] std::string format_result(const FinishedRun& run, const ResultFiles& files = {});
 
 /// A result as read back: enough to generate its motions again and to edit them.
 struct StoredResult {

@@ -71,8 +71,8 @@ struct RecordedMotion {
                                                    CharacterSpec character, int first,
                                                    const std::string& animation = {});
 
-/// The same of a file in memory, whose name tells its kind; character.source is that name where the
-/// clip's person is meant.
+/// Reads a clip in memory, whose file's name tells its kind; character.source is that name where
+/// the clip's person is meant.
 [[nodiscard]] Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string& name,
                                                     CharacterSpec character, int first,
                                                     const std::string& animation = {});

@@ -43,6 +43,13 @@ enum class SearchEnd {
   budget,     ///< all evaluations are used up
   cancelled,  ///< by the caller, or by a deadline
 };
+/// The words of SearchEnd.
+template <>
+inline constexpr std::array kEnumWords<SearchEnd>{
+    EnumWord{SearchEnd::converged, "converged"},
+    EnumWord{SearchEnd::budget, "budget"},
+    EnumWord{SearchEnd::cancelled, "cancelled"},
+};
 
 /// The result of a search.
 ///

@@ -29,8 +29,8 @@ bool same(const Quatd& a, const Quatd& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
 }
 
-// The motion of nodes that stand at `rest` (nodes) while nothing is played: what moves, and what
-// the rig has elsewhere from its first frame on.
+// The motion of nodes that stand at `rest` (nodes) while nothing is played: tracks of the nodes
+// that move, and of those that the rig has elsewhere from its first frame on.
 GltfAnimation animation_of(const Rig& rig, const std::vector<GltfPlace>& rest,
                            const RigMotion& motion, const std::string& name) {
   GltfAnimation animation{name, motion.frame_time, motion.frames, {}};
@@ -55,7 +55,7 @@ GltfAnimation animation_of(const Rig& rig, const std::vector<GltfPlace>& rest,
   return animation;
 }
 
-// The same rig with other nodes, none of them turned at rest.
+// The rig of a character with other nodes, none of which is turned at rest.
 Rig unturned(const CharacterRig& character) {
   Rig result = character.rig;
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
@@ -84,7 +84,7 @@ class VrmSkeleton {
         above = character.skeleton.nodes[static_cast<std::size_t>(above)].parent;
       }
       const int parent = above < 0 ? -1 : ours[static_cast<std::size_t>(above)];
-      // what hangs on no bone but the hips' would be a second root
+      // a node that hangs on no bone but the hips' would be a second root
       if (parent < 0 && !bones.empty()) continue;
       ours[i] = static_cast<int>(bones.size());
       const Vec3d offset = above < 0 ? at[i] : at[i] - at[static_cast<std::size_t>(above)];

@@ -19,8 +19,8 @@ class CharacterExporter {
   // centimetres.
   [[nodiscard]] std::string bvh(const BodyModel& body, const Clip& clip) const;
 
-  // What glb() adds: the nodes that turn, the hips' translation, and what the start frame has
-  // elsewhere than the rest pose.
+  // The animation that glb() adds: rotations of the nodes that turn, the hips' translation, and
+  // the nodes that the start frame has elsewhere than the rest pose.
   [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
                                         const std::string& name) const;
 

@@ -24,10 +24,10 @@
 namespace shigusa {
 namespace {
 
-// What smoothing sees on either side of the frames that are scored (s).
+// Smoothing sees so much (s) on either side of the frames that are scored.
 constexpr double kAround = 0.35;
 
-// A motion file's own.
+// All that a motion file holds.
 struct MotionFile {
   SkeletonMotion motion;
   HumanoidMap given;  // by the file itself
@@ -38,13 +38,11 @@ Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
                                 const std::string& animation) {
   if (format_of_file(name) == FileFormat::bvh) {
     if (!animation.empty()) return holds_one_motion(name);
-    Result<SkeletonMotion> motion = parse_bvh(bytes, name);
-    if (!motion) return tl::unexpected(motion.error());
-    return MotionFile{std::move(*motion), {}, {}};
+    SHG_TRY_ASSIGN(SkeletonMotion motion, parse_bvh(bytes, name));
+    return MotionFile{std::move(motion), {}, {}};
   }
-  Result<GltfMotion> file = parse_gltf_animation(bytes, name, {.animation = animation});
-  if (!file) return tl::unexpected(file.error());
-  return MotionFile{std::move(file->motion), file->character.humanoid, std::move(file->doubts)};
+  SHG_TRY_ASSIGN(GltfMotion file, parse_gltf_animation(bytes, name, {.animation = animation}));
+  return MotionFile{std::move(file.motion), file.character.humanoid, std::move(file.doubts)};
 }
 
 Result<void> check_clip_name(const std::string& name) {
@@ -72,9 +70,8 @@ Result<MeasuredFile> measure(const MotionFile& file, int frame, const BoneReques
   const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
   std::vector<std::string> nodes;
   for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
-  const Result<HumanoidMap> asked = requested_bones(bones, nodes, name);
-  if (!asked) return tl::unexpected(asked.error());
-  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file.given, *asked);
+  SHG_TRY_ASSIGN(const HumanoidMap asked, requested_bones(bones, nodes, name));
+  const Result<HumanoidMap> map = find_humanoid(skeleton, world, file.given, asked);
   if (!map) return fail(map.error().code, map.error().to_string(), name);
   Result<MeasuredPerson> person = measure_person(skeleton, world, *map, settings);
   if (!person) return fail(person.error().code, person.error().to_string(), name);
@@ -154,6 +151,55 @@ Score summed(const BuiltInCriteria<double>& criteria, const BodyModel& body, con
   return score;
 }
 
+// The rig of a file's nodes, as they stand in a frame.
+Rig rig_of(const SkeletonMotion& motion, int frame, const MeasuredFile& measured) {
+  const MeasuredPerson& person = measured.person;
+  Rig rig{
+      {}, measured.map, person.grip_nodes, person.placement, person.landmarks, person.landmarks};
+  const auto& [skeleton, clip] = motion;
+  rig.twists = find_twist_bones(skeleton, world_transforms(skeleton, clip, frame), measured.map);
+  for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
+    const LocalTransform& local = clip.frame(skeleton, frame)[i];
+    rig.nodes.push_back({skeleton.nodes[i].parent, local.translation, local.rotation});
+  }
+  return rig;
+}
+
+// The motion on the body of the file's own person.
+Result<RecordedMotion> on_its_person(MotionFile file, const std::string& name,
+                                     CharacterSpec character, int first) {
+  const int frame = character.frame.value_or(first);
+  SHG_TRY_ASSIGN(MeasuredFile measured,
+                 measure(file, frame, character.map, {character.stature}, name));
+  MeasuredPerson& person = measured.person;
+  if (character.heels) {
+    const auto world = world_transforms(file.motion.skeleton, file.motion.clip, frame);
+    const MeasuredPerson at_rest = person;
+    SHG_TRY(find_toes(world, measured.map, at_rest, name, person));
+  }
+  character.stature = person.stature;
+  character.landmarks = person.landmarks;
+  character.doubts = std::move(file.doubts);
+  for (const auto* found : {&measured.map.doubts, &person.doubts}) {
+    character.doubts.insert(character.doubts.end(), found->begin(), found->end());
+  }
+  auto rig = std::make_shared<const Rig>(rig_of(file.motion, frame, measured));
+  SHG_TRY_ASSIGN(BodyModel body, build_character(character));
+  return RecordedMotion{std::move(file.motion), std::move(rig), std::move(body)};
+}
+
+// The motion on another body, to whose stature the file is scaled by its person in the first frame.
+Result<RecordedMotion> on_another_body(MotionFile file, const std::string& name,
+                                       CharacterSpec character, int first) {
+  SHG_TRY(measure_character(character, {}));
+  SHG_TRY_ASSIGN(BodyModel body, build_character(character));
+  SHG_TRY_ASSIGN(const MeasuredFile measured, measure(file, first, {}, {body.stature()}, name));
+  Rig rig = rig_of(file.motion, first, measured);
+  rig.start = start_of(character, body);
+  return RecordedMotion{std::move(file.motion), std::make_shared<const Rig>(std::move(rig)),
+                        std::move(body)};
+}
+
 void doubt(const ScoreSettings& settings, ClipScore& result) {
   const ClipFit& fit = result.fit;
   for (const FootTravel& foot : fit.feet) {
@@ -181,11 +227,10 @@ void doubt(const ScoreSettings& settings, ClipScore& result) {
 Result<RecordedMotion> read_recorded(const std::filesystem::path& path, CharacterSpec character,
                                      int first, const std::string& animation) {
   const std::string name = path.filename().string();
-  if (const auto can = check_clip_name(name); !can) return tl::unexpected(can.error());
-  const Result<std::string> bytes = read_character_bytes(path);
-  if (!bytes) return tl::unexpected(bytes.error());
+  SHG_TRY(check_clip_name(name));
+  SHG_TRY_ASSIGN(const std::string bytes, read_character_bytes(path));
   if (character.source == path.string()) character.source = name;
-  return parse_recorded(*bytes, name, std::move(character), first, animation);
+  return parse_recorded(bytes, name, std::move(character), first, animation);
 }
 
 Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string& name,
@@ -195,61 +240,11 @@ Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string&
     return fail(ErrorCode::invalid_argument,
                 character.source + " is a robot; recorded motion is scored on people", "character");
   }
-  if (const auto can = check_clip_name(name); !can) return tl::unexpected(can.error());
-  Result<MotionFile> file = parse_motion(bytes, name, animation);
-  if (!file) return tl::unexpected(file.error());
+  SHG_TRY(check_clip_name(name));
+  SHG_TRY_ASSIGN(MotionFile file, parse_motion(bytes, name, animation));
   const bool own = character.source == name;
-  if (!own) {
-    if (const auto measured = measure_character(character, {}); !measured) {
-      return tl::unexpected(measured.error());
-    }
-  }
-  std::optional<BodyModel> body;
-  MeasureSettings settings{own ? character.stature : std::nullopt};
-  if (!own) {
-    Result<BodyModel> built = build_character(character);
-    if (!built) return tl::unexpected(built.error());
-    body = std::move(*built);
-    settings.stature = body->stature();
-  }
-  const int frame = own ? character.frame.value_or(first) : first;
-  Result<MeasuredFile> measured =
-      measure(*file, frame, own ? character.map : BoneRequest{}, settings, name);
-  if (!measured) return tl::unexpected(measured.error());
-  if (own && character.heels) {
-    const std::vector<Transformd> world =
-        world_transforms(file->motion.skeleton, file->motion.clip, frame);
-    const MeasuredPerson at_rest = measured->person;
-    const auto toes = find_toes(world, measured->map, at_rest, name, measured->person);
-    if (!toes) return tl::unexpected(toes.error());
-  }
-  const MeasuredPerson& person = measured->person;
-  Rig rig{
-      {}, measured->map, person.grip_nodes, person.placement, person.landmarks, person.landmarks};
-  const Skeleton& skeleton = file->motion.skeleton;
-  rig.twists = find_twist_bones(skeleton, world_transforms(skeleton, file->motion.clip, frame),
-                                measured->map);
-  for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
-    const LocalTransform& local = file->motion.clip.frame(skeleton, frame)[i];
-    rig.nodes.push_back({skeleton.nodes[i].parent, local.translation, local.rotation});
-  }
-  if (own) {
-    character.source = name;
-    character.stature = person.stature;
-    character.landmarks = person.landmarks;
-    character.doubts = std::move(file->doubts);
-    const std::vector<std::string>* found[] = {&measured->map.doubts, &person.doubts};
-    for (const auto* more : found) {
-      character.doubts.insert(character.doubts.end(), more->begin(), more->end());
-    }
-    Result<BodyModel> built = build_character(character);
-    if (!built) return tl::unexpected(built.error());
-    body = std::move(*built);
-  } else {
-    rig.start = start_of(character, *body);
-  }
-  return RecordedMotion{std::move(file->motion), std::make_shared<const Rig>(std::move(rig)),
-                        std::move(*body)};
+  return own ? on_its_person(std::move(file), name, std::move(character), first)
+             : on_another_body(std::move(file), name, std::move(character), first);
 }
 
 Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings& settings) {
@@ -283,7 +278,7 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   result.motion = player.play(smooth, first, first + last - settings.first);
   result.score = summed(player.criteria(), recorded.body, result.motion, settings.criteria);
   result.measures = measure_motion(recorded.body, result.motion, settings.criteria.collision);
-  // which sees the frames around
+  // the player's meter sees the frames around
   result.measures.support = player.support().margins();
   PostureMeter meter(recorded.body);
   result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1), 0);

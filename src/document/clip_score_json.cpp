@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/score_clip.hpp>
 #include <shigusa/task_file.hpp>
-#include <utility>
 
-#include "io/json_reader.hpp"
 #include "measures_json.hpp"
+#include "task_values.hpp"
 
 namespace shigusa {
 namespace {
 
-constexpr double kMillimetres = 1000.0;  // per metre
 constexpr int kFrameMost = 1'000'000'000;
 constexpr double kCutoffMost = 1e6;  // Hz
 
@@ -36,15 +34,10 @@ Json feet_to_json(const RecordedMotion& recorded, const ClipFit& fit) {
 }  // namespace
 
 Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view name) {
-  const Result<Json> json = parse_json(text, name);
-  if (!json) return tl::unexpected(json.error());
-  JsonReader reader(*json, std::string(name) + ": ");
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
+  JsonReader reader(json, std::string(name) + ": ");
   ClipRequest request;
-  std::vector<std::pair<std::string, const CriteriaPreset*>> known;
-  for (const CriteriaPreset& preset : criteria_presets()) known.emplace_back(preset.name, &preset);
-  const CriteriaPreset* mixture = nullptr;
-  reader.choice<const CriteriaPreset*>("criteria", mixture, known);
-  if (mixture != nullptr) request.settings.criteria = mixture->settings();
+  read_mixture(reader, "criteria", request.settings.criteria);
   reader.integer("first", request.settings.first, 0, kFrameMost);
   if (reader.has("last")) {
     reader.integer("last", request.settings.last.emplace(), 0, kFrameMost);
@@ -52,9 +45,7 @@ Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view n
   reader.number("smoothed_hz", request.settings.cutoff, 0.0, kCutoffMost);
   reader.text("animation", request.animation);
   if (reader.has("character")) {
-    auto spec = parse_character_spec(reader.value("character").dump(), name);
-    if (!spec) return tl::unexpected(spec.error());
-    request.character = std::move(*spec);
+    SHG_TRY_ASSIGN(request.character, parse_character_spec(reader.value("character").dump(), name));
   }
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return request;
@@ -72,8 +63,7 @@ std::string format_clip_score(const std::string& clip, const RecordedMotion& rec
             {"duration_s", scored.duration()},
             {"smoothed_hz", settings.cutoff},
             {"score", score.score.total}};
-  json["criteria"] = Json::object();
-  for (const ScoreTerm& term : score.score.terms) json["criteria"][term.name] = term.penalty;
+  json["criteria"] = penalties_to_json(score.score);
   json["follows"] = follows_to_json(score.fit, settings.first);
   json["feet"] = feet_to_json(recorded, score.fit);
   add_measures(recorded.body, score.measures, score.final_posture, json);

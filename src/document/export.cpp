@@ -125,9 +125,8 @@ Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
 }
 
 Result<FileSettings> parse_file_settings(std::string_view text, std::string_view name) {
-  const Result<Json> json = parse_json(text, name);
-  if (!json) return tl::unexpected(json.error());
-  JsonReader reader(*json, std::string(name) + ": ");
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
+  JsonReader reader(json, std::string(name) + ": ");
   FileSettings settings;
   reader.number("fps", settings.rate, kRateMin, kRateMax);
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
@@ -143,21 +142,16 @@ Result<MadeFile> make_file(const WriteRequest& request, FileFormat format) {
   static constexpr auto kWriters =
       by_format<Result<MadeFile>(const WriteRequest&), &FormatInfo::written>(
           []<FileFormat written>() { return &write_as<written>; });
-  if (const auto can = check_formats(request.character, {format}); !can) {
-    return tl::unexpected(can.error());
-  }
-  if (const auto can = check_rate(request.settings.rate, "rate"); !can) {
-    return tl::unexpected(can.error());
-  }
+  SHG_TRY(check_formats(request.character, {format}));
+  SHG_TRY(check_rate(request.settings.rate, "rate"));
   return kWriters[static_cast<std::size_t>(format)](request);
 }
 
 Result<std::string> export_candidate(const CharacterSpec& character, const Task& task,
                                      const Candidate& candidate, FileFormat format,
                                      const FileSettings& settings) {
-  Result<MadeFile> made = make_file({character, task, candidate, settings}, format);
-  if (!made) return tl::unexpected(made.error());
-  return std::move(made->bytes);
+  SHG_TRY_ASSIGN(MadeFile made, make_file({character, task, candidate, settings}, format));
+  return std::move(made.bytes);
 }
 
 Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
@@ -167,9 +161,8 @@ Result<std::string> export_candidate(const Task& task, const Candidate& candidat
 
 Result<std::string> export_all(const CharacterSpec& character, const Task& task,
                                const std::vector<Candidate>& candidates, double rate) {
-  Result<MadeGlb> made = make_one_glb(character, task, candidates, rate);
-  if (!made) return tl::unexpected(made.error());
-  return std::move(made->bytes);
+  SHG_TRY_ASSIGN(MadeGlb made, make_one_glb(character, task, candidates, rate));
+  return std::move(made.bytes);
 }
 
 }  // namespace shigusa

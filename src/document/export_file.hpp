@@ -36,7 +36,7 @@ struct WriteRequest {
 template <FileFormat format>
 [[nodiscard]] Result<MadeFile> write_as(const WriteRequest& request);
 
-// What write_as gives of bytes that hold no motion of nodes.
+// The file of bytes that hold no motion of nodes, for write_as.
 [[nodiscard]] Result<MadeFile> unread(Result<std::string> bytes);
 
 // The motion in any format. Fails as check_formats and check_rate do, and where it is made.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <shigusa/facts.hpp>
 #include <shigusa/goal.hpp>
 #include <shigusa/result_file.hpp>
@@ -11,7 +12,6 @@ namespace shigusa {
 namespace {
 
 constexpr int kFactsVersion = 1;
-constexpr int kEvaluationsMax = 1'000'000'000;  // that a task file may have
 
 Json weights_to_json(CriteriaSettings criteria) {
   Json json;
@@ -65,20 +65,23 @@ Json bones_to_json() {
   return list;
 }
 
-// What a person may set, by its key in files: [low, high].
+// Adds the bounds of a struct's fields, by their keys in files: [low, high].
+template <class Holder>
+void add_ranges(const std::vector<std::string_view>& keys, Json& ranges) {
+  for_each_field<Holder>([&](const auto& field) {
+    if (std::find(keys.begin(), keys.end(), field.key) == keys.end()) return;
+    ranges[field.key] = {field.traits.low, field.traits.high};
+  });
+}
+
+// The bounds of numbers that a person may set.
 Json ranges_to_json() {
-  return {{"position_m", {-kGoalRange, kGoalRange}},
-          {"load_kg", {0.0, kLoadMax}},
-          {"tolerance_m", {0.0, kToleranceMax}},
-          {"stature_m", {kStatureMin, kStatureMax}},
-          {"mass_kg", {kMassMin, kMassMax}},
-          {"seat_m", {kSeatMin, kSeatMax}},
-          {"duration_s", {kTaskDurationMin, kTaskDurationMax}},
-          {"obstacles", {0, kObstaclesMax}},
-          {"phases", {1, kPhasesMax}},
-          {"candidates", {1, kResultMaxCandidates}},
-          {"evaluations", {kPaperPopulation, kEvaluationsMax}},
-          {"fps", {kRateMin, kRateMax}}};
+  Json ranges;
+  add_ranges<Goal>({"position_m", "load_kg", "tolerance_m"}, ranges);
+  add_ranges<CharacterSpec>({"stature_m", "mass_kg", "seat_m"}, ranges);
+  add_ranges<Request>({"duration_s", "obstacles", "phases", "candidates", "evaluations"}, ranges);
+  ranges["fps"] = {kRateMin, kRateMax};
+  return ranges;
 }
 
 // The characters' formats that a format needs one of; none where any character will do.

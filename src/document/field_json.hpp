@@ -29,7 +29,7 @@ inline constexpr bool kIsTable = false;  // a list of structs with a table
 template <Tabled Item>
 inline constexpr bool kIsTable<std::vector<Item>> = true;
 
-// What a list's reader does with an item before and after it has been read, where it does.
+// The reader of a list calls these before and after it reads an item; overloads do more.
 template <class Item>
 void begin_item(std::vector<Item>&) {}
 template <class Item>

@@ -4,8 +4,6 @@
 namespace shigusa {
 namespace {
 
-constexpr double kMillimetres = 1000.0;  // per metre
-
 Json posture_to_json(const FinalPosture& posture) {
   Json json{{"words", posture_words(posture)},
             {"knee_flexion_deg", degrees(posture.knee_flexion)},
@@ -71,6 +69,12 @@ void add_measures(const BodyModel& body, const MotionMeasures& measures, const F
                          {"time_s", collides.time}};
   }
   json["final_posture"] = posture_to_json(ends);
+}
+
+Json penalties_to_json(const Score& score) {
+  Json json = Json::object();
+  for (const ScoreTerm& term : score.terms) json[term.name] = term.penalty;
+  return json;
 }
 
 Json reasons_to_json(const Judgement& judgement) {

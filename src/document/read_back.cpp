@@ -55,7 +55,7 @@ tl::unexpected<Error> unreadable(const char* format, const std::string& why) {
 // (nodes of the character) where a VRM animation's bones take them.
 std::vector<Transformd> played(const CharacterRig& rig, const std::vector<int>& bone_of,
                                const std::vector<Transformd>& bones) {
-  // who plays it turns a character of VRM 0.x round, to face +Z as the animation does
+  // a player turns a character of VRM 0.x round, to face +Z as the animation does
   const double sign = rig.ahead.z < 0.0 ? -1.0 : 1.0;
   std::vector<Transformd> places;
   for (std::size_t i = 0; i < rig.skeleton.nodes.size(); ++i) {
@@ -110,15 +110,19 @@ Vec3d ReadBackCheck::in_link(int link, const Vec3d& at_start) const {
   return transpose_times(start.link_rotation(link), at_start - start.link_origin(link));
 }
 
-Transformd ReadBackCheck::in_world(const Transformd& node, double unit) const {
+ReadBackCheck::Places ReadBackCheck::in_world(Places places, double unit) const {
   if (!character_.rig || !character_.rig->rig.placement.mirrored()) {
-    return {node.rotation, node.translation * unit};
+    for (Transformd& node : places) node.translation = node.translation * unit;
+    return places;
   }
   // a mirrored file keeps its own axes
   const Placement& file = character_.rig->rig.placement;
   const Mat3d axes = transpose(Mat3d{file.left, file.up, file.ahead});
-  return {axes * node.rotation * transpose(axes),
-          file.to_world(node.translation * (unit / file.unit))};
+  for (Transformd& node : places) {
+    node = {axes * node.rotation * transpose(axes),
+            file.to_world(node.translation * (unit / file.unit))};
+  }
+  return places;
 }
 
 ReadBackCheck::FileMotion ReadBackCheck::file_motion(const char* format, const SkeletonClip& clip,
@@ -151,9 +155,7 @@ Result<ReadBack> ReadBackCheck::bvh(std::string_view bytes) const {
   }
   const double unit = bvh_unit(character_);
   back.places = [&](int frame) {
-    Places places = world_transforms(motion.skeleton, motion.clip, frame);
-    for (Transformd& node : places) node = in_world(node, unit);
-    return places;
+    return in_world(world_transforms(motion.skeleton, motion.clip, frame), unit);
   };
   return compare(back, marks_);
 }
@@ -167,9 +169,7 @@ Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& a
   if (file->character.file_node != rig.file_node) return unreadable("glb", "it has other nodes");
   FileMotion back = file_motion("glb", motion.clip, motion.skeleton, kFloatDigits);
   back.places = [&](int frame) {
-    Places places = world_transforms(motion.skeleton, motion.clip, frame);
-    for (Transformd& node : places) node = in_world(node, rig.rig.placement.unit);
-    return places;
+    return in_world(world_transforms(motion.skeleton, motion.clip, frame), rig.rig.placement.unit);
   };
   std::vector<Mark> marks = marks_;
   for (Mark& mark : marks) mark.turns = mark.turns && scaled_evenly(rig.rig, mark.node);
@@ -186,7 +186,7 @@ Result<ReadBack> ReadBackCheck::vrma(std::string_view bytes) const {
   for (const auto& [name, node] : rig.vrm_bones) {
     bone_of[static_cast<std::size_t>(node)] = motion.skeleton.find(name);
   }
-  // what the animation moves is compared: the bone that carries a finger, not the finger
+  // the bones that the animation moves are compared: the one that carries a finger, not the finger
   std::vector<Mark> marks;
   for (Mark mark : marks_) {
     while (mark.node >= 0 && bone_of[static_cast<std::size_t>(mark.node)] < 0) {
@@ -198,9 +198,8 @@ Result<ReadBack> ReadBackCheck::vrma(std::string_view bytes) const {
   }
   FileMotion back = file_motion("vrma", motion.clip, rig.skeleton, kFloatDigits);
   back.places = [&](int frame) {
-    Places places = played(rig, bone_of, world_transforms(motion.skeleton, motion.clip, frame));
-    for (Transformd& node : places) node = in_world(node, rig.rig.placement.unit);
-    return places;
+    return in_world(played(rig, bone_of, world_transforms(motion.skeleton, motion.clip, frame)),
+                    rig.rig.placement.unit);
   };
   return compare(back, marks);
 }

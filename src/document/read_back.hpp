@@ -10,18 +10,18 @@
 
 namespace shigusa {
 
-// What a format leaves open of each node.
+// How far off a format's digits may put each node.
 struct ReadBackDigits {
   double turn = 0.0;      // rad, of its rotation
   double length = 0.0;    // m, of its place in its parent …
-  double relative = 0.0;  // … and the same as a share of it
+  double relative = 0.0;  // … and that as a share of the length
 };
 
-// Reads exported files back, as anybody else does, and compares where their nodes are with where
-// the motion has them: the nodes that goals are for, and those of the planted feet, in every frame.
+// Reads exported files back, as anybody else does, and compares the places of their nodes with
+// those of the motion, in every frame: of the nodes that goals are for, and of the planted feet.
 //
-// A file may be off by what its digits leave open, which adds up from a node to all that it
-// carries; beyond twice that the file is wrong, and an error tells by how much. Borrows all.
+// A file may be off by its digits, which adds up from a node to all that it carries; beyond twice
+// that the file is wrong, and the error says by how much. Borrows all.
 class ReadBackCheck {
  public:
   // `clip`: the candidate's motion at the file's rate. Without a rig the character leaves on the
@@ -67,14 +67,14 @@ class ReadBackCheck {
     double turn = 0.0;    // rad
   };
 
-  // A point of a link's by where it is in the start posture.
+  // A point of a link from its place in the start posture.
   [[nodiscard]] Vec3d in_link(int link, const Vec3d& at_start) const;
   [[nodiscard]] Result<ReadBack> compare(const FileMotion& file,
                                          const std::vector<Mark>& marks) const;
   [[nodiscard]] static Allowance allowance(const FileMotion& file, const Places& places, int node);
   [[nodiscard]] static tl::unexpected<Error> wrong_by(const FileMotion& file, const Mark& mark,
                                                       int frame, const std::string& how);
-  [[nodiscard]] Transformd in_world(const Transformd& node, double unit) const;
+  [[nodiscard]] Places in_world(Places places, double unit) const;
 
   const CharacterSpec& character_;
   const BodyModel& body_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <shigusa/export.hpp>
+#include <shigusa/parallel.hpp>
 #include <shigusa/result_file.hpp>
 
 #include "character/character_rig.hpp"
@@ -13,8 +14,6 @@
 
 namespace shigusa {
 namespace {
-
-constexpr double kMillimetres = 1000.0;  // per metre
 
 // The node of the exported file that a node of the body is: the character's own, if it has one.
 Json joint_of(const CharacterSpec& character, const std::string& body_node) {
@@ -71,7 +70,7 @@ Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate
   return list;
 }
 
-// What was written of a candidate. Frames are those of the files that hold the motion of nodes.
+// Adds the files of a candidate. Frames are those of the files that hold the motion of nodes.
 void add_files(const Candidate& candidate, const CandidateFiles& files, double rate, Json& json) {
   json["files"] = Json::object();
   for (const auto& [format, file] : files) {
@@ -86,25 +85,24 @@ void add_files(const Candidate& candidate, const CandidateFiles& files, double r
   }
 }
 
-Json candidate_to_json(const CharacterSpec& character, const Task& task,
-                       std::span<const Layer> plan, const GenerateResult& generation,
-                       std::size_t index, const ResultFiles& files) {
-  const Candidate& candidate = generation.candidates[index];
+Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std::size_t index,
+                       const ResultFiles& files) {
+  const CharacterSpec& character = run.file.character;
+  const Candidate& candidate = run.generation.candidates[index];
   Json json;
   json["rank"] = index + 1;
   json["verdict"] = word_of(candidate.judgement.verdict);
   json["reasons"] = reasons_to_json(candidate.judgement);
   if (candidate.judgement.possible_in) json["possible_in_s"] = *candidate.judgement.possible_in;
   json["score"] = candidate.score.total;
-  json["criteria"] = Json::object();
-  for (const ScoreTerm& term : candidate.score.terms) json["criteria"][term.name] = term.penalty;
+  json["criteria"] = penalties_to_json(candidate.score);
   json["reached"] = goals_to_json(character, candidate);
   json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(character, candidate);
-  add_measures(task.body, candidate.measures, candidate.final_posture, json);
+  add_measures(run.task.body, candidate.measures, candidate.final_posture, json);
   json["final_posture"]["elbow_swivel_deg"] = degrees(candidate.final_posture.elbow_swivel);
-  json["duration_s"] = generation.duration;
+  json["duration_s"] = run.generation.duration;
   json["frames"] = candidate.motion.clip.frames;
   if (const std::optional<ArmCollision>& arms = candidate.arm_collision) {
     json["arm_collision"] = {{"depth_mm", max(arms->depth, 0.0) * kMillimetres},
@@ -123,20 +121,8 @@ Json candidate_to_json(const CharacterSpec& character, const Task& task,
   return json;
 }
 
-const char* end_name(SearchEnd end) {
-  switch (end) {
-    case SearchEnd::converged:
-      return "converged";
-    case SearchEnd::budget:
-      return "budget";
-    case SearchEnd::cancelled:
-      return "cancelled";
-  }
-  return "";
-}
-
 Json search_to_json(std::span<const Layer> plan, const GenerateResult& generation) {
-  Json json{{"end", end_name(generation.end)},
+  Json json{{"end", word_of(generation.end)},
             {"generations", generation.generations},
             {"missed", generation.missed},
             {"collided", generation.collided},
@@ -151,7 +137,7 @@ Json search_to_json(std::span<const Layer> plan, const GenerateResult& generatio
   return json;
 }
 
-// A name as it stands in the result's folder: no way out of it.
+// Whether a name is that of a file in the result's own folder.
 bool is_plain_name(const std::string& name) {
   constexpr std::size_t kLongest = 255;
   return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
@@ -163,37 +149,42 @@ bool is_sha256(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == text.npos;
 }
 
-// What stands of a candidate's files. Results of pages and of other languages name none.
+// The names and digests of a candidate's files. Results of pages and of other languages have none.
 Result<CandidateFiles> read_files(const Json& candidate, const std::string& place) {
   CandidateFiles files;
-  const auto texts = [&](const char* key, const auto& take) -> std::optional<Error> {
-    if (!candidate.is_object() || !candidate.contains(key)) return std::nullopt;
+  const auto read = [&](const char* key, const char* allowed, const auto& take) -> Result<void> {
+    if (!candidate.is_object() || !candidate.contains(key)) return {};
     const Json& object = candidate[key];
-    if (!object.is_object()) {
-      return Error{ErrorCode::parse, "must be an object { … }", place + "." + key};
-    }
+    const std::string at = place + "." + key;
+    if (!object.is_object()) return fail(ErrorCode::parse, "must be an object { … }", at);
     for (const auto& [format, text] : object.items()) {
       if (text.is_string() && take(format, text.template get<std::string>())) continue;
-      return Error{ErrorCode::parse,
-                   std::string("must be ") + (key == std::string_view("files")
-                                                  ? "the name of a file beside this one"
-                                                  : "64 hexadecimal digits, of a file"),
-                   place + "." + key + "." + format.substr(0, 20)};
+      return fail(ErrorCode::parse, std::string("must be ") + allowed,
+                  at + "." + format.substr(0, 20));
     }
-    return std::nullopt;
+    return {};
   };
-  auto wrong = texts("files", [&](const std::string& format, const std::string& name) {
+  const auto take_name = [&](const std::string& format, const std::string& name) {
     files[format].name = name;
     return is_plain_name(name);
-  });
-  if (wrong) return tl::unexpected(*wrong);
-  wrong = texts("sha256", [&](const std::string& format, const std::string& digits) {
+  };
+  const auto take_digest = [&](const std::string& format, const std::string& digits) {
     if (!files.contains(format)) return false;
     files[format].sha256 = digits;
     return is_sha256(digits);
-  });
-  if (wrong) return tl::unexpected(*wrong);
+  };
+  SHG_TRY(read("files", "the name of a file beside this one", take_name));
+  SHG_TRY(read("sha256", "64 hexadecimal digits, of a file", take_digest));
   return files;
+}
+
+// The frames a second of a candidate's files; without any, `rate` stays.
+Result<void> read_rate(const Json& candidate, const std::string& place, double& rate) {
+  if (!candidate.contains("fps")) return {};
+  const Json& fps = candidate["fps"];
+  if (!fps.is_number()) return fail(ErrorCode::parse, "must be a number", place);
+  rate = fps.get<double>();
+  return check_rate(rate, place);
 }
 
 Result<void> check_version(const Json& json, const std::string& place) {
@@ -206,15 +197,46 @@ Result<void> check_version(const Json& json, const std::string& place) {
               place);
 }
 
+// A result holds its character as measured, so that it can be edited without any other file.
+Result<void> check_character(const CharacterSpec& character, const std::string& place) {
+  if (is_complete(character)) return {};
+  return fail(ErrorCode::parse,
+              is_robot(character) ? "urdf is missing: a result holds the robot as read"
+                                  : "landmarks_m is missing: a result holds the person as measured",
+              place);
+}
+
+Result<void> check_count(const Json& candidates, const std::string& place) {
+  if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
+  if (candidates.size() <= kResultMaxCandidates) return {};
+  return fail(
+      ErrorCode::parse,
+      fmt::format("{} candidates; up to {} are allowed", candidates.size(), kResultMaxCandidates),
+      place);
+}
+
 }  // namespace
+
+RunInfo search_info(const Task& task, std::chrono::steady_clock::time_point begin) {
+  RunInfo info = replay_info(std::string(word_of(search_of(task))), begin);
+  info.threads = thread_count(task.batch.threads);
+  info.simd = simd_name(task.batch.simd);
+  return info;
+}
+
+RunInfo replay_info(std::string how, std::chrono::steady_clock::time_point begin) {
+  const auto elapsed = std::chrono::steady_clock::now() - begin;
+  return {.elapsed_ms = std::chrono::duration<double, std::milli>(elapsed).count(),
+          .search = std::move(how)};
+}
 
 TaskFile played_task(TaskFile file, const GenerateResult& generation) {
   if (generation.slowed) file.duration = generation.duration;
   return file;
 }
 
-std::string format_result(const TaskFile& file, const Task& task, const GenerateResult& generation,
-                          const RunInfo& info, const ResultFiles& files) {
+std::string format_result(const FinishedRun& run, const ResultFiles& files) {
+  const auto& [file, task, generation, info] = run;
   const Plan plan = plan_of(task).value();
   Json json;
   json["version"] = kResultVersion;
@@ -239,8 +261,7 @@ std::string format_result(const TaskFile& file, const Task& task, const Generate
   }
   json["candidates"] = Json::array();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
-    json["candidates"].push_back(
-        candidate_to_json(file.character, task, plan, generation, i, files));
+    json["candidates"].push_back(candidate_to_json(run, plan, i, files));
   }
   if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
   json["search_detail"] = search_to_json(plan, generation);
@@ -251,57 +272,30 @@ std::string format_result(const TaskFile& file, const Task& task, const Generate
 }
 
 Result<StoredResult> parse_result(std::string_view text, std::string_view name) {
-  const Result<Json> json = parse_json(text, name);
-  if (!json) return tl::unexpected(json.error());
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   const std::string place(name);
-  if (!json->is_object() || !json->contains("task") || !json->contains("candidates") ||
-      !(*json)["candidates"].is_array()) {
+  if (!json.is_object() || !json.contains("task") || !json.contains("candidates") ||
+      !json["candidates"].is_array()) {
     return fail(ErrorCode::parse, "not a result of shigusa: it has no task and candidates", place);
   }
-  if (const auto known = check_version(*json, place); !known) return tl::unexpected(known.error());
-  Result<TaskFile> task = task_from_json((*json)["task"], place + ": task");
-  if (!task) return tl::unexpected(task.error());
-  StoredResult result{.task = std::move(*task), .candidates = {}};
-  if (json->contains("character_file") && (*json)["character_file"].is_string()) {
-    result.character = (*json)["character_file"].get<std::string>();
+  SHG_TRY(check_version(json, place));
+  StoredResult result;
+  SHG_TRY_ASSIGN(result.task, task_from_json(json["task"], place + ": task"));
+  if (json.contains("character_file") && json["character_file"].is_string()) {
+    result.character = json["character_file"].get<std::string>();
   }
-  const CharacterSpec& character = result.task.character;
-  if (!is_complete(character)) {
-    return fail(ErrorCode::parse,
-                is_robot(character)
-                    ? "urdf is missing: a result holds the robot as read"
-                    : "landmarks_m is missing: a result holds the person as measured",
-                place + ": task.character");
-  }
-  const Json& candidates = (*json)["candidates"];
-  if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
-  if (candidates.size() > kResultMaxCandidates) {
-    return fail(
-        ErrorCode::parse,
-        fmt::format("{} candidates; up to {} are allowed", candidates.size(), kResultMaxCandidates),
-        place);
-  }
-  const Result<BodyModel> body = build_body(result.task);
-  if (!body) return tl::unexpected(body.error());
+  SHG_TRY(check_character(result.task.character, place + ": task.character"));
+  const Json& candidates = json["candidates"];
+  SHG_TRY(check_count(candidates, place));
+  SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
   const Result<Plan> plan =
-      plan_of(*body, result.task.goals, result.task.preset, result.task.layer_reading);
+      plan_of(body, result.task.goals, result.task.preset, result.task.layer_reading);
   if (!plan) return fail(ErrorCode::parse, plan.error().to_string(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);
-    Result<CandidateFiles> files = read_files(candidates[i], at);
-    if (!files) return tl::unexpected(files.error());
-    result.files.push_back(std::move(*files));
-    if (candidates[i].contains("fps")) {
-      const Json& rate = candidates[i]["fps"];
-      if (!rate.is_number()) return fail(ErrorCode::parse, "must be a number", at + ".fps");
-      if (const auto ok = check_rate(rate.get<double>(), at + ".fps"); !ok) {
-        return tl::unexpected(ok.error());
-      }
-      result.rate = rate.get<double>();
-    }
-    Result<Parameters> parameters = read_parameters(*plan, candidates[i], at);
-    if (!parameters) return tl::unexpected(parameters.error());
-    result.candidates.push_back(std::move(*parameters));
+    SHG_TRY_ASSIGN(result.files.emplace_back(), read_files(candidates[i], at));
+    SHG_TRY(read_rate(candidates[i], at + ".fps", result.rate));
+    SHG_TRY_ASSIGN(result.candidates.emplace_back(), read_parameters(*plan, candidates[i], at));
   }
   return result;
 }

@@ -64,11 +64,10 @@ Result<std::string> ResultFolder::add(const std::string& name, std::string_view 
 }
 
 Result<void> ResultFolder::publish(std::string_view summary) {
-  const auto added = add(kSummaryName, summary);
-  if (!added) return tl::unexpected(added.error());
-  if (auto locked = lock_folder(folder_, FolderUse::write, path_); !locked) return locked;
+  SHG_TRY(add(kSummaryName, summary));
+  SHG_TRY(lock_folder(folder_, FolderUse::write, path_));
   for (const std::string& name : files_) {
-    if (auto free = check_place(name); !free) return free;
+    SHG_TRY(check_place(name));
   }
   return swap();
 }

@@ -14,38 +14,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The character's file as it is found from the folder, or nothing where it cannot be told.
+// The path of the character's file from the folder; empty where there is none.
 std::string from_folder(const fs::path& character, const fs::path& folder) {
   if (character.empty()) return {};
   std::error_code error;
-  const fs::path way = fs::relative(character, folder, error);
-  return error ? std::string() : way.generic_string();
+  const fs::path path = fs::relative(character, folder, error);
+  return error ? std::string() : path.generic_string();
 }
 
-// Adds the files of one format; notes them in `files`.
-Result<void> add_files(ResultFolder& folder, const CharacterSpec& character, const Task& task,
-                       const std::vector<Candidate>& candidates, FileFormat format,
+// Adds the files of one format to the folder, and notes them in `files`.
+Result<void> add_files(const FinishedRun& run, FileFormat format, ResultFolder& folder,
                        ResultFiles& files) {
+  const CharacterSpec& character = run.file.character;
+  const std::vector<Candidate>& candidates = run.generation.candidates;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const FileSettings settings{files.rate, candidate_animation(character, i + 1)};
-    const auto made = make_file({character, task, candidates[i], settings}, format);
-    if (!made) return tl::unexpected(made.error());
+    SHG_TRY_ASSIGN(const auto made,
+                   make_file({character, run.task, candidates[i], settings}, format));
     const std::string name = candidate_file(i + 1, format);
-    Result<std::string> sha256 = folder.add(name, made->bytes);
-    if (!sha256) return tl::unexpected(sha256.error());
-    files.candidates[i][std::string(word_of(format))] = {name, std::move(*sha256), made->back};
+    SHG_TRY_ASSIGN(std::string sha256, folder.add(name, made.bytes));
+    files.candidates[i][std::string(word_of(format))] = {name, std::move(sha256), made.back};
   }
   return {};
 }
 
-Result<void> add_one_glb(ResultFolder& folder, const CharacterSpec& character, const Task& task,
-                         const std::vector<Candidate>& candidates, ResultFiles& files) {
-  const auto made = make_one_glb(character, task, candidates, files.rate);
-  if (!made) return tl::unexpected(made.error());
-  const Result<std::string> sha256 = folder.add(kOneFile, made->bytes);
-  if (!sha256) return tl::unexpected(sha256.error());
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    files.candidates[i][std::string(word_of(FileFormat::glb))] = {kOneFile, *sha256, made->back[i]};
+Result<void> add_one_glb(const FinishedRun& run, ResultFolder& folder, ResultFiles& files) {
+  SHG_TRY_ASSIGN(const MadeGlb made,
+                 make_one_glb(run.file.character, run.task, run.generation.candidates, files.rate));
+  SHG_TRY_ASSIGN(const std::string sha256, folder.add(kOneFile, made.bytes));
+  for (std::size_t i = 0; i < made.back.size(); ++i) {
+    files.candidates[i][std::string(word_of(FileFormat::glb))] = {kOneFile, sha256, made.back[i]};
   }
   return {};
 }
@@ -67,26 +65,21 @@ Result<void> prepare_folder(const fs::path& folder) {
   return ResultFolder().open(folder);
 }
 
-Result<std::string> write_result(const fs::path& folder, const TaskFile& file, const Task& task,
-                                 const GenerateResult& generation, const RunInfo& info,
+Result<std::string> write_result(const fs::path& folder, const FinishedRun& run,
                                  const ExportSettings& settings) {
-  if (const auto can = check_formats(file.character, settings.formats); !can) {
-    return tl::unexpected(can.error());
-  }
+  SHG_TRY(check_formats(run.file.character, settings.formats));
   ResultFolder out;
-  if (const auto opened = out.open(folder); !opened) return tl::unexpected(opened.error());
-  const std::vector<Candidate>& candidates = generation.candidates;
-  ResultFiles files{settings.rate, std::vector<CandidateFiles>(candidates.size()),
+  SHG_TRY(out.open(folder));
+  const std::size_t count = run.generation.candidates.size();
+  ResultFiles files{settings.rate, std::vector<CandidateFiles>(count),
                     from_folder(settings.character, folder)};
   for (const FileFormat format : settings.formats) {
-    if (!candidates.empty() && files.candidates[0].contains(std::string(word_of(format)))) continue;
+    if (count > 0 && files.candidates[0].contains(std::string(word_of(format)))) continue;
     const bool one = settings.one_file && format == FileFormat::glb;
-    const auto added = one ? add_one_glb(out, file.character, task, candidates, files)
-                           : add_files(out, file.character, task, candidates, format, files);
-    if (!added) return tl::unexpected(added.error());
+    SHG_TRY(one ? add_one_glb(run, out, files) : add_files(run, format, out, files));
   }
-  std::string summary = format_result(file, task, generation, info, files);
-  if (const auto done = out.publish(summary); !done) return tl::unexpected(done.error());
+  std::string summary = format_result(run, files);
+  SHG_TRY(out.publish(summary));
   return summary;
 }
 
@@ -97,17 +90,13 @@ Result<StoredResult> read_result(const fs::path& path, int candidate) {
   const fs::path place = above.empty() ? fs::path(".") : above;
   const Descriptor folder = open_at(AT_FDCWD, place.c_str(), O_RDONLY | O_DIRECTORY);
   if (!folder) return refused(path, "open", errno);
-  if (const auto locked = lock_folder(folder, FolderUse::read, place); !locked) {
-    return tl::unexpected(locked.error());
-  }
+  SHG_TRY(lock_folder(folder, FolderUse::read, place));
   const fs::path summary = whole ? path / kSummaryName : path;
-  const Result<std::string> text = read_text_file(summary, kResultMaxBytes);
-  if (!text) return tl::unexpected(text.error());
-  Result<StoredResult> stored = parse_result(*text, summary.filename().string());
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(summary, kResultMaxBytes));
+  Result<StoredResult> stored = parse_result(text, summary.filename().string());
   const auto index = static_cast<std::size_t>(candidate) - 1;
   if (!stored || index >= stored->files.size()) return stored;
-  const auto described = check_described(place, folder, stored->files[index]);
-  if (!described) return tl::unexpected(described.error());
+  SHG_TRY(check_described(place, folder, stored->files[index]));
   return stored;
 }
 

@@ -61,9 +61,8 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
 }
 
 Result<CharacterSpec> parse_character_spec(std::string_view text, std::string_view name) {
-  Result<Json> json = parse_json(text, name);
-  if (!json) return tl::unexpected(json.error());
-  const Json holder{{"character", std::move(*json)}};
+  SHG_TRY_ASSIGN(Json json, parse_json(text, name));
+  const Json holder{{"character", std::move(json)}};
   JsonReader reader(holder, std::string(name) + ": ");
   CharacterSpec spec;
   read_character(reader, spec);
@@ -72,15 +71,13 @@ Result<CharacterSpec> parse_character_spec(std::string_view text, std::string_vi
 }
 
 Result<TaskFile> parse_task(std::string_view text, std::string_view name) {
-  const Result<Json> json = parse_json(text, name);
-  if (!json) return tl::unexpected(json.error());
-  return task_from_json(*json, std::string(name));
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
+  return task_from_json(json, std::string(name));
 }
 
 Result<TaskFile> read_task(const std::filesystem::path& path) {
-  const Result<std::string> text = read_text_file(path, kTaskMaxBytes);
-  if (!text) return tl::unexpected(text.error());
-  return parse_task(*text, path.filename().string());
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(path, kTaskMaxBytes));
+  return parse_task(text, path.filename().string());
 }
 
 std::string format_task(const TaskFile& task) {
@@ -102,15 +99,12 @@ Result<BodyModel> build_body(const TaskFile& file) {
 }
 
 Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
-  if (const auto measured = measure_character(file.character, folder); !measured) {
-    return tl::unexpected(measured.error());
-  }
+  SHG_TRY(measure_character(file.character, folder));
   if (file.character.landmarks && !file.character.extent) {
     file.character.extent = usual_extent(file.preset);
   }
-  Result<BodyModel> body = build_body(file);
-  if (!body) return tl::unexpected(body.error());
-  Task task(std::move(*body), file);
+  SHG_TRY_ASSIGN(BodyModel body, build_body(file));
+  Task task(std::move(body), file);
   const Plan plan = whole_body_plan(task.body);
   for (const std::string& assignment : file.fixed_assignments) {
     if (!task.fixed) task.fixed = no_fixed_parameters(task.body);

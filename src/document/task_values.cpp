@@ -40,14 +40,16 @@ void read_composite(JsonReader& goal, const char* key, GoalAxis& axis) {
   goal.absorb(reader.finish());
 }
 
-void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteria) {
-  if (task.value(key).is_string()) {
-    std::vector<std::pair<std::string, CriteriaSettings>> presets;
-    for (const CriteriaPreset& preset : criteria_presets()) {
-      presets.emplace_back(preset.name, preset.settings());
-    }
-    return task.choice(key, criteria, presets);
+void read_mixture(JsonReader& holder, const char* key, CriteriaSettings& criteria) {
+  std::vector<std::pair<std::string, CriteriaSettings>> presets;
+  for (const CriteriaPreset& preset : criteria_presets()) {
+    presets.emplace_back(preset.name, preset.settings());
   }
+  holder.choice(key, criteria, presets);
+}
+
+void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteria) {
+  if (task.value(key).is_string()) return read_mixture(task, key, criteria);
   JsonReader reader = task.object(key);
   double sum = 0.0;
   for_each_criterion([&](const auto& criterion) {

@@ -8,13 +8,15 @@
 namespace shigusa {
 
 // Values of a task's fields that are more than a number, a text, a word or a point; field_json.hpp
-// finds these by their types. What is wrong is told to the reader.
+// finds these by their types. The reader keeps what is wrong.
 
 inline constexpr double kCriteriaRange = 1e6;  // weights and reference scales
 inline constexpr double kCriteriaTiny = 1e-9;  // reference scales are above 0
 
 // Three numbers or a word each.
 void read_composite(JsonReader& goal, const char* key, GoalAxis& axis);
+// A mixture by its name.
+void read_mixture(JsonReader& holder, const char* key, CriteriaSettings& criteria);
 // A mixture by its name, or weights and reference scales; what is not given stays as it is.
 void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteria);
 void read_composite(JsonReader& character, const char* key, BoneRequest& map);

@@ -1,12 +1,82 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <shigusa/quat.hpp>
+#include <utility>
+
 #include "export_file.hpp"
 #include "io/csv.hpp"
-#include "robot_columns.hpp"
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 namespace {
+
+// A point of shigusa's world (m) in a robot's: x ahead, y to the left, z up.
+Vec3d in_robot_world(const Vec3d& point) { return {point.z, point.x, point.y}; }
+
+constexpr std::array kPoseNames{"root.x [m]", "root.y [m]", "root.z [m]", "root.qx",
+                                "root.qy",    "root.qz",    "root.qw"};
+
+// Where the root link is in each frame.
+void add_root(const BodyModel& body, const Clip& clip, std::vector<CsvColumn>& columns) {
+  const RobotFrame& robot = *body.robot();
+  std::array<CsvColumn, kPoseNames.size()> pose;
+  for (std::size_t k = 0; k < pose.size(); ++k) pose[k].name = kPoseNames[k];
+  Kinematics<double> kinematics(body);
+  Quatd before;
+  for (int f = 0; f < clip.frames; ++f) {
+    forward_kinematics<double>(body, clip.frame(f), kinematics);
+    const Mat3d r = kinematics.link_rotation(robot.link) * robot.root_in_link.rotation;
+    const Mat3d turned{in_robot_world(r.cx), in_robot_world(r.cy), in_robot_world(r.cz)};
+    const Vec3d at = in_robot_world(kinematics.point(robot.link, robot.root_in_link.translation));
+    const Quatd q = before = nearer(to_quat(turned), before);
+    const double values[] = {at.x, at.y, at.z, q.x, q.y, q.z, q.w};
+    for (std::size_t k = 0; k < pose.size(); ++k) pose[k].values.push_back(values[k]);
+  }
+  for (CsvColumn& column : pose) columns.push_back(std::move(column));
+}
+
+// The columns that drive a robot through a motion, in its file's own terms: the root link's place
+// "root.x [m]" … and quaternion "root.qx" … in the robot's world, then "JOINT [rad]" (or "JOINT
+// [m]" where it slides) for all joints that move, in the file's order, then "JOINT torque [N m]"
+// for those that take part.
+void add_robot_columns(const BodyModel& body, const Motion& motion,
+                       std::vector<CsvColumn>& columns) {
+  const Clip& clip = motion.clip;
+  add_root(body, clip, columns);
+  const auto dofs = static_cast<std::size_t>(clip.dofs);
+  const auto of_dof = [&](const RobotJoint& joint, const std::vector<double>& all) {
+    std::vector<double> values;
+    for (std::size_t i = static_cast<std::size_t>(joint.dof); i < all.size(); i += dofs) {
+      values.push_back(0.0 + joint.sign * all[i]);  // no -0
+    }
+    return values;
+  };
+  const auto frames = static_cast<std::size_t>(clip.frames);
+  for (const RobotJoint& joint : body.robot()->joints) {
+    columns.push_back(
+        {joint.name + (joint.slides ? " [m]" : " [rad]"),
+         joint.dof < 0 ? std::vector<double>(frames, joint.angle) : of_dof(joint, clip.angles)});
+  }
+  for (const RobotJoint& joint : body.robot()->joints) {
+    if (joint.dof < 0) continue;
+    columns.push_back({joint.name + " torque [N m]", of_dof(joint, motion.torques)});
+  }
+}
+
+void add_body_columns(const BodyModel& body, const Motion& motion,
+                      std::vector<CsvColumn>& columns) {
+  const auto dofs = static_cast<std::size_t>(motion.clip.dofs);
+  const auto add = [&](std::size_t d, const char* unit, const std::vector<double>& values) {
+    CsvColumn column{fmt::format("{} {}", body.dofs()[d].name, unit), {}};
+    for (std::size_t i = d; i < values.size(); i += dofs) column.values.push_back(values[i]);
+    columns.push_back(std::move(column));
+  };
+  for (std::size_t d = 0; d < dofs; ++d) add(d, "[rad]", motion.clip.angles);
+  for (std::size_t d = 0; d < dofs; ++d) add(d, "torque [N m]", motion.torques);
+}
 
 void add_point_columns(const std::string& name, const std::vector<Vec3d>& points,
                        std::vector<CsvColumn>& columns) {
@@ -19,33 +89,19 @@ void add_point_columns(const std::string& name, const std::vector<Vec3d>& points
 
 Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
   const Motion& motion = candidate.motion;
+  const bool robot = task.body.robot().has_value();
   std::vector<CsvColumn> columns{{"time [s]", {}}};
   for (int f = 0; f < motion.clip.frames; ++f) {
     columns[0].values.push_back(f * motion.clip.frame_time);
   }
-  if (task.body.robot()) {
-    add_robot_columns(task.body, motion, columns);
-    const auto turned = [](std::vector<Vec3d> points) {
-      for (Vec3d& point : points) point = in_robot_world(point);
-      return points;
-    };
-    add_point_columns("centre_of_mass", turned(motion.centre_of_mass), columns);
-    for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
-      add_point_columns(candidate.goals[g].asked.effector, turned(motion.effectors[g]), columns);
-    }
-    return format_csv(columns);
-  }
-  const auto dofs = static_cast<std::size_t>(motion.clip.dofs);
-  const auto add = [&](std::size_t d, const char* unit, const std::vector<double>& values) {
-    CsvColumn column{fmt::format("{} {}", task.body.dofs()[d].name, unit), {}};
-    for (std::size_t i = d; i < values.size(); i += dofs) column.values.push_back(values[i]);
-    columns.push_back(std::move(column));
+  (robot ? add_robot_columns : add_body_columns)(task.body, motion, columns);
+  const auto add_points = [&](const std::string& name, std::vector<Vec3d> points) {
+    if (robot) std::transform(points.begin(), points.end(), points.begin(), in_robot_world);
+    add_point_columns(name, points, columns);
   };
-  for (std::size_t d = 0; d < dofs; ++d) add(d, "[rad]", motion.clip.angles);
-  for (std::size_t d = 0; d < dofs; ++d) add(d, "torque [N m]", motion.torques);
-  add_point_columns("centre_of_mass", motion.centre_of_mass, columns);
+  add_points("centre_of_mass", motion.centre_of_mass);
   for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
-    add_point_columns(candidate.goals[g].asked.effector, motion.effectors[g], columns);
+    add_points(candidate.goals[g].asked.effector, motion.effectors[g]);
   }
   return format_csv(columns);
 }

@@ -31,13 +31,11 @@ Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
 template <class Make, class Check>
 Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& check) {
   const auto& [character, task, candidate, settings] = request;
-  const Result<Clip> clip = clip_at_rate(character, task, candidate, settings.rate);
-  if (!clip) return tl::unexpected(clip.error());
-  Result<std::string> bytes = make(*clip);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const Result<ReadBack> back = check(ReadBackCheck(character, task, candidate, *clip), *bytes);
-  if (!back) return tl::unexpected(back.error());
-  return MadeFile{std::move(*bytes), *back};
+  SHG_TRY_ASSIGN(const Clip clip, clip_at_rate(character, task, candidate, settings.rate));
+  SHG_TRY_ASSIGN(std::string bytes, make(clip));
+  SHG_TRY_ASSIGN(const ReadBack back,
+                 check(ReadBackCheck(character, task, candidate, clip), bytes));
+  return MadeFile{std::move(bytes), back};
 }
 
 }  // namespace
@@ -81,28 +79,23 @@ Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
 
 Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
                              const std::vector<Candidate>& candidates, double rate) {
-  if (const auto can = check_formats(character, {FileFormat::glb}); !can) {
-    return tl::unexpected(can.error());
-  }
-  if (const auto can = check_rate(rate, "rate"); !can) return tl::unexpected(can.error());
+  SHG_TRY(check_formats(character, {FileFormat::glb}));
+  SHG_TRY(check_rate(rate, "rate"));
   const CharacterExporter exporter(*character.rig);
   std::vector<GltfAnimation> animations;
   std::vector<Clip> clips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    Result<Clip> clip = clip_at_rate(character, task, candidates[i], rate);
-    if (!clip) return tl::unexpected(clip.error());
-    clips.push_back(std::move(*clip));
+    SHG_TRY_ASSIGN(Clip clip, clip_at_rate(character, task, candidates[i], rate));
+    clips.push_back(std::move(clip));
     animations.push_back(
         exporter.animation(task.body, clips.back(), candidate_animation(character, i + 1)));
   }
-  Result<std::string> bytes = exporter.glb(animations);
-  if (!bytes) return tl::unexpected(bytes.error());
-  MadeGlb made{std::move(*bytes), {}};
+  SHG_TRY_ASSIGN(std::string bytes, exporter.glb(animations));
+  MadeGlb made{std::move(bytes), {}};
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const ReadBackCheck check(character, task, candidates[i], clips[i]);
-    const Result<ReadBack> back = check.glb(made.bytes, animations[i].name);
-    if (!back) return tl::unexpected(back.error());
-    made.back.push_back(*back);
+    SHG_TRY_ASSIGN(const ReadBack back, check.glb(made.bytes, animations[i].name));
+    made.back.push_back(back);
   }
   return made;
 }

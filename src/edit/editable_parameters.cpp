@@ -8,7 +8,7 @@
 namespace shigusa {
 namespace {
 
-// What moves a motion most comes first.
+// The parameters that change a motion most come first.
 bool comes_first(const Parameter& parameter) { return info_of(parameter.info->kind).word.empty(); }
 
 EditableParameter editable(const Parameter& parameter) {
@@ -32,11 +32,10 @@ EditableParameter editable(const Parameter& parameter) {
 
 Result<std::vector<EditableParameter>> editable_parameters(const Task& task,
                                                            const Candidate& candidate) {
-  const Result<Plan> plan = plan_of(task);
-  if (!plan) return tl::unexpected(plan.error());
+  SHG_TRY_ASSIGN(const Plan plan, plan_of(task));
   Parameters values = candidate.parameters;
-  give_posture(*plan, values);
-  std::vector<Parameter> all = parameters_of(*plan, values);
+  give_posture(plan, values);
+  std::vector<Parameter> all = parameters_of(plan, values);
   std::stable_partition(all.begin(), all.end(), comes_first);
   std::vector<EditableParameter> list;
   for (const Parameter& parameter : all) list.push_back(editable(parameter));

@@ -71,12 +71,11 @@ Result<TaskFile> mirrored(TaskFile task) {
     return fail(ErrorCode::unsupported,
                 task.character.source + " is a robot, whose mirror image is another robot");
   }
-  const Result<BodyModel> body = build_character(task.character);
-  if (!body) return tl::unexpected(body.error());
-  for (const Dof& dof : body->dofs()) {
-    if (body->find_dof(mirrored_name(dof.name))) continue;
+  SHG_TRY_ASSIGN(const BodyModel body, build_character(task.character));
+  for (const Dof& dof : body.dofs()) {
+    if (body.find_dof(mirrored_name(dof.name))) continue;
     return fail(ErrorCode::unsupported,
-                fmt::format("{} has one side only: it has {} and no {}", body->name(), dof.name,
+                fmt::format("{} has one side only: it has {} and no {}", body.name(), dof.name,
                             mirrored_name(dof.name)));
   }
   mirror_fields<Request>(task);

@@ -17,14 +17,13 @@ int count_of(const StoredResult& stored) { return static_cast<int>(stored.candid
 }  // namespace
 
 Result<std::vector<std::string>> parse_assignments(std::string_view text, std::string_view name) {
-  const Result<Json> json = parse_json(text, name);
-  if (!json) return tl::unexpected(json.error());
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   const auto is_text = [](const Json& item) { return item.is_string(); };
-  if (!json->is_array() || !std::all_of(json->begin(), json->end(), is_text)) {
+  if (!json.is_array() || !std::all_of(json.begin(), json.end(), is_text)) {
     return fail(ErrorCode::parse, "must be a list [ … ] of texts such as \"squat_deg=60\"",
                 std::string(name));
   }
-  return json->get<std::vector<std::string>>();
+  return json.get<std::vector<std::string>>();
 }
 
 Result<GenerateResult> replay(const Task& task, StoredResult& stored, int candidate,
@@ -34,11 +33,10 @@ Result<GenerateResult> replay(const Task& task, StoredResult& stored, int candid
                 fmt::format("candidate {} does not exist; the result has the candidates 1 to {}",
                             candidate, count_of(stored)));
   }
-  const Result<Plan> plan = plan_of(task);
-  if (!plan) return tl::unexpected(plan.error());
+  SHG_TRY_ASSIGN(const Plan plan, plan_of(task));
   Parameters& parameters = stored.candidates[static_cast<std::size_t>(candidate - 1)];
   for (const std::string& assignment : assignments) {
-    if (const auto ok = assign_parameter(*plan, assignment, parameters); !ok) {
+    if (const auto ok = assign_parameter(plan, assignment, parameters); !ok) {
       return fail(ok.error().code, ok.error().message, assignment);
     }
   }
@@ -69,18 +67,14 @@ Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
 }
 
 Result<void> mirror_result(StoredResult& stored) {
-  const Result<BodyModel> body = build_body(stored.task);
-  if (!body) return tl::unexpected(body.error());
-  Result<TaskFile> image = mirrored(stored.task);
-  if (!image) return tl::unexpected(image.error());
-  const Result<Task> task = make_task(*image, {});
-  if (!task) return tl::unexpected(task.error());
-  const Result<Plan> from = plan_of(*body, stored.task.goals, task->preset, task->layer_reading);
-  const Result<Plan> to = plan_of(*task);
-  if (!from) return tl::unexpected(from.error());
-  if (!to) return tl::unexpected(to.error());
-  stored.task = std::move(*image);
-  for (Parameters& values : stored.candidates) values = mirrored(*from, *to, values);
+  SHG_TRY_ASSIGN(const BodyModel body, build_body(stored.task));
+  SHG_TRY_ASSIGN(TaskFile image, mirrored(stored.task));
+  SHG_TRY_ASSIGN(const Task task, make_task(image, {}));
+  SHG_TRY_ASSIGN(const Plan from,
+                 plan_of(body, stored.task.goals, task.preset, task.layer_reading));
+  SHG_TRY_ASSIGN(const Plan to, plan_of(task));
+  stored.task = std::move(image);
+  for (Parameters& values : stored.candidates) values = mirrored(from, to, values);
   return {};
 }
 

@@ -151,8 +151,8 @@ void adopt_preset(Request& request, const Preset& preset) {
 }
 
 void adopt_pareto(Request& request, const bool& pareto) {
+  if (pareto && !request.pareto) request.criteria = pareto_criteria();
   request.pareto = pareto;
-  if (pareto) request.criteria = pareto_criteria();
 }
 
 Task with_preset(Task task, Preset preset) {

@@ -74,8 +74,7 @@ TEST_F(FbxCharacter, LeavesOnItsOwnNodesAsBvhAndGlb) {
 TEST_F(FbxCharacter, ResultKeepsThePersonAndTakesTheFileAgain) {
   const Task task = task_of(false);
   StoredResult stored =
-      parse_result(format_result(file_, task, generate(task).value(), {}, {}), "summary.json")
-          .value();
+      parse_result(format_result({file_, task, generate(task).value()}), "summary.json").value();
   EXPECT_TRUE(make_task(stored.task, "/nowhere"));
   EXPECT_TRUE(attach_file(stored.task.character, folder_.path() / "person.fbx"));
 }

@@ -79,7 +79,7 @@ TEST_F(MjcfCharacter, ResultIsPlayedAgainWithTheSameBytesAndDoubts) {
   const Task task = task_of(text);
   const GenerateResult generation = generate(task).value();
   StoredResult stored =
-      parse_result(format_result(file_, task, generation, {}, {}), "summary.json").value();
+      parse_result(format_result({file_, task, generation}), "summary.json").value();
   const Task again = make_task(stored.task, "/nowhere").value();
   EXPECT_THAT(std::vector(again.body.doubts().begin(), again.body.doubts().end()),
               Contains("body 'box' of the world is no part of the robot"));

@@ -94,7 +94,7 @@ class CharacterExport : public testing::Test {
     ASSERT_TRUE(generation.meets_goals()) << generation.remaining_distance;
     if (one_file) generation.candidates.push_back(generation.candidates[0]);
     const auto written =
-        write_result(work_.path(), file_, task, generation, {},
+        write_result(work_.path(), {file_, task, generation},
                      {.formats = parse_formats(formats).value(), .one_file = one_file});
     ASSERT_TRUE(written) << written.error().to_string();
     summary_ = Json::parse(*written);

@@ -66,7 +66,7 @@ class WriteResult : public testing::Test {
     const Task task = make_task(file_, {}).value();
     GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
     generation.candidates.resize(candidates, generation.candidates[0]);
-    return write_result(work_.path(), file_, task, generation, {},
+    return write_result(work_.path(), {file_, task, generation},
                         {.formats = parse_formats(formats).value()});
   }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <shigusa/result_file.hpp>
 
+#include "document/result_sample.hpp"
 #include "document/schema_check.hpp"
 #include "layers/assignment.hpp"
 #include "support/layered.hpp"
@@ -16,17 +17,6 @@ using namespace testing_support;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-struct Sample {
-  TaskFile file;
-  Task task;
-  GenerateResult generation;
-
-  explicit Sample(const TaskFile& asked)
-      : file(asked), task(make_task(file, {}).value()), generation(generate(task).value()) {}
-
-  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}); }
-};
-
 TaskFile layers_task() {
   TaskFile file;
   file.character.source = "full_body";
@@ -37,14 +27,9 @@ TaskFile layers_task() {
   return file;
 }
 
-const Sample& sample() {
-  static const Sample made(layers_task());
+const ResultSample& sample() {
+  static const ResultSample made(layers_task());
   return made;
-}
-
-std::string message(const Json& json) {
-  const Result<StoredResult> result = parse_result(json.dump(), "summary.json");
-  return result ? "" : result.error().to_string();
 }
 
 TEST(LayeredResult, ParametersAreReadBackBitForBit) {
@@ -54,7 +39,7 @@ TEST(LayeredResult, ParametersAreReadBackBitForBit) {
       TaskFile file = layers_task();
       file.layer_reading = reading;
       file.search = method;
-      const Sample made(file);
+      const ResultSample made(file);
       const StoredResult stored = parse_result(made.text(), "summary.json").value();
       EXPECT_EQ(stored.task.preset, Preset::layers);
       EXPECT_EQ(stored.task.layer_reading, reading);
@@ -79,7 +64,7 @@ TEST(LayeredResult, FollowsTheSchema) {
   EXPECT_EQ(schema.judge(nlohmann::json::parse(sample().text())), "");
   TaskFile far = layers_task();
   far.goals = {{"right_hand", {0, 5, 0}}};
-  EXPECT_EQ(schema.judge(nlohmann::json::parse(Sample(far).text())), "");
+  EXPECT_EQ(schema.judge(nlohmann::json::parse(ResultSample(far).text())), "");
 }
 
 TEST(LayeredResult, WrongParametersAreNamedByTheirPlace) {
@@ -121,7 +106,7 @@ TEST(HumanResult, IsReadBackBitForBitAndPlayedTheSame) {
   for (const char* body : {"full_body", "half_body"}) {
     TaskFile file = human_task();
     file.character.source = body;
-    const Sample made(file);
+    const ResultSample made(file);
     EXPECT_EQ(SchemaCheck::in_docs("result.schema.json").judge(nlohmann::json::parse(made.text())),
               "");
     StoredResult stored = parse_result(made.text(), "summary.json").value();
@@ -136,7 +121,7 @@ TEST(HumanResult, IsReadBackBitForBitAndPlayedTheSame) {
 }
 
 TEST(HumanResult, WrongParametersAreNamedByTheirPlace) {
-  const Json good = Json::parse(Sample(human_task()).text());
+  const Json good = Json::parse(ResultSample(human_task()).text());
   ASSERT_EQ(message(good), "");
   const auto with = [&good](const char* place, const Json& value) {
     Json json = good;

@@ -6,6 +6,7 @@
 #include <shigusa/export.hpp>
 
 #include "body/posture_modes.hpp"
+#include "document/result_sample.hpp"
 #include "document/task_samples.hpp"
 #include "layers/assignment.hpp"
 #include "support/person_file.hpp"
@@ -18,24 +19,6 @@ using namespace testing_support;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-// A result of a task, as its file holds it.
-struct Sample {
-  TaskFile file;
-  Task task;
-  GenerateResult generation;
-
-  explicit Sample(TaskFile asked)
-      : file(std::move(asked)), task(make_task(file, {}).value()), generation(make(task)) {}
-
-  [[nodiscard]] std::string text() const { return format_result(file, task, generation, {}); }
-
- private:
-  static GenerateResult make(Task& task) {
-    task.genetic.max_generations = 1;
-    return generate(task).value();
-  }
-};
-
 TaskFile reach_task() {
   TaskFile file;
   file.goals = {{"right_hand", {-0.2, 1.1, 0.4}}};
@@ -43,14 +26,9 @@ TaskFile reach_task() {
   return file;
 }
 
-const Sample& sample() {
-  static const Sample made(reach_task());
+const ResultSample& sample() {
+  static const ResultSample made(reach_task(), 1);
   return made;
-}
-
-std::string message(const Json& json) {
-  const Result<StoredResult> result = parse_result(json.dump(), "summary.json");
-  return result ? "" : result.error().to_string();
 }
 
 TEST(ResultFile, HoldsAThousandCandidatesAtMost) {
@@ -116,7 +94,7 @@ TEST(ResultFile, StoredParametersGiveTheSameMotion) {
 TEST(ResultFile, TwoPhasesAreReadBackBitForBit) {
   TaskFile file = reach_task();
   file.phases = 2;
-  const Sample made(file);
+  const ResultSample made(file, 1);
   const StoredResult stored = parse_result(made.text(), "summary.json").value();
   EXPECT_EQ(bits(stored.task), bits(made.file));
   ASSERT_EQ(stored.candidates.size(), made.generation.candidates.size());
@@ -145,7 +123,7 @@ TEST(ResultFile, PersonFromAFileIsKeptAsMeasured) {
   TaskFile file = reach_task();
   file.character.source = folder.put("person.bvh", person_bvh());
   file.character.frame = 1;
-  const Sample made(file);
+  const ResultSample made(file, 1);
   const StoredResult stored = parse_result(made.text(), "summary.json").value();
   EXPECT_EQ(stored.task.character.source, "person.bvh") << "a bare name: no folder of this machine";
   EXPECT_EQ(bits(stored.task), bits(made.file));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <shigusa/file.hpp>
 #include <string>
@@ -91,15 +92,11 @@ class SchemaCheck {
 
   std::string judge_reference(const std::string& to, const Json& value,
                               const std::string& place) const {
-    const std::size_t hash = to.find('#');
-    if (hash == to.npos) return place_before(place, in_docs(to).judge(value));
-    if (hash == 0) return judge(root_.at(Json::json_pointer(to.substr(1))), value, place);
-    return in_docs(to.substr(0, hash)).judge_reference(to.substr(hash), value, place);
-  }
-
-  // the other schema calls the value "value"
-  static std::string place_before(const std::string& place, const std::string& wrong) {
-    return wrong.empty() ? wrong : place + " " + wrong;
+    const std::size_t sign = std::min(to.find('#'), to.size());
+    const Json::json_pointer within(sign < to.size() ? to.substr(sign + 1) : "");
+    if (sign == 0) return judge(root_.at(within), value, place);
+    const SchemaCheck other = in_docs(to.substr(0, sign));
+    return other.judge(other.root_.at(within), value, place);
   }
 
   std::string judge_items(const Json& rule, const Json& value, const std::string& place) const {

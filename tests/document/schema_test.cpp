@@ -37,7 +37,7 @@ Json result_of(TaskFile file, bool edit = false) {
   const ResultFiles files{.rate = 29.97,
                           .candidates = {generation.candidates.size(), written},
                           .character = "../hero.glb"};
-  return Json::parse(format_result(file, task, generation, info, files));
+  return Json::parse(format_result({file, task, generation, info}, files));
 }
 
 TaskFile file_with(const Vec3d& goal, const char* body = "half_body") {
@@ -141,6 +141,20 @@ TEST(TaskSchema, RefusesWhatTheReaderRefuses) {
     refused += taken ? 0 : 1;
   }
   EXPECT_GT(refused, 100);
+}
+
+TEST(ResultSchema, HasTheWordsOfTheTables) {
+  const Json schema = Json::parse(
+      read_text_file(SHIGUSA_SOURCE_DIR "/docs/result.schema.json", kTaskMaxBytes).value());
+  const auto words = [&](const std::string& place) {
+    return schema.at(Json::json_pointer(place)).at("enum").get<std::vector<std::string>>();
+  };
+  const std::string candidate = "/$defs/candidate/properties/";
+  EXPECT_EQ(words("/properties/status"), all_words<ReachStatus>());
+  EXPECT_EQ(words("/properties/search_detail/properties/end"), all_words<SearchEnd>());
+  EXPECT_EQ(words(candidate + "verdict"), all_words<Verdict>());
+  EXPECT_EQ(words(candidate + "paths/items/properties/kind"), all_words<PathKind>());
+  EXPECT_EQ(words("/$defs/reason/properties/kind"), all_words<ReasonKind>());
 }
 
 TEST(ResultSchema, RefusesBrokenResults) {

@@ -69,6 +69,17 @@ TEST(TaskFile, CriteriaThatAFileDoesNotNameAreThePresets) {
   EXPECT_EQ(bits(parse_task(text, "task.json").value()), bits(expected));
 }
 
+TEST(TaskFile, AFrontThatIsAskedForAgainKeepsItsOwnCriteria) {
+  const char* text = R"({"pareto": true, "criteria": {"balance": {"weight": 0.7}}})";
+  const TaskFile file = parse_task(text, "task.json").value();
+  TaskFile again = file;
+  adopt_pareto(again, true);
+  EXPECT_EQ(bits(again), bits(file));
+  adopt_pareto(again, false);
+  adopt_pareto(again, true);
+  EXPECT_EQ(bits(again), bits(parse_task(R"({"pareto": true})", "task.json").value()));
+}
+
 TEST(TaskFile, NameThatIsNoUtf8IsWrittenAllTheSame) {
   TaskFile task;
   task.character.source = "caf\xe9.bvh";

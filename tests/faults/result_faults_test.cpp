@@ -39,7 +39,7 @@ struct Written {
   }
 
   [[nodiscard]] Result<std::string> write(const fs::path& folder) const {
-    return write_result(folder, file, task, generation, {}, settings);
+    return write_result(folder, {file, task, generation}, settings);
   }
 
   static TaskFile asked(const Vec3d& goal) {

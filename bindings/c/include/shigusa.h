@@ -52,7 +52,7 @@ enum {
   SHIGUSA_FAULT = 8 /* a fault of the library itself: please report it */
 };
 
-/* What the calling thread's last failure was about, "" if none failed yet. Valid until this
+/* The reason of the calling thread's last failure, "" if none failed yet. Valid until this
  * thread's next failure. */
 SHIGUSA_API const char* shigusa_message(void);
 
@@ -87,7 +87,7 @@ SHIGUSA_API shigusa_status shigusa_character_create(const char* spec, const void
                                                     shigusa_character** character);
 SHIGUSA_API void shigusa_character_free(shigusa_character* character); /* null is allowed */
 
-/* What was understood: the object that `shigusa body --json` prints, with the nodes that
+/* The character as it was understood: the object that `shigusa body --json` prints, with the nodes that
  * SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS move: "nodes": [{"name", "parent" (index or -1),
  * "offset" [x, y, z], "file_node" (of glTF: index in the file)}], "node_unit_m" (metres per unit of
  * their translations), and "support_polygon" [[x, z], …] (m, what the feet stand on). */
@@ -119,7 +119,7 @@ SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, 
 SHIGUSA_API shigusa_status shigusa_restore(const shigusa_character* character, const char* summary,
                                            shigusa_result** result);
 
-/* The same, watched as a search is: evaluations are the motions that are done. Where the caller
+/* Restores a result, watched as a search is: evaluations are the motions that are done. Where the caller
  * stops it there is no result (SHIGUSA_CANCELLED). A result of 1000 candidates, the most there may
  * be, takes some seconds. */
 SHIGUSA_API shigusa_status shigusa_restore_watched(const shigusa_character* character,
@@ -158,7 +158,7 @@ SHIGUSA_API shigusa_status shigusa_result_parameters(const shigusa_result* resul
 SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candidate,
                                                  const char* format, shigusa_bytes** file);
 
-/* The same with `options`: {"fps": 24}, frames a second of rated formats, 1 to 240 (60 where none
+/* Exports with `options`: {"fps": 24}, frames a second of rated formats, 1 to 240 (60 where none
  * are given). The last frame is the first that is not before the motion's end, and exactly its
  * last. The file is read back before it is given: where its nodes are not with the motion there is
  * none (SHIGUSA_UNSUPPORTED). The others have the frames of the series. `options` may be null. */
@@ -166,12 +166,12 @@ SHIGUSA_API shigusa_status shigusa_result_export_with(const shigusa_result* resu
                                                       int32_t candidate, const char* format,
                                                       const char* options, shigusa_bytes** file);
 
-/* What can be read of each frame of a candidate. */
+/* The numbers that can be read of each frame of a candidate. */
 typedef int32_t shigusa_series;
 enum {
   SHIGUSA_TIME = 0,    /* 1 column: s */
   SHIGUSA_ANGLES = 1,  /* a column a freedom, in the order of the description's joints: rad */
-  SHIGUSA_TORQUES = 2, /* the same: N·m */
+  SHIGUSA_TORQUES = 2, /* a column for each freedom: N·m */
   SHIGUSA_CENTRE_OF_MASS = 3, /* x, y, z: m, world */
   /* how far inside what the feet stand on the plumb line of the centre of mass and the floor's
    * centre of pressure are, less than 0 outside: m; no columns of a body without feet */
@@ -188,7 +188,7 @@ SHIGUSA_API shigusa_status shigusa_result_series(const shigusa_result* result, i
                                                  shigusa_series series, const double** values,
                                                  size_t* frames, size_t* columns);
 
-/* The series of time, angles and nodes at so many frames a second (1 to 240), as files have them: a
+/* The series of time, angles and nodes at `fps` frames a second (1 to 240), as files have them: a
  * table of frames × columns, doubles row by row, in `table`. The others are of the motion's own
  * frames alone (SHIGUSA_UNSUPPORTED). */
 SHIGUSA_API shigusa_status shigusa_result_series_at(const shigusa_result* result, int32_t candidate,

@@ -6,7 +6,7 @@
 namespace shigusa::door {
 namespace {
 
-// Room of its own, so that a message is told even where memory is not to be had.
+// The message has room of its own, so that it is there even where memory is not to be had.
 constexpr std::size_t kMessageBytes = 1024;
 thread_local char last_message[kMessageBytes] = "";
 
@@ -51,9 +51,9 @@ shigusa_status refuse(const Error& error) {
   return refuse(status_of(error.code), error.to_string());
 }
 
-shigusa_status give(std::string text, shigusa_bytes** bytes) {
+Result<void> give(std::string text, shigusa_bytes** bytes) {
   *bytes = new shigusa_bytes{std::move(text)};
-  return SHIGUSA_OK;
+  return {};
 }
 
 }  // namespace shigusa::door
@@ -75,8 +75,8 @@ size_t shigusa_bytes_size(const shigusa_bytes* bytes) {
 }
 
 shigusa_status shigusa_facts(shigusa_bytes** json) {
-  return shigusa::door::guarded([&] {
-    if (const auto null = shigusa::door::need("json", json)) return null;
+  return shigusa::door::guarded([&]() -> shigusa::Result<void> {
+    SHG_TRY(shigusa::door::need("json", json));
     return shigusa::door::give(shigusa::format_facts(), json);
   });
 }

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// What the handles of shigusa.h are.
+// The structs behind the handles of shigusa.h.
 
 struct shigusa_bytes {
   std::string text;
@@ -31,15 +31,16 @@ struct shigusa_result {
 
 namespace shigusa::door {
 
-// Keeps what shigusa_message() tells, and returns the status of it.
+// Keeps the text of shigusa_message(), and returns the status of it.
 shigusa_status refuse(shigusa_status status, const std::string& message);
 shigusa_status refuse(const Error& error);
 
-// The status of what `work`, a function to shigusa_status, comes to: no exception leaves it.
+// The status of `work`, a function to Result<void>: no exception leaves it.
 template <class Work>
 shigusa_status guarded(Work&& work) noexcept {
   try {
-    return work();
+    const Result<void> done = work();
+    return done ? SHIGUSA_OK : refuse(done.error());
   } catch (const std::bad_alloc&) {
     return refuse(SHIGUSA_OUT_OF_MEMORY, "out of memory");
   } catch (const std::exception& error) {
@@ -60,13 +61,13 @@ bool any_null(const char** name, const char* first_name, Pointer first, More... 
   return false;
 }
 template <class... Pointers>
-shigusa_status need(Pointers... named) {
+Result<void> need(Pointers... named) {
   const char* name = nullptr;
-  if (!any_null(&name, named...)) return SHIGUSA_OK;
-  return refuse(SHIGUSA_INVALID_ARGUMENT, std::string(name) + " is null");
+  if (!any_null(&name, named...)) return {};
+  return fail(ErrorCode::invalid_argument, std::string(name) + " is null");
 }
 
 // Gives text to the caller.
-shigusa_status give(std::string text, shigusa_bytes** bytes);
+Result<void> give(std::string text, shigusa_bytes** bytes);
 
 }  // namespace shigusa::door

@@ -26,11 +26,6 @@ Result<Task> task_of(TaskFile& file) {
   return make_task(file, {});
 }
 
-double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
-
 // How the caller watches. Stops the search once the caller says so.
 Progress watched_by(const shigusa_watch* watch, std::atomic<bool>& stop) {
   Progress progress;
@@ -44,37 +39,24 @@ Progress watched_by(const shigusa_watch* watch, std::atomic<bool>& stop) {
   return progress;
 }
 
-shigusa_status keep(TaskFile file, Task task, GenerateResult generation, RunInfo info,
-                    shigusa_result** result) {
-  *result =
-      new shigusa_result{std::move(file), std::move(task), std::move(generation), std::move(info)};
-  return SHIGUSA_OK;
-}
-
 // A result of what `work`, a function of a task and what is stored, generates.
 template <class Work>
-shigusa_status replayed(StoredResult stored, const char* how, Work&& work,
-                        shigusa_result** result) {
-  Result<Task> task = task_of(stored.task);
-  if (!task) return refuse(task.error());
+Result<void> replayed(StoredResult stored, const char* how, Work&& work, shigusa_result** result) {
+  SHG_TRY_ASSIGN(Task task, task_of(stored.task));
   const auto begin = std::chrono::steady_clock::now();
-  Result<GenerateResult> generation = work(*task, stored);
-  if (!generation) return refuse(generation.error());
-  RunInfo info{.search = how};
-  info.elapsed_ms = milliseconds_since(begin);
-  return keep(std::move(stored.task), std::move(*task), std::move(*generation), std::move(info),
-              result);
+  SHG_TRY_ASSIGN(GenerateResult generation, work(task, stored));
+  *result = new shigusa_result{std::move(stored.task), std::move(task), std::move(generation),
+                               replay_info(how, begin)};
+  return {};
 }
 
-shigusa_status no_candidate(const shigusa_result& result, int32_t candidate) {
-  return refuse(SHIGUSA_INVALID_ARGUMENT,
-                "candidate " + std::to_string(candidate) +
-                    " does not exist; the result has the candidates 1 to " +
-                    std::to_string(result.generation.candidates.size()));
-}
-
-bool has_candidate(const shigusa_result& result, int32_t candidate) {
-  return candidate >= 1 && static_cast<size_t>(candidate) <= result.generation.candidates.size();
+// Fails where the result has no candidate of that number.
+Result<void> check_candidate(const shigusa_result& result, int32_t candidate) {
+  const size_t count = result.generation.candidates.size();
+  if (candidate >= 1 && static_cast<size_t>(candidate) <= count) return {};
+  return fail(ErrorCode::invalid_argument,
+              "candidate " + std::to_string(candidate) +
+                  " does not exist; the result has the candidates 1 to " + std::to_string(count));
 }
 
 }  // namespace
@@ -84,30 +66,24 @@ extern "C" {
 shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
                                 int32_t threads, const shigusa_watch* watch,
                                 shigusa_result** result) {
-  return guarded([&] {
-    if (const auto null = need("task", task, "result", result)) return null;
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("task", task, "result", result));
     if (threads < 0 || threads > kMaxThreads) {
-      return refuse(SHIGUSA_INVALID_ARGUMENT, "threads are " + std::to_string(threads) +
-                                                  "; allowed are 0 (all cores) to 1024");
+      return fail(ErrorCode::invalid_argument,
+                  "threads are " + std::to_string(threads) + "; allowed are 0 (all cores) to 1024");
     }
-    Result<TaskFile> file = parse_task(task, "task");
-    if (!file) return refuse(file.error());
-    put_character(character, *file);
-    Result<Task> asked = task_of(*file);
-    if (!asked) return refuse(asked.error());
-    asked->batch.threads = threads;
-    if (const auto checked = check_task(*asked); !checked) return refuse(checked.error());
+    SHG_TRY_ASSIGN(TaskFile file, parse_task(task, "task"));
+    put_character(character, file);
+    SHG_TRY_ASSIGN(Task asked, task_of(file));
+    asked.batch.threads = threads;
+    SHG_TRY(check_task(asked));
     std::atomic<bool> stop{false};
     const auto begin = std::chrono::steady_clock::now();
-    Result<GenerateResult> generation = generate(*asked, watched_by(watch, stop));
-    if (!generation) return refuse(generation.error());
-    RunInfo info;
-    info.search = word_of(search_of(*asked));
-    info.threads = thread_count(threads);
-    info.simd = simd_name(asked->batch.simd);
-    info.elapsed_ms = milliseconds_since(begin);
-    return keep(std::move(*file), std::move(*asked), std::move(*generation), std::move(info),
-                result);
+    SHG_TRY_ASSIGN(GenerateResult generation, generate(asked, watched_by(watch, stop)));
+    RunInfo info = search_info(asked, begin);
+    *result = new shigusa_result{std::move(file), std::move(asked), std::move(generation),
+                                 std::move(info)};
+    return {};
   });
 }
 
@@ -118,41 +94,38 @@ shigusa_status shigusa_restore(const shigusa_character* character, const char* s
 
 shigusa_status shigusa_restore_watched(const shigusa_character* character, const char* summary,
                                        const shigusa_watch* watch, shigusa_result** result) {
-  return guarded([&] {
-    if (const auto null = need("summary", summary, "result", result)) return null;
-    Result<StoredResult> stored = parse_result(summary, "result");
-    if (!stored) return refuse(stored.error());
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("summary", summary, "result", result));
+    SHG_TRY_ASSIGN(StoredResult stored, parse_result(summary, "result"));
     if (character != nullptr && character->spec.rig) {
-      const auto attached = attach_rig(stored->task.character, character->spec);
-      if (!attached) return refuse(attached.error());
+      SHG_TRY(attach_rig(stored.task.character, character->spec));
     }
     std::atomic<bool> stop{false};
     const auto work = [&](const Task& task, StoredResult& all) {
       return replay_all(task, all, watched_by(watch, stop));
     };
-    return replayed(std::move(*stored), "restore", work, result);
+    return replayed(std::move(stored), "restore", work, result);
   });
 }
 
 shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
                               const char* assignments, shigusa_result** edited) {
-  return guarded([&] {
-    if (const auto null = need("result", result, "edited", edited)) return null;
-    const auto changes =
-        parse_assignments(assignments == nullptr ? "[]" : assignments, "assignments");
-    if (!changes) return refuse(changes.error());
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "edited", edited));
+    SHG_TRY_ASSIGN(const auto changes,
+                   parse_assignments(assignments == nullptr ? "[]" : assignments, "assignments"));
     const auto work = [&](const Task& task, StoredResult& stored) {
-      return replay(task, stored, candidate, *changes);
+      return replay(task, stored, candidate, changes);
     };
     return replayed(stored_result(result->file, result->generation), "edit", work, edited);
   });
 }
 
 shigusa_status shigusa_mirror(const shigusa_result* result, shigusa_result** mirrored) {
-  return guarded([&] {
-    if (const auto null = need("result", result, "mirrored", mirrored)) return null;
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "mirrored", mirrored));
     StoredResult stored = stored_result(result->file, result->generation);
-    if (const auto done = mirror_result(stored); !done) return refuse(done.error());
+    SHG_TRY(mirror_result(stored));
     const auto work = [](const Task& task, StoredResult& all) { return replay_all(task, all); };
     return replayed(std::move(stored), "mirror", work, mirrored);
   });
@@ -165,21 +138,23 @@ int32_t shigusa_result_candidates(const shigusa_result* result) {
 }
 
 shigusa_status shigusa_result_describe(const shigusa_result* result, shigusa_bytes** json) {
-  return guarded([&] {
-    if (const auto null = need("result", result, "json", json)) return null;
-    return give(format_result(result->file, result->task, result->generation, result->info), json);
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "json", json));
+    return give(format_result({result->file, result->task, result->generation, result->info}),
+                json);
   });
 }
 
 shigusa_status shigusa_result_parameters(const shigusa_result* result, int32_t candidate,
                                          shigusa_bytes** json) {
-  return guarded([&] {
-    if (const auto null = need("result", result, "json", json)) return null;
-    if (!has_candidate(*result, candidate)) return no_candidate(*result, candidate);
-    const auto list = editable_parameters(
-        result->task, result->generation.candidates[static_cast<size_t>(candidate - 1)]);
-    if (!list) return refuse(list.error());
-    return give(format_parameters(*list), json);
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "json", json));
+    SHG_TRY(check_candidate(*result, candidate));
+    SHG_TRY_ASSIGN(
+        const auto list,
+        editable_parameters(result->task,
+                            result->generation.candidates[static_cast<size_t>(candidate - 1)]));
+    return give(format_parameters(list), json);
   });
 }
 
@@ -191,29 +166,27 @@ shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candi
 shigusa_status shigusa_result_export_with(const shigusa_result* result, int32_t candidate,
                                           const char* format, const char* options,
                                           shigusa_bytes** file) {
-  return guarded([&] {
-    if (const auto null = need("result", result, "format", format, "file", file)) return null;
-    Result<FileSettings> settings =
-        parse_file_settings(options == nullptr ? "{}" : options, "options");
-    if (!settings) return refuse(settings.error());
-    const auto formats = parse_formats(format);
-    if (!formats) return refuse(formats.error());
-    if (formats->size() != 1) return refuse(SHIGUSA_INVALID_ARGUMENT, "one format at a time");
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "format", format, "file", file));
+    SHG_TRY_ASSIGN(FileSettings settings,
+                   parse_file_settings(options == nullptr ? "{}" : options, "options"));
+    SHG_TRY_ASSIGN(const auto formats, parse_formats(format));
+    if (formats.size() != 1) return fail(ErrorCode::invalid_argument, "one format at a time");
     const auto& all = result->generation.candidates;
     if (candidate == 0) {
-      if (formats->front() != FileFormat::glb) {
-        return refuse(SHIGUSA_INVALID_ARGUMENT, "all candidates in one file are a glb");
+      if (formats.front() != FileFormat::glb) {
+        return fail(ErrorCode::invalid_argument, "all candidates in one file are a glb");
       }
-      Result<std::string> bytes =
-          export_all(result->file.character, result->task, all, settings->rate);
-      return bytes ? give(std::move(*bytes), file) : refuse(bytes.error());
+      SHG_TRY_ASSIGN(std::string bytes,
+                     export_all(result->file.character, result->task, all, settings.rate));
+      return give(std::move(bytes), file);
     }
-    if (!has_candidate(*result, candidate)) return no_candidate(*result, candidate);
+    SHG_TRY(check_candidate(*result, candidate));
     const auto rank = static_cast<size_t>(candidate);
-    settings->animation = candidate_animation(result->file.character, rank);
-    Result<std::string> bytes = export_candidate(result->file.character, result->task,
-                                                 all[rank - 1], formats->front(), *settings);
-    return bytes ? give(std::move(*bytes), file) : refuse(bytes.error());
+    settings.animation = candidate_animation(result->file.character, rank);
+    SHG_TRY_ASSIGN(std::string bytes, export_candidate(result->file.character, result->task,
+                                                       all[rank - 1], formats.front(), settings));
+    return give(std::move(bytes), file);
   });
 }
 

@@ -68,18 +68,17 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
   return table;
 }
 
-// SHIGUSA_OK, or what is wrong with what is asked for.
-shigusa_status check_series(const shigusa_result& result, int32_t candidate,
-                            shigusa_series series) {
+// Fails where the result has no such candidate or series.
+Result<void> check_series(const shigusa_result& result, int32_t candidate, shigusa_series series) {
   if (candidate < 1 || static_cast<size_t>(candidate) > result.generation.candidates.size()) {
-    return refuse(SHIGUSA_INVALID_ARGUMENT,
-                  "candidate " + std::to_string(candidate) + " does not exist");
+    return fail(ErrorCode::invalid_argument,
+                "candidate " + std::to_string(candidate) + " does not exist");
   }
   if (series < 0 || static_cast<size_t>(series) >= kSeries) {
-    return refuse(SHIGUSA_INVALID_ARGUMENT,
-                  "series " + std::to_string(series) + " is none that this build knows");
+    return fail(ErrorCode::invalid_argument,
+                "series " + std::to_string(series) + " is none that this build knows");
   }
-  return SHIGUSA_OK;
+  return {};
 }
 
 }  // namespace
@@ -87,12 +86,9 @@ shigusa_status check_series(const shigusa_result& result, int32_t candidate,
 extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, int32_t candidate,
                                                 shigusa_series series, const double** values,
                                                 size_t* frames, size_t* columns) {
-  return guarded([&] {
-    if (const auto null =
-            need("result", result, "values", values, "frames", frames, "columns", columns)) {
-      return null;
-    }
-    if (const auto wrong = check_series(*result, candidate, series)) return wrong;
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "values", values, "frames", frames, "columns", columns));
+    SHG_TRY(check_series(*result, candidate, series));
     const auto& all = result->generation.candidates;
     const auto index = static_cast<size_t>(candidate - 1);
     auto& kept = result->series;
@@ -102,7 +98,7 @@ extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, in
     *values = table.data();
     *frames = static_cast<size_t>(all[index].motion.clip.frames);
     *columns = *frames == 0 ? 0 : table.size() / *frames;
-    return shigusa_status{SHIGUSA_OK};
+    return {};
   });
 }
 
@@ -110,17 +106,14 @@ extern "C" shigusa_status shigusa_result_series_at(const shigusa_result* result,
                                                    shigusa_series series, double fps,
                                                    shigusa_bytes** table, size_t* frames,
                                                    size_t* columns) {
-  return guarded([&] {
-    if (const auto null =
-            need("result", result, "table", table, "frames", frames, "columns", columns)) {
-      return null;
-    }
-    if (const auto wrong = check_series(*result, candidate, series)) return wrong;
-    if (const auto rate = check_rate(fps, "fps"); !rate) return refuse(rate.error());
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "table", table, "frames", frames, "columns", columns));
+    SHG_TRY(check_series(*result, candidate, series));
+    SHG_TRY(check_rate(fps, "fps"));
     const bool nodes = series == SHIGUSA_NODE_TRANSLATIONS || series == SHIGUSA_NODE_ROTATIONS;
     if (series != SHIGUSA_TIME && series != SHIGUSA_ANGLES && !nodes) {
-      return refuse(SHIGUSA_UNSUPPORTED,
-                    "series " + std::to_string(series) + " is of the motion's own frames alone");
+      return fail(ErrorCode::unsupported,
+                  "series " + std::to_string(series) + " is of the motion's own frames alone");
     }
     const auto index = static_cast<size_t>(candidate - 1);
     const Clip clip = motion_at(result->task.body, result->generation.candidates[index], fps);

@@ -73,7 +73,7 @@ class Calls {
     throw new EngineError({ code: codes[status - 1] ?? 'fault', message });
   }
 
-  /** The pointer that `call` stores where it is told to. */
+  /** The pointer that `call` stores at the address that it gets. */
   made(scratch: Scratch, call: (at: number) => number): number {
     const at = scratch.room(4);
     this.check(call(at));
@@ -112,7 +112,7 @@ export class DoorCharacter {
   }
 }
 
-/** What a task came to: candidates with their motions. Candidates count from 1. */
+/** The outcome of a task: candidates with their motions. Candidates count from 1. */
 export class DoorResult {
   constructor(private readonly calls: Calls, readonly pointer: number) {}
 
@@ -145,7 +145,7 @@ export class DoorResult {
     });
   }
 
-  /** The same at so many frames a second, as files have them. */
+  /** A series at `fps` frames a second, as files have them. */
   sampled(candidate: number, name: SampledName, fps: number): Series {
     return this.calls.with((scratch) => {
       const size = scratch.room(8);
@@ -212,7 +212,7 @@ export class Door {
     return this.calls.module.UTF8ToString(this.calls.module._shigusa_version());
   }
 
-  /** What the module has taken of memory, most of it free again: it never shrinks. */
+  /** The memory that the module has taken, most of it free again: it never shrinks. */
   get memoryBytes(): number {
     return this.calls.module.HEAPU8.length;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import type { EngineFailure } from './types.js';
 
-/** What the engine refused. */
+/** A refusal of the engine. */
 export class EngineError extends Error {
   constructor(readonly failure: EngineFailure) {
     super(failure.message);

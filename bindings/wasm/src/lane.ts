@@ -5,7 +5,7 @@ import { EngineError } from './errors.js';
 import type { Answers, Call, FromWorker, ToWorker } from './messages.js';
 import type { Character, Progress } from './types.js';
 
-/** What is asked for: a call, and how it waits. */
+/** A call to the worker, and how it waits. */
 export interface Request<C extends Call = Call> {
   call: C;
   character?: Pick<Character, 'id' | 'spec' | 'bytes'>;
@@ -25,7 +25,7 @@ interface Job {
 
 export class Lane {
   private worker: Worker | undefined;
-  private readonly known = new Set<number>(); // characters that the worker was told of
+  private readonly known = new Set<number>(); // characters that the worker has
   private readonly waiting: Job[] = [];
   private running: Job | undefined;
   private last = 0;
@@ -55,7 +55,7 @@ export class Lane {
     });
   }
 
-  /** What it holds of a character is given back, after what was asked for before. */
+  /** Gives back the memory of a character, after the calls that came before. */
   forget(character: number): void {
     if (this.known.delete(character)) this.post({ type: 'forget', character });
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes between engine.ts and its workers. A worker gets the module first, then what it must know of
+// The messages between engine.ts and its workers. A worker gets the module first, then what it must know of
 // characters and calls, one at a time; it answers each call once, after any progress.
 import type {
   CharacterDescription, CharacterSpec, EngineFailure, ExportOptions, Facts, Generated, Progress, SampledName,

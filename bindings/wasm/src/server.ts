@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a worker does with its messages.
+// A worker answers its messages so.
 import { openDoor, type Door, type DoorCharacter, type DoorResult } from './door.js';
 import { EngineError } from './errors.js';
 import type { Answer, Call, FromWorker, ToWorker } from './messages.js';
@@ -28,7 +28,7 @@ export class Server {
   private results: KeptResult[] = []; // the one last used is the last
 
   constructor(private readonly send: (message: FromWorker, transfer: Transferable[]) => void) {
-    this.door.catch(() => {}); // told to each call
+    this.door.catch(() => {}); // each call gets it
   }
 
   receive(message: ToWorker): void {

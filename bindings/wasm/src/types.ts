@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes in and out of the engine. JSON objects are those of the command line (docs/task.schema.json,
+// The values that go in and out of the engine. JSON objects are those of the command line (docs/task.schema.json,
 // docs/result.schema.json); units are metres, kilograms, seconds, radians; +Y is up, a body faces +Z, its left
 // is +X; quaternions are [x, y, z, w].
 
@@ -29,7 +29,7 @@ export interface NodeDescription {
   file_node?: number; // of glTF: its index in the file
 }
 
-/** What was understood of a character: `shigusa body --json` and its nodes. */
+/** A character as it was understood: `shigusa body --json` and its nodes. */
 export interface CharacterDescription {
   name: string;
   stature_m: number;
@@ -43,7 +43,7 @@ export interface CharacterDescription {
   nodes: NodeDescription[];
   node_unit_m: number;
   support_polygon: [number, number][];
-  /** What of the body nothing should pass through, in the start posture: lines with a thickness. */
+  /** The parts of the body that nothing should pass through, in the start posture: lines with a thickness. */
   capsules: { name: string; from_m: Vec3; to_m: Vec3; radius_m: number }[];
   placement?: { unit_m: number; origin: Vec3; left: Vec3; up: Vec3; ahead: Vec3 };
 }
@@ -146,7 +146,7 @@ export interface Candidate {
 export interface Generated {
   summary: Summary;
   candidates: Candidate[];
-  engine_ms: number; // inside the engine, without the way to and from the worker
+  engine_ms: number; // inside the engine, without the messages to and from the worker
 }
 
 export interface Progress {
@@ -160,7 +160,7 @@ export interface GenerateOptions {
   onProgress?: (progress: Progress) => void;
 }
 
-/** What the engine has of a format of files. */
+/** The facts of a format of files. */
 export interface FormatFacts {
   name: string; // "bvh", which files that are written end in
   about: string; // one sentence in English
@@ -178,7 +178,7 @@ export interface FormatFacts {
 /** The name of a preset. */
 export type PresetName = NonNullable<Task['preset']>;
 
-/** What a preset is, and has where a task says nothing else. */
+/** The facts of a preset, and its settings where a task says nothing else. */
 export interface PresetFacts {
   name: PresetName;
   mixture: string; // that it ranks by
@@ -197,7 +197,7 @@ export interface Facts {
   presets: PresetFacts[];
   pareto_mixture: string; // that a task with `pareto` ranks by, whatever its preset
   default_preset: PresetName; // of a task that names none
-  default_body: string; // the same
+  default_body: string; // the body of such a task
   searches: string[];
   generators: string[];
   layer_readings: string[];
@@ -221,7 +221,7 @@ export interface ExportOptions {
 /** The series that can be had at any rate, as files have them. */
 export type SampledName = 'time' | 'angles' | 'node_translations' | 'node_rotations';
 
-/** What the engine refuses: a code of the C interface and a sentence for a person. */
+/** A refusal of the engine: a code of the C interface and a sentence for a person. */
 export interface EngineFailure {
   code: 'invalid_argument' | 'not_found' | 'parse' | 'io' | 'unsupported' | 'cancelled' | 'out_of_memory' | 'fault';
   message: string;
@@ -255,7 +255,7 @@ export interface Engine {
   export(
     character: Character, summary: Summary, candidate: number, format: string, options?: ExportOptions,
   ): Promise<Uint8Array>;
-  /** A candidate's series at so many frames a second. */
+  /** A candidate's series at `fps` frames a second. */
   sampled<Name extends SampledName>(
     character: Character, summary: Summary, candidate: number, names: readonly Name[], fps: number,
   ): Promise<Record<Name, Series>>;
