@@ -21,12 +21,12 @@ struct EditableParameter {
   std::string name;  ///< "right_knee.flexion.weight", "squat_deg", "bow"
   /// "right_leg", "left_arm", "trunk", "posture", "path"
   std::string group;
-  EditableKind kind = EditableKind::weight;  ///< what the number is
+  EditableKind kind = EditableKind::weight;  ///< of the number
   double value = 0.0;                        ///< angles in degrees
-  double low = 0.0;                          ///< what makes sense; of a posture more is allowed
-  double high = 0.0;                         ///< the upper end of that
+  double low = 0.0;                          ///< sensible; of a posture less is allowed
+  double high = 0.0;                         ///< sensible; of a posture more is allowed
   bool locked = false;                       ///< of a weight: the freedom keeps its start angle
-  std::string_view sentence{};               ///< what it does
+  std::string_view sentence{};               ///< its effect
 };
 
 /// All of a candidate's, in the order of the body and the posture; of layered presets those of
@@ -41,14 +41,14 @@ struct EditableParameter {
 /// One layer of a plan.
 struct Layer;
 
-/// "left_hand" of "right_hand" and the other way round; what has no side is as it was.
+/// "left_hand" of "right_hand" and the reverse; a name without a side stays.
 [[nodiscard]] std::string mirrored_name(std::string_view name);
 
-/// The task on the other side of the body's middle, x = 0: goals, contacts, obstacles and what is
-/// fixed change sides. The person is the same, with their own left and right, and stands at the
-/// start as before: of somebody who is alike on both sides, and stands so, the motion is the mirror
-/// image; anybody else reaches the mirrored goal from their own posture. Fails on a body of one
-/// side.
+/// The task on the other side of the body's middle, x = 0: goals, contacts, obstacles and
+/// fixed parameters change sides. The person is the same, with their own left and right, and stands
+/// at the start as before: of somebody who is alike on both sides, and stands so, the motion is the
+/// mirror image; anybody else reaches the mirrored goal from their own posture. Fails on a body of
+/// one side.
 [[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
 
 /// The values of a motion's mirror image: each goes to the parameter of the other side, and a turn
@@ -64,8 +64,8 @@ struct Layer;
 /// Motions of stored parameters; `task` is make_task of the result's. Candidates count from 1;
 /// these fail where there is none of that number, naming how many there are.
 
-/// One candidate's anew from what the assignments (see assign_parameter) make of its parameters,
-/// which stay changed.
+/// One candidate's motion with the assignments (see assign_parameter) to its parameters, which stay
+/// changed.
 [[nodiscard]] Result<GenerateResult> replay(const Task& task, StoredResult& stored, int candidate,
                                             std::span<const std::string> assignments = {});
 /// All of them, in the result's order. Fails with ErrorCode::cancelled where it is stopped between
@@ -73,8 +73,8 @@ struct Layer;
 [[nodiscard]] Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
                                                 const Progress& progress = {});
 
-/// Takes task and parameters to the other side (see mirrored). What stands of files stays, and is
-/// of the motions that there were.
+/// Takes task and parameters to the other side (see mirrored). The facts about files stay, and
+/// are of the motions before.
 [[nodiscard]] Result<void> mirror_result(StoredResult& stored);
 
 /// A result as it would be read back from its file.

@@ -102,7 +102,7 @@ struct Landmarks {
   /// Joints that the paper's rigid trunk does without; a person from a file may lack some.
   std::vector<Vec3d> spine{};   ///< 0..3, from below
   std::optional<Vec3d> head{};  ///< between neck and skull
-  PartShapes parts{};  ///< of a character with a mesh, those that it tells; see body_part.hpp
+  PartShapes parts{};           ///< of a character with a mesh, those that it tells
 
   /// The leg of a side.
   [[nodiscard]] const Leg& leg(Side side) const {

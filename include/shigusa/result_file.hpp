@@ -83,7 +83,7 @@ struct ResultFiles {
 struct StoredResult {
   TaskFile task;                        ///< that it is the result of
   std::vector<Parameters> candidates;   ///< in rank order
-  std::vector<CandidateFiles> files{};  ///< of each candidate; what was read back is not kept
+  std::vector<CandidateFiles> files{};  ///< of each candidate, without ReadBack
   std::string character{};              ///< as ResultFiles has it
   double rate = kUsualRate;             ///< Hz, as ResultFiles has it
 };

@@ -18,11 +18,8 @@ bool is_rotation(const Mat3d& r) {
          dot(cross(r.cx, r.cy), r.cz) > 0.0;
 }
 
-BodyDefinition checked(BodyDefinition body) {
+void check_dofs(const BodyDefinition& body) {
   const int count = static_cast<int>(body.dofs.size());
-  SHG_CHECK(count > 0, "a body needs at least one dof");
-  SHG_CHECK(body.masses.size() == body.dofs.size(), "one mass per dof of " + body.name);
-  SHG_CHECK(body.start.size() == body.dofs.size(), "one start angle per dof of " + body.name);
   for (int i = 0; i < count; ++i) {
     const Dof& dof = body.dofs[index(i)];
     SHG_CHECK(dof.parent >= kBaseLink && dof.parent < i, "parent of " + dof.name);
@@ -32,6 +29,14 @@ BodyDefinition checked(BodyDefinition body) {
     SHG_CHECK(dof.torque_positive > 0.0 && dof.torque_negative > 0.0, "strength of " + dof.name);
     SHG_CHECK(dof.give > 0.0 && dof.give <= 1.0, "give of " + dof.name);
   }
+}
+
+BodyDefinition checked(BodyDefinition body) {
+  const int count = static_cast<int>(body.dofs.size());
+  SHG_CHECK(count > 0, "a body needs at least one dof");
+  SHG_CHECK(body.masses.size() == body.dofs.size(), "one mass per dof of " + body.name);
+  SHG_CHECK(body.start.size() == body.dofs.size(), "one start angle per dof of " + body.name);
+  check_dofs(body);
   const auto is_link = [count](int link) { return link >= kBaseLink && link < count; };
   for (const Effector& effector : body.effectors) {
     SHG_CHECK(is_link(effector.link), effector.name);

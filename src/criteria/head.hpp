@@ -31,7 +31,7 @@ struct HeadPoints {
   double distance = 0.0;  // m, between them in the start posture; 0 where the body lacks one
   bool neck = false;      // the head turns on the trunk
 };
-// By the names of the body's nodes, "head" and "hips".
+// Finds them by the names of the body's nodes, "head" and "hips".
 [[nodiscard]] HeadPoints head_points(const BodyModel& body);
 
 // Whether the head stays above the pelvis and can look at the goal, in [0, 1]: people who reach to

@@ -30,7 +30,7 @@ class SupportMeter {
   double frame_time_ = 0.0;  // s
 };
 
-// Of a whole motion that is at rest before and after.
+// Meters a whole motion that is at rest before and after.
 [[nodiscard]] SupportMeter measure_support(const BodyModel& body, const Motion& motion);
 
 }  // namespace shigusa

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <shigusa/facts.hpp>
 #include <shigusa/goal.hpp>
 #include <shigusa/result_file.hpp>
@@ -67,11 +66,12 @@ Json bones_to_json() {
 
 // Adds the bounds of a struct's fields, by their keys in files: [low, high].
 template <class Holder>
-void add_ranges(const std::vector<std::string_view>& keys, Json& ranges) {
-  for_each_field<Holder>([&](const auto& field) {
-    if (std::find(keys.begin(), keys.end(), field.key) == keys.end()) return;
-    ranges[field.key] = {field.traits.low, field.traits.high};
-  });
+void add_ranges(std::initializer_list<std::string_view> keys, Json& ranges) {
+  for (const std::string_view key : keys) {
+    for_each_field<Holder>([&](const auto& field) {
+      if (key == field.key) ranges[field.key] = {field.traits.low, field.traits.high};
+    });
+  }
 }
 
 // The bounds of numbers that a person may set.

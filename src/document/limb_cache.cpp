@@ -36,7 +36,7 @@ LimbStore limb_store(const fs::path& folder) {
     std::error_code refused;
     fs::create_directories(folder, refused);
     if (refused) return;
-    // what cannot be kept is made again
+    // a library that cannot be kept is made again
     (void)write_file(folder / name, bytes);
   };
   return store;

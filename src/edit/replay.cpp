@@ -58,7 +58,7 @@ Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
     Result<GenerateResult> next = replay(task, stored, k);
     if (!next) return next;
     all->candidates.push_back(std::move(next->candidates.front()));
-    // what one cannot meet all cannot; what one can make is possible
+    // a goal that one candidate misses is missed; a motion that one makes is possible
     const bool meets = all->meets_goals() && next->meets_goals();
     const ReachStatus either = std::min(all->status, next->status);
     all->status = meets ? either : ReachStatus::unreachable;

@@ -39,7 +39,7 @@ class LimbTwists {
   // The limbs as they are in this frame; angles go on from the frame before without a jump.
   void show(const Kinematics<double>& now);
 
-  // Of those whose bones share a twist: index for turn(), or -1.
+  // The index for turn() of the limb whose bones share this one's twist, or -1.
   [[nodiscard]] int find(HumanoidBone bone) const;
 
   // Moves (world) a bone at that share of the limb from where the body's limb has it.

@@ -37,7 +37,6 @@ void NlpRollout::begin(const MotionInput<double>& input) {
     target.lead = target.tilt_lead = {};
   }
   drawn_ = !problem_->guide.empty() || !input.posture.empty();
-  unconverged_ = evaluations_ = 0;
   ik_.begin(targets_, input.inverse_weights);
   later_share_ = 0.0;
   if (input.has_later()) blend_.begin(input);
@@ -54,9 +53,7 @@ void NlpRollout::follow(int frame, const MotionInput<double>& input, ReachOutcom
   const auto targets = std::span<IkTarget<double>>(targets_).subspan(skipped);
   const std::span<const double> reference =
       drawn_ ? std::span<const double>(reference_) : std::span<const double>{};
-  const NlpIkOutcome found = ik_.solve(targets, angles_[1], reference, angles_[2]);
-  unconverged_ += found.converged ? 0 : 1;
-  evaluations_ += found.evaluations;
+  (void)ik_.solve(targets, angles_[1], reference, angles_[2]);
   // what rounding puts beyond a limit
   limits_.hold(angles_[2]);
   forward_kinematics<double>(*problem_->body, angles_[2], next_);

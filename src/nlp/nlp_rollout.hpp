@@ -44,10 +44,6 @@ class NlpRollout {
   // (dofs, rad) where the last motion ended.
   [[nodiscard]] std::span<const double> final_angles() const { return angles_[1]; }
 
-  // Of the last motion: frames that did not converge, and evaluations of all.
-  [[nodiscard]] int unconverged_frames() const { return unconverged_; }
-  [[nodiscard]] int evaluations() const { return evaluations_; }
-
  private:
   void begin(const MotionInput<double>& input);
   void follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome);
@@ -70,8 +66,6 @@ class NlpRollout {
   std::vector<double> reference_;            // … (dofs, rad) in this frame
   PhaseBlend<double> blend_;                 // of a motion in two phases …
   double later_share_ = 0.0;                 // … and how much of the later there is in this frame
-  int unconverged_ = 0;
-  int evaluations_ = 0;
 };
 
 // Generates and keeps the whole motion for the parameters.

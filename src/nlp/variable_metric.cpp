@@ -21,7 +21,7 @@ constexpr double kGrazing = 1e-12;
 // Where the function bends less than this share of the least curvature, the metric learns nothing:
 // it would lose its scale.
 constexpr double kCurvatureFloor = 1e-2;
-// So many trials of a line search may go wherever their secant points.
+// The first trials of a line search, which may go wherever their secant points.
 constexpr int kFreeSecants = 3;
 // How far beyond the last trial a line search goes on, at most.
 constexpr double kStretch = 8.0;

@@ -49,7 +49,8 @@ class PhaseBlend {
     }
   }
 
-  // For a step in whose middle the share `tau` of the duration is over. Returns b.
+  // Blends both phases for the step in whose middle the share `tau` of the duration is over.
+  // Returns b.
   S step(const MotionInput<S>& input, double tau) {
     const S share =
         minimum_jerk((S(tau) - input.later.switch_at) * S(1.0 / kSwitchWindow) + S(0.5));
@@ -66,7 +67,7 @@ class PhaseBlend {
     return share;
   }
 
-  // Of the last step.
+  // Weights and posture of the last step.
   [[nodiscard]] std::span<const S> inverse_weights() const { return weights_; }  // (dofs)
   [[nodiscard]] std::span<const S> posture() const { return posture_; }          // (dofs) rad
 

@@ -30,11 +30,10 @@ struct ClosestReach {
 
 // Searches the posture that brings the effectors nearest to their paths' ends, by damped
 // Gauss-Newton steps of weighted IK with the planted feet as exact constraints, from several
-// postures; joint limits hold where the problem holds them (the
-// paper's IK does not look at them). Stops early at a goal that is
-// met; of postures whose distances differ by less than 5 mm, none meeting the goal, it takes the
-// one nearest to the start posture's own descent. Heels that may lift do so where flat feet do not
-// bring the effectors to their goals. Deterministic.
+// postures. Joint limits hold where the problem holds them (the paper's IK does not look at them).
+// It stops early at a goal that is met; of postures whose distances differ by less than 5 mm, none
+// meeting the goal, it takes the one nearest to the start posture's own descent. Heels that may
+// lift do so where flat feet do not bring the effectors to their goals. Deterministic.
 [[nodiscard]] ClosestReach closest_reach(const ReachProblem& problem,
                                          const ReachabilitySettings& settings = {});
 
