@@ -13,7 +13,7 @@
 #include "rollout/reach_problem.hpp"
 #include "task/make_problem.hpp"
 
-// What is measured: the paper's first experiment, and random genomes of its code.
+// The subject of measurement: the paper's first experiment, and random genomes of its code.
 namespace shigusa::bench {
 
 inline constexpr int kMotions = 480;  // full lanes in every set

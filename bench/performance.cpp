@@ -64,7 +64,7 @@ class Measurements {
   std::vector<double> scatter_;  // of each benchmark, ascending
 };
 
-// What the set is called on the page.
+// The set's name on the page.
 std::string title(const std::string& set) {
   static const std::map<std::string, std::string> titles = {
       {"avx512", "AVX-512"}, {"avx2", "AVX2"}, {"sse2", "SSE2"}, {"double", "scalar double"}};
@@ -164,7 +164,7 @@ std::string goal_table(const Measurements& m) {
                     full, title(set), 100 * full / searched, 100 * filled);
 }
 
-// What a person waits for.
+// The queries that a person waits for.
 std::string query_table(const Measurements& m) {
   struct Row {
     const char* words;

@@ -4,8 +4,8 @@
 # sentence has a clause of "what" or "who" as its subject.
 #
 # The glossary's table under "Retired" has a word a row, or several with commas between them, each in
-# backquotes. They are sought as they are spelled, as whole words, in C, C++ and TypeScript and in the
-# pages that people write; not in the changelog, which tells of earlier versions.
+# backquotes. They are sought as they are spelled, as whole words, in C, C++ and TypeScript; single words
+# in the pages too, but for the changelog, which tells of earlier versions.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
@@ -15,19 +15,24 @@ words=$(awk '/^## / { retired = /^## Retired/ } retired && /^\| *`/ { print $0 }
   cut -d '|' -f 2 | tr ',' '\n' | sed -n 's/^ *`\([^`]*\)` *$/\1/p')
 [ -n "$words" ] || { echo "check_words: $glossary retires no word" >&2; exit 1; }
 
-sources=$(find include src apps bindings examples bench tests studio/src -name node_modules -prune -o -type f \
+sources=$(find include src apps bindings examples bench tests studio/src \( -name node_modules -o -name dist \) -prune -o -type f \
   \( -name '*.hpp' -o -name '*.h' -o -name '*.cpp' -o -name '*.ts' \) -print 2>/dev/null | LC_ALL=C sort) || true
 pages=$(find README.md CONTRIBUTING.md docs -name '*.md' ! -path "$glossary" 2>/dev/null | LC_ALL=C sort) || true
 
+# found PLACES-WITH-TEXT MESSAGE: prints them, when there are any
 bad=0
+found() {
+  [ -n "$1" ] || return 0
+  printf '%s\n' "$1" | sed 's/^\([^:]*:[0-9]*\):/\1: /'
+  echo "check_words: $2" >&2
+  bad=1
+}
 # shellcheck disable=SC2086  # no path in the project holds a space
-if printf '%s\n' "$words" | LC_ALL=C grep -nwF -f - /dev/null $sources $pages; then
-  echo "check_words: $glossary retires these words, and names those in their place" >&2
-  bad=1
-fi
-# shellcheck disable=SC2086
-if LC_ALL=C grep -nE '(^ *|[;{}),] +)//+<? *(What|Who) [^?]*$|//.*[.:] (What|Who) [^?]*$' /dev/null $sources; then
-  echo "check_words: these comments have no noun as their subject" >&2
-  bad=1
-fi
+{
+  found "$(printf '%s\n' "$words" | LC_ALL=C grep -nwF -f - /dev/null $sources)" "$glossary retires these words"
+  found "$(printf '%s\n' "$words" | sed '/ /d' | LC_ALL=C grep -nwF -f - /dev/null $pages)" \
+    "$glossary retires these words"
+  found "$(LC_ALL=C grep -nE '(^ *|[;{}),] +)//+<? *(What|Who) [^?]*$|//.*[.:] (What|Who) [^?]*$' /dev/null $sources)" \
+    "these comments have no noun as their subject"
+}
 exit "$bad"

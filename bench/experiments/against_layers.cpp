@@ -63,8 +63,8 @@ Task pairing_task(const Subject& subject, const Place& place, const Pairing& pai
   return task;
 }
 
-// The best that was seen, as generate() tells it too; candidates' feedback is left out. What the
-// layers below find after the search, of human, is in the candidate alone.
+// The best that was seen, as generate() tells it too; candidates' feedback is left out. Only
+// the candidate has the values that the layers below find after the search, of human.
 Run run_layers(Task task, int evaluations, const LimbStore& store, int* cells) {
   task.evaluations = evaluations;
   const Stopwatch watch;

@@ -38,7 +38,7 @@ std::vector<Searcher> searchers() {
   return all;
 }
 
-// What one search came to at one place.
+// The outcome of one search at one place.
 struct Run {
   std::vector<double> best;   // (points) the median over the seeds
   double microseconds = 0.0;  // a motion, with the search's own work; 0 of pagmo's
@@ -169,7 +169,7 @@ std::string against_searches(const Plan& plan, std::span<const Subject> subjects
   std::string page = fmt::format(
       "Every search minimises the same SearchProblem from one start: the parameters of the preset "
       "flat, the default criteria, limits kept, one hand path; `paper_ga` alone has another space, "
-      "the paper's weights, on the same motions and scores. Best score after so many "
+      "the paper's weights, on the same motions and scores. Best score after "
       "motions, {} seeds{}. Beside cma_es: the median over the goals of the ratio to the default's "
       "score on that goal; above 1 is worse. pagmo's have their own defaults, a population of 20 "
       "with the start among it, the cube's faces enforced, and start again when they converge; "

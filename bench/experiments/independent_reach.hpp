@@ -16,8 +16,8 @@ namespace shigusa::bench {
 //
 //   ½ |hand - goal|² + ½ Σ |corner of a sole - where it stands|²
 //
-// of one posture alone. Three corners of each planted foot hold its place and its tilt. What can be
-// reached makes all of it 0. Only the placement of links is shared with what is judged.
+// of one posture alone. Three corners of each planted foot hold its place and its tilt. A
+// goal within reach makes all of it 0. Only the placement of links is shared with what is judged.
 class IndependentReach : private SmoothFunction {
  public:
   // m, hand and corners: what counts as there. A tenth of what a motion is allowed.

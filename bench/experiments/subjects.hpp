@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// Who reaches where in the experiments, and how much of it is measured.
+// The bodies and goals of the experiments, and how much of them is measured.
 namespace shigusa::bench {
 
 // How much is measured.
@@ -19,7 +19,7 @@ struct Plan {
   int few_seeds = 8;            // where there are many of them
   int slow_seeds = 2;           // where a motion takes long
   int motions = 5000;           // delivered for each body, of the experiment on limits …
-  int human_goals = 10000;      // … which draws so many for the body human
+  int human_goals = 10000;      // goals drawn for the body human
 };
 [[nodiscard]] Plan quick_plan();
 

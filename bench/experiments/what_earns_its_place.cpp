@@ -195,7 +195,7 @@ std::string what_earns_its_place(const Plan& plan, std::span<const Subject> subj
   for (const Subject& subject : subjects) page += parameters_table(plan, subject);
   return page +
          fmt::format(
-             "\nSteps of a motion: searched with so many ({} seeds), and the parameters "
+             "\nSteps of a motion: the search's number ({} seeds), and the parameters "
              "that were found played again with 200, both in double. The last column is "
              "the search's time for each motion on one thread.\n\n",
              plan.slow_seeds) +

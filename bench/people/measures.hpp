@@ -5,7 +5,7 @@
 
 namespace shigusa::bench {
 
-// What a reach is like by itself.
+// Measures of one reach by itself.
 struct Looks {
   double trunk = 0.0;       // rad, at the end: from hips to shoulders, against the vertical
   double knee = 0.0;        // rad, at the end: mean flexion of the knees

@@ -130,7 +130,7 @@ std::string looks(const std::vector<Compared>& compared) {
   return table.text();
 }
 
-// What the criteria say of him and of what they chose.
+// The criteria's scores of him and of the motion that they chose.
 std::string criteria(const std::vector<Compared>& compared) {
   std::vector<std::string> head{"motion", "score"};
   std::vector<std::string> his{"recorded"};
@@ -219,7 +219,7 @@ std::string people_page(const std::vector<Compared>& compared) {
       "*Final place* is the mean distance of right shoulder, elbow, hip and knee at the end, from "
       "his joints as recorded. *Nine angles* are the right side's nine freedoms of the paper's "
       "table 1: the root mean square over time of what each is off by, averaged over the nine; "
-      "*all angles* the same of all freedoms of his body. *With a rigid trunk*: both motions are "
+      "*all angles* that of all freedoms of his body. *With a rigid trunk*: both motions are "
       "fitted, frame by frame, by a body whose trunk has no joints, as the prototype's had none, "
       "and its nine compared. "
       "Medians over {} reaches. *Nearest of 8* is the candidate whose final place is nearest, "

@@ -57,9 +57,9 @@ struct Recorded {
   BodyModel paper_body;
   Track track{};
   double fit_mean = 0.0;        // m, between the body's joints and his
-  double paper_fit_mean = 0.0;  // m, the same of 18 freedoms
+  double paper_fit_mean = 0.0;  // m, with 18 freedoms
 
-  // What shigusa is told: his body, where his hand ends, and his time.
+  // The input of shigusa: his body, where his hand ends, and his time.
   [[nodiscard]] Task task() const;
 };
 // With `heels`, on a body whose heels lift.

@@ -22,7 +22,7 @@ constexpr shigusa_watch kWatch{report, nullptr};
 
 extern "C" {
 
-// What shigusa_generate is given for a caller who sets `report`: a function of the share of the
+// shigusa_generate gets this where the caller sets `report`: a function of the share of the
 // budget, motions scored and the lowest score, which returns true to stop.
 SHIGUSA_API const shigusa_watch* shigusa_script_watch(void);
 const shigusa_watch* shigusa_script_watch(void) { return &kWatch; }

@@ -160,8 +160,8 @@ inline constexpr double kEdgeTolerance = 5e-3;
 
 /// Finds natural motions for a task: the distinct genomes that the search ends with, ranked
 /// (paper, sections 3.2 and 4). Fails where check_task does; an unreachable
-/// goal is a status. When cancelled, returns the best so far. Same task, same result. What a
-/// user's own criterion or search throws passes through.
+/// goal is a status. When cancelled, returns the best so far. Same task, same result. An
+/// exception of a user's own criterion or search passes through.
 ///
 /// Where nothing that was found is possible, the presets flat and human search again: in the least
 /// duration in which one of the motions is, where the task gives none, and then for three times as

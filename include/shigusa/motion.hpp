@@ -33,8 +33,8 @@ inline constexpr double kRateMin = 1.0;
 /// The most frames a second that can be asked for (Hz).
 inline constexpr double kRateMax = 240.0;
 
-/// Frames that a motion of this duration (s) has at so many a second, the first at time 0: the last
-/// one is the first that is not before the motion's end.
+/// Frames that a motion of this duration (s) has at a rate (frames/s), the first at time 0: the
+/// last one is the first that is not before the motion's end.
 [[nodiscard]] int frames_at(double duration, double rate);
 
 /// The clip at `rate` frames a second: frame k is the posture at k / rate, and the last one exactly

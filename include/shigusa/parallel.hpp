@@ -17,7 +17,7 @@ inline constexpr int kMaxThreads = 1024;
 
 /// Calls work(index, worker) for each index in 0..count-1, on up to `threads` threads (0: one for
 /// each core) at once and in no order. `worker`, in 0..thread_count(threads)-1, is never the same
-/// in two calls at one time: for scratch memory. What a call throws is passed on.
+/// in two calls at one time: for scratch memory. An exception of a call is passed on.
 void parallel_for(int count, int threads, const std::function<void(int index, int worker)>& work);
 
 /// How many motions a core scores at once, and by which instructions. The choice changes no result.

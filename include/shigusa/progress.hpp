@@ -20,7 +20,7 @@ struct ProgressReport {
 /// How a caller watches and stops long work. All members may be left empty. `report` is called on
 /// the thread that called the work; what it throws is passed on to that caller. Setting `cancel` to
 /// true, from any thread or from a signal handler, ends the work at its next step with the best so
-/// far; so does the `deadline` once it has passed. What is found by a deadline depends on the
+/// far; so does the `deadline` once it has passed. The result at a deadline depends on the
 /// machine's speed.
 struct Progress {
   std::function<void(const ProgressReport&)> report{};  ///< called at each step

@@ -39,7 +39,7 @@ struct RunInfo {
 /// The facts of a run from given parameters; `how` stands in the place of the search.
 [[nodiscard]] RunInfo replay_info(std::string how, std::chrono::steady_clock::time_point begin);
 
-/// The run of a task, which a result is written of. Borrows all but the facts.
+/// The run of a task, which a result is written of. Borrows everything except the facts.
 struct FinishedRun {
   const TaskFile& file;              ///< the task as its file has it
   const Task& task;                  ///< make_task of that file

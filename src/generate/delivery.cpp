@@ -199,8 +199,8 @@ void keep_within_limits(GenerateResult& generation) {
   generation.over_limit = static_cast<int>(std::erase_if(all, passes));
 }
 
-// Drops candidates beyond so many: impossible ones first, then the worst that is not the only one
-// of its style.
+// Drops candidates beyond the number asked for: impossible ones first, then the worst that is not
+// the only one of its style.
 void keep_most(std::size_t most, std::vector<Candidate>& all) {
   while (all.size() > most) {
     if (all.back().judgement.verdict == Verdict::impossible) {

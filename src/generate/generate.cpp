@@ -74,7 +74,7 @@ void search_approaches(const Task& task, Planner& planner, std::size_t first,
   }
 }
 
-// Where nothing arrives by the first posture at the edge of reach, so many others are tried.
+// Where nothing arrives by the first posture at the edge of reach, this number of others is tried.
 constexpr int kOtherPostures = 3;
 
 // The paper has a person choose from this many distinct candidates (section 4.1).

@@ -24,8 +24,8 @@ enum class GeneCode {
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
 // mode that moves one of these; bow and sway. Of two phases it has the weights and modes of the
-// later one too, and the switch. What is fixed is no coordinate, or of the paper's code one that
-// changes nothing.
+// later one too, and the switch. A fixed parameter is no coordinate, or of the paper's code one
+// that changes nothing.
 class ParameterSpace {
  public:
   // Two phases have the natural code alone.

@@ -24,8 +24,8 @@ struct FitFrames {
 //
 // by Levenberg's damped Gauss-Newton steps from the frame beside it, the first from the body's
 // start. Of bones that are one link the first tells its turn; l is 3 cm, so that turns decide what
-// joints leave open (a forearm's rotation, a straight arm's) and little else. What a motion of this
-// very body was written from comes out exactly. Limits are not asked: people pass them.
+// joints leave open (a forearm's rotation, a straight arm's) and little else. A motion of this very
+// body comes out exactly. Limits are not asked: people pass them.
 //
 // The body's base stays where it is. Where the recorded one moves, the rest follows as it can.
 // Source: D. W. Marquardt, J. SIAM 11 (1963) 431-441.

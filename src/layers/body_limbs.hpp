@@ -12,8 +12,8 @@
 namespace shigusa {
 
 // A limb of the body as layers see it: a ball joint at the trunk, a hinge in the middle and, of a
-// leg, an ankle at the foot, which is planted. What an arm has beyond the elbow it holds as it is
-// at the start, but for a goal that turns the hand. Numbers are those of the body's dofs.
+// leg, an ankle at the foot, which is planted. An arm holds its joints beyond the elbow as they
+// are at the start, but for a goal that turns the hand. Numbers are those of the body's dofs.
 struct BodyLimb {
   std::string name;               // "right_arm"
   LimbKind kind = LimbKind::arm;  // or leg

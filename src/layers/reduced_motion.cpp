@@ -10,7 +10,7 @@
 namespace shigusa {
 namespace {
 
-// Up to so many further steps take off what the two steps of the last frame leave.
+// At most this number of further steps takes off what the two steps of the last frame leave.
 constexpr int kLastSteps = 12;
 constexpr double kLastTolerance = 1e-10;  // m
 // LengthLaw::path shortens an arm by this share at the most of what its hand comes nearer: by all

@@ -15,8 +15,9 @@ inline constexpr double kLimitMargin = radians(8.0);
 // Joint limits inside the IK, as an active set that changes smoothly. Towards a limit a freedom's
 // inverse weight, and what it is drawn by, fall to 0 over the last kLimitMargin, so that it comes
 // to rest there while others take over; away from it, the freedom has its own weight. In which
-// direction it wants to go is taken from the step before. What a step would pass a limit by in
-// spite of that is held back, and left for corrections to make up for with the other freedoms.
+// direction it wants to go is taken from the step before. A step that would pass a limit in spite
+// of that is held back there, and the rest is left for corrections to make up for with the other
+// freedoms.
 //
 // A freedom that gives little (Dof::give) has that share of its inverse weight. As the ankle of a
 // standing foot runs out of dorsiflexion the toes take over its inverse weight, and what it was

@@ -10,8 +10,8 @@ namespace shigusa {
 
 // The paper's genetic algorithm (section 3.2, with rule R7 for what it leaves open); its steps are
 // the functions of genetic_operators.hpp. It searches over strings of codes, bits_per_gene bits for
-// each coordinate; a code stands for the middle of its share of [0, 1] (point_of_genome). What a
-// share means is the problem's affair: the paper's own search (16 shares are the weights 0..15) and
+// each coordinate; a code stands for the middle of its share of [0, 1] (point_of_genome). The
+// problem decides what a share means: the paper's own search (16 shares are the weights 0..15) and
 // the one over logarithmic weights are this same algorithm on two problems.
 //
 //   population := `population` random genomes

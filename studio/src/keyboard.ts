@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys for everything that a pointer does. What is typed into a field stays there.
+// Keys for everything that a pointer does. Letters typed into a field stay there.
 import type { Vec3 } from '../../bindings/wasm/src/types';
 import { ranking } from './state/criteria';
 import { goalOf } from './state/model';

@@ -139,7 +139,7 @@ TEST_F(CharacterFiles, WithoutTheFileAnEditSaysWhatToGive) {
   EXPECT_EQ(StoredRun(work_, "d").candidate(1).at("files").size(), 4u);
 }
 
-// What one motion ends with the next one begins with.
+// The next motion begins with the posture that the last one ends with.
 TEST_F(CharacterFiles, AFrameOfAGltfAnimationIsAStartPosture) {
   ASSERT_THAT(reach({"--duration", "1"}).exit_code, delivered());
   const Vec3d end =

@@ -219,7 +219,7 @@ TEST_F(Layers, EditOfTheArmLeavesTheTrunkWhereItWas) {
   }
 }
 
-// What layers cannot do with such an arm, the whole body does: how far it reaches is one answer.
+// The whole body does what layers cannot do with such an arm: how far it reaches is one answer.
 TEST_F(Layers, ArmThatIsLockedStaysAsItIs) {
   ASSERT_THAT(reach({"--goal", kGoal}).exit_code, delivered());
   const ProgramRun run = edit("out", {"--set", "right_arm.right_shoulder.locked=true"});

@@ -10,7 +10,7 @@
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"
 
-// What a result on disk must keep, judged from its files alone.
+// The promises of a result on disk, judged from its files alone.
 namespace shigusa::testing_support {
 
 using Json = nlohmann::ordered_json;
@@ -53,7 +53,7 @@ class StoredRun {
 };
 
 inline constexpr double kMillimetre = 1e-3;
-// What numbers of the summary may differ by from those of the files: a BVH moves no origin of a
+// Tolerances between numbers of the summary and of the files: a BVH moves no origin of a
 // human body by more (bvh.hpp).
 inline constexpr double kWritten = 1e-6;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What goes where, the same bytes for the same seed, and how a long search is stopped.
+// Which output goes to which stream, the same bytes for the same seed, and how a long search stops.
 #include "app/result_checks.hpp"
 
 namespace shigusa {

@@ -15,7 +15,7 @@ namespace {
 
 using shigusa::testing_support::HostLocale;
 
-// What the functions say, by a name for each.
+// The functions' answers, by a name for each.
 using Texts = std::map<std::string, std::string>;
 
 constexpr const char* kReach =

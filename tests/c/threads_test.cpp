@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What shigusa.h promises to programs with threads: different objects are used at once, one object
-// by one thread at a time. The thread sanitizer watches these tests in scripts/check.
+// The promises of shigusa.h to programs with threads: different objects are used at once, one
+// object by one thread at a time. The thread sanitizer watches these tests in scripts/check.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Recorded{"lab0_CesiumMan.glb", 0, "CesiumMan"}),
     [](const auto& of) { return std::string(of.param.name); });
 
-// What becomes of the files of ../shared: who has which height, or why there is no person.
+// The files of ../shared: the height of each person, or why there is none.
 struct Shared {
   const char* file;
   double stature;  // m, or 0

@@ -38,6 +38,7 @@ accepts() {
 # refuses CHECKER PATH LINE MESSAGE: a good tree and this file do not pass, and MESSAGE is told
 refuses() {
   fresh
+  write docs/glossary.md '## Retired' '| `OldName`, `so many` | NewName |'
   write "$2" "$3"
   if output=$(sh "$scripts/$1" "$tree" 2>&1); then
     report "$1 accepts '$3' in $2"
@@ -174,5 +175,16 @@ refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `g` in `result.hpp
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `gone` | |' 'no gone in the sources'
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `f` in `core/gone.hpp` | |' 'no file core/gone.hpp'
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `f` | `core/gone_test.cpp` |' 'no file core/gone_test.cpp'
+
+# words
+fresh
+write docs/glossary.md '## Retired' '| retired | in its place |' '| `OldName`, `so many` | NewName |'
+write src/core/good.hpp '// NewName, olderOldNames; asks what it is.' 'int OldNames;'
+accepts check_words.sh
+refuses check_words.sh src/core/a.cpp 'int OldName;' 'int OldName;'
+refuses check_words.sh src/core/a.cpp 'int n;  // so many steps' 'int n;  // so many'
+refuses check_words.sh src/core/a.cpp '// What it finds is kept.' '// What it finds'
+refuses check_words.sh src/core/a.cpp '// It finds. Who asks gets it.' '// It finds. Who'
+refuses check_words.sh docs/page.md 'see `OldName`' 'see `OldName`'
 
 [ "$failures" = 0 ]

@@ -40,7 +40,7 @@ std::vector<double> from_to(double from, double to, int steps) {
   return angles;
 }
 
-// What the criterion says, in joules.
+// The criterion's answer in joules.
 double work_of(const Motion& motion) {
   return penalty_by<Work>(rod(), motion) * full_work(rod(), {});
 }

@@ -113,7 +113,7 @@ TEST_F(ClipScoreTest, AFootThatStepsIsADoubtAndNoRefusal) {
   EXPECT_TRUE(score_clip(recorded, {.last = 10}).value().doubts.empty());
 }
 
-// What a person does beyond a limit is told, and done.
+// A motion beyond a limit is reported, and replayed as it is.
 TEST_F(ClipScoreTest, LimitsThatTheRecordPassesAreReported) {
   const BodyModel body = full_body();
   const auto elbow = static_cast<std::size_t>(body.find_dof("right_elbow.flexion").value());

@@ -15,7 +15,7 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 
-// What a whole micrometre is above what digits leave open, and below what anybody sees.
+// A whole micrometre is above what digits leave open, and below what anybody sees.
 constexpr double kFine = 1e-6;  // m
 
 // A person of a file, and their motion at 30 frames a second.

@@ -30,7 +30,7 @@ struct ResultSample {
   }
 };
 
-// What is wrong with a result; empty where nothing is.
+// The first fault of a result; empty where there is none.
 inline std::string message(const nlohmann::ordered_json& json) {
   const Result<StoredResult> result = parse_result(json.dump(), "summary.json");
   return result ? "" : result.error().to_string();

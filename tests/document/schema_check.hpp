@@ -25,7 +25,7 @@ class SchemaCheck {
     return SchemaCheck(Json::parse(*text));
   }
 
-  // What is wrong with the value, or nothing: "candidates[0].rank: is above the maximum".
+  // The value's first fault, or nothing: "candidates[0].rank: is above the maximum".
   [[nodiscard]] std::string judge(const Json& value) const { return judge(root_, value, "value"); }
 
  private:

@@ -167,7 +167,7 @@ void expect_limbs_kept(const Played& played) {
   }
 }
 
-// Who reads the file takes the rest for what has no channel.
+// A reader of the file takes the rest pose for joints without a channel.
 TEST(RigMotion, OnlyNodesThatLeaveTheirRestTurn) {
   const Figure figure;
   const Played played = play(

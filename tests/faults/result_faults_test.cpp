@@ -23,7 +23,7 @@ namespace {
 using namespace testing_support;
 namespace fs = std::filesystem;
 
-// A result to be written, of so many candidates and in these formats.
+// A result to be written, of `candidates` motions and in these formats.
 struct Written {
   TaskFile file;
   Task task;
@@ -87,7 +87,7 @@ class ResultFaults : public testing::Test {
   }
 
   // Writes in a process of its own, in which that call meets the fault; false where the run made
-  // fewer calls. What it came to stands in `code`: 0 written, 1 refused, -1 killed.
+  // fewer calls. The outcome stands in `code`: 0 written, 1 refused, -1 killed.
   bool write_with(const Written& run, Fault fault, int call, int& code) const {
     const pid_t child = fork();
     if (child == 0) {

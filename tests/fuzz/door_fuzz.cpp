@@ -148,7 +148,7 @@ void score(const std::string& name, const std::string& options, std::string_view
                 options.empty() ? nullptr : options.c_str());
 }
 
-// What stands before the next line's end, which is taken off with it.
+// The text before the next line's end; both are taken off.
 std::string take_line(std::string_view& text) {
   const std::string_view line = text.substr(0, text.find('\n'));
   text.remove_prefix(std::min(text.size(), line.size() + 1));

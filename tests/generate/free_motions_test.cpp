@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is delivered as free passes through neither head nor shank by another geometry than the
+// A motion delivered as free passes through neither head nor shank by another geometry than the
 // kernel's.
 #include <gtest/gtest.h>
 

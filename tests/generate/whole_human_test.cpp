@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What generate() makes of the body `human` near the floor.
+// generate() with the body `human` near the floor.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -190,7 +190,7 @@ TEST(Fbx, TruncatedFilesGiveClearErrors) {
       ++refused;
       EXPECT_THAT(glb.error().to_string(), HasSubstr("f.fbx: "));
     }
-    // all but what is cut behind the last model's connections
+    // except where it is cut behind the last model's connections
     EXPECT_GT(refused, static_cast<int>(whole.size() / 7 - whole.size() / 70));
   }
 }

@@ -144,7 +144,7 @@ TEST(GltfAnimationReader, ReadsDataInTheText) {
   expect_at(hand(motion, 0), {-1, 1, 0});
 }
 
-// What add_animations writes comes back, in single precision.
+// Angles written by add_animations come back, in single precision.
 TEST(GltfAnimationReader, ReadsWhatIsWrittenHere) {
   const std::string file = person_gltf().dump();
   const GltfCharacter person = parse_gltf(file, "person.gltf").value();

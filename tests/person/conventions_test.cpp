@@ -61,7 +61,7 @@ TEST_P(Conventions, AreMeasuredAndBecomeABody) {
   EXPECT_GT(body.dof_count(), 30);
 }
 
-// What a person reads in the answer and says again is no contradiction.
+// A person may repeat what the answer said without contradicting it.
 TEST_P(Conventions, AreTheSameWhenTheAnswerIsAsked) {
   const Result<HumanoidMap> map = find_humanoid(skeleton_, world_);
   ASSERT_TRUE(map) << map.error().to_string();

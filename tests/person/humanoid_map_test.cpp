@@ -397,7 +397,7 @@ TEST(HumanoidMap, SidesInNamesHelpTheShape) {
   EXPECT_THAT(map->doubts, Contains(HasSubstr("feet point backwards")));
 }
 
-// What a file tells of its bones: the capture names' nodes.
+// A file's own map of its bones: the capture names' nodes.
 HumanoidMap given_map(const StickFigure& figure) {
   HumanoidMap map;
   for (std::size_t b = 0; b < kCaptureNames.size(); ++b)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a mesh tells of a person, on a figure whose flesh is drawn around its joints.
+// A person measured from a mesh, on a figure whose flesh is drawn around its joints.
 #include <gmock/gmock.h>
 
 #include <person/stick_figure.hpp>
@@ -270,7 +270,8 @@ TEST(FittedParts, ATaperingLimbIsNearItsThickEnd) {
   EXPECT_NEAR(radius_of(measured(figure, mesh), BodyPart::left_forearm), 0.051, 0.0025);
 }
 
-// What sticks out to one side is no flesh: a sleeve that hangs, a sword in the hand, a skirt.
+// Vertices that stick out to one side are no flesh: a sleeve that hangs, a sword in the hand, a
+// skirt.
 TEST(FittedParts, SleevesSwordsAndSkirtsMakeNoBarrel) {
   const StickFigure figure = standing_figure();
   Mesh mesh;

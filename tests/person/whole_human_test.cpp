@@ -23,7 +23,7 @@ Vec3d node_position(const BodyModel& body, std::span<const double> angles, const
   return {};
 }
 
-// a spine of so many joints, the others rigid
+// a spine of `joints` joints, the others rigid
 BodyModel with_spine(std::size_t joints) {
   Landmarks person = standing_landmarks(1.7, kStandingToeOut);
   person.spine.resize(joints);

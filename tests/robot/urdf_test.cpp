@@ -145,7 +145,7 @@ TEST(Urdf, RefusesLinksThatHangTwiceOrInACircle) {
       HasSubstr("in a circle"));
 }
 
-// What urdfdom would read otherwise than the check for circles, and never give back.
+// A text that urdfdom reads otherwise than the check for circles does, and never returns from.
 TEST(Urdf, AJointsLinksAreReadOnce) {
   const std::string links = link("a") + link("b") + link("c");
   const auto joint = [&](const std::string& inside) {

@@ -39,7 +39,7 @@ constexpr int kMotions = 10000;
 constexpr int kMotions = 1000;  // sanitizers and SHG_ASSERT take their time
 #endif
 
-// What a motion is compared by; of the lanes or of double.
+// Quantities by which motions are compared; of the lanes or of double.
 template <class S>
 struct Played {
   BasicReachOutcome<S> outcome;
@@ -173,7 +173,7 @@ struct Comparison {
   ReachProblem problem_;
 };
 
-// What is allowed of one quantity.
+// The bounds of one quantity.
 struct Bounds {
   double p50;
   double p99;

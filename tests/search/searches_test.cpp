@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all searches have in common; what each finds is in its own test.
+// Rules that all searches keep; what each finds is in its own test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

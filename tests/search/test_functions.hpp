@@ -92,7 +92,7 @@ inline SearchProblem problem_of(int genes, Function function) {
           }};
 }
 
-// What a problem was asked, point by point and batch by batch.
+// A record of what a problem was asked, point by point and batch by batch.
 struct Record {
   std::vector<std::vector<double>> points;
   std::vector<double> scores;

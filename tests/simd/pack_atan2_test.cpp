@@ -18,7 +18,7 @@ using testing_support::LaneCounts;
 
 float of_one(float y, float x) { return atan2(Pack<float, 1>(y), Pack<float, 1>(x))[0]; }
 
-// What pack.hpp states: a few units of single precision near π, 2.4e-7 each.
+// The bound that pack.hpp states: a few units of single precision near π, 2.4e-7 each.
 constexpr double kBound = 4e-7;
 
 TEST(PackAtan2, ErrorIsBelowTheBoundAllAround) {

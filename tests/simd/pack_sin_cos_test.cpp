@@ -35,8 +35,8 @@ double largest_error(int count, Next&& next) {
   return static_cast<double>(largest);
 }
 
-// What pack.hpp states. Rounding in single precision: 1 - z/2 and the last sum each half a unit of
-// 6e-8, and what the reduction to [-π/4, π/4] loses.
+// The bound that pack.hpp states. Rounding in single precision: 1 - z/2 and the last sum each half
+// a unit of 6e-8, and what the reduction to [-π/4, π/4] loses.
 constexpr double kBound = 1.2e-7;
 
 TEST(PackSinCos, ErrorIsBelowTheBoundOnADenseGridUpToAHundred) {

@@ -11,7 +11,7 @@
 // For tests that score motions in lanes and in double.
 namespace shigusa::testing_support {
 
-// What motions came to in double.
+// The scores of motions in double.
 struct PlayedMotions {
   std::vector<bool> met;
   std::vector<double> scores;

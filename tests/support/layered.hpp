@@ -24,7 +24,7 @@ struct LayeredChange {
   Parameters expected{};
 };
 
-// What every motion of a layered task must keep.
+// Rules that every motion of a layered task must keep.
 inline void expect_layers_kept(const Task& task, const GenerateResult& generation) {
   EXPECT_TRUE(generation.meets_goals()) << task.body.name();
   EXPECT_EQ(generation.remaining_distance, 0.0);

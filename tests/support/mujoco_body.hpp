@@ -215,7 +215,7 @@ class MujocoBody {
     return torques;
   }
 
-  // What the world gives to the base, moment about the world's origin.
+  // The wrench of the world on the base, moment about the world's origin.
   [[nodiscard]] Wrench<double> ground_wrench() const {
     const int base = body_of(kBaseLink);
     const double* w = data_->cfrc_int + 6 * base;

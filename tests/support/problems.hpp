@@ -90,7 +90,7 @@ struct WildReach {
   }
 };
 
-// What a clip really does, by forward kinematics of each frame.
+// A clip's true motion, by forward kinematics of each frame.
 struct MeasuredMotion {
   double start_error = 0.0;    // rad, largest difference of the first frame from the start posture
   double path_error = 0.0;     // m, of any goal's effector at any frame

@@ -20,7 +20,7 @@
 // Random tasks, and what every result must keep: goals, feet, limits, what is free, verdicts.
 namespace shigusa::testing_support {
 
-// What random tasks ask for.
+// The requests of random tasks.
 enum class TaskKind { place, both_hands, rotation, axis, load, obstacle, foot };
 inline constexpr std::array kTaskKinds{TaskKind::place, TaskKind::both_hands, TaskKind::rotation,
                                        TaskKind::axis,  TaskKind::load,       TaskKind::obstacle,
@@ -99,7 +99,7 @@ inline TaskFile random_task(std::uint64_t index) {
   return file;
 }
 
-// What was found of many tasks.
+// The findings of many tasks.
 struct Audit {
   int tasks = 0;
   int candidates = 0;
@@ -107,7 +107,7 @@ struct Audit {
   std::map<std::string, int> verdicts;  // by word, of candidates
   std::map<std::string, int> best;      // … of the first candidates that meet their goals
   double goal = 0.0;                    // m, the worst miss of a goal that is told as met
-  double turn = 0.0;                    // rad, the same of rotations
+  double turn = 0.0;                    // rad, the largest error of a rotation
   double slide = 0.0;                   // m, of planted feet
   double tilt = 0.0;                    // rad, of planted feet
   double limit = 0.0;                   // rad, beyond limits that is not told

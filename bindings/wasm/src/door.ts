@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The C interface (bindings/c/include/shigusa.h) in one thread, as classes. Every call computes before it
-// returns: pages use engine.ts, which has workers do that. What is made here lives outside JavaScript's memory
+// returns: pages use engine.ts, which has workers do that. Objects made here live outside JavaScript's memory
 // until its free().
 import { EngineError } from './errors.js';
 import createModule, { type ShigusaModule } from './module/shigusa.mjs';

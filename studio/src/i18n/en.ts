@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page says. {name} stands for a value.
+// The page's words. {name} stands for a value.
 export const en = {
   title: 'shigusa studio',
   tagline: 'natural whole-body motion',
@@ -23,7 +23,7 @@ export const en = {
   candidates: 'Motions', candidate: 'Motion {n}', chosen: 'chosen', score: 'score', lowerIsBetter: 'lower is better',
   compare: 'Compare', compareWith: 'Compare with motion {n}', comparing: 'compared',
   beside: 'side by side', over: 'overlaid', strip: 'Poses of motion {n} from its beginning to its end',
-  fewer: 'Other ways are all but the same, or much worse.', edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
+  fewer: 'Other motions are nearly the same, or much worse.', edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
   strains: 'strains', impossible: 'impossible',
   needsStrength: '{joint} needs {percent} % of its strength', pressesOutside: 'the floor would have to press {cm} cm outside the feet',
   isIn: '{limb} is {cm} cm in {other}', isBeyond: '{joint} is {deg}° beyond its range',

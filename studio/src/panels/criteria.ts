@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What counts: a weight for each criterion, and what the chosen motion pays for it.
+// The criteria: a weight for each criterion, and what the chosen motion pays for it.
 import { engineWord, t } from '../i18n';
 import { ownMixture, sameWeights, unknownCriteria, type Weights } from '../state/criteria';
 import { chosenCandidate } from '../state/model';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies over the view: the sentence that says what to drag, the search's progress, messages.
+// Notices over the view: the sentence that says what to drag, the search's progress, messages.
 import { type Key, reasonWords, t } from '../i18n';
 import { candidateAt, type Document, type Notice } from '../state/model';
 import type { Studio } from '../state/studio';

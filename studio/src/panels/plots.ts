@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the engine computed of the motion, over time: angles in their range, torques beside strength, the centre of
+// The motion's series as the engine computed them, over time: angles in their range, torques beside strength, the centre of
 // mass within the feet, the speed of the hand.
 import type { Candidate, JointDescription, Series } from '../../../bindings/wasm/src/types';
 import { freedomName, jointName, t } from '../i18n';

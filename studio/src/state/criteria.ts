@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What motions are ranked by (docs/criteria.md): the engine's mixtures, and weights of a person's own.
+// Motions are ranked by criteria (docs/criteria.md): the engine's mixtures, and weights of a person's own.
 import type { Candidate, Facts, Task } from '../../../bindings/wasm/src/types';
 import { candidateAt, type Document } from './model';
 

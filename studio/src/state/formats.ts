@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the engine's table of file formats means to the page.
+// The page reads the engine's table of file formats here.
 import type { Character, Facts, FormatFacts } from '../../../bindings/wasm/src/types';
 
 export const endingOf = (name: string): string => `.${name.toLowerCase().split('.').pop() ?? ''}`;

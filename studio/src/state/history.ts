@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What undo and redo go over: earlier and later values, the newest last.
+// Undo and redo go over this list: earlier and later values, the newest last.
 
 /** Results are large (about a megabyte), so old ones are let go. */
 const kMostSteps = 60;

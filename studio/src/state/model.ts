@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page knows. A document is what undo goes back over; it is never changed, only replaced. A session is
+// The page's state. A document is what undo goes back over; it is never changed, only replaced. A session is
 // the rest: what is shown and what is going on.
 import type { Candidate, Character, EngineFailure, Generated, Goal, PresetName, Summary, Task } from '../../../bindings/wasm/src/types';
 

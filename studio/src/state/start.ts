@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a body is asked for before anybody has asked.
+// The first task of a body, before anybody has asked for one.
 import type { Character, CharacterDescription, Facts, Goal, Vec3 } from '../../../bindings/wasm/src/types';
 import { mixtureOf } from './criteria';
 import type { Document } from './model';

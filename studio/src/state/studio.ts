@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person can do, in one place: each panel and key calls these. Steps that undo knows go through `commit`.
+// A person's actions, in one place: each panel and key calls these. Steps that undo knows go through `commit`.
 import type { Candidate, Character, Generated, Goal, Quat, Series, Summary, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import type { History } from './history';
 import { ranking } from './criteria';
@@ -300,12 +300,12 @@ export class Studio extends Workbench {
     this.commit(document);
     this.store.set({ selected: document.goals[0]?.effector ?? 'right_hand', preview: null, notice: null });
     if (document.result !== null) return Promise.resolve();
-    void this.glance(document);
+    void this.showFirstPicture(document);
     return this.search();
   }
 
   /** Something to see while the first search runs. */
-  private async glance(document: Document): Promise<void> {
+  private async showFirstPicture(document: Document): Promise<void> {
     try {
       const found = await this.engine.preview(document.character, previewTask(this.facts, document));
       const candidate = found?.candidates[0];

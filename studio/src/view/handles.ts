@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person drags: a ball at each goal, and a smaller one at each hand, foot and the head that has none yet.
+// Handles that a person drags: a ball at each goal, and a smaller one at each hand, foot and the head that has none yet.
 // The selected goal has arrows along the axes too, and rings where its rotation is asked for.
 import {
   CanvasTexture, Group, Object3D, Plane, Raycaster, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a task says that the body must not pass through: boxes with round edges, spheres and capsules.
+// A task's obstacles, through which the body must not pass: boxes with round edges, spheres and capsules.
 import { Group, Mesh, MeshStandardMaterial } from 'three';
 import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 import type { Obstacle } from '../../../bindings/wasm/src/types';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn about a motion: the ways of the effectors, the centre of mass with its plumb line, the polygon
+// Drawings about a motion: the paths of the effectors, the centre of mass with its plumb line, the polygon
 // that the feet stand on, and how far a goal out of reach remains.
 import {
   BufferAttribute, BufferGeometry, CircleGeometry, DoubleSide, Group, Line, LineBasicMaterial, LineDashedMaterial, Mesh,
