@@ -11,6 +11,8 @@ namespace shigusa {
 
 /// π.
 inline constexpr double kPi = 3.14159265358979323846;
+/// A full turn (rad).
+inline constexpr double kTwoPi = 2.0 * kPi;
 
 /// Tells of a scalar S of the kernel which numbers it is made of.
 template <class S>

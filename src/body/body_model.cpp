@@ -13,8 +13,8 @@ namespace shigusa {
 namespace {
 
 bool is_rotation(const Mat3d& r) {
-  constexpr double kRounding = 1e-9;
-  return rotation_chord(r * transpose(r), Mat3d{}) < kRounding &&
+  constexpr double kRotationRounding = 1e-9;
+  return rotation_chord(r * transpose(r), Mat3d{}) < kRotationRounding &&
          dot(cross(r.cx, r.cy), r.cz) > 0.0;
 }
 

@@ -35,6 +35,20 @@ struct WriteRequest {
 // leave in it, and the rate is one that motions leave at.
 template <FileFormat format>
 [[nodiscard]] Result<MadeFile> write_as(const WriteRequest& request);
+template <>
+Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request);
+template <>
+Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request);
+template <>
+Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request);
+template <>
+Result<MadeFile> write_as<FileFormat::csv>(const WriteRequest& request);
+template <>
+Result<MadeFile> write_as<FileFormat::svg>(const WriteRequest& request);
+template <>
+Result<MadeFile> write_as<FileFormat::png>(const WriteRequest& request);
+template <>
+Result<MadeFile> write_as<FileFormat::pdf>(const WriteRequest& request);
 
 // The file of bytes that hold no motion of nodes, for write_as.
 [[nodiscard]] Result<MadeFile> unread(Result<std::string> bytes);

@@ -10,8 +10,6 @@
 namespace shigusa::strip {
 namespace {
 
-constexpr double kTurn = 2.0 * kPi;
-
 // Called from C: no exception may leave.
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
   try {
@@ -126,7 +124,7 @@ void CairoCanvas::ring(Disc disc, Colour colour, double width) {
   source(colour);
   cairo_set_line_width(context_.get(), width);
   cairo_new_path(context_.get());
-  cairo_arc(context_.get(), disc.centre.x, disc.centre.y, disc.radius, 0.0, kTurn);
+  cairo_arc(context_.get(), disc.centre.x, disc.centre.y, disc.radius, 0.0, kTwoPi);
   cairo_close_path(context_.get());
   cairo_stroke(context_.get());
 }

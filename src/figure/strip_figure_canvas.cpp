@@ -15,8 +15,6 @@
 namespace shigusa::strip {
 namespace {
 
-constexpr double kTurn = 2.0 * kPi;
-
 double distance(Point a, Point b) {
   return sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
 }
@@ -46,8 +44,8 @@ double turn_to(const Disc& disc, const Disc& next, double angle) {
   const double tangent =
       atan2(dy, dx) - acos((disc.radius - next.radius) / sqrt(dx * dx + dy * dy));
   double turn = tangent - angle;
-  while (turn < 0.0) turn += kTurn;
-  while (turn >= kTurn - 1e-9) turn -= kTurn;
+  while (turn < 0.0) turn += kTwoPi;
+  while (turn >= kTwoPi - 1e-9) turn -= kTwoPi;
   return max(turn, 0.0);
 }
 
@@ -87,18 +85,18 @@ std::vector<Arc> hull_outline(std::span<const Disc> all) {
   const auto east = [&](std::size_t i) { return discs[i].centre.x + discs[i].radius; };
   for (std::size_t i = 1; i < discs.size(); ++i) current = east(i) > east(current) ? i : current;
   double angle = 0.0;
-  for (std::size_t step = 0; step <= 2 * discs.size() && angle < kTurn; ++step) {
-    double turn = kTurn - angle;
+  for (std::size_t step = 0; step <= 2 * discs.size() && angle < kTwoPi; ++step) {
+    double turn = kTwoPi - angle;
     std::size_t next = current;
     for (std::size_t i = 0; i < discs.size(); ++i) {
-      const double t = i == current ? kTurn : turn_to(discs[current], discs[i], angle);
+      const double t = i == current ? kTwoPi : turn_to(discs[current], discs[i], angle);
       if (t < turn) {
         turn = t;
         next = i;
       }
     }
     outline.push_back({discs[current], angle, angle + turn});
-    angle = next == current ? kTurn : angle + turn;
+    angle = next == current ? kTwoPi : angle + turn;
     current = next;
   }
   return outline;

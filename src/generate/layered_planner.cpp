@@ -18,7 +18,7 @@ namespace {
 bool searches_paper_code(const Task& task) { return info_of(search_of(task)).paper_code; }
 
 // Postures beside the archive's best that a search delivers from, for each candidate asked for.
-constexpr int kKeptPerCandidate = 2;
+constexpr int kPickedPerCandidate = 2;
 
 // The libraries of the arms that have a goal and go by weights.
 class ArmLibraries {
@@ -120,7 +120,7 @@ class UpperSearch {
 
   // The found postures that are worth expanding, best first.
   [[nodiscard]] Selection choice(const SearchResult& found) const {
-    return keeps_ends() ? distinct_postures(archive_, kKeptPerCandidate * task_.candidates)
+    return keeps_ends() ? distinct_postures(archive_, kPickedPerCandidate * task_.candidates)
                         : Selection{.picked = ranked_population(found)};
   }
 

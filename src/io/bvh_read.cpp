@@ -71,7 +71,7 @@ bool same_word(std::string_view a, std::string_view b) {
 }
 
 // A token as it is shown in a message: short, and without bytes that a terminal may take amiss.
-std::string shown(std::string_view token) {
+std::string shown_token(std::string_view token) {
   constexpr std::size_t kLongest = 40;
   std::string text;
   for (const char c : token.substr(0, kLongest)) text += c > ' ' && c < 0x7F ? c : '?';
@@ -132,7 +132,7 @@ class BvhReader {
   bool unexpected(std::string_view token, std::string_view expected) {
     if (token.empty())
       return fail_here(fmt::format("the file ends where {} is expected", expected));
-    return fail_here(fmt::format("found {} where {} is expected", shown(token), expected));
+    return fail_here(fmt::format("found {} where {} is expected", shown_token(token), expected));
   }
 
   bool expect(std::string_view word) {
@@ -146,8 +146,8 @@ class BvhReader {
     if (!parsed) return unexpected(token, what);
     value = *parsed;
     if (value >= -kBvhMaxValue && value <= kBvhMaxValue) return true;
-    return fail_here(
-        fmt::format("{} is not between {:g} and {:g}", shown(token), -kBvhMaxValue, kBvhMaxValue));
+    return fail_here(fmt::format("{} is not between {:g} and {:g}", shown_token(token),
+                                 -kBvhMaxValue, kBvhMaxValue));
   }
 
   SkeletonNode& node(int index) { return motion_.skeleton.nodes[static_cast<std::size_t>(index)]; }
@@ -192,7 +192,7 @@ class BvhReader {
     const std::string_view name = cursor_.rest_of_line();
     if (name.size() > kMaxNameBytes) {
       return fail_here(fmt::format("a name of {} bytes, {}; up to {} are allowed", name.size(),
-                                   shown(name), kMaxNameBytes));
+                                   shown_token(name), kMaxNameBytes));
     }
     motion_.skeleton.nodes.push_back(
         {end_site ? std::string() : names_.take(name), parent, {}, end_site});
@@ -211,7 +211,7 @@ class BvhReader {
   }
 
   std::string described(int index) {
-    return node(index).end_site ? "the End Site" : "joint " + shown(node(index).name);
+    return node(index).end_site ? "the End Site" : "joint " + shown_token(node(index).name);
   }
 
   bool once(bool& seen, int index, std::string_view what) {
@@ -323,8 +323,8 @@ class BvhReader {
   bool nothing_follows() {
     std::string_view token = cursor_.token();
     if (token.empty()) return true;
-    fail_here(fmt::format("found {} after the last of the {} values of {} frames", shown(token),
-                          value_count(), motion_.clip.frames));
+    fail_here(fmt::format("found {} after the last of the {} values of {} frames",
+                          shown_token(token), value_count(), motion_.clip.frames));
     std::size_t extra = 0;
     while (!token.empty() && parse_number(token) && extra <= channels_.size()) {
       ++extra;
@@ -341,7 +341,8 @@ class BvhReader {
       // the comparison is false for NaN
       if (!value || !(*value >= -kBvhMaxValue && *value <= kBvhMaxValue)) {
         return fail_here(fmt::format("{}, value {} of frame {}, is not a number from {:g} to {:g}",
-                                     shown(token), i + 1, frame + 1, -kBvhMaxValue, kBvhMaxValue));
+                                     shown_token(token), i + 1, frame + 1, -kBvhMaxValue,
+                                     kBvhMaxValue));
       }
       apply(channels_[i], *value, local[channels_[i].node]);
     }

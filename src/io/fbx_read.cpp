@@ -10,12 +10,11 @@
 #include "core/index.hpp"
 #include "fbx_records.hpp"
 #include "glb.hpp"
+#include "io/gltf_json.hpp"
 #include "math/axes.hpp"
 
 namespace shigusa {
 namespace {
-
-using Json = nlohmann::json;
 
 // Properties by their names: of a record, of its kind's template, of none.
 class Properties {
@@ -117,7 +116,7 @@ class FbxReader {
       wrong("no bone: there is no skeleton in this file");
       return tl::unexpected(*error_);
     }
-    Json nodes = Json::array();
+    GltfJson nodes = GltfJson::array();
     for (std::size_t i = 0; i < models_.size(); ++i) {
       if (node_[i] >= 0 && !write_node(i, nodes)) return tl::unexpected(*error_);
     }
@@ -257,7 +256,7 @@ class FbxReader {
     return true;
   }
 
-  bool write_node(std::size_t i, Json& nodes) {
+  bool write_node(std::size_t i, GltfJson& nodes) {
     const Model& model = models_[i];
     for (const char* turns : {"Lcl Rotation", "PreRotation", "PostRotation"}) {
       if (is_within(model.properties.vector(turns), kFbxMaxValue)) continue;
@@ -268,7 +267,7 @@ class FbxReader {
       return wrong("{} stands or is scaled beyond {:g}", described(i), kFbxMaxValue);
     }
     if (model.parent < 0 && !to_metres(place)) return false;
-    Json node{{"name", std::string(model.name)}};
+    GltfJson node{{"name", std::string(model.name)}};
     node["translation"] = {place.at.x, place.at.y, place.at.z};
     node["rotation"] = {place.turned.x, place.turned.y, place.turned.z, place.turned.w};
     node["scale"] = {place.scale.x, place.scale.y, place.scale.z};
@@ -279,18 +278,18 @@ class FbxReader {
     return true;
   }
 
-  [[nodiscard]] std::string glb(const Json& nodes) const {
+  [[nodiscard]] std::string glb(const GltfJson& nodes) const {
     std::vector<int> roots;
     for (std::size_t i = 0; i < models_.size(); ++i) {
       if (models_[i].parent < 0 && node_[i] >= 0) roots.push_back(node_[i]);
     }
-    const Json file{{"asset", {{"version", "2.0"}, {"generator", "shigusa"}}},
-                    {"scene", 0},
-                    {"scenes", {{{"nodes", roots}}}},
-                    {"nodes", nodes},
-                    {"skins", {{{"joints", joints_}}}}};
+    const GltfJson file{{"asset", {{"version", "2.0"}, {"generator", "shigusa"}}},
+                        {"scene", 0},
+                        {"scenes", {{{"nodes", roots}}}},
+                        {"nodes", nodes},
+                        {"skins", {{{"joints", joints_}}}}};
     // names may be in any encoding
-    return glb_file(file.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return glb_file(file.dump(-1, ' ', false, GltfJson::error_handler_t::replace));
   }
 
   const FbxRecord& root_;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view kMagic("Kaydara FBX Binary  \0\x1a\0", 23);
 constexpr int kOldest = 7000;
-constexpr std::size_t kMaxValues = 64;  // of a record that is read
-constexpr int kLongHeads = 7500;        // since this version records have heads of 64-bit numbers
+constexpr std::size_t kMaxRecordValues = 64;  // of a record that is read
+constexpr int kLongHeads = 7500;  // since this version records have heads of 64-bit numbers
 
 // Records that are read, each after the one that it stands in.
 constexpr std::pair<std::string_view, std::string_view> kRead[] = {
@@ -161,8 +161,9 @@ class BinaryReader : public Reader {
   }
 
   bool read_values(FbxRecord& record, std::uint64_t count, std::size_t end) {
-    if (count > kMaxValues) {
-      return wrong(fmt::format("a record of {} values; {} are allowed", count, kMaxValues), here());
+    if (count > kMaxRecordValues) {
+      return wrong(fmt::format("a record of {} values; {} are allowed", count, kMaxRecordValues),
+                   here());
     }
     for (std::uint64_t i = 0; i < count; ++i) {
       if (at_ >= end) return cut();
@@ -325,7 +326,7 @@ class TextReader : public Reader {
         if (word.empty()) return wrong("no value: a text, a number or a word", here());
         if (kept) read_word(word, value);
       }
-      if (kept && record.values.size() < kMaxValues) record.values.push_back(value);
+      if (kept && record.values.size() < kMaxRecordValues) record.values.push_back(value);
       if (peek() != ',') return true;
       ++at_;
     }

@@ -8,18 +8,17 @@
 #include <cstdint>
 
 #include "io/gltf.hpp"
+#include "io/gltf_json.hpp"
 #include "watched_json.hpp"
 
 namespace shigusa {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t kMaxValueBytes = std::size_t{16} << 20;
 constexpr int kMaxValueDepth = 16;
 
 // A whole number that may be missing, up to 2^53.
-std::optional<std::size_t> whole(const Json& object, const char* key, std::size_t otherwise) {
+std::optional<std::size_t> whole(const GltfJson& object, const char* key, std::size_t otherwise) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
   if (!found->is_number_unsigned()) return std::nullopt;
@@ -101,19 +100,19 @@ std::optional<std::string> from_base64(std::string_view text) {
 
 }  // namespace
 
-Result<Json> parse_small_json(std::string_view text, const std::string& place) {
+Result<GltfJson> parse_small_json(std::string_view text, const std::string& place) {
   if (text.size() > kMaxValueBytes) {
     return fail(
         ErrorCode::parse,
         fmt::format("takes {} bytes of JSON; up to {} are allowed", text.size(), kMaxValueBytes),
         place);
   }
-  const auto shallow = [](int depth, Json::parse_event_t, const Json&) {
+  const auto shallow = [](int depth, GltfJson::parse_event_t, const GltfJson&) {
     if (depth > kMaxValueDepth)
       throw fmt::format("is nested deeper than {} levels", kMaxValueDepth);
     return true;
   };
-  return parse_watched<Json>(text, shallow, "JSON", place);
+  return parse_watched<GltfJson>(text, shallow, "JSON", place);
 }
 
 GltfAccessors::GltfAccessors(const GlbParts& parts, std::string_view name)
@@ -128,34 +127,35 @@ tl::unexpected<Error> GltfAccessors::wrong(const std::string& what, const std::s
   return fail(ErrorCode::parse, why, what + " of " + name_);
 }
 
-Result<Json> GltfAccessors::entry(const char* list, const Json& index) {
+Result<GltfJson> GltfAccessors::entry(const char* list, const GltfJson& index) {
   const auto& entries = list == std::string_view("accessors")     ? accessors_
                         : list == std::string_view("bufferViews") ? views_
                                                                   : buffers_;
   const auto count = static_cast<std::uint64_t>(entries.size());
   if (!index.is_number_unsigned() || index >= count) {
     return wrong(
-        list, fmt::format("{} is none of the {} there are",
-                          index.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40),
-                          count));
+        list,
+        fmt::format("{} is none of the {} there are",
+                    index.dump(-1, ' ', true, GltfJson::error_handler_t::replace).substr(0, 40),
+                    count));
   }
   const auto& value = entries[index.get<std::size_t>()];
   const std::string place = fmt::format("{}[{}]", list, index.get<std::size_t>());
   // data in the text are not parsed but decoded
-  if (const auto uri = json_.member(value, "uri"); uri) return Json(json_.text_of(uri));
+  if (const auto uri = json_.member(value, "uri"); uri) return GltfJson(json_.text_of(uri));
   // one entry may be asked for many times
   constexpr std::size_t kMaxEntryBytes = std::size_t{64} << 10;
   if (json_.text_of(value).size() > kMaxEntryBytes) {
     return wrong(place, fmt::format("takes {} bytes of JSON; up to {} are allowed",
                                     json_.text_of(value).size(), kMaxEntryBytes));
   }
-  Result<Json> parsed = parse_small_json(json_.text_of(value), place + " of " + name_);
+  Result<GltfJson> parsed = parse_small_json(json_.text_of(value), place + " of " + name_);
   if (parsed && !parsed->is_object()) return wrong(place, "is no object");
   return parsed;
 }
 
-Result<std::string_view> GltfAccessors::buffer(const Json& index) {
-  SHG_TRY_ASSIGN(const Json found, entry("buffers", index));
+Result<std::string_view> GltfAccessors::buffer(const GltfJson& index) {
+  SHG_TRY_ASSIGN(const GltfJson found, entry("buffers", index));
   const auto i = index.get<std::size_t>();
   if (found.is_object()) {
     if (i == 0 && parts_.binary) return *parts_.binary;
@@ -178,8 +178,8 @@ Result<std::string_view> GltfAccessors::buffer(const Json& index) {
   return std::string_view(decoded_[i]);
 }
 
-Result<GltfAccessors::View> GltfAccessors::view(const Json& index) {
-  SHG_TRY_ASSIGN(const Json found, entry("bufferViews", index));
+Result<GltfAccessors::View> GltfAccessors::view(const GltfJson& index) {
+  SHG_TRY_ASSIGN(const GltfJson found, entry("bufferViews", index));
   const std::string place = fmt::format("bufferViews[{}]", index.get<std::size_t>());
   const auto offset = whole(found, "byteOffset", 0);
   const auto length = whole(found, "byteLength", 0);
@@ -207,7 +207,7 @@ Result<GltfAccessors::View> GltfAccessors::view(const Json& index) {
   return View{bytes->substr(*offset, *length), *stride};
 }
 
-Result<AccessorElements> GltfAccessors::elements(const std::string& place, const Json& holder,
+Result<AccessorElements> GltfAccessors::elements(const std::string& place, const GltfJson& holder,
                                                  std::size_t count, std::size_t size) {
   const auto offset = whole(holder, "byteOffset", 0);
   if (!offset) return wrong(place, "byteOffset must be a whole number");
@@ -224,7 +224,7 @@ Result<AccessorElements> GltfAccessors::elements(const std::string& place, const
 }
 
 // Elements that stand elsewhere: their indices, rising, and their numbers.
-Result<void> GltfAccessors::read_sparse(const std::string& place, const Json& sparse,
+Result<void> GltfAccessors::read_sparse(const std::string& place, const GltfJson& sparse,
                                         std::size_t size, GltfNumbers& numbers) {
   const auto count = sparse.is_object() ? whole(sparse, "count", 0) : std::nullopt;
   const bool whole_list = count && *count <= numbers.count_ && sparse.contains("indices") &&
@@ -234,7 +234,7 @@ Result<void> GltfAccessors::read_sparse(const std::string& place, const Json& sp
       !sparse["values"].contains("bufferView")) {
     return wrong(place, "is sparse, and its count, indices and values do not tell of what");
   }
-  const Json& indices = sparse["indices"];
+  const GltfJson& indices = sparse["indices"];
   const AccessorComponent* kind = component_of(whole(indices, "componentType", 0));
   if (kind == nullptr || !may_hold(AccessorContent::indices, *kind, false)) {
     return wrong(place,
@@ -256,9 +256,9 @@ Result<void> GltfAccessors::read_sparse(const std::string& place, const Json& sp
   return {};
 }
 
-Result<GltfNumbers> GltfAccessors::open(const Json& index, int components,
+Result<GltfNumbers> GltfAccessors::open(const GltfJson& index, int components,
                                         AccessorContent content) {
-  SHG_TRY_ASSIGN(const Json accessor, entry("accessors", index));
+  SHG_TRY_ASSIGN(const GltfJson accessor, entry("accessors", index));
   const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
   constexpr std::array kTypes{"", "SCALAR", "", "VEC3", "VEC4"};
   const char* type = components == 16 ? "MAT4" : kTypes[static_cast<std::size_t>(components)];
@@ -291,7 +291,7 @@ Result<GltfNumbers> GltfAccessors::open(const Json& index, int components,
   return numbers;
 }
 
-Result<std::vector<double>> GltfAccessors::numbers(const Json& index, int components) {
+Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int components) {
   SHG_TRY_ASSIGN(const GltfNumbers found, open(index, components, AccessorContent::reals));
   const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
   const auto per = static_cast<std::size_t>(components);

@@ -13,12 +13,11 @@
 #include "gltf_pose.hpp"
 #include "gltf_tracks.hpp"
 #include "gltf_vrm.hpp"
+#include "io/gltf_json.hpp"
 #include "person/landmark_points.hpp"
 
 namespace shigusa {
 namespace {
-
-using Json = nlohmann::json;
 
 // VRM's own animations name their bones in the form that VRM characters have.
 void take_animation_bones(const JsonSplice& json, const std::vector<int>& place, int nodes,
@@ -26,9 +25,9 @@ void take_animation_bones(const JsonSplice& json, const std::vector<int>& place,
   const auto extensions = json.member(json.root(), "extensions");
   const auto humanoid = json.member(json.member(extensions, "VRMC_vrm_animation"), "humanoid");
   if (!humanoid) return;
-  const Result<Json> parsed = parse_small_json(json.text_of(humanoid), "humanoid");
+  const Result<GltfJson> parsed = parse_small_json(json.text_of(humanoid), "humanoid");
   if (!parsed) return;
-  const Json as_vrm{{"extensions", {{"VRMC_vrm", {{"humanoid", *parsed}}}}}};
+  const GltfJson as_vrm{{"extensions", {{"VRMC_vrm", {{"humanoid", *parsed}}}}}};
   VrmBones bones = read_vrm_bones(as_vrm, nodes);
   for (const HumanoidBone bone : kHumanoidBones) {
     if (bones.map[bone] < 0) continue;
@@ -39,7 +38,7 @@ void take_animation_bones(const JsonSplice& json, const std::vector<int>& place,
 std::vector<std::string> names_of(const JsonSplice& json, const std::string& file) {
   std::vector<std::string> names;
   for (const auto& each : json.elements(json.member(json.root(), "animations"))) {
-    const Result<Json> name = parse_small_json(json.text_of(json.member(each, "name")), file);
+    const Result<GltfJson> name = parse_small_json(json.text_of(json.member(each, "name")), file);
     names.push_back(name && name->is_string() && !name->empty() ? name->get<std::string>()
                                                                 : std::to_string(names.size()));
   }
@@ -60,7 +59,7 @@ class AnimationReader {
   }
 
   Result<void> read(const AnimationChoice& choice) {
-    SHG_TRY_ASSIGN(const Json animation, choose(choice.animation));
+    SHG_TRY_ASSIGN(const GltfJson animation, choose(choice.animation));
     SHG_TRY(tracks(animation));
     return sample(choice);
   }
@@ -71,7 +70,7 @@ class AnimationReader {
                 fmt::format("animation '{}' of {}", result_.animation, name_));
   }
 
-  Result<Json> choose(const std::string& wanted) {
+  Result<GltfJson> choose(const std::string& wanted) {
     const auto list = json_.elements(json_.member(json_.root(), "animations"));
     if (list.empty()) {
       return fail(ErrorCode::parse, "holds no animation, so no motion", name_);
@@ -106,24 +105,24 @@ class AnimationReader {
                 fmt::format("has no animation '{}'; it has {}", wanted.substr(0, 80), all), name_);
   }
 
-  Result<void> tracks(const Json& animation) {
+  Result<void> tracks(const GltfJson& animation) {
     tracks_.resize(result_.character.file_node.size());
     for (const char* key : {"channels", "samplers"}) {
       if (!animation.is_object() || !animation.contains(key) || !animation[key].is_array()) {
         return wrong(fmt::format("has no list of {}", key));
       }
     }
-    for (const Json& channel : animation["channels"]) {
+    for (const GltfJson& channel : animation["channels"]) {
       SHG_TRY(take(channel, animation["samplers"]));
     }
     return {};
   }
 
-  Result<void> take(const Json& channel, const Json& samplers) {
+  Result<void> take(const GltfJson& channel, const GltfJson& samplers) {
     if (!channel.is_object() || !channel.contains("target") || !channel["target"].is_object()) {
       return wrong("a channel has no target");
     }
-    const Json& target = channel["target"];
+    const GltfJson& target = channel["target"];
     if (!target.contains("node") || !target["node"].is_number_unsigned()) return {};
     const auto node = target["node"].get<std::uint64_t>();
     const int at = node < place_.size() ? place_[static_cast<std::size_t>(node)] : -1;
@@ -137,7 +136,7 @@ class AnimationReader {
                        channel["sampler"] < static_cast<std::uint64_t>(samplers.size()) &&
                        samplers[channel["sampler"].get<std::size_t>()].is_object();
     if (!known) return wrong("a channel's sampler is none of its samplers");
-    const Json& sampler = samplers[channel["sampler"].get<std::size_t>()];
+    const GltfJson& sampler = samplers[channel["sampler"].get<std::size_t>()];
     Result<GltfTrackKeys> keys =
         read_track_keys(sampler, path - kPaths.begin() == 1 ? 4 : 3, accessors_);
     if (!keys) return wrong(keys.error().to_string());

@@ -5,12 +5,11 @@
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 #include "io/gltf_animation.hpp"
+#include "io/gltf_json.hpp"
 #include "math/linear_map.hpp"
 
 namespace shigusa {
 namespace {
-
-using Json = nlohmann::json;
 
 // Poses that differ by less (share of the figure's size) are one.
 constexpr double kSame = 0.01;
@@ -66,9 +65,10 @@ class BindPose {
   // The joints of one skin, in the space that their mesh was bound in.
   bool read(const JsonSplice::Value& skin) {
     const auto matrices = json_.member(skin, "inverseBindMatrices");
-    const Result<Json> joints = parse_small_json(json_.text_of(json_.member(skin, "joints")), "");
+    const Result<GltfJson> joints =
+        parse_small_json(json_.text_of(json_.member(skin, "joints")), "");
     if (!joints || !joints->is_array() || !matrices) return true;
-    const Result<Json> accessor = parse_small_json(json_.text_of(matrices), "");
+    const Result<GltfJson> accessor = parse_small_json(json_.text_of(matrices), "");
     if (!accessor) return false;
     const Result<std::vector<double>> numbers = accessors_.numbers(*accessor, 16);
     if (!numbers || numbers->size() < 16 * joints->size()) return false;

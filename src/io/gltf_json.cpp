@@ -15,18 +15,16 @@
 namespace shigusa {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr int kMaxDepth = 64;
-constexpr std::size_t kMaxValues = 500'000;
+constexpr std::size_t kMaxNodeValues = 500'000;
 
 // Watches a text being parsed: keeps what the skeleton needs, and ends the parse by throwing what
 // passes a limit. A mesh may lie in the text, as long as all bones together a hundred times.
 class SkeletonFilter {
  public:
   // `depth`: of an event, the number of objects and lists that are open around it
-  bool keep(int depth, Json::parse_event_t event, const Json& parsed) {
-    using Event = Json::parse_event_t;
+  bool keep(int depth, GltfJson::parse_event_t event, const GltfJson& parsed) {
+    using Event = GltfJson::parse_event_t;
     if (depth >= kMaxDepth) throw fmt::format("nested deeper than {} levels", kMaxDepth);
     if (depth > dropped_) return false;
     const auto level = index(depth);
@@ -43,7 +41,8 @@ class SkeletonFilter {
       }
       members_[level + 1] = 0;
     }
-    if (++values_ > kMaxValues) throw fmt::format("more than {} values in nodes", kMaxValues);
+    if (++values_ > kMaxNodeValues)
+      throw fmt::format("more than {} values in nodes", kMaxNodeValues);
     return true;
   }
 
@@ -72,12 +71,12 @@ class SkeletonFilter {
 
 }  // namespace
 
-std::string shown(const Json& value, std::size_t longest) {
-  const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+std::string shown(const GltfJson& value, std::size_t longest) {
+  const std::string text = value.dump(-1, ' ', true, GltfJson::error_handler_t::replace);
   return text.size() > longest ? text.substr(0, longest) + "…" : text;
 }
 
-Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
+Result<GltfJson> read_gltf_json(std::string_view bytes, std::string_view name) {
   const std::string place(name);
   if (bytes.empty()) return fail(ErrorCode::parse, "the file is empty", place);
   SHG_TRY_ASSIGN(const std::string_view text, gltf_text(bytes, name));
@@ -89,10 +88,10 @@ Result<Json> read_gltf_json(std::string_view bytes, std::string_view name) {
                 place);
   }
   SkeletonFilter filter;
-  const auto watch = [&filter](int depth, Json::parse_event_t event, const Json& parsed) {
+  const auto watch = [&filter](int depth, GltfJson::parse_event_t event, const GltfJson& parsed) {
     return filter.keep(depth, event, parsed);
   };
-  Result<Json> json = parse_watched<Json>(text, watch, "glTF", place);
+  Result<GltfJson> json = parse_watched<GltfJson>(text, watch, "glTF", place);
   if (!json || json->is_object()) return json;
   return fail(ErrorCode::parse, "holds JSON, but no object { … } as glTF does", place);
 }

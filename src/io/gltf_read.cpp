@@ -17,8 +17,6 @@
 namespace shigusa {
 namespace {
 
-using Json = nlohmann::json;
-
 // One node as the file has it.
 struct FileNode {
   std::string name;
@@ -35,7 +33,7 @@ struct FileNode {
 };
 
 // An index of another list of the file, or -1 where there is none that can be one.
-int index_or_none(const Json& json, const char* key) {
+int index_or_none(const GltfJson& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_number_unsigned()) return -1;
   const auto index = found->get<std::uint64_t>();
@@ -45,7 +43,7 @@ int index_or_none(const Json& json, const char* key) {
 // Reads one file. Each step returns false after it has noted the error.
 class GltfReader {
  public:
-  GltfReader(const Json& json, std::string_view name) : json_(json), name_(name) {}
+  GltfReader(const GltfJson& json, std::string_view name) : json_(json), name_(name) {}
 
   Result<GltfCharacter> read() {
     if (!version() || !nodes() || !parents() || !joints()) return tl::unexpected<Error>(error_);
@@ -78,7 +76,7 @@ class GltfReader {
     if (asset == json_.end() || !asset->is_object() || !asset->contains("version")) {
       return wrong("", "no glTF file: asset.version is missing");
     }
-    const Json& version = (*asset)["version"];
+    const GltfJson& version = (*asset)["version"];
     if (version.is_string() && version.get_ref<const std::string&>().starts_with("2.")) return true;
     return wrong("", "is glTF version {}; 2.0 is read", shown(version));
   }
@@ -88,14 +86,14 @@ class GltfReader {
     if (list == json_.end() || !list->is_array() || list->empty()) {
       return wrong("", "holds no nodes, so no character");
     }
-    for (const Json& json : *list) {
+    for (const GltfJson& json : *list) {
       nodes_.emplace_back();
       if (!read_node(json, count() - 1)) return false;
     }
     return true;
   }
 
-  bool read_node(const Json& json, int index) {
+  bool read_node(const GltfJson& json, int index) {
     if (!json.is_object()) return wrong(described(index), "is {}, and no object", shown(json));
     FileNode& read = nodes_.back();
     const auto name = json.find("name");
@@ -116,12 +114,12 @@ class GltfReader {
   }
 
   // A list of nodes; their range is checked when all are read.
-  bool indices(const Json& json, const char* key, const std::string& place,
+  bool indices(const GltfJson& json, const char* key, const std::string& place,
                std::vector<int>& into) {
     const auto list = json.find(key);
     if (list == json.end()) return true;
     if (!list->is_array()) return wrong(place, "{} is {}, and no list", key, shown(*list));
-    for (const Json& index : *list) {
+    for (const GltfJson& index : *list) {
       const auto nodes = static_cast<std::uint64_t>(json_["nodes"].size());
       if (!index.is_number_unsigned() || index >= nodes) {
         return wrong(place, "{} holds {}; allowed are the nodes 0 to {}", key, shown(index),
@@ -133,12 +131,12 @@ class GltfReader {
   }
 
   template <std::size_t N>
-  bool numbers(const Json& json, const char* key, int index, std::array<double, N>& into) {
+  bool numbers(const GltfJson& json, const char* key, int index, std::array<double, N>& into) {
     const auto list = json.find(key);
     if (list == json.end()) return true;
     bool valid = list->is_array() && list->size() == N;
     for (std::size_t k = 0; valid && k < N; ++k) {
-      const Json& value = (*list)[k];
+      const GltfJson& value = (*list)[k];
       valid = value.is_number() && abs(value.get<double>()) <= kGltfMaxValue;
       if (valid) into[k] = value.get<double>();
     }
@@ -146,7 +144,7 @@ class GltfReader {
                           key, shown(*list), N, -kGltfMaxValue, kGltfMaxValue);
   }
 
-  bool read_place(const Json& json, int index) {
+  bool read_place(const GltfJson& json, int index) {
     FileNode& read = node(index);
     if (json.contains("matrix")) {
       std::array<double, 16> m{};
@@ -215,7 +213,7 @@ class GltfReader {
     if (skins != json_.end()) {
       if (!skins->is_array()) return wrong("", "skins is {}, and no list", shown(*skins));
       int number = 0;
-      for (const Json& skin : *skins) {
+      for (const GltfJson& skin : *skins) {
         std::vector<int> joints;
         if (!indices(skin, "joints", fmt::format("skin {}", number++), joints)) return false;
         for (const int i : joints) node(i).joint = true;
@@ -318,7 +316,7 @@ class GltfReader {
         described(first), uneven == 1 ? "" : fmt::format(", as {} more,", uneven - 1)));
   }
 
-  const Json& json_;
+  const GltfJson& json_;
   const std::string name_;
   std::vector<FileNode> nodes_;
   std::vector<int> order_;  // of all nodes, parents first
@@ -331,7 +329,7 @@ class GltfReader {
 }  // namespace
 
 Result<GltfCharacter> parse_gltf(std::string_view bytes, std::string_view name) {
-  SHG_TRY_ASSIGN(const Json json, read_gltf_json(bytes, name));
+  SHG_TRY_ASSIGN(const GltfJson json, read_gltf_json(bytes, name));
   return GltfReader(json, name).read();
 }
 

@@ -10,11 +10,10 @@
 #include "core/index.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
+#include "io/gltf_json.hpp"
 
 namespace shigusa {
 namespace {
-
-using Json = nlohmann::json;
 
 // A part of a mesh: where its numbers are. Sets of joints and weights that it lacks are absent.
 struct Part {
@@ -130,7 +129,7 @@ class SkinReader {
           "character without it");
     }
     SHG_TRY_ASSIGN(
-        const Json attributes,
+        const GltfJson attributes,
         parse_small_json(json_.text_of(json_.member(primitive, "attributes")), "mesh of " + name_));
     if (!attributes.is_object() || !attributes.contains("POSITION")) {
       return wrong("a part has no POSITION");
@@ -144,7 +143,7 @@ class SkinReader {
     Part part{std::move(positions), {}, {}, {}};
     SHG_TRY(open_sets(attributes, part));
     if (const auto indices = json_.member(primitive, "indices"); indices) {
-      SHG_TRY_ASSIGN(const Json index,
+      SHG_TRY_ASSIGN(const GltfJson index,
                      parse_small_json(json_.text_of(indices), "mesh of " + name_));
       SHG_TRY_ASSIGN(part.indices, accessors_.open(index, 1, AccessorContent::indices));
     }
@@ -152,7 +151,7 @@ class SkinReader {
   }
 
   // The joints of a part's vertices and their weights.
-  Result<void> open_sets(const Json& attributes, Part& part) {
+  Result<void> open_sets(const GltfJson& attributes, Part& part) {
     for (const auto& [joints, weights] :
          {std::pair{"JOINTS_0", "WEIGHTS_0"}, std::pair{"JOINTS_1", "WEIGHTS_1"}}) {
       if (!attributes.contains(joints) || !attributes.contains(weights)) break;

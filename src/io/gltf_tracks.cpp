@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "io/gltf_json.hpp"
+
 namespace shigusa {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr double kShortest = 1e-6;  // of a quaternion
 
@@ -106,7 +106,7 @@ Quatd GltfTrackKeys::rotation_at(double time) const {
   return slerp(from, unit({b[0], b[1], b[2], b[3]}), at.share);
 }
 
-Result<GltfTrackKeys> read_track_keys(const Json& sampler, int components,
+Result<GltfTrackKeys> read_track_keys(const GltfJson& sampler, int components,
                                       GltfAccessors& accessors) {
   GltfTrackKeys keys;
   if (!sampler.contains("input") || !sampler.contains("output")) {
@@ -122,7 +122,7 @@ Result<GltfTrackKeys> read_track_keys(const Json& sampler, int components,
       return fail(
           ErrorCode::parse,
           fmt::format("interpolation is {}; allowed are LINEAR, STEP and CUBICSPLINE",
-                      kind->dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40)));
+                      kind->dump(-1, ' ', true, GltfJson::error_handler_t::replace).substr(0, 40)));
     }
   }
   SHG_TRY_ASSIGN(std::vector<double> times, accessors.numbers(sampler["input"], 1));

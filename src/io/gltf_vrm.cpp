@@ -12,11 +12,9 @@
 namespace shigusa {
 namespace {
 
-using Json = nlohmann::json;
-
 // The member of that name, or null where there is none or `json` is no object.
-const Json& member(const Json& json, const char* key) {
-  static const Json none;
+const GltfJson& member(const GltfJson& json, const char* key) {
+  static const GltfJson none;
   const auto found = json.is_object() ? json.find(key) : json.end();
   return json.is_object() && found != json.end() ? *found : none;
 }
@@ -35,7 +33,7 @@ class BoneReader {
  public:
   explicit BoneReader(int nodes) : nodes_(nodes) {}
 
-  void bone(const Json& name, const Json& node) {
+  void bone(const GltfJson& name, const GltfJson& node) {
     // some writers give the node -1 to bones that a character has not
     if (node.is_number_integer() && node == -1) return;
     if (!node.is_number_unsigned() || node >= static_cast<std::uint64_t>(nodes_)) {
@@ -84,17 +82,17 @@ class BoneReader {
 
 }  // namespace
 
-VrmBones read_vrm_bones(const Json& file, int nodes) {
-  const Json& extensions = member(file, "extensions");
-  const Json& old_bones = member(member(member(extensions, "VRM"), "humanoid"), "humanBones");
-  const Json& bones = member(member(member(extensions, "VRMC_vrm"), "humanoid"), "humanBones");
+VrmBones read_vrm_bones(const GltfJson& file, int nodes) {
+  const GltfJson& extensions = member(file, "extensions");
+  const GltfJson& old_bones = member(member(member(extensions, "VRM"), "humanoid"), "humanBones");
+  const GltfJson& bones = member(member(member(extensions, "VRMC_vrm"), "humanoid"), "humanBones");
   BoneReader reader(nodes);
   if (bones.is_object()) {
     reader.version(VrmVersion::v1);
     for (const auto& [name, bone] : bones.items()) reader.bone(name, member(bone, "node"));
   } else if (old_bones.is_array()) {
     reader.version(VrmVersion::v0);
-    for (const Json& bone : old_bones) reader.bone(member(bone, "bone"), member(bone, "node"));
+    for (const GltfJson& bone : old_bones) reader.bone(member(bone, "bone"), member(bone, "node"));
   }
   return reader.finish();
 }

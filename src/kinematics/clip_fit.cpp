@@ -18,8 +18,8 @@ constexpr double kTurnLength = 0.03;  // m: what a turn of 1 rad counts as
 constexpr double kDamping = 1e-9;     // of the mean squared column, where all goes well
 constexpr double kMostDamping = 1e6;
 constexpr int kSteps = 60;
-constexpr int kFirstSteps = 500;  // it may be far from the start
-constexpr double kStill = 1e-10;  // rad: a step that ends the search
+constexpr int kFirstSteps = 500;      // it may be far from the start
+constexpr double kLeastStep = 1e-10;  // rad: a step that ends the search
 
 // The rotation vector of a rotation (rad).
 Vec3d turn_of(const Mat3d& rotation) {
@@ -173,9 +173,9 @@ class ClipFitter {
         angles_.swap(tried_);
         now = then;
         damping = max(0.1 * damping, kDamping);
-        if (largest < kStill) return;
+        if (largest < kLeastStep) return;
       } else {
-        if (largest < kStill) break;
+        if (largest < kLeastStep) break;
         damping *= 10.0;
         forward_kinematics<double>(body_, angles_, placed_);
       }

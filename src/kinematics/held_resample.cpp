@@ -28,10 +28,10 @@ class Holder {
 
   // `angles`: of the frame at the rate.
   void hold(int frame, std::span<double> angles) {
-    constexpr int kSteps = 4;
+    constexpr int kResampleSteps = 4;
     constexpr double kNear = 1e-7;  // m
     const std::vector<IkTarget<double>> targets = targets_at(frame);
-    for (int k = 0; k < kSteps; ++k) {
+    for (int k = 0; k < kResampleSteps; ++k) {
       forward_kinematics<double>(body_, angles, now_);
       double off = 0.0;
       for (const IkTarget<double>& target : targets) {

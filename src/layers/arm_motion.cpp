@@ -11,9 +11,6 @@ namespace shigusa {
 namespace {
 
 constexpr int kStepsPerFrame = 3;
-// The last frame takes further steps, kLastSteps at the most, until the hand is this near (m).
-constexpr double kLastTolerance = 1e-10;
-constexpr int kLastSteps = 12;
 
 // The mass of the elbow's link with all links that it holds.
 MassProperties held_mass(const BodyModel& body, int elbow) {

@@ -11,6 +11,11 @@
 
 namespace shigusa {
 
+// The last frame of a motion takes further steps, at most this number, until the effector is this
+// near its goal (m).
+inline constexpr int kLastSteps = 12;
+inline constexpr double kLastTolerance = 1e-10;
+
 // A limb of the body as layers see it: a ball joint at the trunk, a hinge in the middle and, of a
 // leg, an ankle at the foot, which is planted. An arm holds its joints beyond the elbow as they
 // are at the start, but for a goal that turns the hand. Numbers are those of the body's dofs.

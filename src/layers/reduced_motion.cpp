@@ -10,9 +10,6 @@
 namespace shigusa {
 namespace {
 
-// At most this number of further steps takes off what the two steps of the last frame leave.
-constexpr int kLastSteps = 12;
-constexpr double kLastTolerance = 1e-10;  // m
 // LengthLaw::path shortens an arm by this share at the most of what its hand comes nearer: by all
 // of it the shoulder could stay, but the elbow folds faster than a trunk yields.
 constexpr double kPathShare = 0.5;

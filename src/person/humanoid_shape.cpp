@@ -14,7 +14,7 @@ namespace {
 // Shorter chains (share of the figure's extent) are fingers, faces and ornaments.
 constexpr double kShortestLimb = 0.2;
 // Segment lengths of the two sides may differ by this share of their sum.
-constexpr double kAsymmetry = 0.3;
+constexpr double kLimbAsymmetry = 0.3;
 constexpr std::size_t kFewestSegments = 3;
 // Bounds for figures of many branches; a person's limbs are among the longest.
 constexpr std::size_t kBranchesTried = 6;
@@ -53,7 +53,7 @@ bool similar(const SkeletonTree& tree, int node, int a, int b) {
     difference += abs(x - y);
     sum += x + y;
   }
-  return difference <= kAsymmetry * sum;
+  return difference <= kLimbAsymmetry * sum;
 }
 
 void add_pairs(const SkeletonTree& tree, int node, std::vector<BranchPair>& pairs) {

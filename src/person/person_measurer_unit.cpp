@@ -18,7 +18,7 @@ using F = StatureFractions;
 // A hand shorter than this share of the stature lacks its fingers.
 constexpr double kShortHand = 0.05;
 // Left and right segments of one person differ by less than this share.
-constexpr double kAsymmetry = 0.1;
+constexpr double kSideAsymmetry = 0.1;
 
 constexpr double kShortestPerson = 0.5;  // m
 constexpr double kTallestPerson = 2.5;   // m
@@ -122,7 +122,7 @@ void PersonMeasurer::check_plausibility() {
   const auto left = segment_lengths(body(), Side::left);
   const auto right = segment_lengths(body(), Side::right);
   for (std::size_t i = 0; i < kSegments.size(); ++i) {
-    if (abs(left[i] - right[i]) <= kAsymmetry * max(left[i], right[i])) continue;
+    if (abs(left[i] - right[i]) <= kSideAsymmetry * max(left[i], right[i])) continue;
     doubt("the left {} is {:.3f} m long, the right one {:.3f} m", kSegments[i], left[i], right[i]);
   }
 }

@@ -41,7 +41,7 @@ void tell_sides(const Robot& robot, const std::vector<Transformd>& places, Human
 // Where a forearm ends, in its link's frame: at its shapes' end, else at twice the distance of its
 // centre of mass, or nowhere.
 std::optional<Vec3d> forearm_end(const Robot::Link& link) {
-  constexpr double kShortest = 0.02;  // m
+  constexpr double kShortestFinger = 0.02;  // m
   Vec3d along = link.com;
   if (!link.corners.empty()) {
     Vec3d mean{};
@@ -54,7 +54,7 @@ std::optional<Vec3d> forearm_end(const Robot::Link& link) {
   } else {
     along = along * 2.0;
   }
-  return norm(along) > kShortest ? std::optional(along) : std::nullopt;
+  return norm(along) > kShortestFinger ? std::optional(along) : std::nullopt;
 }
 
 // The joint that a link hangs on, or -1.

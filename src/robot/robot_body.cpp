@@ -26,8 +26,6 @@ double usual_strength(const std::string& part) {
   return is_one_of({"wrist", "neck", "head"}) ? 0.02 : 0.06;
 }
 
-std::size_t at(int i) { return index(i); }
-
 // Which coordinate axis a direction is nearest to, which way, and, where it is none, the frame that
 // has the direction as that axis.
 struct TurnAxis {
@@ -97,7 +95,7 @@ void RobotBuilder::list_moving() {
   of_joint_.assign(robot_.joints.size(), -1);
   const auto add = [&](const std::vector<PersonJoint>& joints) {
     for (const PersonJoint& j : joints) {
-      of_joint_[at(j.joint)] = static_cast<int>(moving_.size());
+      of_joint_[index(j.joint)] = static_cast<int>(moving_.size());
       moving_.push_back({.person = &j});
     }
   };
@@ -129,19 +127,19 @@ void RobotBuilder::find_groups() {
   group_.assign(robot_.links.size(), -1);
   for (std::size_t i = 0; i < group_.size(); ++i) {
     const int carrier = placed_.carrier[i];
-    if (carrier >= 0 && of_joint_[at(carrier)] < 0) {
-      group_[i] = group_[at(robot_.joints[at(carrier)].parent)];
+    if (carrier >= 0 && of_joint_[index(carrier)] < 0) {
+      group_[i] = group_[index(robot_.joints[index(carrier)].parent)];
     } else {
       group_[i] = static_cast<int>(members_.size());
       members_.emplace_back();
     }
-    members_[at(group_[i])].push_back(static_cast<int>(i));
+    members_[index(group_[i])].push_back(static_cast<int>(i));
   }
   link_of_.assign(members_.size(), kBaseLink);
   for (Moving& m : moving_) {
-    const Robot::Joint& joint = robot_.joints[at(m.person->joint)];
-    m.outer = group_[at(m.person->outward ? joint.child : joint.parent)];
-    m.inner = group_[at(m.person->outward ? joint.parent : joint.child)];
+    const Robot::Joint& joint = robot_.joints[index(m.person->joint)];
+    m.outer = group_[index(m.person->outward ? joint.child : joint.parent)];
+    m.inner = group_[index(m.person->outward ? joint.parent : joint.child)];
   }
 }
 
@@ -165,7 +163,7 @@ Vec3d RobotBuilder::shoulder(std::size_t side) const {
 Vec3d RobotBuilder::wrist(std::size_t side) const {
   const PersonLimb& arm = person_.arms[side];
   return arm.begins[3] < arm.joints.size() ? centre(arm.joints[arm.begins[3]])
-                                           : placed_.links[at(arm.end)].translation;
+                                           : placed_.links[index(arm.end)].translation;
 }
 
 void RobotBuilder::measure() {
@@ -176,8 +174,8 @@ void RobotBuilder::measure() {
   const Vec3d trunk = (shoulder(0) + shoulder(1) - hip(0) - hip(1)) * 0.5;
   body_.stature = (legs + norm(trunk)) / (F::kShoulderHeight - F::kAnkleHeight);
   for (const std::size_t s : {0u, 1u}) {
-    soles_[s] = robot_sole(robot_, placed_, members_[at(group_[at(person_.legs[s].end)])], ankle(s),
-                           body_.stature);
+    soles_[s] = robot_sole(robot_, placed_, members_[index(group_[index(person_.legs[s].end)])],
+                           ankle(s), body_.stature);
   }
   const double floor = min(soles_[0].corners[0].y, soles_[1].corners[0].y);
   for (Transformd& link : placed_.links) link.translation.y -= floor;
@@ -189,24 +187,24 @@ void RobotBuilder::measure() {
 }
 
 const Vec3d& RobotBuilder::origin(int link) const {
-  return link == kBaseLink ? base_ : origins_[at(link)];
+  return link == kBaseLink ? base_ : origins_[index(link)];
 }
 
 void RobotBuilder::add_links() {
   body_.base_mass = {};
-  std::vector<int> waiting{group_[at(person_.legs[kRight].end)]};
+  std::vector<int> waiting{group_[index(person_.legs[kRight].end)]};
   std::vector<bool> seen(members_.size(), false);
-  seen[at(waiting[0])] = true;
+  seen[index(waiting[0])] = true;
   while (!waiting.empty()) {
     const int group = waiting.back();
-    const int parent = waiting.size() == 1 ? kBaseLink : link_of_[at(group)];
+    const int parent = waiting.size() == 1 ? kBaseLink : link_of_[index(group)];
     int next = -1;
     for (std::size_t m = 0; m < moving_.size() && next < 0; ++m) {
       const Moving& j = moving_[m];
       const int other = j.inner == group ? j.outer : j.outer == group ? j.inner : -1;
-      if (other < 0 || seen[at(other)]) continue;
+      if (other < 0 || seen[index(other)]) continue;
       next = other;
-      seen[at(other)] = true;
+      seen[index(other)] = true;
       add_dof(moving_[m], other, parent);
     }
     if (next < 0) {
@@ -219,10 +217,10 @@ void RobotBuilder::add_links() {
 
 void RobotBuilder::add_dof(Moving& moving, int group, int parent) {
   const PersonJoint& person = *moving.person;
-  const Robot::Joint& joint = robot_.joints[at(person.joint)];
-  const bool child_moves = group == group_[at(joint.child)];
+  const Robot::Joint& joint = robot_.joints[index(person.joint)];
+  const bool child_moves = group == group_[index(joint.child)];
   const double sign = person.sign;
-  const TurnAxis axis = turn_axis(placed_.axis[at(person.joint)] * (child_moves ? sign : -sign));
+  const TurnAxis axis = turn_axis(placed_.axis[index(person.joint)] * (child_moves ? sign : -sign));
   Dof dof;
   dof.joint = person.part;
   dof.name = unique(person.part + "." + person.freedom);
@@ -240,7 +238,7 @@ void RobotBuilder::add_dof(Moving& moving, int group, int parent) {
   }
   dof.torque_positive = dof.torque_negative = joint.effort;
   moving.dof = static_cast<int>(body_.dofs.size());
-  link_of_[at(group)] = moving.dof;
+  link_of_[index(group)] = moving.dof;
   origins_.push_back(centre(person));
   body_.start.push_back(clamp(0.0, dof.lower, dof.upper));
   body_.dofs.push_back(std::move(dof));
@@ -261,17 +259,17 @@ Result<void> RobotBuilder::add_masses() {
   for (std::size_t g = 0; g < members_.size(); ++g) {
     LinkMass sum;
     for (const int link : members_[g]) {
-      const Robot::Link& l = robot_.links[at(link)];
-      const Transformd& place = placed_.links[at(link)];
+      const Robot::Link& l = robot_.links[index(link)];
+      const Transformd& place = placed_.links[index(link)];
       const Vec3d com = place * l.com;
       sum.add(LinkMass::of(l.mass, com, place.rotation * l.inertia * transpose(place.rotation)));
     }
     if (!(sum.mass > 0.0)) {
-      if (!is_within_joint(g)) massless_.push_back(robot_.links[at(members_[g][0])].name);
+      if (!is_within_joint(g)) massless_.push_back(robot_.links[index(members_[g][0])].name);
       continue;
     }
     const int link = link_of_[g];
-    MassProperties& to = link == kBaseLink ? body_.base_mass : body_.masses[at(link)];
+    MassProperties& to = link == kBaseLink ? body_.base_mass : body_.masses[index(link)];
     to = sum.in_frame(Mat3d{}, origin(link));
     body_.mass += sum.mass;
   }
@@ -304,7 +302,7 @@ bool RobotBuilder::is_within_joint(std::size_t group) const {
 }
 
 int RobotBuilder::dof_of(const PersonJoint& joint) const {
-  return moving_[at(of_joint_[at(joint.joint)])].dof;
+  return moving_[index(of_joint_[index(joint.joint)])].dof;
 }
 
 Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map) {

@@ -8,20 +8,23 @@
 #include "math/axes.hpp"
 
 namespace shigusa {
+
+// A freedom of a person's joint: positive angles turn the outer side about sign · axis.
+struct PersonFreedom {
+  const char* name;
+  Axis axis;
+  double sign;               // on the left side
+  bool sided;                // turned round on the right
+  const JointLimits* usual;  // a person's limits
+};
+
+using Freedoms = std::array<PersonFreedom, 3>;
+
 namespace {
 
 constexpr std::size_t kRight = 1;
 constexpr std::size_t kMiddle = 2;
-constexpr std::array<const char*, 3> kSideWords{"left_", "right_", ""};
-
-// A freedom of a person's joint: positive angles turn the outer side about sign · axis.
-struct Freedom {
-  const char* name;
-  Axis axis;
-  double sign;               // on the left side
-  bool sided;                // the other way round on the right
-  const JointLimits* usual;  // a person's limits
-};
+constexpr std::array<const char*, 3> kSidePrefixes{"left_", "right_", ""};
 
 constexpr JointLimits kHardly{radians(-10), radians(10), 1, 1};
 constexpr JointLimits kTrunkBend{radians(-25), radians(40), 1, 1};
@@ -32,7 +35,6 @@ constexpr JointLimits kTwist{radians(-80), radians(80), 1, 1};
 constexpr JointLimits kWristBend{radians(-70), radians(70), 1, 1};
 constexpr JointLimits kInversion{radians(-15), radians(35), 1, 1};
 
-using Freedoms = std::array<Freedom, 3>;
 constexpr Freedoms kHip{{{"flexion", Axis::x, -1, false, &kHipFlexion},
                          {"abduction", Axis::z, 1, true, &kHipAbduction},
                          {"rotation", Axis::y, 1, true, &kHipRotation}}};
@@ -115,7 +117,7 @@ void JointNamer::name_arm(PersonLimb& arm, std::size_t side, const Vec3d& upper_
 
 void JointNamer::name_part(std::vector<PersonJoint>& joints, const Part& part) const {
   for (std::size_t i = part.first; i < part.last; ++i) {
-    joints[i].part = kSideWords[part.side] + part.name;
+    joints[i].part = kSidePrefixes[part.side] + part.name;
     joints[i].freedom = robot_.joints[index(joints[i].joint)].name;
   }
   std::array<bool, 3> taken{};
@@ -142,7 +144,7 @@ void JointNamer::name_part(std::vector<PersonJoint>& joints, const Part& part) c
     if (freedom == part.freedoms.size()) return;
     taken[freedom] = true;
     named[which] = true;
-    const Freedom& f = part.freedoms[freedom];
+    const PersonFreedom& f = part.freedoms[freedom];
     const bool other_way = f.sided && part.side == kRight;
     joints[which].freedom = f.name;
     joints[which].sign = (turn < 0.0 ? -1.0 : 1.0) * f.sign * (other_way ? -1.0 : 1.0);

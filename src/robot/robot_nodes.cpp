@@ -21,8 +21,6 @@ constexpr double kLeastHand = 0.01;
 constexpr double kHeadJoint = 0.09;
 constexpr double kVertex = 1.0 - F::kShoulderHeight;
 
-std::size_t at(int i) { return index(i); }
-
 }  // namespace
 
 void RobotBuilder::add_foot(std::size_t side) {
@@ -31,7 +29,7 @@ void RobotBuilder::add_foot(std::size_t side) {
   if (sole.corners[0].y > kLiftedFoot) return;
   const int end = person_.legs[side].end;
   Foot foot{.name = std::string(kSides[side]) + "foot",
-            .node = robot_.links[at(end)].name,
+            .node = robot_.links[index(end)].name,
             .link = link_of(end),
             .centre = {},
             .outline = {}};
@@ -45,9 +43,9 @@ void RobotBuilder::add_foot(std::size_t side) {
 int RobotBuilder::hand_link(std::size_t side) const {
   const PersonLimb& arm = person_.arms[side];
   for (const char* word : {"grip", "palm", "hand"}) {
-    for (const int link : members_[at(group_[at(arm.end)])]) {
-      const std::string name = lower(robot_.links[at(link)].name);
-      const double beyond = norm(placed_.links[at(link)].translation - wrist(side));
+    for (const int link : members_[index(group_[index(arm.end)])]) {
+      const std::string name = lower(robot_.links[index(link)].name);
+      const double beyond = norm(placed_.links[index(link)].translation - wrist(side));
       const bool apart = beyond > kLeastHand * body_.stature;
       if (apart && name.find(word) != name.npos) return link;
     }
@@ -60,8 +58,8 @@ void RobotBuilder::add_hand(std::size_t side) {
   hands_[side] = hand_link(side);
   const int link = link_of(hands_[side]);
   body_.effectors.push_back({std::string(kSides[side]) + "hand",
-                             robot_.links[at(hands_[side])].name, link,
-                             local(link, placed_.links[at(hands_[side])].translation),
+                             robot_.links[index(hands_[side])].name, link,
+                             local(link, placed_.links[index(hands_[side])].translation),
                              dof_of(arm.joints[arm.begins[1]])});
 }
 
@@ -81,8 +79,8 @@ void RobotBuilder::add_capsules() {
   for (const std::size_t side : {kRight, 1 - kRight}) {
     const std::string prefix = kSides[side];
     const PersonLimb& leg = person_.legs[side];
-    const int thigh = moving_[at(of_joint_[at(leg.joints[leg.begins[1] - 1].joint)])].outer;
-    add_capsule(prefix + "thigh", link_of_[at(thigh)], knee(side), hip(side), kThighRadius);
+    const int thigh = moving_[index(of_joint_[index(leg.joints[leg.begins[1] - 1].joint)])].outer;
+    add_capsule(prefix + "thigh", link_of_[index(thigh)], knee(side), hip(side), kThighRadius);
     const Effector& hand = body_.effectors[side == kRight ? 0 : 1];
     add_capsule(prefix + "hand", hand.link, wrist(side), origin(hand.link) + hand.point,
                 kForearmRadius);
@@ -92,9 +90,9 @@ void RobotBuilder::add_capsules() {
 void RobotBuilder::add_nodes() {
   const Vec3d hips = (hip(0) + hip(1)) * 0.5;
   name_nodes();
-  const int pelvis = group_[at(person_.pelvis)];
+  const int pelvis = group_[index(person_.pelvis)];
   node_of_.assign(members_.size(), -1);
-  node_of_[at(pelvis)] = add_node("hips", -1, pelvis, hips);
+  node_of_[index(pelvis)] = add_node("hips", -1, pelvis, hips);
   for (const PersonLimb& leg : person_.legs) add_chain(leg.joints);
   add_chain(person_.spine);
   for (const PersonLimb& arm : person_.arms) add_chain(arm.joints);
@@ -120,7 +118,7 @@ void RobotBuilder::name_nodes() {
       names_.emplace(arm.joints[arm.begins[3]].joint, prefix + "hand");
     }
     for (const int link : {hands_[side], leg.end}) {
-      taken_.push_back(robot_.links[at(link)].name);
+      taken_.push_back(robot_.links[index(link)].name);
     }
   }
   if (!person_.neck.empty()) {
@@ -131,7 +129,7 @@ void RobotBuilder::name_nodes() {
 
 int RobotBuilder::add_node(const std::string& name, int parent, int group, const Vec3d& world,
                            bool end_site) {
-  const int link = link_of_[at(group)];
+  const int link = link_of_[index(group)];
   body_.nodes.push_back({name, parent, link, local(link, world), end_site});
   return static_cast<int>(body_.nodes.size()) - 1;
 }
@@ -144,57 +142,59 @@ std::string RobotBuilder::free_name(std::string name) {
 
 void RobotBuilder::add_chain(const std::vector<PersonJoint>& joints) {
   for (const PersonJoint& j : joints) {
-    const Moving& m = moving_[at(of_joint_[at(j.joint)])];
+    const Moving& m = moving_[index(of_joint_[index(j.joint)])];
     const auto name = names_.find(j.joint);
-    const Robot::Joint& joint = robot_.joints[at(j.joint)];
-    node_of_[at(m.outer)] =
+    const Robot::Joint& joint = robot_.joints[index(j.joint)];
+    node_of_[index(m.outer)] =
         add_node(free_name(name != names_.end()
                                ? name->second
-                               : robot_.links[at(j.outward ? joint.child : joint.parent)].name),
-                 node_of_[at(m.inner)], m.outer, centre(j));
+                               : robot_.links[index(j.outward ? joint.child : joint.parent)].name),
+                 node_of_[index(m.inner)], m.outer, centre(j));
   }
 }
 
 void RobotBuilder::add_head() {
   const Vec3d shoulders = (shoulder(0) + shoulder(1)) * 0.5;
-  const int chest = group_[at(person_.chest)];
+  const int chest = group_[index(person_.chest)];
   const Vec3d top = shoulders + Vec3d{0.0, kVertex * body_.stature, 0.0};
   if (person_.neck.empty()) {
     const Vec3d joint = shoulders + Vec3d{0.0, kHeadJoint * body_.stature, 0.0};
-    const int head = add_node(free_name("head"), node_of_[at(chest)], chest, joint);
+    const int head = add_node(free_name("head"), node_of_[index(chest)], chest, joint);
     add_node("", head, chest, top, true);
     return;
   }
-  const int group = moving_[at(of_joint_[at(person_.neck.back().joint)])].outer;
-  int head = node_of_[at(group)];
+  const int group = moving_[index(of_joint_[index(person_.neck.back().joint)])].outer;
+  int head = node_of_[index(group)];
   if (person_.neck.size() == 1) {
     head = add_node(free_name("head"), head, group,
                     shoulders + Vec3d{0.0, kHeadJoint * body_.stature, 0.0});
   }
-  const Vec3d above = origin(link_of_[at(group)]) + Vec3d{0.0, 0.5 * kVertex * body_.stature, 0.0};
+  const Vec3d above =
+      origin(link_of_[index(group)]) + Vec3d{0.0, 0.5 * kVertex * body_.stature, 0.0};
   add_node("", head, group, top.y > above.y ? top : above, true);
 }
 
 void RobotBuilder::add_hand_nodes(std::size_t side) {
   const PersonLimb& arm = person_.arms[side];
-  const int group = group_[at(arm.end)];
-  const Vec3d grip = placed_.links[at(hands_[side])].translation;
+  const int group = group_[index(arm.end)];
+  const Vec3d grip = placed_.links[index(hands_[side])].translation;
   const std::string vocabulary = std::string(kSides[side]) + "hand";
-  int parent = node_of_[at(group)];
+  int parent = node_of_[index(group)];
   const bool has_wrist = arm.begins[3] < arm.joints.size();
-  if (!has_wrist && robot_.links[at(hands_[side])].name != vocabulary) {
-    parent = add_node(free_name(vocabulary), parent, group, placed_.links[at(arm.end)].translation);
+  if (!has_wrist && robot_.links[index(hands_[side])].name != vocabulary) {
+    parent =
+        add_node(free_name(vocabulary), parent, group, placed_.links[index(arm.end)].translation);
   }
-  const int node = add_node(robot_.links[at(hands_[side])].name, parent, group, grip);
+  const int node = add_node(robot_.links[index(hands_[side])].name, parent, group, grip);
   const Vec3d along = normalized(wrist(side) - elbow(side));
   add_node("", node, group, grip + along * (0.3 * F::kHand * body_.stature), true);
 }
 
 void RobotBuilder::add_foot_nodes(std::size_t side) {
   const int end = person_.legs[side].end;
-  const int group = group_[at(end)];
-  const int parent = node_of_[at(group)];
-  add_node(robot_.links[at(end)].name, parent, group, placed_.links[at(end)].translation);
+  const int group = group_[index(end)];
+  const int parent = node_of_[index(group)];
+  add_node(robot_.links[index(end)].name, parent, group, placed_.links[index(end)].translation);
   const Vec3d toe = (soles_[side].corners[0] + soles_[side].corners[3]) * 0.5;
   add_node("", static_cast<int>(body_.nodes.size()) - 1, group, toe, true);
 }
@@ -215,7 +215,7 @@ void RobotBuilder::add_robot_frame() {
       if (joint.turns) still_names_.push_back(joint.name);
       continue;
     }
-    const Moving& m = moving_[at(of_joint_[j])];
+    const Moving& m = moving_[index(of_joint_[j])];
     to.dof = m.dof;
     to.sign = m.person->sign;
   }
