@@ -78,7 +78,7 @@ struct OfPlace {
 };
 
 OfPlace of_place(const Subject& subject, const Place& place) {
-  GoalSearch searched(subject.body, place.position, default_criteria());
+  GoalSearch searched(subject.body, place.position);
   const SearchProblem problem = searched.problem();
   const std::vector<double> tuned =
       cma_es_search(problem, {.evaluations = kTuned, .seed = 1}).best_seen.point;

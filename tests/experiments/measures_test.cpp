@@ -52,7 +52,7 @@ TEST(Quantile, IsTheNearestOfTheSortedValues) {
 
 TEST(GoalSearch, ScoresInLanesAsInDouble) {
   const BodyModel body = full_body();
-  GoalSearch searched(body, {0.25, 0.55, 0.50}, default_criteria());
+  GoalSearch searched(body, {0.25, 0.55, 0.50});
   const SearchProblem problem = searched.problem();
   double score = 0.0;
   problem.evaluate(problem.start, {&score, 1});
