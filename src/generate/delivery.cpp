@@ -52,18 +52,18 @@ struct Replayed {
 
 class Delivery {
  public:
-  Delivery(const Task& task, Planner& planner, std::size_t approach, const Selection& choice,
+  Delivery(const Task& task, Planner& planner, std::size_t approach, const Selection& selection,
            GenerateResult& generation)
       : task_(task),
         policy_(policy_of(task)),
         planner_(planner),
         approach_(approach),
-        choice_(choice),
+        selection_(selection),
         generation_(generation) {}
 
   void take_picked() {
     std::vector<Candidate> nearer;
-    for (const Individual& individual : choice_.picked) {
+    for (const Individual& individual : selection_.picked) {
       if (is_enough()) return;
       std::optional<Replayed> replayed = replay(individual.point, kDistinctEnd, false);
       if (!replayed) continue;
@@ -82,7 +82,7 @@ class Delivery {
   void take_styles() {
     if (!policy_.styles) return;
     std::array<int, kStyles> tried{};
-    for (const Archived& spare : choice_.spare) {
+    for (const Archived& spare : selection_.spare) {
       if (has_free(spare.style)) continue;
       if (tried[static_cast<std::size_t>(spare.style)]++ < policy_.tries) {
         take_spare(spare, kDistinctEnd);
@@ -93,9 +93,9 @@ class Delivery {
   void take_spares() {
     for (const double apart : policy_.spare_distances) {
       int tries = 0;
-      for (const Archived& spare : choice_.spare) {
+      for (const Archived& spare : selection_.spare) {
         if (is_enough() || tries >= policy_.tries) break;
-        if (spare.score > choice_.picked.front().score + kCandidateSpread) break;
+        if (spare.score > selection_.picked.front().score + kCandidateSpread) break;
         if (has_like(spare, apart)) continue;
         ++tries;
         take_spare(spare, apart);
@@ -174,7 +174,7 @@ class Delivery {
   Policy policy_;
   Planner& planner_;
   std::size_t approach_;
-  const Selection& choice_;
+  const Selection& selection_;
   GenerateResult& generation_;
   int taken_ = 0;
 };
@@ -223,8 +223,8 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
                         GenerateResult& generation) {
   generation.missed = generation.over_limit = generation.replay_differs = 0;
   generation.replay_difference = 0.0;
-  Selection& choice = found.choice;
-  Delivery delivery(task, planner, approach, choice, generation);
+  Selection& selection = found.selection;
+  Delivery delivery(task, planner, approach, selection, generation);
   delivery.take_picked();
   delivery.take_styles();
   delivery.take_spares();
@@ -233,9 +233,9 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
   if (traits_of(task.preset).natural) {
     traits_of(task.preset).layers ? keep_within_limits(generation) : drop_collisions(generation);
   }
-  choice.similar = count_similar(choice, generation.candidates, delivery.taken());
+  selection.similar = count_similar(selection, generation.candidates, delivery.taken());
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);
-  generation.fewer = why_fewer(task, generation, choice);
+  generation.fewer = why_fewer(task, generation, selection);
 }
 
 }  // namespace shigusa

@@ -119,7 +119,7 @@ class UpperSearch {
   }
 
   // The found postures that are worth expanding, best first.
-  [[nodiscard]] Selection choice(const SearchResult& found) const {
+  [[nodiscard]] Selection selection(const SearchResult& found) const {
     return keeps_ends() ? distinct_postures(archive_, kPickedPerCandidate * task_.candidates)
                         : Selection{.picked = ranked_population(found)};
   }
@@ -190,8 +190,8 @@ class LayeredPlanner : public Planner {
 
   Found search(const Task& task, std::size_t approach, const Progress& progress) override {
     search_.emplace(task, problem_, tried_[approach], libraries_);
-    Found found{.result = search_->run(progress), .choice = {}, .best_seen = {}};
-    found.choice = search_->choice(found.result);
+    Found found{.result = search_->run(progress), .selection = {}, .best_seen = {}};
+    found.selection = search_->selection(found.result);
     found.best_seen = search_->as_searched(found.result.best_seen.point);
     found.best_seen_score = found.result.best_seen.score;
     return found;

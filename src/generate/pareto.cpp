@@ -169,7 +169,7 @@ void search_front(const Task& task, Planner& planner, std::size_t approach,
     const Found found =
         planner.search(part, approach, joint.part(1.0 / static_cast<double>(mixtures.size())));
     add_counts(found.result, generation);
-    for (const Individual& individual : found.choice.picked) {
+    for (const Individual& individual : found.selection.picked) {
       const Expanded expanded = planner.expand(individual.point);
       if (auto arrival = planner.arrival(expanded.values, approach)) {
         all.push_back(planner.candidate(expanded, std::move(*arrival)));

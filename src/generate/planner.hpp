@@ -29,7 +29,7 @@ struct Arrival {
 // The result of one search.
 struct Found {
   SearchResult result;
-  Selection choice;      // the points that are worth a replay
+  Selection selection;   // the points that are worth a replay
   Parameters best_seen;  // the values of the best of all points evaluated, kept or not
   double best_seen_score = 0.0;
 };

@@ -11,19 +11,19 @@ namespace shigusa {
 Selection distinct_postures(const Archive& archive, int most) {
   const std::vector<Archived> ranked = archive.ranked();
   std::vector<const Archived*> picked;
-  Selection choice;
+  Selection selection;
   const auto near = [](const Archived& a, const Archived& b) {
     return posture_distance(a.posture, b.posture) < kDistinctEnd + kEndSlack;
   };
   // for what is met upright nobody squats
   const bool bends = !ranked.empty() && ranked.front().style != Style::upright;
   for (const bool new_style_only : {true, false}) {
-    choice.worse = 0;
+    selection.worse = 0;
     for (const Archived& archived : ranked) {
       if (static_cast<int>(picked.size()) >= most) break;
       const double spread = new_style_only && bends ? kStyleSpread : kCandidateSpread;
       if (archived.score > ranked.front().score + spread) {
-        ++choice.worse;
+        ++selection.worse;
         continue;
       }
       const bool is_hidden = std::any_of(picked.begin(), picked.end(), [&](const Archived* better) {
@@ -33,14 +33,14 @@ Selection distinct_postures(const Archive& archive, int most) {
     }
   }
   for (const Archived* archived : picked) {
-    choice.picked.push_back({archived->point, archived->score});
+    selection.picked.push_back({archived->point, archived->score});
   }
   for (const Archived& archived : ranked) {
     if (archived.score > ranked.front().score + (bends ? kStyleSpread : kCandidateSpread)) break;
     const bool is_picked = std::find(picked.begin(), picked.end(), &archived) != picked.end();
-    if (!is_picked) choice.spare.push_back(archived);
+    if (!is_picked) selection.spare.push_back(archived);
   }
-  return choice;
+  return selection;
 }
 
 bool ends_like(const Candidate& candidate, const Archived& archived, double apart) {
@@ -49,11 +49,11 @@ bool ends_like(const Candidate& candidate, const Archived& archived, double apar
   return posture_distance(end, archived.posture) < apart;
 }
 
-int count_similar(const Selection& choice, std::span<const Candidate> candidates, int taken) {
-  if (choice.picked.empty()) return 0;
-  const double most = choice.picked.front().score + kCandidateSpread;
+int count_similar(const Selection& selection, std::span<const Candidate> candidates, int taken) {
+  if (selection.picked.empty()) return 0;
+  const double most = selection.picked.front().score + kCandidateSpread;
   const auto alike = std::count_if(
-      choice.spare.begin(), choice.spare.end(), [&candidates, most](const Archived& spare) {
+      selection.spare.begin(), selection.spare.end(), [&candidates, most](const Archived& spare) {
         return spare.score <= most &&
                std::any_of(candidates.begin(), candidates.end(),
                            [&spare](const Candidate& c) { return ends_like(c, spare, kNearEnd); });
@@ -61,16 +61,17 @@ int count_similar(const Selection& choice, std::span<const Candidate> candidates
   return std::max(static_cast<int>(alike) - taken, 0);
 }
 
-std::string why_fewer(const Task& task, const GenerateResult& generation, const Selection& choice) {
+std::string why_fewer(const Task& task, const GenerateResult& generation,
+                      const Selection& selection) {
   if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
   const bool by_end = traits_of(task.preset).natural;
   std::vector<std::string> reasons;
   const auto add = [&](int count, std::string_view what) {
     if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
   };
-  add(by_end ? choice.similar : generation.near_copies,
+  add(by_end ? selection.similar : generation.near_copies,
       by_end ? "end within 5° of a better one" : "move as a better one does");
-  add(choice.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
+  add(selection.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
   add(generation.over_limit, "pass a joint's limit");
   add(generation.collided, "pass deeper through the body, an obstacle or the floor");
   add(generation.missed, "miss the goal, leave the path or move a foot when replayed");

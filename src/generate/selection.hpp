@@ -28,11 +28,11 @@ struct Selection {
 
 // The number of spare points little worse than the best that end nearly as a candidate does, less
 // the `taken` ones, which became candidates themselves.
-[[nodiscard]] int count_similar(const Selection& choice, std::span<const Candidate> candidates,
+[[nodiscard]] int count_similar(const Selection& selection, std::span<const Candidate> candidates,
                                 int taken);
 
 // Why there are fewer candidates than the task asks for; empty where there are not.
 [[nodiscard]] std::string why_fewer(const Task& task, const GenerateResult& generation,
-                                    const Selection& choice);
+                                    const Selection& selection);
 
 }  // namespace shigusa

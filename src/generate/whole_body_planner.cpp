@@ -57,11 +57,12 @@ class WholeBodyPlanner : public Planner {
   Found search(const Task& task, std::size_t approach, const Progress& progress) override {
     const ReachProblem& problem = approaches_[approach];
     WholeBodySearch searched(problem, task);
-    Found found{.result = searched.run(progress), .choice = {}, .best_seen = {}};
+    Found found{.result = searched.run(progress), .selection = {}, .best_seen = {}};
     space_ = searched.space();
-    found.choice = traits_of(task.preset).natural
-                       ? distinct_postures(searched.archive(), kKeptPerCandidate * task.candidates)
-                       : Selection{.picked = ranked_population(found.result)};
+    found.selection =
+        traits_of(task.preset).natural
+            ? distinct_postures(searched.archive(), kKeptPerCandidate * task.candidates)
+            : Selection{.picked = ranked_population(found.result)};
     found.best_seen = space_->decode(found.result.best_seen.point);
     found.best_seen_score = replayed_score(problem, found.best_seen);
     return found;
