@@ -303,7 +303,7 @@ S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
 
 // Jᵀ y, y being the solution that stands in the residual
 template <class S>
-void pull_joints(int blocks, IkWorkspace<S>& workspace) {
+[[gnu::always_inline]] inline void pull_joints(int blocks, IkWorkspace<S>& workspace) {
   for (S& pull : workspace.pull) pull = S(0);
   for (int b = 0; b < blocks; ++b) {
     const auto& block = workspace.blocks[b];

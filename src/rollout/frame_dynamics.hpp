@@ -25,8 +25,8 @@ class FrameDynamics {
 
   // The frame angles[1], speeds by central differences between its neighbours angles[0] and
   // angles[2] (dofs, rad). `now`: the placement in it.
-  [[nodiscard]] PlacedFrame<S> frame(std::span<const std::vector<S>> angles,
-                                     const Kinematics<S>& now) {
+  [[nodiscard, gnu::always_inline]] PlacedFrame<S> frame(std::span<const std::vector<S>> angles,
+                                                         const Kinematics<S>& now) {
     const BodyModel& body = *problem_->body;
     const double rate = problem_->steps / problem_->duration;
     const S half_rate(0.5 * rate);
