@@ -87,8 +87,8 @@ SHIGUSA_API shigusa_status shigusa_character_create(const char* spec, const void
                                                     shigusa_character** character);
 SHIGUSA_API void shigusa_character_free(shigusa_character* character); /* null is allowed */
 
-/* The character as it was understood: the object that `shigusa body --json` prints, with the nodes that
- * SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS move: "nodes": [{"name", "parent" (index or -1),
+/* The character as it was understood: the object that `shigusa body --json` prints, with the nodes
+ * that SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS move: "nodes": [{"name", "parent" (index or -1),
  * "offset" [x, y, z], "file_node" (of glTF: index in the file)}], "node_unit_m" (metres per unit of
  * their translations), and "support_polygon" [[x, z], …] (m, what the feet stand on). */
 SHIGUSA_API shigusa_status shigusa_character_describe(const shigusa_character* character,
@@ -119,9 +119,9 @@ SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, 
 SHIGUSA_API shigusa_status shigusa_restore(const shigusa_character* character, const char* summary,
                                            shigusa_result** result);
 
-/* Restores a result, watched as a search is: evaluations are the motions that are done. Where the caller
- * stops it there is no result (SHIGUSA_CANCELLED). A result of 1000 candidates, the most there may
- * be, takes some seconds. */
+/* Restores a result, watched as a search is: evaluations are the motions that are done. Where the
+ * caller stops it there is no result (SHIGUSA_CANCELLED). A result of 1000 candidates, the most
+ * there may be, takes some seconds. */
 SHIGUSA_API shigusa_status shigusa_restore_watched(const shigusa_character* character,
                                                    const char* summary, const shigusa_watch* watch,
                                                    shigusa_result** result);
