@@ -15,6 +15,18 @@ namespace shigusa {
 /// A side of the body, as the person has it.
 enum class Side { left, right };
 
+/// The limb that a joint is of.
+enum class LimbKind { trunk, arm, leg };
+
+/// Where a freedom or an effector is on a person: "left_hip.flexion" is the freedom "flexion" of
+/// the joint "hip" of the left leg.
+struct JointPlace {
+  std::optional<Side> side{};       ///< none of the trunk, and of what both sides share
+  LimbKind limb = LimbKind::trunk;  ///< that it is of
+  std::string joint{};              ///< "hip", "upper_chest", "hand"
+  std::string freedom{};            ///< "flexion"; empty of an effector
+};
+
 /// A body as the kernel computes with it.
 template <class T>
 struct BodyConstants;
@@ -41,6 +53,7 @@ struct Dof {
   /// How much the freedom gives beside the other freedoms at the same weight, in (0, 1]: less than
   /// 1 of one that gives way last (the toes).
   double give = 1.0;
+  JointPlace part{};  ///< by the name; BodyModel sets it
 };
 
 /// An upper limit that grows with another angle: hamstrings let the hip flex further when the knee
@@ -66,6 +79,7 @@ struct Effector {
   int link = 0;       ///< that carries the point
   Vec3d point{};      ///< m, in the link frame
   int limb_root = 0;  ///< first dof of the limb that it ends: the shoulder's
+  JointPlace part{};  ///< by the name; BodyModel sets it
 };
 
 /// A part of the body as a line with a thickness; moves with `link`.

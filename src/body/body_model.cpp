@@ -5,6 +5,7 @@
 
 #include "body/body_constants.hpp"
 #include "body/coupled_limits.hpp"
+#include "body/joint_name.hpp"
 #include "core/check.hpp"
 #include "core/index.hpp"
 #include "further_effectors.hpp"
@@ -66,6 +67,8 @@ BodyDefinition checked(BodyDefinition body) {
     SHG_CHECK(coupling.driver >= 0 && coupling.driver < count, "limit coupling");
     SHG_CHECK(coupling.driver_full > 0.0, "limit coupling");
   }
+  for (Dof& dof : body.dofs) dof.part = parse_joint_name(dof.name);
+  for (Effector& effector : body.effectors) effector.part = parse_joint_name(effector.name);
   return body;
 }
 

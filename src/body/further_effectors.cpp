@@ -43,8 +43,8 @@ int limb_root(const BodyDefinition& body, int link) {
   }
   const int count = static_cast<int>(body.dofs.size());
   for (int d = 0; d < count; ++d) {
-    const std::string& joint = body.dofs[static_cast<std::size_t>(d)].joint;
-    const bool root = joint.ends_with("_shoulder") || joint.ends_with("_hip") || joint == "neck";
+    const std::string& joint = body.dofs[static_cast<std::size_t>(d)].part.joint;
+    const bool root = joint == "shoulder" || joint == "hip" || joint == "neck";
     if (root && moves(body, d, link) && !moves(body, d, pelvis)) return d;
   }
   int first = link;
@@ -89,7 +89,12 @@ std::vector<Effector> further_effectors(const BodyDefinition& body) {
     if (node.name.empty() || node.end_site || node.link == kBaseLink) continue;
     const std::string name = word_of_node(body, node.name);
     if (known(name, node.name)) continue;
-    further.push_back({name, node.name, node.link, node.point, limb_root(body, node.link)});
+    further.push_back({.name = name,
+                       .node = node.name,
+                       .link = node.link,
+                       .point = node.point,
+                       .limb_root = limb_root(body, node.link),
+                       .part = parse_joint_name(name)});
     for (const NodePlace& place : body.places) {
       if (place.node == node.name) further.back().point = place.point;
     }

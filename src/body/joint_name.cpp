@@ -22,13 +22,13 @@ bool is_of_both_legs(std::string_view joint) {
   return joint == "legs" || std::find(kLegWords.begin(), kLegWords.end(), joint) != kLegWords.end();
 }
 
-}  // namespace
-
-LimbKind JointName::limb() const {
+LimbKind limb_of(const std::optional<Side>& side, std::string_view joint) {
   if (side) return has_leg_word(joint) ? LimbKind::leg : LimbKind::arm;
   if (is_of_both_legs(joint)) return LimbKind::leg;
   return joint == "arms" ? LimbKind::arm : LimbKind::trunk;
 }
+
+}  // namespace
 
 std::string_view without_side(std::string_view name) {
   for (const std::string_view side : {kLeft, kRight}) {
@@ -37,15 +37,16 @@ std::string_view without_side(std::string_view name) {
   return name;
 }
 
-JointName parse_joint_name(std::string_view name) {
-  JointName parsed;
-  if (name.starts_with(kLeft)) parsed.side = Side::left;
-  if (name.starts_with(kRight)) parsed.side = Side::right;
+JointPlace parse_joint_name(std::string_view name) {
+  JointPlace part;
+  if (name.starts_with(kLeft)) part.side = Side::left;
+  if (name.starts_with(kRight)) part.side = Side::right;
   const std::string_view rest = without_side(name);
   const std::size_t dot = rest.find('.');
-  parsed.joint = rest.substr(0, dot);
-  if (dot != rest.npos) parsed.freedom = rest.substr(dot + 1);
-  return parsed;
+  part.joint = rest.substr(0, dot);
+  if (dot != rest.npos) part.freedom = rest.substr(dot + 1);
+  part.limb = limb_of(part.side, part.joint);
+  return part;
 }
 
 std::string with_other_side(std::string_view name) {

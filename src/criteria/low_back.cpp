@@ -14,7 +14,7 @@ BackConstants back_constants(const BodyModel& body) {
   double hips = 0.0;
   for (int d = 0; d < body.dof_count(); ++d) {
     const Dof& dof = body.dof(d);
-    if (!dof.joint.ends_with("_hip") || !dof.name.ends_with(".flexion")) continue;
+    if (dof.part.joint != "hip" || dof.part.freedom != "flexion") continue;
     back.dofs.push_back(d);
     hips += dof.torque_negative;
   }

@@ -10,10 +10,10 @@ namespace {
 
 // The limb that a goal moves, by the effector's name; none of the trunk and the head.
 std::optional<Limb> limb_of(std::string_view effector) {
-  const JointName joint = parse_joint_name(effector);
-  if (!joint.side) return std::nullopt;
-  const bool left = joint.side == Side::left;
-  if (joint.limb() == LimbKind::leg) return left ? Limb::left_leg : Limb::right_leg;
+  const JointPlace part = parse_joint_name(effector);
+  if (!part.side) return std::nullopt;
+  const bool left = part.side == Side::left;
+  if (part.limb == LimbKind::leg) return left ? Limb::left_leg : Limb::right_leg;
   return left ? Limb::left_arm : Limb::right_arm;
 }
 

@@ -15,9 +15,10 @@ Style style_of(const std::optional<double>& stoop_squat_index) {
 
 Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()), meter_(body), angles_(dofs_) {
   for (std::size_t d = 0; d < dofs_; ++d) {
-    const std::string& name = body.dofs()[d].name;
-    if (name == "right_hip.rotation") descriptors_[0].push_back(d);
-    if (name.ends_with("shoulder.rotation")) descriptors_[1].push_back(d);
+    const JointPlace& part = body.dofs()[d].part;
+    if (part.freedom != "rotation") continue;
+    if (part.joint == "hip" && part.side == Side::right) descriptors_[0].push_back(d);
+    if (part.joint == "shoulder") descriptors_[1].push_back(d);
   }
 }
 

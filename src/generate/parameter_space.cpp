@@ -5,7 +5,6 @@
 #include <array>
 #include <utility>
 
-#include "body/joint_name.hpp"
 #include "core/check.hpp"
 #include "search/genetic.hpp"
 #include "search/genetic_operators.hpp"
@@ -26,12 +25,10 @@ std::vector<bool> useful_dofs(const ReachProblem& problem) {
 }
 
 // "hip.flexion" of "left_hip.flexion", "spine.flexion" of all of its joints; arms keep their side
-std::string shared_name(const std::string& name) {
-  const JointName joint = parse_joint_name(name);
-  if (joint.joint == "chest" || joint.joint == "upper_chest") {
-    return "spine." + std::string(joint.freedom);
-  }
-  return joint.limb() == LimbKind::leg ? std::string(without_side(name)) : name;
+std::string shared_name(const Dof& dof) {
+  const JointPlace& part = dof.part;
+  if (part.joint == "chest" || part.joint == "upper_chest") return "spine." + part.freedom;
+  return part.limb == LimbKind::leg ? part.joint + "." + part.freedom : dof.name;
 }
 
 // Fixes in both phases each parameter that is fixed for the motion, unless the later phase has its
@@ -142,7 +139,7 @@ void ParameterSpace::add_weight(Gene gene, const std::vector<bool>& useful) {
   gene.upper = kLogWeightRange;
   if (named_) {
     if (!useful[d]) return;
-    gene.name = (gene.later ? std::string(kLaterPrefix) : "") + shared_name(body_->dofs()[d].name);
+    gene.name = (gene.later ? std::string(kLaterPrefix) : "") + shared_name(body_->dofs()[d]);
     const auto same = [&gene](const Gene& other) { return other.name == gene.name; };
     if (const auto own = std::find_if(genes_.begin(), genes_.end(), same); own != genes_.end()) {
       own->dofs.push_back(d);

@@ -15,7 +15,7 @@ constexpr std::size_t kArmToElbow = 4;
 constexpr std::size_t kArmToHand = 7;
 
 // "right" of "right_ankle"
-std::string side_of(const Dof& dof) { return dof.joint.substr(0, dof.joint.find('_')); }
+std::string side_of(const Dof& dof) { return dof.part.side == Side::left ? "left" : "right"; }
 
 bool is_ball(const BodyModel& body, int x, int z, int y) {
   return body.dof(x).axis == Axis::x && body.dof(z).axis == Axis::z && body.dof(y).axis == Axis::y;

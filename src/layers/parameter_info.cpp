@@ -10,12 +10,11 @@ namespace {
 
 // "right_leg" of "right_knee.flexion", "legs", "trunk"
 std::string limb_group(std::string_view name) {
-  const JointName joint = parse_joint_name(name);
-  const LimbKind limb = joint.limb();
-  if (limb == LimbKind::trunk) return "trunk";
-  if (!joint.side) return limb == LimbKind::leg ? "legs" : "arms";
-  const std::string side = joint.side == Side::left ? "left_" : "right_";
-  return side + (limb == LimbKind::leg ? "leg" : "arm");
+  const JointPlace part = parse_joint_name(name);
+  if (part.limb == LimbKind::trunk) return "trunk";
+  if (!part.side) return part.limb == LimbKind::leg ? "legs" : "arms";
+  const std::string side = part.side == Side::left ? "left_" : "right_";
+  return side + (part.limb == LimbKind::leg ? "leg" : "arm");
 }
 
 std::string group_of(ParameterKind kind, std::string_view name) {

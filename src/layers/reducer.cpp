@@ -97,7 +97,7 @@ class Reducer {
     hold_to_limits(dof, joint);
     ReducedDof& added = reduced_.dofs.back();
     // the joints of the spine go by one weight for each freedom of its
-    const std::string_view freedom = parse_joint_name(from.name).freedom;
+    const std::string& freedom = from.part.freedom;
     for (const TrunkJoint& earlier : reduced_.joints) {
       const ReducedDof& other = reduced_.dofs[static_cast<std::size_t>(earlier.dof)];
       if (!is_of_arm(dof) && other.weight_of < 0 &&
@@ -210,9 +210,10 @@ class Reducer {
     limb.carrier = carrier;
     for (const TrunkJoint& joint : reduced_.joints) {
       if (!is_of_arm(joint.of_body) || !body_.moves(joint.of_body, arm.carrier)) continue;
-      const std::string& name = body_.dof(joint.of_body).name;
-      if (name.ends_with("clavicle.elevation")) limb.elevation = joint.dof;
-      if (name.ends_with("clavicle.protraction")) limb.protraction = joint.dof;
+      const JointPlace& part = body_.dof(joint.of_body).part;
+      if (part.joint != "clavicle") continue;
+      if (part.freedom == "elevation") limb.elevation = joint.dof;
+      if (part.freedom == "protraction") limb.protraction = joint.dof;
     }
   }
 

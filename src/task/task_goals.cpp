@@ -8,7 +8,6 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
-#include "body/joint_name.hpp"
 #include "body/stance.hpp"
 
 namespace shigusa {
@@ -94,8 +93,8 @@ Vec3d bow_of(const Vec3d& offset) {
 
 // The offset (m) by which a path to `offset` from its start sways: square to path and bow, outwards
 // on the effector's side; a path that leads sideways sways upwards.
-Vec3d sway_of(const Vec3d& offset, const Vec3d& bow, const std::string& effector) {
-  const Vec3d out{parse_joint_name(effector).side == Side::left ? 1.0 : -1.0, 0.1, 0.0};
+Vec3d sway_of(const Vec3d& offset, const Vec3d& bow, const Effector& effector) {
+  const Vec3d out{effector.part.side == Side::left ? 1.0 : -1.0, 0.1, 0.0};
   const Vec3d sway = cross(normalized(offset), bow);
   return dot(sway, out) < 0.0 ? -sway : sway;
 }
@@ -113,12 +112,13 @@ double limb_length(const BodyModel& body, const Effector& effector) {
 // where heels lift, its toes.
 bool is_foot(const BodyModel& body, int effector) {
   const Effector& e = body.effector(effector);
-  const std::string& root = body.dof(e.limb_root).joint;
-  const std::string& joint = body.dof(e.link).joint;
-  if (!root.ends_with("_hip")) return false;
-  if (joint.ends_with("_toes")) return true;
-  const std::string side = joint.substr(0, joint.size() - without_side(joint).size());
-  return joint.ends_with("_ankle") && !body.find_dof(side + "toes.flexion");
+  const JointPlace& end = body.dof(e.link).part;
+  if (body.dof(e.limb_root).part.joint != "hip") return false;
+  const auto has_toes = [&end](const Dof& dof) {
+    return dof.part.side == end.side && dof.part.joint == "toes" && dof.part.freedom == "flexion";
+  };
+  return end.joint == "toes" ||
+         (end.joint == "ankle" && std::none_of(body.dofs().begin(), body.dofs().end(), has_toes));
 }
 
 // The goal's effector, where the body has it.
@@ -240,7 +240,7 @@ Result<ReachGoal> make_reach_goal(const BodyModel& body, const Kinematics<double
     return reach;
   }
   reach.bow = bow_of(offset);
-  reach.sway = sway_of(offset, reach.bow, effector.name);
+  reach.sway = sway_of(offset, reach.bow, effector);
   return reach;
 }
 
@@ -273,7 +273,7 @@ std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals)
   for (const Goal& goal : goals) {
     const auto index = body.find_effector(goal.effector);
     const bool limb = !index || *index < static_cast<int>(body.effectors().size()) ||
-                      parse_joint_name(body.effector(*index).name).side;
+                      body.effector(*index).part.side;
     if (limb) return goal.position;
   }
   return std::nullopt;

@@ -9,11 +9,11 @@ namespace shigusa {
 namespace {
 
 TEST(JointName, TellsSideJointAndFreedom) {
-  const JointName hip = parse_joint_name("left_hip.flexion");
+  const JointPlace hip = parse_joint_name("left_hip.flexion");
   EXPECT_EQ(hip.side, Side::left);
   EXPECT_EQ(hip.joint, "hip");
   EXPECT_EQ(hip.freedom, "flexion");
-  const JointName chest = parse_joint_name("upper_chest.rotation");
+  const JointPlace chest = parse_joint_name("upper_chest.rotation");
   EXPECT_FALSE(chest.side);
   EXPECT_EQ(chest.joint, "upper_chest");
   EXPECT_EQ(chest.freedom, "rotation");
@@ -24,13 +24,13 @@ TEST(JointName, TellsSideJointAndFreedom) {
 
 TEST(JointName, TellsTheLimb) {
   for (const char* leg : {"left_hip.flexion", "right_foot", "left_toes", "hip.flexion", "legs"}) {
-    EXPECT_EQ(parse_joint_name(leg).limb(), LimbKind::leg) << leg;
+    EXPECT_EQ(parse_joint_name(leg).limb, LimbKind::leg) << leg;
   }
   for (const char* arm : {"left_clavicle.elevation", "right_hand", "left_wrist", "arms"}) {
-    EXPECT_EQ(parse_joint_name(arm).limb(), LimbKind::arm) << arm;
+    EXPECT_EQ(parse_joint_name(arm).limb, LimbKind::arm) << arm;
   }
   for (const char* trunk : {"hips", "spine.flexion", "upper_chest", "head", ""}) {
-    EXPECT_EQ(parse_joint_name(trunk).limb(), LimbKind::trunk) << trunk;
+    EXPECT_EQ(parse_joint_name(trunk).limb, LimbKind::trunk) << trunk;
   }
 }
 
