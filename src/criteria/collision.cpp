@@ -25,6 +25,13 @@ void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& 
 
 }  // namespace
 
+CollisionPairs::CollisionPairs() = default;
+CollisionPairs::CollisionPairs(const CollisionPairs&) = default;
+CollisionPairs::CollisionPairs(CollisionPairs&&) noexcept = default;
+CollisionPairs& CollisionPairs::operator=(const CollisionPairs&) = default;
+CollisionPairs& CollisionPairs::operator=(CollisionPairs&&) noexcept = default;
+CollisionPairs::~CollisionPairs() = default;
+
 CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& settings) {
   CollisionPairs pairs;
   for (const CapsulePair& pair : all_limb_pairs(body)) {

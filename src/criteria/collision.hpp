@@ -18,6 +18,14 @@ namespace shigusa {
 // All that can collide in a body, and how deep it does at the start: that depth is not held against
 // a motion.
 struct CollisionPairs {
+  // in the source file, where all SIMD sets share them
+  CollisionPairs();
+  CollisionPairs(const CollisionPairs&);
+  CollisionPairs(CollisionPairs&&) noexcept;
+  CollisionPairs& operator=(const CollisionPairs&);
+  CollisionPairs& operator=(CollisionPairs&&) noexcept;
+  ~CollisionPairs();
+
   struct Pair {
     int limb = 0;          // capsule
     int other = 0;         // capsule or obstacle
