@@ -29,7 +29,7 @@ class PackStages final : public Stages {
         ik_(body_),
         dynamics_(body_),
         criteria_(body_, *input.criteria),
-        rollout_(problem_) {
+        rollout_(problem_, LostMotion::left) {
     // somewhere beside the start posture, so that nothing is 0
     for (std::size_t d = 0; d < angles_.size(); ++d) angles_[d] = S(body_.start()[d] + 0.05);
     for (const IkTarget<double>& target : ik_targets(problem_)) {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # check_simd_symbols.sh LIBRARY: fails when an object file of the static LIBRARY that is compiled for
-# a SIMD set (pack_scorer_avx2, pack_scorer_avx512) defines a function that other files may define
+# a SIMD set (pack_scorer_avx2, pack_layers_avx512, …) defines a function that other files may define
 # too, and that does not bear the set's pack in its name. Of such functions the linker keeps one
 # copy: the whole program might get the one with instructions that the machine lacks. And fails when
 # another file defines a function of such a pack, which it would hand over in other registers.
@@ -19,23 +19,25 @@ symbols=$(nm --defined-only --demangle "$library" | awk '
   { print file ": " $0 }')
 
 bad=0
-for set in avx2:8 avx512:16; do
-  name=pack_scorer_${set%:*}
-  lanes=${set#*:}
+for set in scorer_avx2:Scorer:8 scorer_avx512:Scorer:16 layers_avx2:Layers:8 layers_avx512:Layers:16; do
+  name=pack_${set%%:*}
+  lanes=${set##*:}
+  pack=${set#*:}
+  pack=Pack${pack%:*}
   own=$(printf '%s\n' "$symbols" | sed -n "s/^$name\\.[^:]*: //p")
-  if ! printf '%s\n' "$own" | grep -qF "PackScorer<$lanes>"; then
-    echo "check_simd_symbols: $library has no $name with PackScorer<$lanes>" >&2
+  if ! printf '%s\n' "$own" | grep -qF "$pack<$lanes>"; then
+    echo "check_simd_symbols: $library has no $name with $pack<$lanes>" >&2
     bad=1
     continue
   fi
   found=$(printf '%s\n' "$own" | grep -E "$shared" | grep -vE "$harmless" |
-    grep -vE "Pack<float, $lanes>|PackScorer<$lanes>") || continue
+    grep -vE "Pack<float, $lanes>|$pack<$lanes>") || continue
   printf '%s\n' "$found" | sed -E "s/$shared/$name shares with the rest of the program: /"
   bad=1
 done
-if printf '%s\n' "$symbols" | grep -v '^pack_scorer_avx' | grep -E ': [0-9a-f]* [WwiuTt] ' |
+if printf '%s\n' "$symbols" | grep -vE '^pack_(scorer|layers)_avx' | grep -E ': [0-9a-f]* [WwiuTt] ' |
   grep -E 'Pack<float, (8|16)>'; then
-  echo "check_simd_symbols: only pack_scorer_avx2 and pack_scorer_avx512 may use these packs"
+  echo "check_simd_symbols: only the files of a SIMD set may use these packs"
   bad=1
 fi
 exit "$bad"

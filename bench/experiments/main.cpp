@@ -23,10 +23,10 @@ using namespace shigusa::bench;
 
 constexpr const char* kUsage =
     "usage: shigusa_experiments DOCS_FOLDER [--quick] [--goal-seed N] [--only SECTION]\n"
-    "sections: paper searches layers styles nlp parameters limits query, and remarks, which\n"
+    "sections: paper searches layers styles nlp parameters limits best query, and remarks, which\n"
     "measures nothing and puts docs/experiments_remarks.md in anew\n";
 constexpr std::string_view kSections[] = {"paper",      "searches", "layers", "styles", "nlp",
-                                          "parameters", "limits",   "query",  "remarks"};
+                                          "parameters", "limits",   "best",   "query",  "remarks"};
 
 struct Arguments {
   std::filesystem::path docs;
@@ -116,6 +116,7 @@ int write_page(const Arguments& arguments, const std::string& query_program) {
       {"nlp", "NLP-IK against weighted IK", [&] { return against_nlp(plan, subjects); }},
       {"parameters", "What earns its place", [&] { return what_earns_its_place(plan, subjects); }},
       {"limits", "Limits, and goals that are met", [&] { return limits_and_goals(plan); }},
+      {"best", "Near the best", [&] { return near_the_best(plan); }},
       {"query", "A default query", [&] { return one_query(plan, query_program); }},
   };
   const std::filesystem::path file = arguments.docs / "experiments.md";

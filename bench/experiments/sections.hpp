@@ -32,6 +32,8 @@ struct Picture {
 [[nodiscard]] std::string what_earns_its_place(const Plan& plan, std::span<const Subject> subjects);
 // Limits, and goals that are met, over many random goals.
 [[nodiscard]] std::string limits_and_goals(const Plan& plan);
+// The best score at the default budget against the best that is known.
+[[nodiscard]] std::string near_the_best(const Plan& plan);
 // Time and memory of a default query; `program` is shigusa_query.
 [[nodiscard]] std::string one_query(const Plan& plan, const std::string& program);
 

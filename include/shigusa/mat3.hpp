@@ -74,24 +74,38 @@ template <class S>
   return m;
 }
 
-/// Rot(axis, angle) · v, given the sine and cosine of the angle.
+/// The coordinates a and b of a vector, seen after a turn from a towards b.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vec3<S> turned(const Vec3<S>& v, Axis axis,
-                                                        const SinCos<S>& a) {
+[[gnu::always_inline]] inline void turn_coordinates(S& a, S& b, const SinCos<S>& turn) {
+  const S before = a;
+  a = a * turn.cos + b * turn.sin;
+  b = b * turn.cos - before * turn.sin;
+}
+
+/// v := Rot(axis, -angle) · v, given the sine and cosine of the angle: v seen from a frame that is
+/// turned.
+template <class S>
+[[gnu::always_inline]] inline void turn_back(Vec3<S>& v, Axis axis, const SinCos<S>& a) {
   switch (axis) {
     case Axis::x:
-      return {v.x, v.y * a.cos - v.z * a.sin, v.z * a.cos + v.y * a.sin};
+      return turn_coordinates(v.y, v.z, a);
     case Axis::y:
-      return {v.x * a.cos + v.z * a.sin, v.y, v.z * a.cos - v.x * a.sin};
+      return turn_coordinates(v.z, v.x, a);
     default:
-      return {v.x * a.cos - v.y * a.sin, v.y * a.cos + v.x * a.sin, v.z};
+      return turn_coordinates(v.x, v.y, a);
   }
 }
-/// Rot(axis, -angle) · v, given those of the angle: v seen from a frame that is turned.
+/// v := Rot(axis, angle) · v.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vec3<S> turned_back(const Vec3<S>& v, Axis axis,
-                                                             const SinCos<S>& a) {
-  return turned(v, axis, {-a.sin, a.cos});
+[[gnu::always_inline]] inline void turn_forth(Vec3<S>& v, Axis axis, const SinCos<S>& a) {
+  switch (axis) {
+    case Axis::x:
+      return turn_coordinates(v.z, v.y, a);
+    case Axis::y:
+      return turn_coordinates(v.x, v.z, a);
+    default:
+      return turn_coordinates(v.y, v.x, a);
+  }
 }
 
 /// Rotation about a coordinate axis by an angle in radians.

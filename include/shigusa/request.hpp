@@ -17,9 +17,8 @@
 namespace shigusa {
 
 /// Motions that the preset flat scores where a task says nothing else.
-inline constexpr int kFlatEvaluations = 1800;
-/// Motions that the preset human scores, whose upper motions are played in double one by one, each
-/// with a few swivels of its arms.
+inline constexpr int kFlatEvaluations = 1008;
+/// Motions that the preset human scores, each of which takes two of the preset flat.
 inline constexpr int kHumanEvaluations = 600;
 /// Motions that the preset flat scores by NLP-IK, which takes some ten times as long for one and
 /// knows no lanes.

@@ -50,6 +50,12 @@ template <class S>
 [[nodiscard]] inline bool any(bool condition) { return condition; }
 /// Whether the condition holds in all lanes.
 [[nodiscard]] inline bool all(bool condition) { return condition; }
+/// x rounded to the nearest integer, |x| below 2^51.
+[[nodiscard]] inline double nearest_integer(double x) {
+  // adding and subtracting 1.5·2^52 rounds
+  constexpr double kRound = 6755399441055744.0;
+  return (x + kRound) - kRound;
+}
 /// False for infinities and NaN.
 [[nodiscard]] inline bool is_finite(double x) { return x - x == 0.0; }
 
@@ -69,9 +75,7 @@ struct SinCos {
   constexpr double kHigh = 0x1.921fb544p+0;
   constexpr double kMiddle = 0x1.0b4611a6p-34;
   constexpr double kLow = 0x1.3198a2e037073p-69;
-  // adding and subtracting 1.5·2^52 rounds to the nearest integer
-  constexpr double kRound = 6755399441055744.0;
-  const double n = (angle * (2.0 / kPi) + kRound) - kRound;
+  const double n = nearest_integer(angle * (2.0 / kPi));
   const bool in_range = n > -1e9 && n < 1e9;
   const double reduced = ((angle - n * kHigh) - n * kMiddle) - n * kLow;
   const double x = in_range ? reduced : __builtin_nan("");
@@ -169,10 +173,9 @@ struct SinCos {
 [[nodiscard]] inline double exponential(double x) {
   if (!(x > -746.0)) return x <= -746.0 ? 0.0 : x;
   if (x > 710.0) return __builtin_inf();
-  constexpr double kRound = 6755399441055744.0;  // see sin_cos
-  constexpr double kHigh = 0x1.62e42feep-1;      // see natural_log
+  constexpr double kHigh = 0x1.62e42feep-1;  // see natural_log
   constexpr double kLow = 0x1.a39ef35793c76p-33;
-  const double k = (x * 1.44269504088896340736 + kRound) - kRound;
+  const double k = nearest_integer(x * 1.44269504088896340736);
   const double r = (x - k * kHigh) - k * kLow;
   double series = 1.0;
   for (int n = 14; n >= 2; --n) series = 1.0 + series * (r / n);

@@ -87,8 +87,8 @@ inline constexpr double kUpperArmRadius = 0.026;
 inline constexpr double kHeadBreadth = 0.150 / 1.756;
 inline constexpr double kHeadDepth = 0.195 / 1.756;
 inline constexpr double kJawRadius = 0.5 * 0.120 / 1.756;
-inline constexpr double kNeckRadius = 0.380 / (2.0 * kPi) / 1.756;
-inline constexpr double kCalfRadius = 0.380 / (2.0 * kPi) / 1.756;
+inline constexpr double kNeckRadius = 0.380 / kTwoPi / 1.756;
+inline constexpr double kCalfRadius = 0.380 / kTwoPi / 1.756;
 inline constexpr double kChinBelowVertex = 1.0 - 0.870;
 // A capsule is as thick all along; a shank is as thick as the calf in its upper half alone.
 inline constexpr double kShankRadius = 0.93 * kCalfRadius;

@@ -5,8 +5,6 @@ namespace shigusa {
 
 namespace {
 
-constexpr double kRounding = 1.0001;  // of single precision, and more
-
 // m, of a capsule from its middle
 double reach_of(const BodyModel& body, int number) {
   const Capsule& capsule = body.capsules()[index(number)];
@@ -36,7 +34,8 @@ CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& s
   CollisionPairs pairs;
   for (const CapsulePair& pair : all_limb_pairs(body)) {
     const double together = reach_of(body, pair.limb) + reach_of(body, pair.part);
-    pairs.parts.push_back({pair.limb, pair.part, 0.0, kRounding * together * together});
+    const auto near = static_cast<float>(kApartSlack * together * together);
+    pairs.parts.push_back({pair.limb, pair.part, 0.0, near});
   }
   for (const Effector& effector : body.effectors()) add_floor(body, effector, pairs);
   for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {

@@ -30,7 +30,7 @@ struct CollisionPairs {
     int limb = 0;          // capsule
     int other = 0;         // capsule or obstacle
     double allowed = 0.0;  // m, depth of the start posture where it is above 0
-    double near = 0.0;  // m², of parts: squared distance of the middles beyond which they are apart
+    float near = 0.0F;  // m², of parts: squared distance of the middles beyond which they are apart
   };
   std::vector<Pair> parts;      // limbs and parts of the body
   std::vector<Pair> obstacles;  // any capsule and one of `shapes`
@@ -44,20 +44,26 @@ struct CollisionPairs {
 enum class CollisionKind { part, obstacle, floor };
 
 // Calls visit(pair, kind, depth in m beyond what is allowed) for all that can collide, but for
-// parts that are far from each other in all lanes. `placed` is scratch memory, one for each of the
-// body's capsules.
+// parts that are apart from each other in all lanes. `placed` is scratch memory, one for each of
+// the body's capsules.
 template <class S, class Pairs, class Visitor>
 void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& kinematics,
                       std::span<PlacedCapsule<S>> placed, Visitor&& visit) {
   const auto radius = [&](int c) { return body.capsules()[index(c)].radius; };
   for (std::size_t c = 0; c < placed.size(); ++c) {
-    placed[c] = placed_capsule(body.capsules()[c], kinematics);
+    const Capsule& capsule = body.capsules()[c];
+    place_capsule(capsule.link, to_scalar<Element<S>>(capsule.from),
+                  to_scalar<Element<S>>(capsule.to), kinematics, placed[c]);
   }
   for (auto& pair : pairs.parts) {
-    const Vec3<S> between = placed[index(pair.limb)].middle - placed[index(pair.other)].middle;
-    if (!any(dot(between, between) < S(pair.near))) continue;
-    const S apart = sqrt(square_distance(placed[index(pair.limb)], placed[index(pair.other)]));
+    const PlacedCapsule<S>& limb = placed[index(pair.limb)];
+    const PlacedCapsule<S>& part = placed[index(pair.other)];
+    const Vec3<S> between = limb.middle - part.middle;
+    const S square = dot(between, between);
+    if (!any(square < S(pair.near))) continue;
     const double radii = radius(pair.limb) + radius(pair.other);
+    if (!any(may_touch(limb, part, between, square, radii))) continue;
+    const S apart = sqrt(square_distance(limb, part));
     visit(pair, CollisionKind::part, S(radii - pair.allowed) - apart);
   }
   for (auto& pair : pairs.obstacles) {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <shigusa/motion_measures.hpp>
 
-#include "body/coupled_limits.hpp"
 #include "criteria/collision.hpp"
+#include "criteria/limit_excess.hpp"
 
 namespace shigusa {
 
@@ -25,19 +25,12 @@ std::vector<JointLoad> joint_loads(const BodyModel& body, const Motion& motion) 
 }
 
 std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
+  PassedLimits<double> passed(body);
+  for (int f = 0; f < clip.frames; ++f) passed.add(clip.frame(f));
   std::vector<LimitExcess> all;
-  for (const Dof& dof : body.dofs()) all.push_back({dof.name, 0.0});
-  CoupledLimits<double> coupled(body);
-  for (int f = 0; f < clip.frames; ++f) {
-    const std::span<const double> angles = clip.frame(f);
-    coupled.update(angles);
-    for (std::size_t d = 0; d < all.size(); ++d) {
-      const double upper = body.dofs()[d].upper + coupled.added()[d];
-      all[d].excess = max(all[d].excess, max(angles[d] - upper, body.dofs()[d].lower - angles[d]));
-    }
+  for (std::size_t d = 0; d < passed.most().size(); ++d) {
+    if (passed.most()[d] > kSeenExcess) all.push_back({body.dofs()[d].name, passed.most()[d]});
   }
-  // less than a tenth of a degree is nothing that anyone sees
-  std::erase_if(all, [](const LimitExcess& one) { return one.excess <= radians(0.1); });
   std::stable_sort(all.begin(), all.end(),
                    [](const LimitExcess& a, const LimitExcess& b) { return a.excess > b.excess; });
   return all;

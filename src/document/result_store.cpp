@@ -2,10 +2,13 @@
 // Results in folders: what programs with files do, and pages do not.
 #include <fcntl.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <shigusa/export.hpp>
 #include <shigusa/file.hpp>
+#include <shigusa/parallel.hpp>
 
+#include "core/index.hpp"
 #include "export_file.hpp"
 #include "result_folder.hpp"
 
@@ -22,15 +25,44 @@ std::string from_folder(const fs::path& character, const fs::path& folder) {
   return error ? std::string() : path.generic_string();
 }
 
+// Makes the files of one format, those of some candidates side by side: as many at once as threads,
+// so that no more are held than that.
+class FilesMade {
+ public:
+  FilesMade(const FinishedRun& run, FileFormat format, double rate)
+      : run_(run), format_(format), rate_(rate) {}
+
+  // The file of each candidate, asked for in their order.
+  Result<MadeFile> file(std::size_t candidate) {
+    const std::size_t block = index(thread_count(run_.task.batch.threads));
+    if (candidate % block == 0) make(candidate, block);
+    return std::move(made_[candidate % block]);
+  }
+
+ private:
+  void make(std::size_t first, std::size_t block) {
+    const std::vector<Candidate>& candidates = run_.generation.candidates;
+    made_.resize(std::min(block, candidates.size() - first));
+    parallel_for(static_cast<int>(made_.size()), run_.task.batch.threads, [&](int number, int) {
+      const std::size_t i = first + index(number);
+      const CharacterSpec& character = run_.file.character;
+      const FileSettings settings{rate_, candidate_animation(character, i + 1)};
+      made_[index(number)] = make_file({character, run_.task, candidates[i], settings}, format_);
+    });
+  }
+
+  const FinishedRun& run_;
+  FileFormat format_;
+  double rate_;
+  std::vector<Result<MadeFile>> made_;
+};
+
 // Adds the files of one format to the folder, and notes them in `files`.
 Result<void> add_files(const FinishedRun& run, FileFormat format, ResultFolder& folder,
                        ResultFiles& files) {
-  const CharacterSpec& character = run.file.character;
-  const std::vector<Candidate>& candidates = run.generation.candidates;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const FileSettings settings{files.rate, candidate_animation(character, i + 1)};
-    SHG_TRY_ASSIGN(const auto made,
-                   make_file({character, run.task, candidates[i], settings}, format));
+  FilesMade all(run, format, files.rate);
+  for (std::size_t i = 0; i < run.generation.candidates.size(); ++i) {
+    SHG_TRY_ASSIGN(const MadeFile made, all.file(i));
     const std::string name = candidate_file(i + 1, format);
     SHG_TRY_ASSIGN(std::string sha256, folder.add(name, made.bytes));
     files.candidates[i][std::string(word_of(format))] = {name, std::move(sha256), made.back};

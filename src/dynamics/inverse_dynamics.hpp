@@ -90,33 +90,41 @@ template <class S>
   return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
 }
 
-// the movement beyond one more freedom, which turns with speed qd and acceleration qdd
+// The movement beyond one more freedom, which turns with speed qd and acceleration qdd. In place,
+// by coordinates, as whatever is handed on as a whole goes through memory.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Movement<S> turned_on(const Movement<S>& m, Axis axis,
-                                                               const SinCos<S>& turn, const S& qd,
-                                                               const S& qdd) {
-  Vec3<S> w = turned_back(m.spin, axis, turn);
-  Vec3<S> r = turned_back(m.spin_rate, axis, turn);
-  const Vec3<S> a = turned_back(m.acceleration, axis, turn);
+[[gnu::always_inline]] inline void turn_on(Movement<S>& m, Axis axis, const SinCos<S>& turn,
+                                           const S& qd, const S& qdd) {
+  Vec3<S>& w = m.spin;
+  Vec3<S>& r = m.spin_rate;
+  turn_back(w, axis, turn);
+  turn_back(r, axis, turn);
+  turn_back(m.acceleration, axis, turn);
   switch (axis) {
     case Axis::x:
-      r += Vec3<S>{qdd, w.z * qd, -(w.y * qd)};
+      r.x = r.x + qdd;
+      r.y = r.y + w.z * qd;
+      r.z = r.z - w.y * qd;
       w.x = w.x + qd;
       break;
     case Axis::y:
-      r += Vec3<S>{-(w.z * qd), qdd, w.x * qd};
+      r.x = r.x - w.z * qd;
+      r.y = r.y + qdd;
+      r.z = r.z + w.x * qd;
       w.y = w.y + qd;
       break;
     default:
-      r += Vec3<S>{w.y * qd, -(w.x * qd), qdd};
+      r.x = r.x + w.y * qd;
+      r.y = r.y - w.x * qd;
+      r.z = r.z + qdd;
       w.z = w.z + qd;
   }
-  return {w, r, a};
 }
 
-// the movement seen from a frame that is turned against the one before by the inverse of `to`
+// the movement seen from a frame that is turned against the one before by the inverse of `to`;
+// seldom needed, and a function of its own, as it would keep the movement of all joints in memory
 template <class S, class T>
-[[nodiscard]] Movement<S> seen_from(const Movement<S>& m, const Mat3<T>& to) {
+[[nodiscard, gnu::noinline]] Movement<S> seen_from(const Movement<S>& m, const Mat3<T>& to) {
   const Mat3<S> r = to_scalar<S>(to);
   return {r * m.spin, r * m.spin_rate, r * m.acceleration};
 }
@@ -143,14 +151,13 @@ template <class S>
                                               const Kinematics<S>& kinematics,
                                               JointRates<S> rates) {
   const auto& joint = constants.joints[i];
-  if (joint.slants) m = seen_from(m, transpose(constants.turns[i]));
+  if (joint.slants) m = seen_from(Movement<S>(m), transpose(constants.turns[i]));
   for (std::size_t d = index(joint.first); d <= index(joint.link); ++d) {
     const auto& dof = constants.dofs[d];
-    m = turned_on(m, dof.axis, kinematics.turn[d],
-                  dof.negative ? -rates.speeds[d] : rates.speeds[d],
-                  dof.negative ? -rates.accelerations[d] : rates.accelerations[d]);
+    turn_on(m, dof.axis, kinematics.turn[d], dof.negative ? -rates.speeds[d] : rates.speeds[d],
+            dof.negative ? -rates.accelerations[d] : rates.accelerations[d]);
   }
-  if (joint.slants) m = seen_from(m, constants.turns[i]);
+  if (joint.slants) m = seen_from(Movement<S>(m), constants.turns[i]);
 }
 
 // From the base outwards: how each piece moves, and what its own mass takes of its joint. `lift`
@@ -161,16 +168,17 @@ template <class S>
                                                  JointRates<S> rates, const Vec3<S>& lift,
                                                  DynamicsWorkspace<S>& work) {
   Vec3<S> mass_moment = kinematics.point(kBaseLink, constants.base_com) * S(constants.base_mass);
+  const typename DynamicsWorkspace<S>::Piece base{{{}, {}, lift}, {{}, {}, {}}, {}};
   for (std::size_t i = 0; i < constants.joints.size(); ++i) {
     const auto& joint = constants.joints[i];
     auto& piece = work.pieces[i];
-    Movement<S> m{{}, {}, lift};
-    if (joint.parent >= 0) {
-      const auto& parent = work.pieces[index(joint.parent)];
-      const auto& offset = constants.dofs[index(joint.first)].offset;
-      m = {parent.movement.spin, parent.movement.spin_rate,
-           parent.movement.acceleration + times_place(parent.turning, offset, joint.hangs)};
-    }
+    const auto& parent = joint.parent < 0 ? base : work.pieces[index(joint.parent)];
+    const auto& offset = constants.dofs[index(joint.first)].offset;
+    const Vec3<S> carried = times_place(parent.turning, offset, joint.hangs);
+    const Movement<S>& p = parent.movement;
+    Movement<S> m{{p.spin.x, p.spin.y, p.spin.z},
+                  {p.spin_rate.x, p.spin_rate.y, p.spin_rate.z},
+                  p.acceleration + carried};
     pass_joint(m, i, constants, kinematics, rates);
     piece.movement.spin = m.spin;
     piece.movement.spin_rate = m.spin_rate;
@@ -223,8 +231,8 @@ template <class S>
       const auto& dof = constants.dofs[d];
       const S along = component(moment, dof.axis);
       tau[d] = dof.negative ? -along : along;
-      force = turned(force, dof.axis, kinematics.turn[d]);
-      moment = turned(moment, dof.axis, kinematics.turn[d]);
+      turn_forth(force, dof.axis, kinematics.turn[d]);
+      turn_forth(moment, dof.axis, kinematics.turn[d]);
     }
     if (joint.slants) {
       const Mat3<S> turn = to_scalar<S>(constants.turns[i]);

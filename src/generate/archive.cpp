@@ -74,6 +74,14 @@ void Archive::insert(Archived archived, std::vector<Archived>& cell) {
   if (cell.size() > kPerCell) cell.pop_back();
 }
 
+const Archived* Archive::best() const {
+  const Archived* best = nullptr;
+  for (const auto& [cell, kept] : cells_) {
+    if (best == nullptr || kept.front().score < best->score) best = &kept.front();
+  }
+  return best;
+}
+
 std::vector<Archived> Archive::ranked() const {
   std::vector<Archived> all;
   for (const auto& [cell, kept] : cells_) all.insert(all.end(), kept.begin(), kept.end());

@@ -49,6 +49,9 @@ class Archive {
   // Takes in what another of the same body keeps, as if its motions had come after.
   void add(const Archive& later);
 
+  // The best of all, the first of equals in their order below; null where nothing is kept. Valid
+  // until something is added.
+  [[nodiscard]] const Archived* best() const;
   // All that is kept, best first; equal scores in the order of their cells and of their coming.
   [[nodiscard]] std::vector<Archived> ranked() const;
 

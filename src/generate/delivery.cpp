@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <shigusa/parallel.hpp>
 #include <utility>
 
 #include "candidate.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
 namespace {
@@ -43,6 +45,13 @@ Style end_style(const Candidate& candidate) {
   return style_of(candidate.final_posture.stoop_squat_index);
 }
 
+// A point's motion, played before anyone asks what becomes of it.
+struct Ahead {
+  Expanded expanded{};
+  std::optional<Arrival> arrival{};
+  std::optional<Candidate> candidate{};
+};
+
 // A motion that was played again, before it is a candidate.
 struct Replayed {
   Candidate candidate;
@@ -63,9 +72,13 @@ class Delivery {
 
   void take_picked() {
     std::vector<Candidate> nearer;
-    for (const Individual& individual : selection_.picked) {
+    std::vector<Ahead> ahead = play_ahead();
+    for (std::size_t i = 0; i < selection_.picked.size(); ++i) {
+      const Individual& individual = selection_.picked[i];
       if (is_enough()) return;
-      std::optional<Replayed> replayed = replay(individual.point, kDistinctEnd, false);
+      Ahead played =
+          i < ahead.size() ? std::move(ahead[i]) : play(planner_.expand(individual.point));
+      std::optional<Replayed> replayed = replayed_of(std::move(played), kDistinctEnd, false);
       if (!replayed) continue;
       if (!replayed->copy) {
         add(std::move(*replayed), individual.score);
@@ -136,26 +149,50 @@ class Delivery {
     });
   }
 
-  // Plays a point's motion again; none where it misses, or is a copy that the policy has no use
-  // for.
-  std::optional<Replayed> replay(std::span<const double> point, double apart, bool of_free) {
-    const Expanded expanded = planner_.expand(point);
-    std::optional<Arrival> arrival = planner_.arrival(expanded.values, approach_);
-    if (!arrival) {
+  [[nodiscard]] Ahead play(Expanded expanded) const {
+    Ahead played{.expanded = std::move(expanded)};
+    played.arrival = planner_.arrival(played.expanded.values, approach_);
+    return played;
+  }
+
+  // Plays the first picked points side by side: as many as are candidates if none is a copy.
+  [[nodiscard]] std::vector<Ahead> play_ahead() {
+    const int threads = thread_count(task_.batch.threads);
+    if (threads == 1) return {};
+    std::vector<Ahead> ahead(std::min(selection_.picked.size(), index(task_.candidates)));
+    for (std::size_t i = 0; i < ahead.size(); ++i) {
+      ahead[i].expanded = planner_.expand(selection_.picked[i].point);
+    }
+    parallel_for(static_cast<int>(ahead.size()), threads, [&](int i, int) {
+      Ahead& played = ahead[index(i)];
+      played = play(std::move(played.expanded));
+      // other people's criteria are called from one thread
+      if (!played.arrival || !task_.criteria.user.empty()) return;
+      played.candidate = planner_.candidate(played.expanded, *played.arrival);
+    });
+    return ahead;
+  }
+
+  // The motion as a candidate: none where it misses, or is a copy that the policy has no use for.
+  std::optional<Replayed> replayed_of(Ahead played, double apart, bool of_free) {
+    if (!played.arrival) {
       ++generation_.missed;
       return std::nullopt;
     }
-    const bool copy = is_copy(arrival->rolled.motion.clip, apart, of_free);
+    const bool copy = is_copy(played.arrival->rolled.motion.clip, apart, of_free);
     if (copy) ++generation_.near_copies;
     if (copy && !policy_.near_copies) return std::nullopt;
-    const bool as_searched = arrival->as_searched;
-    return Replayed{planner_.candidate(expanded, std::move(*arrival)), as_searched, copy};
+    const bool as_searched = played.arrival->as_searched;
+    if (!played.candidate) {
+      played.candidate = planner_.candidate(played.expanded, std::move(*played.arrival));
+    }
+    return Replayed{std::move(*played.candidate), as_searched, copy};
   }
 
   // Takes a spare motion that is no copy of a free candidate: candidates that pass through
   // something are left out in the end.
   void take_spare(const Archived& spare, double apart) {
-    std::optional<Replayed> replayed = replay(spare.point, apart, true);
+    std::optional<Replayed> replayed = replayed_of(play(planner_.expand(spare.point)), apart, true);
     if (!replayed || replayed->copy || !is_free(replayed->candidate)) return;
     add(std::move(*replayed), spare.score);
     ++taken_;

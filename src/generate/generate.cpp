@@ -63,14 +63,51 @@ Result<void> check_choices(const Task& task) {
   return {};
 }
 
-// Searches on the approaches from `first` on, one after the other, until something arrives: where
-// the first does it, as nearly always, that is all.
-void search_approaches(const Task& task, Planner& planner, std::size_t first,
+// The approaches that are searched, one after the other.
+struct Approaches {
+  std::size_t first = 0;
+  // all of them, unless the first leads to something possible; else until something arrives
+  bool all = false;
+};
+
+bool has_possible(const GenerateResult& generation) {
+  return status_of(true, generation.candidates) == ReachStatus::reached;
+}
+
+// Whether the best of one approach's candidates is better than another's, possible ones first.
+bool is_better(const GenerateResult& one, const GenerateResult& other) {
+  if (other.candidates.empty()) return true;
+  if (one.candidates.empty()) return false;
+  if (has_possible(one) != has_possible(other)) return has_possible(one);
+  return one.candidates.front().score.total < other.candidates.front().score.total;
+}
+
+// Adds another approach's search, and takes its candidates where they are better.
+void add_approach(GenerateResult other, GenerateResult& generation) {
+  other.evaluations += generation.evaluations;
+  other.rejected_nan += generation.rejected_nan;
+  if (is_better(other, generation)) {
+    generation = std::move(other);
+    return;
+  }
+  generation.evaluations = other.evaluations;
+  generation.rejected_nan = other.rejected_nan;
+  generation.end = other.end;
+}
+
+// Searches on approaches until something arrives: where the first does it, as nearly always, that
+// is all.
+void search_approaches(const Task& task, Planner& planner, const Approaches& approaches,
                        JointProgress& progress, GenerateResult& generation) {
-  for (std::size_t k = first; k < planner.approaches(); ++k) {
-    const auto search = task.pareto ? search_front : search_best;
-    search(task, planner, k, progress.part(1.0), generation);
-    if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) return;
+  const auto search = task.pareto ? search_front : search_best;
+  for (std::size_t k = approaches.first; k < planner.approaches(); ++k) {
+    GenerateResult other;
+    other.duration = generation.duration;
+    search(task, planner, k, progress.part(1.0), other);
+    add_approach(std::move(other), generation);
+    if (generation.end == SearchEnd::cancelled) return;
+    if (generation.candidates.empty()) continue;
+    if (!approaches.all || (k == 0 && has_possible(generation))) return;
   }
 }
 
@@ -133,19 +170,20 @@ void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
                   all.size(), task.candidates, generation.runs);
 }
 
-// Searches once.
-Result<GenerateResult> search_task(const PreparedTask& task, const Progress& progress) {
+// Searches once; `on_all`: on all approaches where the first leads to nothing possible.
+Result<GenerateResult> search_task(const PreparedTask& task, const Progress& progress,
+                                   bool on_all = false) {
   SHG_TRY_ASSIGN(const std::unique_ptr<Planner> made, make_planner(task));
   Planner& planner = *made;
   SHG_TRY(planner.check_search());
   GenerateResult generation;
   generation.duration = planner.duration();
   JointProgress joint(progress);
-  search_approaches(task, planner, 0, joint, generation);
+  search_approaches(task, planner, {.all = on_all}, joint, generation);
   for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
     if (!generation.candidates.empty() || generation.end == SearchEnd::cancelled) break;
     if (planner.go_by_other_posture(other)) {
-      search_approaches(task, planner, 1, joint, generation);
+      search_approaches(task, planner, {.first = 1}, joint, generation);
     }
   }
   planner.go_by_other_posture(0);
@@ -153,7 +191,7 @@ Result<GenerateResult> search_task(const PreparedTask& task, const Progress& pro
   while (planner.in_reach() && runs_again(task, generation)) {
     other.genetic.stream = static_cast<std::uint64_t>(generation.runs);
     GenerateResult run;
-    search_approaches(other, planner, 0, joint, run);
+    search_approaches(other, planner, {}, joint, run);
     add_run(task, std::move(run), generation);
   }
   if (generation.candidates.empty()) {
@@ -264,8 +302,11 @@ Result<GenerateResult> generate(const Task& task, const Progress& progress) {
   SHG_TRY(check_choices(task));
   SHG_TRY_ASSIGN(const PreparedTask ready, prepared(task));
   JointProgress joint(progress);
-  SHG_TRY_ASSIGN(GenerateResult found, search_task(ready, joint.part(1.0)));
-  if (traits_of(ready.preset).natural) {
+  const bool natural = traits_of(ready.preset).natural;
+  const bool lanes = ready.generator == MotionGenerator::weighted_ik;
+  const bool on_all = natural && lanes && !traits_of(ready.preset).layers && !ready.pareto;
+  SHG_TRY_ASSIGN(GenerateResult found, search_task(ready, joint.part(1.0), on_all));
+  if (natural) {
     try_slower(ready, joint, found);
     try_longer(ready, joint, found);
   }

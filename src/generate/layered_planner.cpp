@@ -6,7 +6,7 @@
 
 #include "candidate.hpp"
 #include "core/index.hpp"
-#include "generate/layered_problem.hpp"
+#include "generate/layered_approaches.hpp"
 #include "layered_search.hpp"
 #include "layers/limb_library.hpp"
 #include "planner.hpp"
@@ -39,10 +39,10 @@ class ArmLibraries {
   }
 
   // (goals) By where the hands end: the lower layer's weights stay the same during a motion.
-  std::vector<ArmWeights> choose(std::span<const HandPath> paths) {
+  std::vector<ArmWeights> choose(std::span<const Vec3d> hands) {
     std::vector<ArmWeights> arms;
     for (std::size_t g = 0; g < libraries_.size(); ++g) {
-      const int cell = libraries_[g].cell_of(paths[g].back());
+      const int cell = libraries_[g].cell_of(hands[g]);
       arms.push_back(arm_weights(libraries_[g].genes(cell)));
     }
     return arms;
@@ -88,8 +88,8 @@ class UpperSearch {
         layers_(approach == LayeredApproach::layers),
         genes_(searched_genes(problem)),
         archive_(task.body),
-        scorer_(problem, problem.layers[0].criteria, task.batch.threads,
-                [&libraries](std::span<const HandPath> paths) { return libraries.choose(paths); }) {
+        scorer_(problem, problem.layers[0].criteria, task.batch,
+                [&libraries](std::span<const Vec3d> hands) { return libraries.choose(hands); }) {
     if (layers_) return;
     std::erase_if(genes_, [&problem](std::size_t gene) {
       return problem.layers[0].parameters[gene].kind == ParameterKind::contraction;

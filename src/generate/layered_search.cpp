@@ -14,11 +14,6 @@
 namespace shigusa {
 namespace {
 
-bool has_goal(const LayeredProblem& problem, const BodyLimb& arm) {
-  return std::any_of(problem.arms.begin(), problem.arms.end(),
-                     [&](int a) { return problem.limbs.arms[index(a)].effector == arm.effector; });
-}
-
 // Whether a freedom of the upper layer's body moves anything that must be somewhere.
 bool has_use(const LayeredProblem& problem, int dof) {
   for (const BodyLimb& arm : problem.limbs.arms) {
@@ -28,31 +23,6 @@ bool has_use(const LayeredProblem& problem, int dof) {
     if (name == flexion.name || name == abduction.name) return has_goal(problem, arm);
   }
   return true;
-}
-
-// The cost of the torque that freedoms with a final angle take, by their layers' criteria: as the
-// criterion Torque has it, but of these freedoms alone.
-double own_torque(const LayeredProblem& problem, const Motion& motion) {
-  const BodyModel& body = *problem.reach.body;
-  double cost = 0.0;
-  for (const Layer& layer : problem.layers) {
-    double squares = 0.0;
-    int count = 0;
-    for (const ParameterInfo& info : layer.parameters) {
-      if (info.kind != ParameterKind::final_angle) continue;
-      const int dof = body.find_dof(info.name).value();
-      for (int f = 0; f < motion.clip.frames; ++f, ++count) {
-        const double tau = motion.torques[index(f * motion.clip.dofs + dof)];
-        const Dof& joint = body.dof(dof);
-        const double load = tau / (tau > 0.0 ? joint.torque_positive : joint.torque_negative);
-        squares += load * load;
-      }
-    }
-    const CriteriaSettings& criteria = layer.criteria;
-    if (count == 0) continue;
-    cost += criteria.torque_weight * min(1.0, sqrt(squares / count) / criteria.torque.share);
-  }
-  return cost;
 }
 
 // Each final angle of a limb that no goal moves takes this many motions to be found.
@@ -107,6 +77,12 @@ void search_finals(std::span<const Layer> layers, std::uint64_t seed, const Rest
   if (found.best_seen.score < before) finals = angles_of(found.best_seen.point);
 }
 
+std::vector<Vec3d> ends_of(std::span<const HandPath> paths) {
+  std::vector<Vec3d> ends;
+  for (const HandPath& path : paths) ends.push_back(path.back());
+  return ends;
+}
+
 }  // namespace
 
 std::vector<std::size_t> searched_genes(const LayeredProblem& problem) {
@@ -154,33 +130,28 @@ Parameters below_upper(Parameters start, const Parameters& upper) {
 }
 
 LayeredScorer::LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria,
-                             int threads, ChooseArms choose)
+                             const BatchSettings& settings, ChooseArms choose)
     : problem_(&problem),
       criteria_(&criteria),
-      threads_(threads),
+      threads_(settings.threads),
       choose_(std::move(choose)),
       start_(start_values(problem.layers)),
-      workers_(index(thread_count(threads))) {}
+      player_(problem),
+      batch_(player_.setup(), criteria, settings) {}
 
-LayeredScorer::Worker& LayeredScorer::worker(int at) {
-  std::unique_ptr<Worker>& own = workers_[index(at)];
-  if (own) return *own;
-  own = std::make_unique<Worker>(Worker{.player = LayeredPlayer(*problem_), .swivels = {}});
-  for (std::size_t g = 0; g < swivel_goals(); ++g) {
-    own->swivels.emplace_back(problem_->arm_bodies[g],
-                              problem_->limbs.arms[index(problem_->arms[g])],
-                              problem_->layers[1 + g]);
-  }
-  return *own;
+void LayeredScorer::Rows::add(const Parameters& parameters) {
+  const auto append = [](std::vector<float>& rows, const std::vector<double>& row) {
+    for (const double x : row) rows.push_back(static_cast<float>(x));
+  };
+  append(inverse_weights, upper_weights(parameters));
+  append(contractions, parameters.contractions);
+  append(finals, parameters.finals);
+  append(swivels, parameters.swivels);
+  for (const ArmWeights& arm : parameters.arms) append(arms, shigusa::inverse_weights(arm));
 }
 
-ArmFeedback LayeredScorer::bare(std::size_t goal, const ReducedClip& clip, HandPath path) const {
-  return {.arm = &problem_->arm_bodies[goal],
-          .path = std::move(path),
-          .turn = hand_turn(*problem_, clip, goal),
-          .duration = problem_->reach.duration,
-          .obstacles = {},
-          .limb = {}};
+std::vector<ArmWeights> LayeredScorer::choose_arms(std::span<const Vec3d> hands) const {
+  return choose_ ? choose_(hands) : start_.arms;
 }
 
 double LayeredScorer::judged(const RolledOut& played) const {
@@ -196,57 +167,53 @@ double LayeredScorer::judged(const RolledOut& played) const {
   return score + min(kOverLimitCost * excess, kOverLimitMost);
 }
 
-std::vector<LayeredScorer::UpperMotion> LayeredScorer::run_upper(
-    std::span<const Parameters> parameters, std::span<double> scores) {
-  std::vector<UpperMotion> uppers(scores.size());
-  const double worst = worst_score(*criteria_);
-  const ReachTolerance& tolerance = problem_->reach.tolerance;
-  parallel_for(static_cast<int>(scores.size()), threads_, [&](int i, int thread) {
-    auto& [clip, paths] = uppers[index(i)];
-    LayeredPlayer& player = worker(thread).player;
-    player.run_upper(parameters[index(i)], clip);
-    const bool kept = clip.path_error <= tolerance.path && clip.foot_error <= kReachTolerance;
-    const bool leads = kept && player.check_pelvis(clip).in_reach;
-    scores[index(i)] = worst + min(clip.path_error + clip.foot_error, 1.0);
-    if (leads) paths = player.hand_paths(clip);
-  });
-  return uppers;
+double LayeredScorer::score_alone(const Parameters& upper, std::span<float> posture) {
+  ReducedClip<double> clip;
+  player_.run_upper(upper, clip);
+  const bool kept =
+      clip.path_error <= problem_->reach.tolerance.path && clip.foot_error <= kReachTolerance;
+  if (!kept || !player_.check_pelvis(clip).in_reach) {
+    return worst_score(*criteria_) + min(clip.path_error + clip.foot_error, 1.0);
+  }
+  Parameters values = below_upper(start_, upper);
+  values.arms = choose_arms(ends_of(player_.hand_paths(clip)));
+  values.swivels = player_.find_swivels(clip);
+  const RolledOut played = player_.expand_freeing(clip, values);
+  copy_end(played.motion.clip, posture);
+  return judged(played);
 }
 
 void LayeredScorer::score(std::span<const Parameters> parameters, std::span<double> scores,
                           std::span<float> postures) {
-  std::vector<UpperMotion> uppers = run_upper(parameters, scores);
-  const std::size_t dofs = postures.empty() ? 0 : problem_->reach.body->dofs().size();
-  // arms are chosen one after the other, as a library may have to be built
-  std::vector<Parameters> below(scores.size(), start_);
-  for (std::size_t k = 0; k < scores.size(); ++k) {
-    if (!uppers[k].paths.empty() && choose_) below[k].arms = choose_(uppers[k].paths);
-  }
-  parallel_for(static_cast<int>(scores.size()), body_threads(), [&](int i, int thread) {
-    const auto k = index(i);
-    auto& [clip, paths] = uppers[k];
-    if (paths.empty()) return;
-    Worker& own = worker(thread);
-    for (std::size_t g = 0; g < swivel_goals(); ++g) {
-      below[k].swivels[g] = own.swivels[g].coarse(bare(g, clip, std::move(paths[g])));
+  if (!criteria_->user.empty()) {
+    const std::size_t dofs = postures.size() / scores.size();
+    for (std::size_t k = 0; k < scores.size(); ++k) {
+      scores[k] = score_alone(parameters[k], postures.subspan(k * dofs, dofs));
     }
-    const RolledOut played = own.player.expand_freeing(clip, below[k]);
-    scores[k] = judged(played);
-    copy_end(played.motion.clip, postures.subspan(k * dofs, dofs));
-  });
+    return;
+  }
+  Parameters below = start_;
+  below.arms.clear();
+  below.swivels.clear();
+  Rows rows;
+  for (const Parameters& upper : parameters) rows.add(below_upper(below, upper));
+  const auto choose = [this](std::span<const Vec3d> hands) {
+    Rows chosen;
+    Parameters arms;
+    arms.arms = choose_arms(hands);
+    chosen.add(arms);
+    return chosen.arms;
+  };
+  batch_.score(rows.inputs(), choose, scores, postures);
 }
 
 Expanded LayeredScorer::play(const Parameters& upper, const Feedback& feedback) {
-  LayeredPlayer& player = worker(0).player;
-  ReducedClip clip;
-  player.run_upper(upper, clip);
-  const std::vector<HandPath> paths = player.hand_paths(clip);
+  ReducedClip<double> clip;
+  player_.run_upper(upper, clip);
   Expanded played{.values = below_upper(start_, upper)};
-  if (choose_) played.values.arms = choose_(paths);
-  for (std::size_t g = 0; g < swivel_goals(); ++g) {
-    played.values.swivels[g] = worker(0).swivels[g].coarse(bare(g, clip, paths[g]));
-  }
-  if (!player.expand_freeing(clip, played.values).outcome.met(problem_->reach.tolerance)) {
+  played.values.arms = choose_arms(ends_of(player_.hand_paths(clip)));
+  played.values.swivels = player_.find_swivels(clip);
+  if (!player_.expand_freeing(clip, played.values).outcome.met(problem_->reach.tolerance)) {
     return played;
   }
   retake_weights(clip, feedback, played);
@@ -256,12 +223,12 @@ Expanded LayeredScorer::play(const Parameters& upper, const Feedback& feedback) 
   return played;
 }
 
-void LayeredScorer::retake_weights(const ReducedClip& clip, const Feedback& feedback,
+void LayeredScorer::retake_weights(const ReducedClip<double>& clip, const Feedback& feedback,
                                    Expanded& played) {
-  LayeredPlayer& player = worker(0).player;
-  const std::vector<HandPath> paths = player.hand_paths(clip);
+  if (played.values.arms.empty()) return;
+  const std::vector<HandPath> paths = player_.hand_paths(clip);
   const BodyModel& body = *problem_->reach.body;
-  RolledOut motion = player.expand(clip, played.values);
+  RolledOut motion = player_.expand(clip, played.values);
   for (std::size_t g = 0; g < played.values.arms.size(); ++g) {
     const Effector& hand = body.effectors()[index(problem_->reach.goals[g].effector)];
     double weight = kCollisionWeight;
@@ -274,41 +241,54 @@ void LayeredScorer::retake_weights(const ReducedClip& clip, const Feedback& feed
           report, problem_->layers[1 + g].criteria, weight, feedback.search, threads_);
       if (!found) break;
       played.values.arms[g] = arm_weights(found->genes);
-      motion = player.expand_freeing(clip, played.values);
+      motion = player_.expand_freeing(clip, played.values);
       weight *= kCollisionGrowth;
     }
   }
 }
 
-void LayeredScorer::refine_swivels(const ReducedClip& clip, Parameters& parameters) {
-  Worker& own = worker(0);
-  const std::vector<HandPath> paths = own.player.hand_paths(clip);
-  for (std::size_t g = 0; g < swivel_goals(); ++g) {
-    const RolledOut played = own.player.expand(clip, parameters);
-    parameters.swivels[g] = own.swivels[g].fine(
-        arm_feedback(*problem_, g, paths[g], played.motion.clip, hand_turn(*problem_, clip, g)));
+void LayeredScorer::refine_swivels(const ReducedClip<double>& clip, Parameters& parameters) {
+  const std::vector<HandPath> paths = player_.hand_paths(clip);
+  for (std::size_t g = 0; g < parameters.swivels.size(); ++g) {
+    const RolledOut played = player_.expand(clip, parameters);
+    const ArmFeedback feedback =
+        arm_feedback(*problem_, g, paths[g], played.motion.clip, hand_turn(*problem_, clip, g));
+    SwivelSearch<double> search(player_.setup(), g);
+    search.follow(paths[g], feedback.turn, &feedback);
+    parameters.swivels[g] = search.fine();
   }
 }
 
-void LayeredScorer::settle_rest(const ReducedClip& clip, const Feedback& feedback,
+void LayeredScorer::score_finals(const ReducedClip<double>& clip, std::span<const Parameters> tried,
+                                 std::span<double> scores) {
+  if (!criteria_->user.empty()) {
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      scores[i] = judged(player_.expand(clip, tried[i]));
+    }
+    return;
+  }
+  Rows rows;
+  for (const Parameters& parameters : tried) rows.add(parameters);
+  const std::size_t weights = rows.arms.size() / scores.size();
+  const auto keep = [&](std::span<const Vec3d>) {
+    return std::vector<float>(rows.arms.begin(),
+                              rows.arms.begin() + static_cast<std::ptrdiff_t>(weights));
+  };
+  LayeredInputs inputs = rows.inputs();
+  inputs.idle = true;
+  batch_.score(inputs, keep, scores, {});
+}
+
+void LayeredScorer::settle_rest(const ReducedClip<double>& clip, const Feedback& feedback,
                                 Parameters& parameters) {
   const std::size_t angles = parameters.finals.size();
-  const BodyModel& body = *problem_->reach.body;
   const RestEvaluation score = [&](std::span<const double> finals, std::span<double> scores) {
-    parallel_for(static_cast<int>(scores.size()), body_threads(), [&](int i, int thread) {
-      Parameters tried = parameters;
-      const auto first = finals.subspan(index(i) * angles, angles);
-      tried.finals.assign(first.begin(), first.end());
-      const RolledOut played = worker(thread).player.expand(clip, tried);
-      double depth = 0.0;
-      for (const BodyLimb& arm : problem_->limbs.arms) {
-        if (has_goal(*problem_, arm)) continue;
-        const Effector& hand = body.effectors()[index(arm.effector)];
-        depth = max(depth, collision_depth(body, played.motion.clip, hand));
-      }
-      scores[index(i)] = judged(played) + own_torque(*problem_, played.motion) +
-                         kSwivelCollisionWeight * clamp(depth / kCollisionFull, 0.0, 1.0);
-    });
+    std::vector<Parameters> tried(scores.size(), parameters);
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      const auto first = finals.subspan(i * angles, angles);
+      tried[i].finals.assign(first.begin(), first.end());
+    }
+    score_finals(clip, tried, scores);
   };
   search_finals(problem_->layers, feedback.seed, score, parameters.finals);
 }

@@ -4,8 +4,8 @@
 #include <shigusa/layered_settings.hpp>
 
 #include "layers/arm_feedback.hpp"
+#include "layers/layered_lanes.hpp"
 #include "layers/layered_player.hpp"
-#include "layers/swivel_search.hpp"
 #include "planner.hpp"
 
 namespace shigusa {
@@ -23,20 +23,15 @@ namespace shigusa {
 // The values of all layers: those of the upper one, and below it those that they start with.
 [[nodiscard]] Parameters below_upper(Parameters start, const Parameters& upper);
 
-// Where limits are to be held, an upper motion whose limbs pass them costs the first for each
-// radian in all, and the second at most: so a motion within its limits is better unless it is bad.
-inline constexpr double kOverLimitCost = 2.0;
-inline constexpr double kOverLimitMost = 0.5;
-
 // Scores upper motions with their limbs, many at once.
 class LayeredScorer {
  public:
-  // Chooses the weights of the arms that go by them for an upper motion: (goals). Arms that go by
-  // their swivel are given the best of a few.
-  using ChooseArms = std::function<std::vector<ArmWeights>(std::span<const HandPath>)>;
+  // Chooses the weights of the arms that go by them, for hands whose paths end there (goals). Arms
+  // that go by their swivel are given the best of a few.
+  using ChooseArms = std::function<std::vector<ArmWeights>(std::span<const Vec3d>)>;
 
-  LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria, int threads,
-                ChooseArms choose);
+  LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria,
+                const BatchSettings& settings, ChooseArms choose);
 
   // scores (parameters): the criteria's; where hand or foot leaves its place, the worst of all and
   // more, by what is missed. postures: (parameters × dofs) rad, how each motion ends, or empty.
@@ -57,36 +52,39 @@ class LayeredScorer {
   [[nodiscard]] Expanded play(const Parameters& upper, const Feedback& feedback);
 
  private:
-  // An upper motion, and the paths on which it leads hands (goals); none where it leads nowhere.
-  struct UpperMotion {
-    ReducedClip clip;
-    std::vector<HandPath> paths;
+  // The rows of many motions' parameters; no rows of what is searched below.
+  struct Rows {
+    std::vector<float> inverse_weights;
+    std::vector<float> contractions;
+    std::vector<float> finals;
+    std::vector<float> swivels;
+    std::vector<float> arms;
+
+    void add(const Parameters& parameters);
+    [[nodiscard]] LayeredInputs inputs() const {
+      return {inverse_weights, contractions, finals, swivels, arms};
+    }
   };
-  // The scratch memory of one thread.
-  struct Worker {
-    LayeredPlayer player;
-    std::vector<SwivelSearch> swivels;  // (goals whose arm goes by its swivel)
-  };
-  Worker& worker(int index);
-  [[nodiscard]] std::size_t swivel_goals() const { return start_.swivels.size(); }
-  // Plays all upper motions, and gives each the score that it has if it leads nowhere.
-  std::vector<UpperMotion> run_upper(std::span<const Parameters> parameters,
-                                     std::span<double> scores);
-  // One thread alone calls a user's criteria.
-  [[nodiscard]] int body_threads() const { return criteria_->user.empty() ? threads_ : 1; }
-  // a path of an upper motion as the lower layer's feedback has it, without obstacles
-  [[nodiscard]] ArmFeedback bare(std::size_t goal, const ReducedClip& clip, HandPath path) const;
+
+  [[nodiscard]] std::vector<ArmWeights> choose_arms(std::span<const Vec3d> hands) const;
+  // For criteria of a user's, which want whole motions: one thread scores one after the other.
+  double score_alone(const Parameters& upper, std::span<float> posture);
   [[nodiscard]] double judged(const RolledOut& played) const;
-  void retake_weights(const ReducedClip& clip, const Feedback& feedback, Expanded& played);
-  void refine_swivels(const ReducedClip& clip, Parameters& parameters);
-  void settle_rest(const ReducedClip& clip, const Feedback& feedback, Parameters& parameters);
+  void retake_weights(const ReducedClip<double>& clip, const Feedback& feedback, Expanded& played);
+  void refine_swivels(const ReducedClip<double>& clip, Parameters& parameters);
+  void settle_rest(const ReducedClip<double>& clip, const Feedback& feedback,
+                   Parameters& parameters);
+  // of motions that differ by their final angles alone
+  void score_finals(const ReducedClip<double>& clip, std::span<const Parameters> tried,
+                    std::span<double> scores);
 
   const LayeredProblem* problem_;
   const CriteriaSettings* criteria_;
   int threads_;
   ChooseArms choose_;
-  Parameters start_;                              // of the layers below, before any search
-  std::vector<std::unique_ptr<Worker>> workers_;  // one per thread, made when first needed
+  Parameters start_;  // of the layers below, before any search
+  LayeredPlayer player_;
+  LayeredBatch batch_;
 };
 
 }  // namespace shigusa

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "approaches.hpp"
-#include "generate/posture_meter.hpp"
 
 namespace shigusa {
 namespace {
@@ -81,7 +80,6 @@ void PointScorer::score(std::span<const double> points, std::span<double> scores
     if (off > kSquatSlack) kept_scores_[i] = worst_score(criteria_);
     scores[i] += kSquatPull * max(0.0, off - kSquatAim);
   }
-  take_guess(points, kept_scores_);
   archive_.add(points, kept_scores_, angles_, worst_score(criteria_));
 }
 
@@ -99,22 +97,6 @@ void PointScorer::score_one_by_one(std::span<const double> points, std::span<dou
   };
   // a user's functions are called from one thread only
   parallel_for(static_cast<int>(scores.size()), criteria_.user.empty() ? threads_ : 1, score);
-}
-
-void PointScorer::take_guess(std::span<const double> points, std::span<const double> scores) {
-  const auto genes = static_cast<std::size_t>(space_.genes());
-  const std::size_t dofs = problem_.body->dofs().size();
-  for (std::size_t i = 0; i < scores.size() && guessed_ < kGuessed; ++i, ++guessed_) {
-    const bool arrives = scores[i] < worst_score(criteria_);
-    if (!arrives || !(guess_.point.empty() || scores[i] < guess_.score)) continue;
-    const auto point = points.subspan(i * genes, genes);
-    guess_.point.assign(point.begin(), point.end());
-    guess_.score = scores[i];
-    const auto posture = std::span(angles_).subspan(i * dofs, dofs);
-    guess_.bends = PostureMeter(*problem_.body)
-                       .index(std::vector<double>(posture.begin(), posture.end()))
-                       .has_value();
-  }
 }
 
 }  // namespace shigusa

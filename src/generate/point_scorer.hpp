@@ -28,18 +28,10 @@ class SquatTarget {
   double wanted_ = 0.0;  // rad, of all knees together
 };
 
-// Scores the points of one part of a search, and keeps the postures that their motions end in.
+// Scores the points of one island, and keeps the postures that their motions end in.
 // Problem, task and criteria outlive it.
 class PointScorer {
  public:
-  // The best of the first motions.
-  struct Guess {
-    std::vector<double> point{};  // empty where none arrives
-    double score = 0.0;
-    bool bends = true;  // ends with the shoulders down
-  };
-  static constexpr int kGuessed = 480;  // motions
-
   // `threads` as BatchSettings has them (0: one for each core).
   PointScorer(const ReachProblem& problem, const Task& task, const CriteriaSettings& criteria,
               const ParameterSpace& space, int threads);
@@ -49,11 +41,9 @@ class PointScorer {
   void score(std::span<const double> points, std::span<double> scores);
 
   [[nodiscard]] const Archive& archive() const { return archive_; }
-  [[nodiscard]] const Guess& guess() const { return guess_; }
 
  private:
   void score_one_by_one(std::span<const double> points, std::span<double> scores);
-  void take_guess(std::span<const double> points, std::span<const double> scores);
 
   const ReachProblem& problem_;
   const Task& task_;
@@ -63,8 +53,6 @@ class PointScorer {
   BatchRollout batch_;
   Archive archive_;
   std::optional<SquatTarget> squat_;
-  Guess guess_;
-  int guessed_ = 0;                  // motions
   std::vector<float> angles_;        // (motions × dofs) rad, where they end
   std::vector<double> kept_scores_;  // (motions), without what is added
 };

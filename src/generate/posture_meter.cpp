@@ -100,7 +100,7 @@ FinalPosture PostureMeter::measure(std::span<const double> angles, int effector)
   posture.knee_flexion = mean_knee(body_, angles);
   posture.stoop_squat_index = index_now();
   const double turn = heading() - heading_;
-  posture.trunk_turn = turn > kPi ? turn - 2.0 * kPi : turn < -kPi ? turn + 2.0 * kPi : turn;
+  posture.trunk_turn = turn > kPi ? turn - kTwoPi : turn < -kPi ? turn + kTwoPi : turn;
   posture.elbow_swivel = elbow_swivel(effector);
   return posture;
 }

@@ -1,84 +1,117 @@
 // SPDX-License-Identifier: MIT
+#include "whole_body_styles.hpp"
+
+#include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
-#include "whole_body_search.hpp"
+#include "core/index.hpp"
 
 namespace shigusa {
+
+struct StyleRange {
+  std::string_view mode;
+  double low;  // deg
+  double high;
+  bool early = false;  // needs no good motion to begin at
+  int parts = 1;       // two: far from what is found otherwise, and begins by itself
+};
+
 namespace {
 
-constexpr double kRounding = 1e-6;
-constexpr double kStiffKnee =
-    1.0;  // logarithm of the least weight of a knee that goes by the target
-
-// A range (deg) of a posture mode that is a style of its own.
-struct StyleRange {
-  const char* mode;
-  double low;
-  double high;
-  bool far = false;  // from what is found otherwise
-};
 constexpr StyleRange kBentStyles[] = {
-    {"squat", 115, 138, true}, {"squat", 0, 30}, {"squat", 50, 90}};
-constexpr StyleRange kUprightStyles[] = {{"lean", 25, 60}, {"squat", 30, 60}};
-constexpr double kOtherTurn[] = {20, 65};    // deg, to the side that the best does not turn to
-constexpr double kOtherSwivel[] = {20, 60};  // deg, of the elbow, likewise
+    {"squat", 115, 138, true, 2}, {"squat", 0, 30}, {"squat", 50, 90}};
+constexpr StyleRange kUprightStyles[] = {{"lean", 25, 60, true}, {"squat", 30, 60, true}};
+// To the side that the best does not turn to: one of each pair.
+constexpr StyleRange kOtherSides[][2] = {
+    {{"twist", 20, 65}, {"twist", -65, -20}},
+    {{"right_swivel", 20, 60}, {"right_swivel", -60, -20}},
+    {{"left_swivel", 20, 60}, {"left_swivel", -60, -20}},
+};
+// The logarithm of the least weight of a knee that goes by the target.
+constexpr double kStiffKnee = 1.0;
+// Late styles begin near: with the usual step they would lose what they begin at.
+constexpr double kNearStep = 0.1;
+
+std::span<const StyleRange> bends_of(const Archived* best) {
+  if (best != nullptr && best->style == Style::upright) return kUprightStyles;
+  return kBentStyles;
+}
+
+// The numbers of a mode in both phases, where it is searched.
+std::vector<int> genes_of(const ParameterSpace& space, std::string_view name) {
+  std::vector<int> genes;
+  for (const int gene :
+       {space.find(name), space.find(std::string(kLaterPrefix) + std::string(name))}) {
+    if (gene >= 0) genes.push_back(gene);
+  }
+  return genes;
+}
 
 }  // namespace
 
-// The parts that search for the styles that the guess has not.
-std::vector<WholeBodySearch::Part> WholeBodySearch::styles(const PointScorer::Guess& guess,
-                                                           int budget) const {
-  std::vector<Part> parts;
-  const Niche knees = stiff_knees();
-  const bool given = space_.find("squat") < 0;
-  double left = 1.0 - kFreeShare;
-  const auto add_style = [&](std::string_view mode, double low, double high, bool far = false) {
-    const double share = far ? kFarShare : kStyleShare;
-    if (space_.find(mode) < 0 || share > left + kRounding) return;
-    Niche niche = given || mode == "squat" ? knees : Niche{};
-    bind(niche, mode, low, high);
-    parts.push_back({std::move(niche), far ? std::vector<double>{} : guess.point,
-                     static_cast<int>(share * budget)});
-    left -= share;
-  };
-  for (const StyleRange& style : guess.bends ? std::span<const StyleRange>(kBentStyles)
-                                             : std::span<const StyleRange>(kUprightStyles)) {
-    add_style(style.mode, style.low, style.high, style.far);
-  }
-  const auto add_other = [&](std::string_view mode, const double(&range)[2]) {
-    const int gene = space_.find(mode);
-    if (gene < 0) return;
-    const bool positive = !guess.point.empty() && guess.point[static_cast<std::size_t>(gene)] >
-                                                      space_.coordinate(gene, 0.0);
-    positive ? add_style(mode, -range[1], -range[0]) : add_style(mode, range[0], range[1]);
-  };
-  add_other("twist", kOtherTurn);
-  add_other("right_swivel", kOtherSwivel);
-  add_other("left_swivel", kOtherSwivel);
-  // of the styles that the task has not
-  const int rest = static_cast<int>((left + kRounding) * budget);
-  if (rest > 0) parts.push_back({given ? knees : Niche{}, guess.point, rest});
-  return parts;
-}
-
-// Keeps a mode of both phases within a range (deg).
-void WholeBodySearch::bind(Niche& niche, std::string_view mode, double low, double high) const {
-  for (const int gene :
-       {space_.find(mode), space_.find(std::string(kLaterPrefix) + std::string(mode))}) {
-    if (gene < 0) continue;
-    niche.push_back(
-        {gene, space_.coordinate(gene, radians(low)), space_.coordinate(gene, radians(high))});
-  }
-}
-
-// Where the knees' flexion is given they go by it: light ones would bend as the hand has it.
-WholeBodySearch::Niche WholeBodySearch::stiff_knees() const {
+Niche stiff_knees(const ParameterSpace& space) {
   Niche niche;
   for (const char* name : {"knee.flexion", "left_knee.flexion", "right_knee.flexion"}) {
-    for (const int gene : {space_.find(name), space_.find(std::string(kLaterPrefix) + name)}) {
-      if (gene >= 0) niche.push_back({gene, space_.coordinate(gene, kStiffKnee), 1.0});
+    for (const int gene : genes_of(space, name)) {
+      niche.push_back({gene, space.coordinate(gene, kStiffKnee), 1.0});
     }
+  }
+  return niche;
+}
+
+std::vector<IslandPlan> StylePlans::early(const Archived* best) {
+  std::vector<IslandPlan> plans;
+  for (const StyleRange& style : bends_of(best)) {
+    if (style.early) add(style, best, plans);
+  }
+  return plans;
+}
+
+std::vector<IslandPlan> StylePlans::late(const Archived* best) {
+  std::vector<IslandPlan> plans;
+  for (const StyleRange& style : bends_of(best)) add(style, best, plans);
+  for (const auto& [positive, negative] : kOtherSides) {
+    const int gene = space_->find(positive.mode);
+    if (gene < 0) continue;
+    const bool turns = best != nullptr && best->point[index(gene)] > space_->coordinate(gene, 0.0);
+    add(turns ? negative : positive, best, plans);
+  }
+  if (left_ > 0) {  // of the styles that the task has not
+    plans.push_back({.niche = space_->find("squat") < 0 ? stiff_knees(*space_) : Niche{},
+                     .from = best != nullptr ? best->point : std::vector<double>{},
+                     .budget = left_ * part_});
+  }
+  std::uint64_t stream = 0;
+  for (IslandPlan& plan : plans) {
+    plan.stream = ++stream;
+    if (!plan.from.empty()) plan.step = kNearStep;
+  }
+  return plans;
+}
+
+// Adds the plan of a style that has none yet, if the task has its mode and enough motions are left.
+void StylePlans::add(const StyleRange& style, const Archived* best,
+                     std::vector<IslandPlan>& plans) {
+  const bool planned = std::find(planned_.begin(), planned_.end(), &style) != planned_.end();
+  if (planned || style.parts > left_ || space_->find(style.mode) < 0) return;
+  const bool far = style.parts > 1;
+  plans.push_back({.niche = niche_of(style),
+                   .from = best == nullptr || far ? std::vector<double>{} : best->point,
+                   .bent = far,
+                   .budget = style.parts * part_});
+  planned_.push_back(&style);
+  left_ -= style.parts;
+}
+
+// Keeps the mode within the range in both phases.
+Niche StylePlans::niche_of(const StyleRange& style) const {
+  const bool bends_knees = style.mode == "squat" || space_->find("squat") < 0;
+  Niche niche = bends_knees ? stiff_knees(*space_) : Niche{};
+  for (const int gene : genes_of(*space_, style.mode)) {
+    niche.push_back({gene, space_->coordinate(gene, radians(style.low)),
+                     space_->coordinate(gene, radians(style.high))});
   }
   return niche;
 }

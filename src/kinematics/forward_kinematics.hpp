@@ -44,7 +44,8 @@ struct Kinematics {
 template <class S, class T>
 [[nodiscard, gnu::always_inline]] inline Vec3<S> times_place(const Mat3<S>& rotation,
                                                              const Vec3<T>& place, bool upright) {
-  return upright ? rotation.cy * S(place.y) : rotation * to_scalar<S>(place);
+  if (upright) return rotation.cy * S(place.y);
+  return rotation.cx * S(place.x) + rotation.cy * S(place.y) + rotation.cz * S(place.z);
 }
 
 // Places the link of a joint whose one axis is no coordinate axis: R_WL = R_WP T R(q) Tᵀ. The turn

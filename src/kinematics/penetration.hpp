@@ -44,6 +44,10 @@ struct Penetration {
                                            const Kinematics<double>& kinematics,
                                            const Effector& effector);
 
+// Squared distances (m²) are compared with room for rounding, and more, before capsules are left
+// out as too far apart.
+inline constexpr double kApartSlack = 1.0001;
+
 // A capsule's ends and middle in the world (m).
 template <class S>
 struct PlacedCapsule {
@@ -51,18 +55,35 @@ struct PlacedCapsule {
   Vec3<S> to{};
   Vec3<S> middle{};
 };
+// Places the ends (m, in the link frame).
+template <class S>
+[[gnu::always_inline]] inline void place_capsule(int link, const Vec3<Element<S>>& from,
+                                                 const Vec3<Element<S>>& to,
+                                                 const Kinematics<S>& kinematics,
+                                                 PlacedCapsule<S>& placed) {
+  const Mat3<S>& r = kinematics.link_rotation(link);
+  const Vec3<S>& origin = kinematics.link_origin(link);
+  const auto place = [&](const Vec3<Element<S>>& local) {
+    return origin + times_place(r, local, false);
+  };
+  placed.from = place(from);
+  placed.to = place(to);
+  placed.middle = (placed.from + placed.to) * S(0.5);
+}
 template <class S>
 [[nodiscard]] PlacedCapsule<S> placed_capsule(const Capsule& capsule,
                                               const Kinematics<S>& kinematics) {
-  const Vec3<S> from = kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.from));
-  const Vec3<S> to = kinematics.point(capsule.link, to_scalar<Element<S>>(capsule.to));
-  return {from, to, (from + to) * S(0.5)};
+  PlacedCapsule<S> placed;
+  place_capsule(capsule.link, to_scalar<Element<S>>(capsule.from),
+                to_scalar<Element<S>>(capsule.to), kinematics, placed);
+  return placed;
 }
 
 // Squared distance (m²) of two segments, which may be points. Of parallel ones, that at some point
 // which both have beside each other.
 template <class S>
-[[nodiscard]] S square_distance(const PlacedCapsule<S>& a, const PlacedCapsule<S>& b) {
+[[nodiscard, gnu::always_inline]] inline S square_distance(const PlacedCapsule<S>& a,
+                                                           const PlacedCapsule<S>& b) {
   const Vec3<S> along_a = a.to - a.from;
   const Vec3<S> along_b = b.to - b.from;
   const Vec3<S> between = a.from - b.from;
@@ -78,6 +99,19 @@ template <class S>
   const S s = clamp((ab * t - a_between) / aa, S(0), S(1));
   const Vec3<S> apart = between + along_a * s - along_b * t;
   return dot(apart, apart);
+}
+
+// False where two capsules, whose radii sum up to `radii` (m), are certainly apart: seen along the
+// line of their middles. `between` (m) is from b's middle to a's, `square` (m²) its square.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline auto may_touch(const PlacedCapsule<S>& a,
+                                                        const PlacedCapsule<S>& b,
+                                                        const Vec3<S>& between, const S& square,
+                                                        double radii) {
+  // the gap between both segments, times the distance of their middles
+  const S gap = square - abs(dot(between, a.to - a.middle)) - abs(dot(between, b.to - b.middle));
+  const S apart = max(gap, S(0));
+  return apart * apart < square * S(kApartSlack * radii * radii);
 }
 
 // Signed distance (m) of a point from an obstacle, less than 0 inside. axes: R_WO of its rotation.

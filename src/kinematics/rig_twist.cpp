@@ -41,8 +41,8 @@ double twist_of(const Mat3d& rotation, const Vec3d& axis) {
 
 // The same angle by whole turns, as near to `before` as there is.
 double near_to(double before, double angle) {
-  while (angle - before > kPi) angle -= 2.0 * kPi;
-  while (angle - before < -kPi) angle += 2.0 * kPi;
+  while (angle - before > kPi) angle -= kTwoPi;
+  while (angle - before < -kPi) angle += kTwoPi;
   return angle;
 }
 

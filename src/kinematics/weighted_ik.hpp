@@ -81,8 +81,8 @@ struct IkWorkspace {
   SmallSymmetric<S, kMaxIkRows> system;
   S residual[kMaxIkRows];
 
-  explicit IkWorkspace(const BodyModel& body)
-      : columns(body.dofs().size() * kMaxIkRows / 3), pull(body.dofs().size()), step(pull) {}
+  explicit IkWorkspace(const BodyModel& body) : IkWorkspace(body.dofs().size()) {}
+  explicit IkWorkspace(std::size_t dofs) : columns(dofs * kMaxIkRows / 3), pull(dofs), step(pull) {}
 };
 
 // How far the target's point is from where it is to be (m, world).

@@ -33,10 +33,16 @@ class FreeArm {
               .frames = static_cast<int>(feedback_->path.size()),
               .frame_time = feedback_->duration / static_cast<double>(feedback_->path.size() - 1),
               .angles = {}};
-    const double miss = rollout_.run(feedback_->path, arm_weights(genes), clip.angles);
+    const std::vector<double> inverse = inverse_weights(arm_weights(genes));
+    const double miss = rollout_.run(feedback_->path, inverse, clip.angles);
     const double worst = worst_score(*criteria_) + weight;
     if (!(miss <= kReachTolerance)) return worst;
-    const double depth = depth_along(*feedback_, clip, placed_);
+    depth_.begin(feedback_);
+    for (int f = 0; f < clip.frames; ++f) {
+      forward_kinematics<double>(*feedback_->arm, clip.frame(f), placed_);
+      depth_.add(placed_);
+    }
+    const double depth = depth_.deepest();
     const Motion motion = dynamics_.completed(std::move(clip));
     return score_motion(*feedback_->arm, motion, *criteria_).total +
            weight * clamp(depth / kCollisionFull, 0.0, 1.0);
@@ -45,7 +51,8 @@ class FreeArm {
  private:
   const ArmFeedback* feedback_;
   const CriteriaSettings* criteria_;
-  ArmRollout rollout_;
+  ArmRollout<double> rollout_;
+  ArmDepth<double> depth_;
   ClipDynamics dynamics_;
   Kinematics<double> placed_;
 };
@@ -66,7 +73,7 @@ double collision_depth(const BodyModel& body, const Clip& clip, const Effector& 
 }
 
 ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const HandPath& path,
-                         const Clip& clip, const EffectorTurn& turn) {
+                         const Clip& clip, const HandTurn<double>& turn) {
   const BodyModel& body = *problem.reach.body;
   const BodyLimb& arm = problem.limbs.arms[index(problem.arms[goal])];
   ArmFeedback feedback{.arm = &problem.arm_bodies[goal],
@@ -104,26 +111,6 @@ ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const 
     feedback.obstacles.push_back(std::move(obstacles));
   }
   return feedback;
-}
-
-double depth_along(const ArmFeedback& feedback, const Clip& clip, Kinematics<double>& placed) {
-  if (feedback.obstacles.empty()) return 0.0;
-  double at_start = 0.0;
-  double deepest = 0.0;
-  for (int f = 0; f < clip.frames; ++f) {
-    forward_kinematics<double>(*feedback.arm, clip.frame(f), placed);
-    double now = 0.0;
-    for (Capsule part : feedback.limb) {
-      part.from = placed.point(part.link, part.from);
-      part.to = placed.point(part.link, part.to);
-      for (const Capsule& obstacle : feedback.obstacles[index(f)]) {
-        now = max(now, capsule_depth(part, obstacle));
-      }
-    }
-    if (f == 0) at_start = now;
-    deepest = max(deepest, now - at_start);
-  }
-  return deepest;
 }
 
 double unavoidable_depth(const ArmFeedback& feedback) {

@@ -3,8 +3,9 @@
 
 #include <shigusa/criteria.hpp>
 
+#include "kinematics/penetration.hpp"
 #include "layers/arm_search.hpp"
-#include "layers/layered_player.hpp"
+#include "layers/layered_problem.hpp"
 
 namespace shigusa {
 
@@ -25,8 +26,8 @@ inline constexpr double kCollisionGrowth = 4.0;
 struct ArmFeedback {
   const BodyModel* arm = nullptr;  // an arm_body
   HandPath path;
-  EffectorTurn turn{};    // of the hand at the end, in the frame of `path`
-  double duration = 1.0;  // s
+  HandTurn<double> turn{};  // of the hand at the end
+  double duration = 1.0;    // s
   // the capsules of the rest of the body, frame after frame, in the frame of `path`; (frames)
   std::vector<std::vector<Capsule>> obstacles;
   std::vector<Capsule> limb;  // of the arm from the elbow on, by its own links
@@ -36,13 +37,44 @@ struct ArmFeedback {
 // turns.
 [[nodiscard]] ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal,
                                        const HandPath& path, const Clip& clip,
-                                       const EffectorTurn& turn = {});
+                                       const HandTurn<double>& turn = {});
 
-// How deep the arm from the elbow on gets into the feedback's obstacles (m, at least 0, less its
-// depth at the start) in a motion of the arm alone; 0 without obstacles. `placed` is scratch
-// memory.
-[[nodiscard]] double depth_along(const ArmFeedback& feedback, const Clip& clip,
-                                 Kinematics<double>& placed);
+// How deep the arm from the elbow on gets into a feedback's obstacles (m, at least 0, less its
+// depth at the start), frame by frame; 0 without obstacles. Feedback and kinematics are of the same
+// arm.
+template <class S>
+class ArmDepth {
+ public:
+  // Forgets the frames seen; the feedback outlives those that come.
+  void begin(const ArmFeedback* feedback) {
+    feedback_ = feedback;
+    frame_ = 0;
+    at_start_ = deepest_ = S(0);
+  }
+
+  void add(const Kinematics<S>& placed) {
+    if (feedback_ == nullptr || feedback_->obstacles.empty()) return;
+    S now(0);
+    for (const Capsule& part : feedback_->limb) {
+      const PlacedCapsule<S> limb = placed_capsule(part, placed);
+      for (const Capsule& obstacle : feedback_->obstacles[frame_]) {
+        const PlacedCapsule<S> other{to_scalar<S>(obstacle.from), to_scalar<S>(obstacle.to), {}};
+        const S apart = sqrt(square_distance(limb, other));
+        now = max(now, S(part.radius + obstacle.radius) - apart);
+      }
+    }
+    if (frame_++ == 0) at_start_ = now;
+    deepest_ = max(deepest_, now - at_start_);
+  }
+
+  [[nodiscard]] const S& deepest() const { return deepest_; }
+
+ private:
+  const ArmFeedback* feedback_ = nullptr;
+  std::size_t frame_ = 0;
+  S at_start_{};
+  S deepest_{};
+};
 
 // How deep (m, as collision_depth) the hand is in the body on its path whatever the arm does: with
 // more than kCollisionDepth no search of the arm helps.

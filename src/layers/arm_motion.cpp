@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "layers/arm_motion.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/check.hpp"
@@ -9,8 +8,6 @@
 
 namespace shigusa {
 namespace {
-
-constexpr int kStepsPerFrame = 3;
 
 // The mass of the elbow's link with all links that it holds.
 MassProperties held_mass(const BodyModel& body, int elbow) {
@@ -61,41 +58,12 @@ BodyModel arm_body(const BodyModel& body, const BodyLimb& arm, bool turning) {
   return BodyModel(std::move(alone));
 }
 
-ArmRollout::ArmRollout(const BodyModel& arm) : arm_(&arm), placed_(arm), ik_(arm) {
-  SHG_CHECK(arm.dof_count() == kArmDofs, "an arm has four freedoms");
-}
-
-double ArmRollout::run(std::span<const Vec3d> path, const ArmWeights& weights,
-                       std::vector<double>& angles) {
-  std::array<double, kArmDofs> inverse{};
-  for (std::size_t k = 0; k < inverse.size(); ++k) {
-    inverse[k] = weights[k].locked ? 0.0 : 1.0 / weights[k].weight;
+std::vector<double> inverse_weights(const ArmWeights& weights) {
+  std::vector<double> inverse;
+  for (const JointWeight& joint : weights) {
+    inverse.push_back(joint.locked ? 0.0 : 1.0 / joint.weight);
   }
-  std::array<double, kArmDofs> q{};
-  std::copy(arm_->start().begin(), arm_->start().end(), q.begin());
-  const Effector& hand = arm_->effectors()[0];
-  IkTarget<double> target{.link = hand.link, .point = hand.point};
-  const IkSettings settings;
-  angles.assign(q.begin(), q.end());
-  forward_kinematics<double>(*arm_, q, placed_);
-  double worst = 0.0;
-  for (std::size_t f = 1; f < path.size(); ++f) {
-    target.position = path[f];
-    double miss = 0.0;
-    const int most = f + 1 == path.size() ? kStepsPerFrame + kLastSteps : kStepsPerFrame;
-    for (int k = 0; k < most && (k < kStepsPerFrame || miss > kLastTolerance); ++k) {
-      const auto change =
-          weighted_ik_step<double>(*arm_, placed_, {std::span(&target, 1), inverse}, settings, ik_);
-      for (std::size_t d = 0; d < q.size(); ++d) q[d] += change[d];
-      forward_kinematics<double>(*arm_, q, placed_);
-      miss = norm(position_error(placed_, target));
-    }
-    target.lag = miss;
-    // NaN counts as far off
-    worst = miss < 1e9 ? max(worst, miss) : 1e9;
-    angles.insert(angles.end(), q.begin(), q.end());
-  }
-  return worst;
+  return inverse;
 }
 
 }  // namespace shigusa

@@ -118,25 +118,6 @@ std::optional<BodyLimb> arm_of(const BodyModel& body, std::span<const int> chain
 
 }  // namespace
 
-BallTurns BodyLimb::turns_of(const BodyModel& body, std::span<const double> angles) const {
-  const double sense = carries ? -1.0 : 1.0;
-  const auto turn = [&](int dof) {
-    return sense * body.dof(dof).sign * angles[static_cast<std::size_t>(dof)];
-  };
-  return {turn(flexion), turn(abduction), turn(rotation)};
-}
-
-void BodyLimb::put_turns(const BodyModel& body, const BallTurns& turns,
-                         std::span<double> angles) const {
-  const double sense = carries ? -1.0 : 1.0;
-  const auto put = [&](int dof, double turn) {
-    angles[static_cast<std::size_t>(dof)] = sense * body.dof(dof).sign * turn;
-  };
-  put(flexion, turns.x);
-  put(abduction, turns.z);
-  put(rotation, turns.y);
-}
-
 Transformd held_place(const BodyModel& body, int carrier, int link) {
   if (link == carrier) return {};
   SHG_CHECK(link != kBaseLink, "a link that the other one carries");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "body/joint_name.hpp"
+#include "core/index.hpp"
 #include "kinematics/limb.hpp"
 
 namespace shigusa {
@@ -15,6 +16,9 @@ namespace shigusa {
 // near its goal (m).
 inline constexpr int kLastSteps = 12;
 inline constexpr double kLastTolerance = 1e-10;
+// … or where single precision computes.
+template <class S>
+inline constexpr double kLastMiss = sizeof(Element<S>) == sizeof(double) ? kLastTolerance : 1e-6;
 
 // A limb of the body as layers see it: a ball joint at the trunk, a hinge in the middle and, of a
 // leg, an ankle at the foot, which is planted. An arm holds its joints beyond the elbow as they
@@ -44,8 +48,25 @@ struct BodyLimb {
 
   // The rotation from the trunk to upper arm or thigh by the turns of the ball joint's dofs, and
   // the reverse: signs of the dofs, and of the chain's direction.
-  [[nodiscard]] BallTurns turns_of(const BodyModel& body, std::span<const double> angles) const;
-  void put_turns(const BodyModel& body, const BallTurns& turns, std::span<double> angles) const;
+  template <class S>
+  [[nodiscard]] BasicBallTurns<S> turns_of(const BodyModel& body, std::span<const S> angles) const {
+    const auto turn = [&](int dof) { return S(sense(body, dof)) * angles[index(dof)]; };
+    return {turn(flexion), turn(abduction), turn(rotation)};
+  }
+  template <class S>
+  void put_turns(const BodyModel& body, const BasicBallTurns<S>& turns, std::span<S> angles) const {
+    const auto put = [&](int dof, const S& turn) {
+      angles[index(dof)] = S(sense(body, dof)) * turn;
+    };
+    put(flexion, turns.x);
+    put(abduction, turns.z);
+    put(rotation, turns.y);
+  }
+
+ private:
+  [[nodiscard]] double sense(const BodyModel& body, int dof) const {
+    return carries ? -body.dof(dof).sign : body.dof(dof).sign;
+  }
 };
 
 // The limbs that move: legs whose foot is planted, the base's first; arms with an effector. A leg

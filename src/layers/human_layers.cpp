@@ -28,7 +28,8 @@ constexpr std::array<FinalRange, 3> kFinalRanges{{
 CriteriaSettings swivel_criteria() {
   CriteriaSettings criteria = default_criteria();
   criteria.balance_zone_weight = 0.0;  // with the trunk held there is nothing to balance …
-  criteria.low_back_weight = 0.0;      // … and no back
+  criteria.low_back_weight = 0.0;      // … and no back …
+  criteria.collision_weight = criteria.pressure_weight = 0.0;  // … and an arm alone has no feet
   criteria.torque_weight = 0.1;
   return criteria;
 }

@@ -130,8 +130,8 @@ class Reducer {
   [[nodiscard]] std::vector<double> ball_starts(const BodyLimb& leg, const Mat3d& line) const {
     const Mat3d& trunk = placed_.link_rotation(limbs_.trunk);
     std::vector<double> angles(body_.start().begin(), body_.start().end());
-    const BallTurns near = leg.turns_of(body_, angles);
-    leg.put_turns(body_, ball_turns(transpose(trunk) * line, near), angles);
+    const BallTurns near = leg.turns_of<double>(body_, angles);
+    leg.put_turns<double>(body_, ball_turns(transpose(trunk) * line, near), angles);
     return angles;
   }
 

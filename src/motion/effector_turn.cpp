@@ -15,18 +15,6 @@ Mat3d pointing(const Vec3d& direction) {
 
 }  // namespace
 
-Mat3d rotation_by(const Vec3d& vector) {
-  const double angle = norm(vector);
-  if (!(angle > 0.0)) return {};
-  const Vec3d a = vector * (1.0 / angle);
-  const SinCos<double> turn = sin_cos(angle);
-  // v cos + a × v sin + a (a · v) (1 - cos)
-  const auto turned = [&](const Vec3d& v) {
-    return v * turn.cos + cross(a, v) * turn.sin + a * (dot(a, v) * (1.0 - turn.cos));
-  };
-  return {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
-}
-
 Mat3d EffectorTurn::at(double tau) const {
   const double share = minimum_jerk(tau);
   if (kind == Turning::whole) {
@@ -37,18 +25,6 @@ Mat3d EffectorTurn::at(double tau) const {
   const Vec3d from = start * axis;
   return pointing(share < 1.0 ? rotation_by(turn_between(from, direction) * share) * from
                               : direction);
-}
-
-double EffectorTurn::miss(const Mat3d& orientation) const {
-  switch (kind) {
-    case Turning::whole:
-      return norm(rotation_vector(goal * transpose(orientation)));
-    case Turning::axis:
-      return norm(turn_between(orientation * axis, direction));
-    case Turning::free:
-      break;
-  }
-  return 0.0;
 }
 
 EffectorTurn EffectorTurn::ending_at(const Mat3d& orientation) const {

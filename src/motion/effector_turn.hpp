@@ -25,14 +25,25 @@ struct EffectorTurn {
   [[nodiscard]] Mat3d at(double tau) const;
 
   // How far the orientation R_WL is from the one wanted at the end: rad, in 0..π.
-  [[nodiscard]] double miss(const Mat3d& orientation) const;
+  template <class S>
+  [[nodiscard]] S miss(const Mat3<S>& orientation) const;
 
   // The same turn to where the orientation R_WL has it.
   [[nodiscard]] EffectorTurn ending_at(const Mat3d& orientation) const;
 };
 
 // Rotation by a rotation vector (axis · angle, rad).
-[[nodiscard]] Mat3d rotation_by(const Vec3d& vector);
+template <class S>
+[[nodiscard]] Mat3<S> rotation_by(const Vec3<S>& vector) {
+  const S angle = norm(vector);
+  const Vec3<S> a = vector * (S(1) / select(angle > S(0), angle, S(1)));
+  const SinCos<S> turn = sin_cos(angle);
+  // v cos + a × v sin + a (a · v) (1 - cos)
+  const auto turned = [&](const Vec3<S>& v) {
+    return v * turn.cos + cross(a, v) * turn.sin + a * (dot(a, v) * (S(1) - turn.cos));
+  };
+  return {turned({S(1), S(0), S(0)}), turned({S(0), S(1), S(0)}), turned({S(0), S(0), S(1)})};
+}
 
 // The shortest turn (rotation vector, rad, in their frame) that takes unit vector a to b; of
 // opposite ones it is about any axis square to them.
@@ -50,6 +61,19 @@ template <class S>
       cross(a, select(slants, Vec3<S>{S(0), S(1), S(0)}, Vec3<S>{S(1), S(0), S(0)}));
   const Vec3<S> opposite = square * (S(kPi) / norm(square));
   return select(tiny & (cosine < S(0)), opposite, near);
+}
+
+template <class S>
+S EffectorTurn::miss(const Mat3<S>& orientation) const {
+  switch (kind) {
+    case Turning::whole:
+      return norm(rotation_vector(to_scalar<S>(goal) * transpose(orientation)));
+    case Turning::axis:
+      return norm(turn_between(orientation * to_scalar<S>(axis), to_scalar<S>(direction)));
+    case Turning::free:
+      break;
+  }
+  return S(0);
 }
 
 }  // namespace shigusa

@@ -35,7 +35,7 @@ class Sectors {
   Sectors(const std::vector<Vec3d>& points, double x, double z, double share) {
     std::array<std::vector<double>, kSectors> values;
     for (const Vec3d& p : points) {
-      const double turn = atan2(p.z - z, p.x - x) * (kSectors / (2.0 * kPi)) + kSectors + 0.5;
+      const double turn = atan2(p.z - z, p.x - x) * (kSectors / kTwoPi) + kSectors + 0.5;
       const auto sector = static_cast<std::size_t>(turn) % kSectors;
       values[sector].push_back(sqrt((p.x - x) * (p.x - x) + (p.z - z) * (p.z - z)));
     }
@@ -64,7 +64,7 @@ class Sectors {
     Vec3d sum{};
     if (filled_ < kSectors) return sum;
     for (std::size_t s = 0; s < kSectors; ++s) {
-      const SinCos<double> towards = sin_cos(static_cast<double>(s) * (2.0 * kPi / kSectors));
+      const SinCos<double> towards = sin_cos(static_cast<double>(s) * (kTwoPi / kSectors));
       sum += Vec3d{towards.cos, 0.0, towards.sin} * (*distance_[s] * (2.0 / kSectors));
     }
     return sum;

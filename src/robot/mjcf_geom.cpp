@@ -34,7 +34,7 @@ Solid solid(Shape shape, const Vec3d& s) {
       return {4.0 / 3.0 * kPi * r2 * s.x, Vec3d{1, 1, 1} * (0.4 * r2)};
     case Shape::cylinder: {
       const double across = r2 / 4.0 + s.y * s.y / 3.0;
-      return {2.0 * kPi * r2 * s.y, {across, across, 0.5 * r2}};
+      return {kTwoPi * r2 * s.y, {across, across, 0.5 * r2}};
     }
     case Shape::capsule: {
       const double ball = 4.0 / 3.0 * s.x / (4.0 / 3.0 * s.x + 2.0 * s.y);

@@ -327,7 +327,7 @@ void ModelReader::read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball
   const bool endless = !is_finite((*ends)[1] - (*ends)[0]);
   for (double& end : *ends) end = clamp(end, -kFarthest, kFarthest);
   const double length = (*ends)[1] - (*ends)[0];
-  joint.limited = !endless && (joint.slides || length < 2.0 * kPi);
+  joint.limited = !endless && (joint.slides || length < kTwoPi);
   if (joint.limited) {
     joint.lower = (*ends)[0];
     joint.upper = (*ends)[1];

@@ -275,7 +275,7 @@ class RobotReader {
       return wrong("joint '{}' has the limits {} to {}; the lower one comes first", joint.name,
                    limits.lower, limits.upper);
     }
-    to.limited = to.slides || limits.upper - limits.lower < 2.0 * kPi;
+    to.limited = to.slides || limits.upper - limits.lower < kTwoPi;
     if (!to.limited) return {};
     to.lower = limits.lower;
     to.upper = limits.upper;

@@ -2,34 +2,26 @@
 #include "rollout/batch_rollout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <shigusa/parallel.hpp>
 
 #include "core/check.hpp"
 #include "lane_scorer.hpp"
+#include "simd/usable_set.hpp"
 
 namespace shigusa {
 namespace {
 
-std::unique_ptr<LaneScorer> make_scorer(SimdSet set, const ReachProblem& problem,
-                                        const CriteriaSettings& criteria) {
-  switch (set) {
-    case SimdSet::scalar:
-      return make_scalar_scorer(problem, criteria);
-    case SimdSet::lanes_4:
-      return make_lanes_4_scorer(problem, criteria);
+// in the order of SimdSet
+constexpr std::array kMakers{
+    make_scalar_scorer,
+    make_lanes_4_scorer,
 #ifdef SHIGUSA_HAS_AVX
-    case SimdSet::avx2:
-      return make_avx2_scorer(problem, criteria);
-    case SimdSet::avx512:
-      return make_avx512_scorer(problem, criteria);
-#else
-    default:
-      break;
+    make_avx2_scorer,
+    make_avx512_scorer,
 #endif
-  }
-  return nullptr;
-}
+};
 
 }  // namespace
 
@@ -39,9 +31,7 @@ BatchRollout::BatchRollout(const ReachProblem& problem, const CriteriaSettings& 
       criteria_(&criteria),
       settings_(settings),
       scorers_(static_cast<std::size_t>(thread_count(settings.threads))) {
-  const auto usable = usable_simd_sets();
-  SHG_CHECK(std::find(usable.begin(), usable.end(), settings.simd) != usable.end(),
-            "this machine cannot run the SIMD set " + std::string(simd_name(settings.simd)));
+  require_usable(settings.simd);
 }
 
 BatchRollout::~BatchRollout() = default;
@@ -67,7 +57,7 @@ void BatchRollout::score(const MotionInputs& inputs, std::span<double> scores,
     const std::size_t first = static_cast<std::size_t>(batch) * lanes;
     const std::size_t count = std::min(lanes, scores.size() - first);
     std::unique_ptr<LaneScorer>& scorer = scorers_[static_cast<std::size_t>(worker)];
-    if (!scorer) scorer = make_scorer(settings_.simd, *problem_, *criteria_);
+    if (!scorer) scorer = kMakers[static_cast<std::size_t>(settings_.simd)](*problem_, *criteria_);
     scorer->score(
         inputs.part(first, count, dofs), scores.subspan(first, count),
         final_angles.empty() ? final_angles : final_angles.subspan(first * dofs, count * dofs));

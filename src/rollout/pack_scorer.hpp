@@ -18,7 +18,7 @@ class PackScorer final : public LaneScorer {
   using S = Pack<float, N>;
 
   PackScorer(const ReachProblem& problem, const CriteriaSettings& criteria)
-      : rollout_(problem),
+      : rollout_(problem, LostMotion::left),
         criteria_(*problem.body, criteria),
         inverse_weights_(problem.body->dofs().size()),
         posture_(inverse_weights_),

@@ -23,6 +23,47 @@ inline constexpr double kArmHangs = 0.8;
 inline constexpr double kClavicleRises = radians(28);
 inline constexpr double kClavicleAhead = radians(14);
 
+// Elevation and protraction (rad) that go with an arm that points along a unit vector in the frame
+// of the chest, beside those of one that hangs.
+template <class S>
+struct Shrug {
+  S elevation;
+  S protraction;
+};
+template <class S>
+[[nodiscard]] Shrug<S> shrugged(const Vec3<S>& along) {
+  return {(S(1) + along.y) * S(0.5 * kClavicleRises), along.z * S(kClavicleAhead)};
+}
+
+// Flexion and abduction (rad) of a shoulder's link that hangs from one of that rotation; side: +1
+// left, -1 right.
+template <class S>
+struct Hanging {
+  S flexion;
+  S abduction;
+};
+template <class S>
+[[nodiscard]] Hanging<S> hanging(const Mat3<S>& parent, const S& side) {
+  const Vec3<S> down{-parent.cx.y, -parent.cy.y, -parent.cz.y};
+  const S level = sqrt(down.y * down.y + down.z * down.z);
+  return {atan2(down.z, -down.y) * S(kArmHangs), atan2(down.x, level) * side * S(kArmHangs)};
+}
+
+// The angles (rad) that the law wants of an arm as its body starts, by the links that carry its
+// shoulder and its clavicle, and the upper arm's.
+struct ArmAtStart {
+  double flexion = 0.0;
+  double abduction = 0.0;
+  double elevation = 0.0;
+  double protraction = 0.0;
+};
+struct ArmLinks {
+  int parent = 0;
+  int chest = 0;
+  int upper = 0;
+};
+[[nodiscard]] ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side);
+
 // How the parts of a whole human move that no goal moves, frame by frame: the head turns to the
 // goal, a free arm hangs, clavicles go with their arms. The law says by how much the null space is
 // drawn; goals, contacts and limits stay what they are. For bodies with a neck; others have none.
@@ -48,18 +89,6 @@ class PostureLaw {
       if (arm.free) hang(arm, now, angles, reference);
       if (arm.has_clavicle && (arm.free || !guided)) shrug(arm, now, angles, reference);
     }
-  }
-
-  // Elevation and protraction (rad) that go with an arm that points along a unit vector in the
-  // frame of the chest, beside those of one that hangs.
-  template <class U>
-  struct Shrug {
-    U elevation;
-    U protraction;
-  };
-  template <class U>
-  static Shrug<U> shrugged(const Vec3<U>& along) {
-    return {(U(1) + along.y) * U(0.5 * kClavicleRises), along.z * U(kClavicleAhead)};
   }
 
  private:
@@ -139,16 +168,13 @@ class PostureLaw {
   // Somebody who starts as a file has them may stoop or hold up an arm: the law goes on from there,
   // and does not draw them to where it would have them at once.
   static void begin_at_start(const BodyModel& body, Arm& arm) {
-    const Kinematics<double> standing = start_kinematics(body);
-    const double side = arm.side;
-    const Pair<double> hangs = hanging(standing.link_rotation(arm.parent), side);
-    arm.flexion.start -= static_cast<T>(hangs.first);
-    arm.abduction.start -= static_cast<T>(hangs.second);
+    const ArmAtStart start = arm_at_start(
+        body, {arm.parent, arm.has_clavicle ? arm.chest : arm.parent, arm.upper}, arm.side);
+    arm.flexion.start -= static_cast<T>(start.flexion);
+    arm.abduction.start -= static_cast<T>(start.abduction);
     if (!arm.has_clavicle) return;
-    const Shrug<double> rises = shrugged(
-        transpose_times(standing.link_rotation(arm.chest), -standing.link_rotation(arm.upper).cy));
-    arm.elevation.start -= static_cast<T>(rises.elevation);
-    arm.protraction.start -= static_cast<T>(rises.protraction);
+    arm.elevation.start -= static_cast<T>(start.elevation);
+    arm.protraction.start -= static_cast<T>(start.protraction);
   }
 
   // of what is left of the gaze's turn
@@ -178,25 +204,11 @@ class PostureLaw {
     for (const Freedom& f : nods_) draw_to(f, nod * S(kHeadOfGaze), share, angles, reference);
   }
 
-  template <class U>
-  struct Pair {
-    U first;
-    U second;
-  };
-
-  // flexion and abduction of a shoulder's link that hangs from this one
-  template <class U>
-  static Pair<U> hanging(const Mat3<U>& parent, const U& side) {
-    const Vec3<U> down{-parent.cx.y, -parent.cy.y, -parent.cz.y};
-    const U level = sqrt(down.y * down.y + down.z * down.z);
-    return {atan2(down.z, -down.y) * U(kArmHangs), atan2(down.x, level) * side * U(kArmHangs)};
-  }
-
   void hang(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
-    const Pair<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
-    draw_to(arm.flexion, wanted.first, S(1), angles, reference);
-    draw_to(arm.abduction, wanted.second, S(1), angles, reference);
+    const Hanging<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
+    draw_to(arm.flexion, wanted.flexion, S(1), angles, reference);
+    draw_to(arm.abduction, wanted.abduction, S(1), angles, reference);
   }
 
   void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,

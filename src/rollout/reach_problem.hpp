@@ -98,8 +98,12 @@ struct BasicReachOutcome {
   [[nodiscard]] auto stands() const {
     return (contact_slide <= S(kReachTolerance)) & (contact_tilt <= S(kTiltTolerance));
   }
+  // Paths and planted feet are kept.
+  [[nodiscard]] auto keeps_to(const ReachTolerance& tolerance) const {
+    return (path_error <= S(tolerance.path)) & stands();
+  }
   [[nodiscard]] auto met(const ReachTolerance& tolerance = {}) const {
-    return (goal_error <= S(tolerance.goal)) & (path_error <= S(tolerance.path)) & stands();
+    return (goal_error <= S(tolerance.goal)) & keeps_to(tolerance);
   }
 };
 using ReachOutcome = BasicReachOutcome<double>;

@@ -6,28 +6,41 @@
 
 namespace shigusa {
 
+// Keeps the frames of a motion that it is shown.
+class MotionRecorder {
+ public:
+  // The problem outlives it.
+  explicit MotionRecorder(const ReachProblem& problem) : problem_(&problem) {
+    motion.clip.dofs = problem.body->dof_count();
+    motion.clip.frames = problem.steps + 1;
+    motion.clip.frame_time = problem.duration / problem.steps;
+    motion.effectors.resize(problem.goals.size());
+  }
+
+  void operator()(const PlacedFrame<double>& frame) {
+    motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(), frame.angles.end());
+    motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
+    motion.centre_of_mass.push_back(frame.centre_of_mass);
+    for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
+      const Effector& effector = problem_->body->effector(problem_->goals[g].effector);
+      motion.effectors[g].push_back(frame.kinematics.point(effector.link, effector.point));
+    }
+  }
+
+  Motion motion;
+
+ private:
+  const ReachProblem* problem_;
+};
+
 // Plays the parameters' motion with a Rollout<double>, or what has its run(), and keeps it whole.
 template <class Player>
 [[nodiscard]] RolledOut record_motion(const ReachProblem& problem, const Parameters& parameters,
                                       Player&& player) {
-  const BodyModel& body = *problem.body;
-  RolledOut result;
-  Motion& motion = result.motion;
-  motion.clip.dofs = body.dof_count();
-  motion.clip.frames = problem.steps + 1;
-  motion.clip.frame_time = problem.duration / problem.steps;
-  motion.effectors.resize(problem.goals.size());
-  const HeldInput held(body, parameters);
-  result.outcome = player.run(held.input(), [&](const PlacedFrame<double>& frame) {
-    motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(), frame.angles.end());
-    motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
-    motion.centre_of_mass.push_back(frame.centre_of_mass);
-    for (std::size_t g = 0; g < problem.goals.size(); ++g) {
-      const Effector& effector = body.effector(problem.goals[g].effector);
-      motion.effectors[g].push_back(frame.kinematics.point(effector.link, effector.point));
-    }
-  });
-  return result;
+  MotionRecorder recorder(problem);
+  const HeldInput held(*problem.body, parameters);
+  const ReachOutcome outcome = player.run(held.input(), recorder);
+  return {std::move(recorder.motion), outcome};
 }
 
 }  // namespace shigusa

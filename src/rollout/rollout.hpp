@@ -19,6 +19,13 @@ namespace shigusa {
 // The share of the duration before heels lift to a guide's posture.
 inline constexpr double kHeelsBegin = 0.55;
 
+// The treatment of a motion that has left its path, or moved a planted foot, by more than the
+// problem tolerates: nothing makes up for that in later frames.
+enum class LostMotion {
+  corrected,  // as any other, so that it ends as near to its goal as it can
+  left,       // it takes no further steps: other lanes would wait for them
+};
+
 // From parameters to a motion: follows the problem's paths by weighted IK, frame by frame, and
 // shows each frame, with torques and centre of mass, to a visitor. S is double, or a pack: then
 // each lane has parameters of its own. Holds its scratch memory, so make one per thread and use it
@@ -26,8 +33,9 @@ inline constexpr double kHeelsBegin = 0.55;
 template <class S>
 class Rollout {
  public:
-  explicit Rollout(const ReachProblem& problem)
+  explicit Rollout(const ReachProblem& problem, LostMotion lost = LostMotion::corrected)
       : problem_(&problem),
+        lost_(lost),
         contacts_from_(problem.goals.size()),
         ik_(*problem.body),
         dynamics_(problem),
@@ -113,7 +121,7 @@ class Rollout {
     const S slack(last ? problem_->goal_tolerance : problem_->path_slack);
     for (int k = 0; k < corrections; ++k) {
       const S worst = max(missed.path_error, contact_error(missed));
-      const auto off = (worst > slack) & (worst < S(problem_->rescue_limit));
+      const auto off = (worst > slack) & (worst < S(problem_->rescue_limit)) & wanted(outcome);
       if (!any(off)) break;
       correct(targets, inverse_weights, off);
       missed = measure(targets, turn_share, false);
@@ -121,7 +129,8 @@ class Rollout {
     // a goal out of reach, or weights that are far apart, do not take a planted foot along
     for (int k = 0; k < problem_->contact_corrections; ++k) {
       const S tilt_as_slide = missed.contact_tilt * S(kReachTolerance / kTiltTolerance);
-      const auto off = max(missed.contact_slide, tilt_as_slide) > S(problem_->contact_slack);
+      const S worst = max(missed.contact_slide, tilt_as_slide);
+      const auto off = (worst > S(problem_->contact_slack)) & wanted(outcome);
       if (!any(off)) break;
       correct(contacts, unlocked_, off);
       missed = measure(targets, turn_share, false);
@@ -130,6 +139,12 @@ class Rollout {
     outcome.contact_slide = worse(outcome.contact_slide, missed.contact_slide);
     outcome.contact_tilt = worse(outcome.contact_tilt, missed.contact_tilt);
     if (last) outcome.goal_error = missed.path_error;
+  }
+
+  // the lanes whose motions are to be corrected, by what they missed before this frame
+  auto wanted(const BasicReachOutcome<S>& outcome) const {
+    const auto all = S(0) < S(1);
+    return lost_ == LostMotion::left ? outcome.keeps_to(problem_->tolerance) : all;
   }
 
   // the inverse weights of the step to this frame
@@ -305,6 +320,7 @@ class Rollout {
   };
 
   const ReachProblem* problem_;
+  LostMotion lost_;
   std::size_t contacts_from_;            // index of the first contact among the targets
   std::vector<IkTarget<S>> targets_;     // the goals, then the contacts
   std::vector<Lead> leads_;              // put aside while a frame is corrected

@@ -10,10 +10,9 @@
 #include <shigusa/search.hpp>
 #include <utility>
 
-#include "cma_run.hpp"
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "population.hpp"
-#include "scorer.hpp"
 
 namespace shigusa {
 namespace {
@@ -38,101 +37,99 @@ int default_population(int genes) {
   return 16 * (1 + static_cast<int>((wanted - 1e-9) / 16.0));
 }
 
-// Tells when the best of a run has stopped falling.
-class Standstill {
- public:
-  Standstill(double precision, int patience) : precision_(precision), patience_(patience) {}
-
-  [[nodiscard]] bool reached(double best) {
-    const bool falls =
-        last_ == kWorst ? best < kWorst : best < last_ - max(precision_, kLeastFall * abs(last_));
-    since_ = falls ? 0 : since_ + 1;
-    if (falls) last_ = best;
-    return since_ > patience_;
-  }
-
- private:
-  double precision_;
-  int patience_;  // generations
-  double last_ = kWorst;
-  int since_ = 0;  // generations
-};
-
-class CmaEs {
- public:
-  CmaEs(const SearchProblem& problem, const CmaEsSettings& settings, const Progress& progress)
-      : settings_(settings),
-        scorer_(problem, settings.evaluations, progress),
-        random_(settings.seed) {
-    check(problem, settings);
-    if (settings_.population == 0) settings_.population = default_population(problem.genes);
-  }
-
-  SearchResult search() {
-    int elsewhere = 0;  // evaluations of the runs that did not begin at the best
-    bool going = true;
-    for (int run = 0; going; ++run) {
-      const int spent = scorer_.result().evaluations;
-      const bool polishes = run > 0 && spent - elsewhere < elsewhere;
-      if (polishes) {
-        going = descend(scorer_.result().best_seen.point, settings_.polish_step, false);
-      } else {
-        going = descend(run == 0 ? scorer_.start() : random_point(), settings_.step, run == 0);
-        elsewhere += scorer_.result().evaluations - spent;
-      }
-    }
-    for (std::size_t i = 0; i < last_scores_.size(); ++i) {
-      const auto point = point_of(last_points_, i, static_cast<std::size_t>(scorer_.genes()));
-      scorer_.result().final_population.push_back({{point.begin(), point.end()}, last_scores_[i]});
-    }
-    return std::move(scorer_.result());
-  }
-
- private:
-  std::vector<double> random_point() {
-    std::vector<double> point(static_cast<std::size_t>(scorer_.genes()));
-    for (double& x : point) x = random_.uniform();
-    return point;
-  }
-
-  // One run; false when the search must end with it.
-  bool descend(std::vector<double> mean, double step, bool mean_first) {
-    CmaRun run(std::move(mean), step, settings_.population);
-    Standstill standstill(settings_.precision, 10 + 12 * scorer_.genes() / settings_.population);
-    std::vector<Individual> best;
-    std::vector<double> scores(static_cast<std::size_t>(settings_.population));
-    bool going = true;
-    for (bool over = false; going && !over; mean_first = false) {
-      const std::vector<double>& points = run.sample(random_);
-      if (mean_first) run.put_mean_first();
-      const int before = scorer_.left();
-      going = scorer_.step(points, scores);
-      const auto scored = static_cast<std::size_t>(before - scorer_.left());
-      keep_best(best, std::span(points).first(scored * points.size() / scores.size()),
-                std::span(scores).first(scored), 1);
-      if (scored < scores.size()) break;
-      if (before != settings_.evaluations) ++scorer_.result().generations;
-      last_points_ = points;
-      last_scores_ = scores;
-      run.update(scores);
-      over = standstill.reached(best[0].score) || run.degenerate() || run.spread() < kLeastSpread;
-    }
-    scorer_.result().final_population.push_back(std::move(best[0]));
-    return going;
-  }
-
-  CmaEsSettings settings_;
-  Scorer scorer_;
-  Random random_;
-  std::vector<double> last_points_;  // of the last generation that was scored as a whole
-  std::vector<double> last_scores_;
-};
-
 }  // namespace
+
+bool CmaEs::Standstill::reached(double best) {
+  const bool falls =
+      last_ == kWorst ? best < kWorst : best < last_ - max(precision_, kLeastFall * abs(last_));
+  since_ = falls ? 0 : since_ + 1;
+  if (falls) last_ = best;
+  return since_ > patience_;
+}
+
+CmaEs::CmaEs(const SearchProblem& problem, const CmaEsSettings& settings, const Progress& progress)
+    : settings_(settings),
+      scorer_(problem, settings.evaluations, progress),
+      random_(settings.seed, settings.stream) {
+  check(problem, settings);
+  if (settings_.population == 0) settings_.population = default_population(problem.genes);
+  scores_.resize(index(settings_.population));
+}
+
+bool CmaEs::run_to(int evaluations) {
+  while (!over_ && scorer_.result().evaluations < evaluations) {
+    if (!descent_) begin_descent();
+    step();
+  }
+  return !over_;
+}
+
+SearchResult CmaEs::take_result() {
+  SearchResult& result = scorer_.result();
+  if (descent_) end_descent();
+  for (std::size_t i = 0; i < last_scores_.size(); ++i) {
+    const auto point = point_of(last_points_, i, index(scorer_.genes()));
+    result.final_population.push_back({{point.begin(), point.end()}, last_scores_[i]});
+  }
+  return std::move(result);
+}
+
+// A descent from the best while those from it have had fewer evaluations than all others.
+void CmaEs::begin_descent() {
+  const bool first = descents_++ == 0;
+  const int spent = scorer_.result().evaluations;
+  const bool polishes = !first && spent - elsewhere_ < elsewhere_;
+  std::vector<double> mean;
+  if (polishes) {
+    mean = scorer_.result().best_seen.point;
+  } else if (first) {
+    mean = scorer_.start();
+  } else {
+    for (int k = 0; k < scorer_.genes(); ++k) mean.push_back(random_.uniform());
+  }
+  const double step = polishes ? settings_.polish_step : settings_.step;
+  descent_.emplace(
+      Descent{.run = CmaRun(std::move(mean), step, settings_.population),
+              .standstill =
+                  Standstill(settings_.precision, 10 + 12 * scorer_.genes() / settings_.population),
+              .begun_at = spent,
+              .polishes = polishes,
+              .mean_first = first});
+}
+
+// One generation.
+void CmaEs::step() {
+  Descent& now = *descent_;
+  const std::vector<double>& points = now.run.sample(random_);
+  if (std::exchange(now.mean_first, false)) now.run.put_mean_first();
+  const int before = scorer_.left();
+  over_ = !scorer_.step(points, scores_);
+  const std::size_t scored = index(before - scorer_.left());
+  keep_best(now.best, std::span(points).first(scored * index(scorer_.genes())),
+            std::span(scores_).first(scored), 1);
+  bool ends = scored < scores_.size();
+  if (!ends) {
+    if (before != settings_.evaluations) ++scorer_.result().generations;
+    last_points_ = points;
+    last_scores_ = scores_;
+    now.run.update(scores_);
+    ends = now.standstill.reached(now.best[0].score) || now.run.degenerate() ||
+           now.run.spread() < kLeastSpread;
+  }
+  if (ends) end_descent();
+}
+
+void CmaEs::end_descent() {
+  scorer_.result().final_population.push_back(std::move(descent_->best[0]));
+  if (!descent_->polishes) elsewhere_ += scorer_.result().evaluations - descent_->begun_at;
+  descent_.reset();
+}
 
 SearchResult cma_es_search(const SearchProblem& problem, const CmaEsSettings& settings,
                            const Progress& progress) {
-  return CmaEs(problem, settings, progress).search();
+  CmaEs search(problem, settings, progress);
+  search.run_to(settings.evaluations);
+  return search.take_result();
 }
 
 SearchResult cma_es_by_default(const SearchProblem& problem, int evaluations, std::uint64_t seed,

@@ -2,7 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <shigusa/random.hpp>
 #include <shigusa/search.hpp>
+#include <vector>
+
+#include "cma_run.hpp"
+#include "scorer.hpp"
 
 namespace shigusa {
 
@@ -16,6 +22,7 @@ struct CmaEsSettings {
   double polish_step = 0.1;  // the same for a run from the best, 1e-6..1
   double precision = 1e-9;   // a fall of the best score that counts as none, ≥ 0
   std::uint64_t seed = 0;
+  std::uint64_t stream = 0;  // other random numbers for the same seed
 };
 
 // Covariance matrix adaptation (N. Hansen: The CMA evolution strategy: a tutorial, arXiv
@@ -54,5 +61,56 @@ struct CmaEsSettings {
 [[nodiscard]] SearchResult cma_es_search(const SearchProblem& problem,
                                          const CmaEsSettings& settings,
                                          const Progress& progress = {});
+
+// The same search, a stretch at a time: how it is cut changes nothing of what it finds. Problem and
+// progress outlive it.
+class CmaEs {
+ public:
+  CmaEs(const SearchProblem& problem, const CmaEsSettings& settings, const Progress& progress);
+
+  // Goes on, by whole generations, until that many points are scored; false once it is over.
+  bool run_to(int evaluations);
+
+  // The result so far; nothing comes after it.
+  [[nodiscard]] SearchResult take_result();
+
+ private:
+  // Tells when the best of a run has stopped falling.
+  class Standstill {
+   public:
+    Standstill(double precision, int patience) : precision_(precision), patience_(patience) {}
+    [[nodiscard]] bool reached(double best);
+
+   private:
+    double precision_;
+    int patience_;  // generations
+    double last_ = kWorst;
+    int since_ = 0;  // generations
+  };
+  // A run, with what it has come upon.
+  struct Descent {
+    CmaRun run;
+    Standstill standstill;
+    int begun_at;     // evaluations
+    bool polishes;    // from the best
+    bool mean_first;  // the mean is scored
+    std::vector<Individual> best{};
+  };
+
+  void begin_descent();
+  void step();
+  void end_descent();
+
+  CmaEsSettings settings_;
+  Scorer scorer_;
+  Random random_;
+  std::optional<Descent> descent_;
+  int descents_ = 0;
+  int elsewhere_ = 0;  // evaluations of the runs that did not begin at the best
+  bool over_ = false;
+  std::vector<double> scores_;       // of a generation
+  std::vector<double> last_points_;  // of the last generation that was scored as a whole
+  std::vector<double> last_scores_;
+};
 
 }  // namespace shigusa

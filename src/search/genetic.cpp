@@ -84,14 +84,11 @@ class GenomeScorer {
   void score_batches_of(std::size_t size) {
     const std::size_t count =
         queue_.size() < size ? queue_.size() : queue_.size() - queue_.size() % size;
-    std::vector<double> points;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::vector<double> point = point_of_genome(queue_[i]->first.genes, bits_);
-      points.insert(points.end(), point.begin(), point.end());
-    }
-    std::vector<double> scores(count);
-    const auto scored = static_cast<std::size_t>(scorer_.score(points, scores));
-    for (std::size_t i = 0; i < scored; ++i) queue_[i]->second = scores[i];
+    points_.clear();
+    for (std::size_t i = 0; i < count; ++i) append_point(queue_[i]->first.genes, bits_, points_);
+    scores_of_batch_.resize(count);
+    const auto scored = static_cast<std::size_t>(scorer_.score(points_, scores_of_batch_));
+    for (std::size_t i = 0; i < scored; ++i) queue_[i]->second = scores_of_batch_[i];
     queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
@@ -100,17 +97,21 @@ class GenomeScorer {
   int bits_;
   std::map<HashedGenome, std::optional<double>> scores_;
   std::vector<Entry*> queue_;
+  std::vector<double> points_;           // (batch × genes)
+  std::vector<double> scores_of_batch_;  // (batch)
 };
 
-std::vector<ScoredGenome> next_population(std::vector<ScoredGenome> pool,
+std::vector<ScoredGenome> next_population(std::span<const ScoredGenome> pool,
                                           const GeneticSettings& settings, Random& random) {
   std::vector<double> fitnesses;
+  fitnesses.reserve(pool.size());
   for (const ScoredGenome& individual : pool) {
     fitnesses.push_back(fitness(individual.score, settings.fitness_offset));
   }
   std::vector<ScoredGenome> selected;
+  selected.reserve(pool.size());
   for (const int index : roulette(fitnesses, settings.population, random)) {
-    selected.push_back(std::move(pool[static_cast<std::size_t>(index)]));
+    selected.push_back(pool[static_cast<std::size_t>(index)]);
   }
   return selected;
 }
@@ -145,9 +146,9 @@ class Run {
   void step(GenomeScorer& genomes) {
     const bool initial = population_.empty();
     for (const auto* entry : wanted_)
-      population_.push_back({entry->first.genes, entry->second.value()});
+      population_.push_back({&entry->first.genes, entry->second.value()});
     if (!initial) {
-      population_ = next_population(std::move(population_), settings_, random_);
+      population_ = next_population(population_, settings_, random_);
       ++generations_;
     }
     converged_ = test_.converged(population_);
@@ -234,7 +235,7 @@ class Runs {
     for (const Run& run : runs_) {
       for (const ScoredGenome& individual : run.population()) {
         result.final_population.push_back(
-            {point_of_genome(individual.genes, settings_.bits_per_gene), individual.score});
+            {point_of_genome(*individual.genes, settings_.bits_per_gene), individual.score});
       }
     }
     return std::move(result);

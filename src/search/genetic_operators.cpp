@@ -18,10 +18,14 @@ int bit_count(const Genome& genome, int bits_per_gene) {
 
 }  // namespace
 
+void append_point(const Genome& genome, int bits_per_gene, std::vector<double>& points) {
+  for (const std::uint16_t code : genome) points.push_back((code + 0.5) / (1 << bits_per_gene));
+}
+
 std::vector<double> point_of_genome(const Genome& genome, int bits_per_gene) {
   std::vector<double> point;
   point.reserve(genome.size());
-  for (const std::uint16_t code : genome) point.push_back((code + 0.5) / (1 << bits_per_gene));
+  append_point(genome, bits_per_gene, point);
   return point;
 }
 
@@ -79,10 +83,11 @@ std::vector<Genome> children_of(std::span<const ScoredGenome> parents, double ra
                                 int bits_per_gene, Random& random) {
   SHG_CHECK(parents.size() % 2 == 0, "an odd number of parents");
   std::vector<Genome> all;
+  all.reserve(parents.size());
   const std::vector<int> order = shuffled(static_cast<int>(parents.size()), random);
   for (std::size_t i = 0; i + 1 < order.size(); i += 2) {
-    const Genome& a = parents[index(order[i])].genes;
-    const Genome& b = parents[index(order[i + 1])].genes;
+    const Genome& a = *parents[index(order[i])].genes;
+    const Genome& b = *parents[index(order[i + 1])].genes;
     const int cuts = bit_count(a, bits_per_gene) - 1;
     if (cuts == 0 || !random.chance(rate)) continue;
     const int cut = 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(cuts)));
@@ -98,9 +103,9 @@ std::vector<Genome> mutants_of(std::span<const ScoredGenome> parents, double rat
   std::vector<Genome> mutants;
   for (const ScoredGenome& parent : parents) {
     if (!random.chance(rate)) continue;
-    const auto bits = static_cast<std::uint32_t>(bit_count(parent.genes, bits_per_gene));
+    const auto bits = static_cast<std::uint32_t>(bit_count(*parent.genes, bits_per_gene));
     const int bit = static_cast<int>(random.below(bits));
-    mutants.push_back(with_bit_flipped(parent.genes, bit, bits_per_gene));
+    mutants.push_back(with_bit_flipped(*parent.genes, bit, bits_per_gene));
   }
   return mutants;
 }
@@ -115,6 +120,7 @@ std::vector<int> roulette(std::span<const double> fitness, int draws, Random& ra
   std::iota(left.begin(), left.end(), 0);
   const auto of = [&](int index) { return fitness[static_cast<std::size_t>(index)]; };
   std::vector<int> drawn;
+  drawn.reserve(fitness.size());
   for (int d = 0; d < draws; ++d) {
     double total = 0.0;
     for (const int index : left) total += of(index);
@@ -129,20 +135,17 @@ std::vector<int> roulette(std::span<const double> fitness, int draws, Random& ra
 }
 
 bool ConvergenceTest::converged(std::span<const ScoredGenome> population) {
-  std::vector<const Genome*> distinct;
-  for (const ScoredGenome& individual : population) distinct.push_back(&individual.genes);
-  std::sort(distinct.begin(), distinct.end(),
-            [](const Genome* a, const Genome* b) { return *a < *b; });
-  const auto same = [](const Genome* a, const Genome* b) { return *a == *b; };
-  distinct.erase(std::unique(distinct.begin(), distinct.end(), same), distinct.end());
+  distinct_.clear();
+  for (const ScoredGenome& individual : population) distinct_.push_back(individual.genes);
+  const auto same = [](const Genome* a, const Genome* b) { return a == b || *a == *b; };
+  std::sort(distinct_.begin(), distinct_.end(),
+            [](const Genome* a, const Genome* b) { return a != b && *a < *b; });
+  distinct_.erase(std::unique(distinct_.begin(), distinct_.end(), same), distinct_.end());
   const bool first = unchanged_ < 0;
   const bool unchanged =
-      !first && std::equal(distinct.begin(), distinct.end(), last_.begin(), last_.end(),
-                           [](const Genome* a, const Genome& b) { return *a == b; });
+      !first && std::equal(distinct_.begin(), distinct_.end(), last_.begin(), last_.end(), same);
   unchanged_ = unchanged ? unchanged_ + 1 : 0;
-  // into the memory of the last ones
-  last_.resize(distinct.size());
-  for (std::size_t i = 0; i < distinct.size(); ++i) last_[i] = *distinct[i];
+  std::swap(last_, distinct_);
   return unchanged_ >= needed_;
 }
 

@@ -16,14 +16,16 @@ using Genome = std::vector<std::uint16_t>;
 
 inline constexpr int kMaxBitsPerGene = 16;
 
-// A genome with its score.
+// A genome, which lives elsewhere, with its score.
 struct ScoredGenome {
-  Genome genes;
+  const Genome* genes = nullptr;
   double score = 0.0;  // lower is better; +infinity where the problem gave NaN
 };
 
 // A gene's code stands for the middle of its share of [0, 1]: (code + 0.5) / 2^bits_per_gene.
 [[nodiscard]] std::vector<double> point_of_genome(const Genome& genome, int bits_per_gene);
+// The same behind other points.
+void append_point(const Genome& genome, int bits_per_gene, std::vector<double>& points);
 
 // The codes whose shares the coordinates, each in [0, 1], lie in.
 [[nodiscard]] Genome genome_of_point(std::span<const double> point, int bits_per_gene);
@@ -71,13 +73,15 @@ class ConvergenceTest {
  public:
   explicit ConvergenceTest(int unchanged_generations) : needed_(unchanged_generations) {}
 
-  // To be called with the initial population and then after each generation.
+  // To be called with the initial population and then after each generation, whose genomes are to
+  // live until the next call.
   [[nodiscard]] bool converged(std::span<const ScoredGenome> population);
 
  private:
   int needed_;
-  int unchanged_ = -1;  // generations without change; before the first population, -1
-  std::vector<Genome> last_;
+  int unchanged_ = -1;               // generations without change; before the first population, -1
+  std::vector<const Genome*> last_;  // distinct, in their order
+  std::vector<const Genome*> distinct_;  // of this generation
 };
 
 }  // namespace shigusa

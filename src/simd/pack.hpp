@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <shigusa/scalar.hpp>
 #include <utility>
+#ifdef __SSE__
+#include <immintrin.h>
+#endif
 
 // N numbers in the lanes of one vector register, by the vector extensions of GCC and Clang. A lane
 // never sees its neighbours, and each operation is one rounding of IEEE 754, so a lane's results do
@@ -100,6 +103,16 @@ template <int N>
   typedef signed char Bytes __attribute__((vector_size(16)));
   if constexpr (N == 4) return __builtin_wasm_any_true_v128((Bytes)condition.lanes) != 0;
 #endif
+// compilers take the lanes out one by one
+#ifdef __AVX512DQ__
+  if constexpr (N == 16) return _mm512_movepi32_mask((__m512i)condition.lanes) != 0;
+#endif
+#ifdef __AVX__
+  if constexpr (N == 8) return _mm256_movemask_ps((__m256)condition.lanes) != 0;
+#endif
+#ifdef __SSE__
+  if constexpr (N == 4) return _mm_movemask_ps((__m128)condition.lanes) != 0;
+#endif
   std::int32_t bits = 0;
   for (int lane = 0; lane < N; ++lane) bits |= condition.lanes[lane];
   return bits != 0;
@@ -107,6 +120,13 @@ template <int N>
 template <int N>
 [[nodiscard]] inline bool all(const Mask<N>& condition) {
   return !any(!condition);
+}
+
+// x rounded to the nearest integer, |x| below 2^22.
+template <int N>
+[[nodiscard]] inline Pack<float, N> nearest_integer(const Pack<float, N>& x) {
+  // adding and subtracting 1.5·2^23 rounds
+  return (x + Pack<float, N>(12582912.0F)) - Pack<float, N>(12582912.0F);
 }
 
 // sin x = x + x³ p(x²) and cos x = 1 - x²/2 + x⁴ q(x²) on [-π/4, π/4]: minimax coefficients
@@ -166,6 +186,14 @@ template <class S>
 template <int N>
 [[nodiscard]] inline Pack<float, N> atan2(const Pack<float, N>& y, const Pack<float, N>& x) {
   return single_atan2(y, x);
+}
+
+// Inverse cosine (rad); the argument is clamped to [-1, 1]. Absolute error below 5e-7.
+template <int N>
+[[nodiscard]] inline Pack<float, N> acos(const Pack<float, N>& x) {
+  using P = Pack<float, N>;
+  const P c = clamp(x, P(-1.0F), P(1.0F));
+  return single_atan2(sqrt((P(1.0F) - c) * (P(1.0F) + c)), c);
 }
 
 }  // namespace shigusa

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <shigusa/parallel.hpp>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "core/check.hpp"
+#include "simd/usable_set.hpp"
 
 namespace shigusa {
 namespace {
@@ -63,6 +68,12 @@ int simd_lanes(SimdSet set) {
 std::span<const SimdSet> usable_simd_sets() {
   static const std::vector<SimdSet> sets = find_usable();
   return sets;
+}
+
+void require_usable(SimdSet set) {
+  const auto usable = usable_simd_sets();
+  SHG_CHECK(std::find(usable.begin(), usable.end(), set) != usable.end(),
+            "this machine cannot run the SIMD set " + std::string(simd_name(set)));
 }
 
 SimdSet widest_simd_set() { return usable_simd_sets().back(); }

@@ -5,7 +5,7 @@
 #include <shigusa/generate.hpp>
 #include <shigusa/task_file.hpp>
 
-#include "generate/layered_problem.hpp"
+#include "generate/layered_approaches.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

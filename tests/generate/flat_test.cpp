@@ -181,7 +181,8 @@ TEST(FlatSearch, AtTheFeetItFindsAStoopAndASquat) {
 }
 
 TEST(FlatSearch, SaysWhyThereAreFewerCandidates) {
-  Task task = flat_task(full_body(), kAtTheFeet);
+  Task task = flat_task(full_body(), {0.25, 0.55, 0.5});
+  task.seed = 1;
   const GenerateResult all = generate(task).value();
   EXPECT_EQ(static_cast<int>(all.candidates.size()), task.candidates);
   EXPECT_EQ(all.fewer, "");
@@ -210,6 +211,21 @@ TEST(FlatSearch, MoreBudgetIsNeverWorse) {
     const double best = generate(task).value().best_seen_score;
     EXPECT_LE(best, before + kReplayTolerance) << evaluations;
     before = best;
+  }
+}
+
+TEST(FlatSearch, FindsTheSameOnAnyNumberOfThreads) {
+  Task task = flat_task(half_body(), kAtTheFeet);
+  task.evaluations = 700;
+  task.batch.threads = 1;
+  const GenerateResult alone = generate(task).value();
+  for (const int threads : {2, 5}) {
+    task.batch.threads = threads;
+    const GenerateResult generation = generate(task).value();
+    ASSERT_EQ(generation.candidates.size(), alone.candidates.size());
+    for (std::size_t i = 0; i < alone.candidates.size(); ++i) {
+      EXPECT_EQ(generation.candidates[i].parameters, alone.candidates[i].parameters);
+    }
   }
 }
 

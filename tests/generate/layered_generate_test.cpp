@@ -8,7 +8,7 @@
 #include <shigusa/search.hpp>
 #include <thread>
 
-#include "generate/layered_problem.hpp"
+#include "generate/layered_approaches.hpp"
 #include "layers/arm_feedback.hpp"
 #include "rollout/reachability.hpp"
 #include "support/layered.hpp"

@@ -74,7 +74,7 @@ TEST(BallTurns, MakeTheRotationAgain) {
 }
 
 TEST(BallTurns, WithTheLimbStraightOutToTheSideKeepTheFlexion) {
-  const Mat3d r = ball_rotation({0.3, kPi / 2, 0.5});
+  const Mat3d r = ball_rotation<double>({0.3, kPi / 2, 0.5});
   const BallTurns turns = ball_turns(r, {0.2, 1.5, 0.6});
   EXPECT_EQ(turns.x, 0.2);
   EXPECT_LT(rotation_chord(ball_rotation(turns), r), 1e-9);

@@ -33,7 +33,9 @@ struct Arm {
   }
   [[nodiscard]] std::vector<double> moved(std::span<const Vec3d> path, double swivel) const {
     std::vector<double> angles;
-    EXPECT_LT(SwivelArm(model, limb).run(path, swivel, angles), 1e-9);
+    SwivelArm<double> arm(model, limb);
+    arm.follow(path);
+    EXPECT_LT(arm.run(swivel, angles), 1e-9);
     EXPECT_EQ(angles.size(), path.size() * kArmDofs);
     return angles;
   }
@@ -140,11 +142,13 @@ TEST(SwivelArm, TellsWhatIsMissedBeyondItsLength) {
   const Arm arm(full_body());
   const double longest = arm.limb.segments.longest();
   std::vector<double> angles;
-  const SwivelArm moved(arm.model, arm.limb);
-  EXPECT_NEAR(moved.run(arm.way_to({0.0, 0.0, longest + 0.1}), 0.0, angles), 0.1, 1e-3);
+  SwivelArm<double> moved(arm.model, arm.limb);
+  moved.follow(arm.way_to({0.0, 0.0, longest + 0.1}));
+  EXPECT_NEAR(moved.run(0.0, angles), 0.1, 1e-3);
   // through the shoulder itself
   const Vec3d from = arm.hand(arm.model.start());
-  EXPECT_LT(moved.run(arm.way_to(-from), 0.5, angles), 1.0);
+  moved.follow(arm.way_to(-from));
+  EXPECT_LT(moved.run(0.5, angles), 1.0);
   for (const double angle : angles) EXPECT_TRUE(std::isfinite(angle));
 }
 

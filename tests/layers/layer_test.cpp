@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "layers/reduced_motion.hpp"
+#include "layers/layered_player.hpp"
 #include "support/bodies.hpp"
 #include "support/problems.hpp"
 
@@ -83,10 +83,7 @@ std::vector<BodyModel> people() {
 TEST(ReducedBody, StartsWithHandsFeetAndTrunkWhereTheBodyHasThem) {
   for (const BodyModel& body : people()) {
     const ReducedBody reduced = upper_layer(body).body;
-    std::vector<double> q;
-    for (const ReducedDof& dof : reduced.dofs) q.push_back(dof.start);
-    ReducedPlacement at;
-    place_reduced(reduced, q, at);
+    const ReducedPlacement<double> at = start_placement(reduced);
     const Kinematics<double> whole = placed(body, body.start());
     const BodyLimbs limbs = find_limbs(body).value();
     const auto trunk = static_cast<std::size_t>(reduced.trunk);
@@ -148,16 +145,23 @@ TEST(DecodeLayerPoint, IsEvenInLogarithmsAndInContraction) {
   EXPECT_EQ(parameters.contractions, (std::vector<double>{0.25 * 15.0, 15.0}));
 }
 
+// A motion of the upper layer.
+ReducedClip<double> moved_by(const Layer& layer, const ReachProblem& problem,
+                             const Parameters& parameters) {
+  const ReducedProblem reduced(layer.body, problem);
+  ReducedClip<double> clip;
+  ReducedRollout<double>(reduced).run({upper_weights(parameters), parameters.contractions}, clip);
+  return clip;
+}
+
 // A motion of the upper layer with genes by chance.
-ReducedClip moved(const Layer& layer, const ReachProblem& problem, Random& random) {
+ReducedClip<double> moved(const Layer& layer, const ReachProblem& problem, Random& random) {
   std::vector<std::uint16_t> genes;
   for (const ParameterInfo& gene : layer.parameters) {
     const bool weight = gene.kind == ParameterKind::weight;
     genes.push_back(static_cast<std::uint16_t>(weight ? 1 + random.below(15) : random.below(8)));
   }
-  ReducedClip clip;
-  ReducedRollout(layer.body, problem).run(decode_layer_genes(layer, genes), clip);
-  return clip;
+  return moved_by(layer, problem, decode_layer_genes(layer, genes));
 }
 
 constexpr Vec3d kFrontLow{-0.15, 0.5, 0.5};
@@ -169,7 +173,7 @@ TEST(ReducedRollout, KeepsHandAndFeetWithAnyWeights) {
     const ReachProblem problem = reach_with(body, "right_hand", kFrontLow);
     int kept = 0;
     for (int i = 0; i < 50; ++i) {
-      const ReducedClip clip = moved(layer, problem, random);
+      const ReducedClip<double> clip = moved(layer, problem, random);
       if (clip.path_error < 1e-4 && clip.foot_error < 1e-4) ++kept;
     }
     EXPECT_GE(kept, 48) << body.name();
@@ -181,8 +185,7 @@ TEST(ReducedRollout, LimbsHaveTheLengthsOfTheirContractions) {
   const Layer layer = upper_layer(body);
   const ReachProblem problem = reach_with(body, "right_hand", kFrontLow);
   const std::vector<std::uint16_t> genes{3, 2, 5, 1, 4, 2, 6, 3};
-  ReducedClip clip;
-  ReducedRollout(layer.body, problem).run(decode_layer_genes(layer, genes), clip);
+  const ReducedClip<double> clip = moved_by(layer, problem, decode_layer_genes(layer, genes));
   EXPECT_LT(clip.path_error, 1e-4);
   for (const auto& [i, code] : {std::pair{0u, 6}, {1u, 3}}) {
     const ReducedLimb& limb = layer.body.limbs[i];
@@ -203,8 +206,7 @@ TEST(ReducedRollout, TwoLegsEndNearTheirContraction) {
   std::vector<std::uint16_t> genes(layer.parameters.size(), 1);
   genes[12] = 5;
   genes[13] = 0;
-  ReducedClip clip;
-  ReducedRollout(layer.body, problem).run(decode_layer_genes(layer, genes), clip);
+  const ReducedClip<double> clip = moved_by(layer, problem, decode_layer_genes(layer, genes));
   EXPECT_LT(clip.path_error, 1e-4);
   for (const std::size_t leg : {0u, 1u}) {
     const ReducedLimb& limb = layer.body.limbs[leg];
@@ -217,14 +219,12 @@ TEST(ReducedRollout, LargerWeightMovesAJointLess) {
   const BodyModel body = half_body();
   const Layer layer = upper_layer(body);
   const ReachProblem problem = reach_with(body, "right_hand", kFrontLow);
-  ReducedRollout rollout(layer.body, problem);
   for (std::size_t g = 0; g < 4; ++g) {
     std::vector<std::uint16_t> genes{1, 1, 1, 1, 1, 1, 4, 4};
     const auto dof = static_cast<std::size_t>(layer.parameters[g].applies_to[0]);
     const auto travel = [&](std::uint16_t weight) {
       genes[g] = weight;
-      ReducedClip clip;
-      rollout.run(decode_layer_genes(layer, genes), clip);
+      const ReducedClip<double> clip = moved_by(layer, problem, decode_layer_genes(layer, genes));
       EXPECT_LT(clip.path_error, kReachTolerance);
       double sum = 0.0;
       for (int f = 1; f <= problem.steps; ++f) {

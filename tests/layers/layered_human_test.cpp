@@ -4,7 +4,7 @@
 
 #include <shigusa/generate.hpp>
 
-#include "generate/layered_problem.hpp"
+#include "generate/layered_approaches.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "person/at_ease.hpp"
 #include "support/problems.hpp"
@@ -30,7 +30,7 @@ Task human_task(const BodyModel& body, const Vec3d& goal) {
 // A motion of the upper layer by random weights and lengths, with all that it leads.
 struct Played {
   Parameters parameters;
-  ReducedClip clip;
+  ReducedClip<double> clip;
   RolledOut whole;
 };
 
@@ -49,7 +49,7 @@ Played play_random(const LayeredProblem& problem, LayeredPlayer& player, Random&
   return played;
 }
 
-bool arrives(const LayeredPlayer& player, const ReducedClip& clip) {
+bool arrives(LayeredPlayer& player, const ReducedClip<double>& clip) {
   return clip.path_error < 1e-4 && clip.foot_error < 1e-4 && player.check_pelvis(clip).in_reach;
 }
 
@@ -185,7 +185,7 @@ TEST(LayeredHuman, HeadTurnsToTheGoalBeforeTheHandArrivesAndTheFreeArmHangs) {
     const Vec3d shoulder = at.link_origin(problem.limbs.arms[0].flexion);
     const Vec3d way = normalized(at.point(hand.link, hand.point) - shoulder);
     const Mat3d& chest = at.link_rotation(body.dof(static_cast<int>(elevation)).parent);
-    return PostureLaw<double>::shrugged(transpose_times(chest, way));
+    return shrugged(transpose_times(chest, way));
   };
   const auto moved = [&](std::size_t d) { return clip.frame(60)[d] - clip.frame(0)[d]; };
   EXPECT_GT(moved(elevation), radians(2.0));
@@ -229,7 +229,9 @@ struct Turned {
     const EffectorPath path{start, goal};
     std::vector<Vec3d> places;
     for (int f = 0; f <= 60; ++f) places.push_back(path.at(f / 60.0));
-    const double miss = SwivelArm(alone, arm).run(places, swivel, angles, turn);
+    SwivelArm<double> moved(alone, arm);
+    moved.follow(places, {turn.kind, turn.goal, turn.axis, turn.direction});
+    const double miss = moved.run(swivel, angles);
     for (int f = 0; f <= 60; ++f) {
       const Vec3d at = placed(alone, frame(f)).point(hand.link, hand.point);
       EXPECT_LT(norm(at - places[static_cast<std::size_t>(f)]), miss + 1e-9);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "generate/layered_problem.hpp"
+#include "generate/layered_approaches.hpp"
 #include "support/penalty_by.hpp"
 #include "support/problems.hpp"
 
@@ -39,7 +39,7 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
       for (std::size_t g = 0; g < problem.layers[0].parameters.size(); ++g) {
         genes.push_back(static_cast<std::uint16_t>(1 + random.below(15)));
       }
-      ReducedClip clip;
+      ReducedClip<double> clip;
       player.run_upper(decode_layer_genes(problem.layers[0], genes), clip);
       const LayeredPlayer::PelvisCheck check = player.check_pelvis(clip);
       if (clip.path_error > 1e-4 || clip.foot_error > 1e-4 || !check.in_reach) continue;
@@ -63,7 +63,7 @@ TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
   const LayeredProblem problem = make_layered_problem(task).value();
   LayeredPlayer player(problem);
   std::vector<std::uint16_t> genes(problem.layers[0].parameters.size(), 2);
-  ReducedClip clip;
+  ReducedClip<double> clip;
   player.run_upper(decode_layer_genes(problem.layers[0], genes), clip);
   ASSERT_LT(clip.path_error, 1e-4);
   const std::vector<HandPath> paths = player.hand_paths(clip);

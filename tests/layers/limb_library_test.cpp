@@ -46,7 +46,7 @@ TEST(ArmBody, MovesAsTheArmOfTheWholeBody) {
 
 TEST(ArmRollout, FollowsItsPathAndLargerWeightsMoveLess) {
   const BodyModel arm = right_arm();
-  ArmRollout rollout(arm);
+  ArmRollout<double> rollout(arm);
   const Vec3d from = effector_position(arm, arm.start(), "right_hand");
   const EffectorPath way{.start = from, .goal = {-0.05, -0.1, 0.45}};
   std::vector<Vec3d> path;
@@ -56,7 +56,7 @@ TEST(ArmRollout, FollowsItsPathAndLargerWeightsMoveLess) {
     ArmWeights weights;
     weights[2].weight = weight;  // rotation
     std::vector<double> angles;
-    EXPECT_LT(rollout.run(path, weights, angles), 1e-6);
+    EXPECT_LT(rollout.run(path, inverse_weights(weights), angles), 1e-6);
     ASSERT_EQ(angles.size(), 61u * kArmDofs);
     const double turned = abs(angles[60 * kArmDofs + 2] - arm.start()[2]);
     EXPECT_LT(turned, last);

@@ -18,14 +18,14 @@ TEST(RotationBy, IsWhatTheRotationVectorSays) {
   for (const Vec3d& vector : {Vec3d{0.3, -1.2, 0.5}, Vec3d{0, 0, 3.1}, Vec3d{1e-9, 0, 0}}) {
     EXPECT_LT(norm(rotation_vector(rotation_by(vector)) - vector), kRounding);
   }
-  EXPECT_EQ(rotation_by({}), Mat3d{});
+  EXPECT_EQ(rotation_by<double>({}), Mat3d{});
 }
 
 TEST(EffectorTurn, GoesFromStartToGoalByTheMinimumJerkShareOfTheAngle) {
   EffectorTurn turn;
   turn.kind = Turning::whole;
   turn.start = rotation(Axis::x, 0.7);
-  turn.goal = rotation_by({0.4, 1.5, -0.8}) * turn.start;
+  turn.goal = rotation_by<double>({0.4, 1.5, -0.8}) * turn.start;
   const double whole = apart(turn.goal, turn.start);
   EXPECT_LT(apart(turn.at(0.0), turn.start), kRounding);
   EXPECT_EQ(turn.at(1.0), turn.goal);

@@ -89,6 +89,22 @@ TEST(CmaEs, FillsSixteenLanes) {
   EXPECT_EQ(record.batches[0], 32U);
 }
 
+TEST(CmaEs, FindsTheSameInStretches) {
+  const SearchProblem problem = problem_of(6, rastrigin);
+  const CmaEsSettings settings{.evaluations = 3000, .seed = 4};
+  const SearchResult whole = cma_es_search(problem, settings);
+  const Progress progress;
+  CmaEs search(problem, settings, progress);
+  EXPECT_TRUE(search.run_to(1));
+  EXPECT_TRUE(search.run_to(1700));
+  EXPECT_FALSE(search.run_to(4000));
+  const SearchResult found = search.take_result();
+  EXPECT_EQ(found.best_seen, whole.best_seen);
+  EXPECT_EQ(found.final_population, whole.final_population);
+  EXPECT_EQ(found.evaluations, whole.evaluations);
+  EXPECT_EQ(found.generations, whole.generations);
+}
+
 TEST(CmaEs, FinalPopulationBeginsWithTheBestOfEachRun) {
   // flat: a run ends when it has stood still for 10 + 12 · 4 / 16 generations, the first of all
   // after one more, in which its best was first known

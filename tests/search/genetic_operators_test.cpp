@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <limits>
 #include <map>
 #include <shigusa/search.hpp>
@@ -31,8 +32,9 @@ std::string bits_of(const Genome& genome, int bits_per_gene) {
 }
 
 std::vector<ScoredGenome> individuals(const std::vector<Genome>& genomes) {
+  static std::deque<Genome> kept;
   std::vector<ScoredGenome> all;
-  for (const Genome& genome : genomes) all.push_back({genome, 0.0});
+  for (const Genome& genome : genomes) all.push_back({&kept.emplace_back(genome), 0.0});
   return all;
 }
 
@@ -176,7 +178,7 @@ TEST(ChildrenOf, CutIsUniformOverTheGapsBetweenBits) {
 }
 
 TEST(ChildrenOf, NumberOfPairsWithChildrenIsBinomial) {
-  const std::vector<ScoredGenome> parents(8, {Genome(8, 0), 0.0});
+  const auto parents = individuals(std::vector<Genome>(8, Genome(8, 0)));
   std::vector<int> counts(5);
   Random random(7);
   constexpr int generations = 16000;
@@ -190,7 +192,7 @@ TEST(ChildrenOf, NumberOfPairsWithChildrenIsBinomial) {
 }
 
 TEST(ChildrenOf, RateZeroGivesNoneAndRateOneTwoForEachPair) {
-  const std::vector<ScoredGenome> parents(8, {Genome(8, 0), 0.0});
+  const auto parents = individuals(std::vector<Genome>(8, Genome(8, 0)));
   Random random(8);
   for (int i = 0; i < 100; ++i) {
     EXPECT_TRUE(children_of(parents, 0.0, 4, random).empty());
@@ -241,7 +243,7 @@ TEST(MutantsOf, EachParentMutatesAtTheRate) {
 }
 
 TEST(MutantsOf, NumberOfMutantsIsBinomial) {
-  const std::vector<ScoredGenome> parents(2, {Genome(8, 0), 0.0});
+  const auto parents = individuals(std::vector<Genome>(2, Genome(8, 0)));
   std::vector<int> counts(3);
   Random random(12);
   for (int i = 0; i < 20000; ++i) ++counts.at(mutants_of(parents, 0.1, 4, random).size());
@@ -250,7 +252,7 @@ TEST(MutantsOf, NumberOfMutantsIsBinomial) {
 
 TEST(MutantsOf, OneBitIsFlippedUniformly) {
   constexpr std::size_t bits = 8 * 4;
-  const std::vector<ScoredGenome> parents(1, {Genome(8, 0), 0.0});
+  const auto parents = individuals(std::vector<Genome>(1, Genome(8, 0)));
   std::vector<int> counts(bits);
   Random random(13);
   for (int i = 0; i < 32000; ++i) {
@@ -264,7 +266,7 @@ TEST(MutantsOf, OneBitIsFlippedUniformly) {
 }
 
 TEST(MutantsOf, RateZeroGivesNone) {
-  const std::vector<ScoredGenome> parents(8, {Genome(8, 0), 0.0});
+  const auto parents = individuals(std::vector<Genome>(8, Genome(8, 0)));
   Random random(14);
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(mutants_of(parents, 0.0, 4, random).empty());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "generate/layered_problem.hpp"
+#include "generate/layered_approaches.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 RolledOut play_layers(const LayeredProblem& problem, const Parameters& parameters) {
   LayeredPlayer player(problem);
-  ReducedClip clip;
+  ReducedClip<double> clip;
   player.run_upper(parameters, clip);
   return player.expand(clip, parameters);
 }

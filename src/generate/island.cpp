@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "island.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/check.hpp"
+#include "core/index.hpp"
+#include "generate/start_table.hpp"
+#include "task/task_search.hpp"
+
+namespace shigusa {
+namespace {
+
+// Checks a point that a user's own search has found.
+void check_point(const Individual& found, int genes) {
+  SHG_CHECK(static_cast<int>(found.point.size()) == genes,
+            fmt::format("a search returned {} coordinates of {}", found.point.size(), genes));
+  for (const double x : found.point) {
+    SHG_CHECK(x >= 0.0 && x <= 1.0, fmt::format("a search returned a coordinate of {}", x));
+  }
+}
+
+}  // namespace
+
+void add(SearchResult part, SearchResult& all) {
+  all.evaluations += part.evaluations;
+  all.rejected_nan += part.rejected_nan;
+  all.generations += part.generations;
+  if (all.end != SearchEnd::cancelled) all.end = part.end;
+  const bool better = part.best_seen.score < all.best_seen.score;
+  if (better || all.best_seen.point.empty()) all.best_seen = std::move(part.best_seen);
+}
+
+Island::Island(const ReachProblem& problem, const Task& task, const ParameterSpace& space,
+               IslandPlan plan, int threads, const Progress& progress)
+    : problem_(problem),
+      task_(task),
+      criteria_(task_criteria(task)),
+      space_(space),
+      plan_(std::move(plan)),
+      scorer_(problem, task, criteria_, space_, threads),
+      progress_(progress) {
+  searched_.genes = space_.genes();
+  searched_.evaluate = [this](std::span<const double> points, std::span<double> scores) {
+    moved_.assign(points.begin(), points.end());
+    take_in(moved_);
+    scorer_.score(moved_, scores);
+  };
+  searched_.start = plan_.from.empty() ? space_.start() : plan_.from;
+  for (const Bound& bound : plan_.niche) {
+    double& x = searched_.start[index(bound.gene)];
+    const bool within = !plan_.from.empty() && x > bound.low && x < bound.high;
+    x = within ? (x - bound.low) / (bound.high - bound.low) : 0.5;
+  }
+  if (!progress.report) return;
+  progress_.report = [this, report = progress.report](ProgressReport now) {
+    now.evaluations += found_.evaluations;
+    report(now);
+  };
+}
+
+void Island::run_to(int motions) {
+  if (!begun_) begin();
+  if (cma_es_) cma_es_->run_to(motions - found_.evaluations);
+}
+
+SearchResult Island::take_result() {
+  if (cma_es_) {
+    SearchResult rest = cma_es_->take_result();
+    found_.final_population = std::move(rest.final_population);
+    add(std::move(rest), found_);
+  }
+  take_in(found_.best_seen.point);
+  for (Individual& individual : found_.final_population) take_in(individual.point);
+  return std::move(found_);
+}
+
+void Island::begin() {
+  begun_ = true;
+  if (plan_.bent) begin_bent();
+  const int left = plan_.budget - found_.evaluations;
+  if (left <= 0) return;
+  if (search_of(task_) == SearchMethod::cma_es && task_.preset != Preset::paper &&
+      !task_.own_search) {
+    cma_es_.emplace(
+        searched_,
+        CmaEsSettings{
+            .evaluations = left, .step = plan_.step, .seed = task_.seed, .stream = plan_.stream},
+        progress_);
+    return;
+  }
+  SearchResult rest = search_at_once(left);
+  found_.final_population = std::move(rest.final_population);
+  add(std::move(rest), found_);
+}
+
+// Scores what led to goals near by, and bent postures, and begins at the best of them: a search
+// that begins upright finds its way down by chance.
+void Island::begin_bent() {
+  std::vector<double> points = nearest_starts(problem_, space_, kNearestStarts);
+  const std::vector<double> bent = bent_starts(space_);
+  points.insert(points.end(), bent.begin(), bent.end());
+  bring_in(points);
+  const auto genes = index(searched_.genes);
+  const auto count = std::min(index(plan_.budget), points.size() / genes);
+  points.resize(count * genes);
+  std::vector<double> scores(count);
+  searched_.evaluate(points, scores);
+  found_.evaluations = static_cast<int>(count);
+  for (double& score : scores) {
+    if (score == score) continue;
+    ++found_.rejected_nan;
+    score = worst_score(criteria_);
+  }
+  const auto best = std::min_element(scores.begin(), scores.end());
+  const auto at = points.begin() + (best - scores.begin()) * searched_.genes;
+  searched_.start.assign(at, at + searched_.genes);
+  found_.best_seen = {searched_.start, *best};
+}
+
+SearchResult Island::search_at_once(int budget) const {
+  if (!task_.own_search) {
+    const bool once = !task_.evaluations && task_.preset == Preset::paper;
+    return run_search(task_, searched_, budget, once, progress_);
+  }
+  SearchResult found = task_.own_search(searched_, budget, task_.seed, progress_);
+  check_point(found.best_seen, searched_.genes);
+  for (const Individual& individual : found.final_population) {
+    check_point(individual, searched_.genes);
+  }
+  return found;
+}
+
+void Island::take_in(std::span<double> points) const {
+  const auto genes = index(searched_.genes);
+  for (const Bound& bound : plan_.niche) {
+    for (auto k = index(bound.gene); k < points.size(); k += genes) {
+      points[k] = bound.low + points[k] * (bound.high - bound.low);
+    }
+  }
+}
+
+void Island::bring_in(std::span<double> points) const {
+  const auto genes = index(searched_.genes);
+  for (const Bound& bound : plan_.niche) {
+    for (auto k = index(bound.gene); k < points.size(); k += genes) {
+      points[k] = clamp((points[k] - bound.low) / (bound.high - bound.low), 0.0, 1.0);
+    }
+  }
+}
+
+}  // namespace shigusa

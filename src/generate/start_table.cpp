@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "generate/start_table.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "core/index.hpp"
+#include "kinematics/forward_kinematics.hpp"
+
+namespace shigusa {
+namespace {
+
+// Of the bent postures (deg): leans of the trunk, half of it in the back, and bends of the knees.
+constexpr double kLeans[] = {0.0, 30.0, 60.0, 90.0};
+constexpr double kSquats[] = {0.0, 40.0, 80.0, 120.0};
+
+constexpr double kPlaceUnit = 1e-3;  // statures
+constexpr std::string_view kRight = "right_";
+constexpr std::string_view kLeft = "left_";
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return words;
+}
+
+double coordinate_of(char digit) {
+  return static_cast<double>(kStartDigits.find(digit)) /
+         static_cast<double>(kStartDigits.size() - 1);
+}
+
+// One column of a table for one hand: the genes that it sets, in all phases.
+struct Column {
+  std::vector<std::size_t> genes;
+  bool mirrored = false;  // turns round in the mirror
+  bool arm = false;       // of the hand's own arm
+};
+
+std::vector<Column> columns_of(const StartTable& table, const ParameterSpace& space, bool left) {
+  std::vector<Column> columns;
+  for (std::string name : words_of(table.names)) {
+    Column column{
+        .genes = {}, .mirrored = left && name == "twist", .arm = name.starts_with(kRight)};
+    if (left && column.arm) name = std::string(kLeft) + name.substr(kRight.size());
+    for (const std::string& gene_name : {name, std::string(kLaterPrefix) + name}) {
+      if (const int gene = space.find(gene_name); gene >= 0) column.genes.push_back(index(gene));
+    }
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+// The table with the most columns that the space has, of equals that of as many feet; none where
+// the space has but few of them.
+const StartTable* table_of(const ParameterSpace& space, std::size_t feet, bool left) {
+  const StartTable* best = nullptr;
+  std::pair<std::size_t, bool> most{};
+  for (const StartTable& table : start_tables()) {
+    const std::vector<Column> columns = columns_of(table, space, left);
+    const auto known = static_cast<std::size_t>(std::count_if(
+        columns.begin(), columns.end(), [](const Column& c) { return !c.genes.empty(); }));
+    const std::pair fits{known, table.feet == feet};
+    if (2 * known <= columns.size() || fits <= most) continue;
+    most = fits;
+    best = &table;
+  }
+  return best;
+}
+
+// The rows nearest to a place (statures), nearest first; of equals those that come first.
+std::vector<const StartRow*> nearest_rows(const StartTable& table, const Vec3d& place, int most) {
+  std::vector<std::pair<double, const StartRow*>> rows;
+  for (const StartRow& row : table.rows) {
+    const Vec3d at{kPlaceUnit * row.place[0], kPlaceUnit * row.place[1], kPlaceUnit * row.place[2]};
+    rows.emplace_back(dot(at - place, at - place), &row);
+  }
+  const auto count = std::min(rows.size(), index(most));
+  std::partial_sort(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count), rows.end());
+  std::vector<const StartRow*> nearest;
+  for (std::size_t k = 0; k < count; ++k) nearest.push_back(rows[k].second);
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<Vec3d> start_place(const BodyModel& body, int effector, const Vec3d& goal) {
+  if (index(effector) >= body.effectors().size() || body.stature() <= 0.0) return std::nullopt;
+  const Effector& hand = body.effector(effector);
+  if (hand.part.limb != LimbKind::arm || !hand.part.side) return std::nullopt;
+  Kinematics<double> start(body);
+  forward_kinematics<double>(body, body.start(), start);
+  Vec3d place = (goal - start.origin[index(hand.limb_root)]) * (1.0 / body.stature());
+  if (hand.part.side == Side::left) place.x = -place.x;
+  return place;
+}
+
+std::vector<double> bent_starts(const ParameterSpace& space) {
+  std::vector<double> points;
+  const auto set = [&](std::string_view mode, double value) {
+    const int gene = space.find(mode);
+    if (gene >= 0) *(points.end() - space.genes() + gene) = space.coordinate(gene, radians(value));
+  };
+  const std::vector<double> upright = space.start();
+  for (const double squat : kSquats) {
+    for (const double lean : kLeans) {
+      points.insert(points.end(), upright.begin(), upright.end());
+      set("squat", squat);
+      set("lean", lean);
+      set("round", 0.5 * lean);
+    }
+  }
+  return points;
+}
+
+std::vector<double> nearest_starts(const ReachProblem& problem, const ParameterSpace& space,
+                                   int most) {
+  const auto genes = index(space.genes());
+  std::vector<double> sums;
+  std::vector<double> counts(genes, 0.0);
+  for (const ReachGoal& goal : problem.goals) {
+    const BodyModel& body = *problem.body;
+    const std::optional<Vec3d> place = start_place(body, goal.effector, goal.path.goal);
+    if (!place) continue;
+    const bool left = body.effector(goal.effector).part.side == Side::left;
+    const StartTable* table = table_of(space, body.feet().size(), left);
+    if (table == nullptr) continue;
+    const std::vector<Column> columns = columns_of(*table, space, left);
+    const std::vector<const StartRow*> rows = nearest_rows(*table, *place, most);
+    sums.resize(rows.size() * genes, 0.0);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      for (const std::size_t gene : columns[c].genes) {
+        counts[gene] += 1.0;
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+          const double x = coordinate_of(rows[k]->coordinates[c]);
+          sums[k * genes + gene] += columns[c].mirrored ? 1.0 - x : x;
+        }
+      }
+    }
+  }
+  const std::vector<double> plain = space.start();
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const std::size_t gene = k % genes;
+    sums[k] = counts[gene] > 0.0 ? sums[k] / counts[gene] : plain[gene];
+  }
+  return sums;
+}
+
+}  // namespace shigusa

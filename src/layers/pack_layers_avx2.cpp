@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "pack_layers.hpp"
+
+namespace shigusa {
+
+std::unique_ptr<LayeredLanes> make_avx2_layers(const LayeredSetup& setup,
+                                               const CriteriaSettings& criteria) {
+  return std::make_unique<PackLayers<8>>(setup, criteria);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/parallel.hpp>
+
+namespace shigusa {
+
+// PreconditionError where this machine cannot run the set.
+void require_usable(SimdSet set);
+
+}  // namespace shigusa

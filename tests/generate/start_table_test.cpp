@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "generate/start_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <shigusa/human_body.hpp>
+#include <string>
+
+#include "rollout/batch_rollout.hpp"
+#include "task/make_problem.hpp"
+
+namespace shigusa {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr Vec3d kTable{-0.1, 0.85, 0.45};
+constexpr int kMost = 16;
+
+// A problem with its space.
+struct Begun {
+  Task task;
+  ReachProblem problem;
+  ParameterSpace space;
+
+  Begun(const BodyModel& body, std::vector<Goal> goals, int phases = 1)
+      : task(with_preset(Task(body, {.goals = std::move(goals)}), Preset::flat)),
+        problem(make_problem(task).value()),
+        space(problem, GeneCode::natural, {}, phases) {}
+
+  [[nodiscard]] std::vector<double> starts() const { return nearest_starts(problem, space, kMost); }
+  [[nodiscard]] double at(std::span<const double> points, const std::string& name,
+                          std::size_t row = 0) const {
+    const int gene = space.find(name);
+    EXPECT_GE(gene, 0) << name;
+    return points[row * static_cast<std::size_t>(space.genes()) + static_cast<std::size_t>(gene)];
+  }
+  // of the best of the points
+  [[nodiscard]] double best(std::span<const double> points) {
+    const CriteriaSettings criteria = task_criteria(task);
+    BatchRollout batch(problem, criteria);
+    std::vector<double> scores(points.size() / static_cast<std::size_t>(space.genes()));
+    batch.score(space.rows(points), scores);
+    return *std::min_element(scores.begin(), scores.end());
+  }
+};
+
+TEST(StartTable, HasADigitForEachCoordinateOfItsRows) {
+  ASSERT_THAT(start_tables(), SizeIs(3));
+  for (const StartTable& table : start_tables()) {
+    const auto names = std::count(table.names.begin(), table.names.end(), ' ') + 1;
+    for (const StartRow& row : table.rows) {
+      const std::string_view digits = row.coordinates;
+      ASSERT_EQ(static_cast<std::ptrdiff_t>(digits.size()), names);
+      ASSERT_EQ(digits.find_first_not_of(kStartDigits), std::string_view::npos);
+    }
+  }
+}
+
+TEST(StartTable, NamesAllCoordinatesOfTheBuiltInBodies) {
+  for (const BodyModel& body : {half_body(), full_body(), human_body()}) {
+    const Begun begun(body, {{"right_hand", kTable}});
+    const std::vector<std::string> names = begun.space.names();
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : " ") + name;
+    const auto is_own = [&](const StartTable& table) { return table.names == all; };
+    EXPECT_TRUE(std::any_of(start_tables().begin(), start_tables().end(), is_own)) << all;
+  }
+}
+
+TEST(NearestStarts, AreMuchBetterThanBentPostures) {
+  double bent = 0.0;
+  double near = 0.0;
+  for (const Vec3d& goal : {kTable, Vec3d{-0.4, 0.3, 0.3}, Vec3d{-0.3, 1.7, 0.3}}) {
+    Begun begun(human_body(), {{"right_hand", goal}});
+    bent += begun.best(bent_starts(begun.space));
+    near += begun.best(begun.starts());
+  }
+  EXPECT_LT(near, 0.5 * bent);
+}
+
+TEST(NearestStarts, OfALeftHandAreTheMirrorImage) {
+  const Begun right(human_body(), {{"right_hand", kTable}});
+  const Begun left(human_body(), {{"left_hand", {-kTable.x, kTable.y, kTable.z}}});
+  const std::vector<double> rights = right.starts();
+  const std::vector<double> lefts = left.starts();
+  for (std::size_t row = 0; row < kMost; ++row) {
+    EXPECT_EQ(left.at(lefts, "left_swivel", row), right.at(rights, "right_swivel", row));
+    EXPECT_EQ(left.at(lefts, "squat", row), right.at(rights, "squat", row));
+    EXPECT_EQ(left.at(lefts, "twist", row), 1.0 - right.at(rights, "twist", row));
+  }
+}
+
+TEST(NearestStarts, OfATallerPersonAreThoseOfTheSamePlaceInStatures) {
+  const double taller = 1.1;
+  const Begun usual(human_body(), {{"right_hand", kTable}});
+  const Begun tall(human_body({.stature = 1.741 * taller}), {{"right_hand", kTable * taller}});
+  EXPECT_EQ(tall.starts(), usual.starts());
+}
+
+TEST(NearestStarts, OfTwoHandsSetBothArms) {
+  const Vec3d other{0.2, 1.1, 0.4};
+  const Begun right(human_body(), {{"right_hand", kTable}});
+  const Begun left(human_body(), {{"left_hand", other}});
+  const Begun both(human_body(), {{"right_hand", kTable}, {"left_hand", other}});
+  const std::vector<double> points = both.starts();
+  EXPECT_EQ(both.at(points, "right_elbow"), right.at(right.starts(), "right_elbow"));
+  EXPECT_EQ(both.at(points, "left_elbow"), left.at(left.starts(), "left_elbow"));
+  EXPECT_DOUBLE_EQ(both.at(points, "lean"),
+                   0.5 * (right.at(right.starts(), "lean") + left.at(left.starts(), "lean")));
+}
+
+TEST(NearestStarts, OfTwoPhasesAreTheSameInBoth) {
+  const Begun begun(human_body(), {{"right_hand", kTable}}, 2);
+  const std::vector<double> points = begun.starts();
+  EXPECT_EQ(begun.at(points, "later.lean"), begun.at(points, "lean"));
+}
+
+TEST(NearestStarts, OfWhatIsNoHandAreNone) {
+  EXPECT_THAT(Begun(human_body(), {{"head", {0.0, 1.5, 0.2}}}).starts(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace shigusa
