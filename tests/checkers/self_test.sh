@@ -104,18 +104,22 @@ if sh "$scripts/check_c_math.sh" "$tree" "$tree/libhidden.a" >/dev/null 2>&1; th
 fi
 
 # what the files of a SIMD set share with others
-# scorers LINE…: a library whose scorers have these lines beside a function of their own pack
+# scorers LINE…: a library whose scorers and layers have these lines beside a function of their own
+# pack
 scorers() {
   fresh
   rm -f "$tree/libscorers.a"
   write other.cpp "$other"
   "$compiler" -c "$tree/other.cpp" -o "$tree/other.o"
   for set in avx2:8 avx512:16; do
-    write scorer.cpp 'template <int N> struct PackScorer { int lanes() const; };' \
-      'template <class T, int N> struct Pack { T lanes[N]; };' \
-      'template <int N> int PackScorer<N>::lanes() const { return N; }' \
-      "int lanes_${set%:*}() { return PackScorer<${set#*:}>().lanes(); }" "$@"
-    "$compiler" -c "$tree/scorer.cpp" -o "$tree/pack_scorer_${set%:*}.cpp.o"
+    for kind in scorer:PackScorer layers:PackLayers; do
+      class=${kind#*:}
+      write set.cpp "template <int N> struct $class { int lanes() const; };" \
+        'template <class T, int N> struct Pack { T lanes[N]; };' \
+        "template <int N> int $class<N>::lanes() const { return N; }" \
+        "int lanes_of() { return $class<${set#*:}>().lanes(); }" "$@"
+      "$compiler" -c "$tree/set.cpp" -o "$tree/pack_${kind%:*}_${set%:*}.cpp.o"
+    done
   done
   ar cr "$tree/libscorers.a" "$tree"/*.o
 }
@@ -140,6 +144,9 @@ scorers 'static int own() { return 1; }' 'int both() { return own(); }'
 if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts a wide pack elsewhere"; fi
 ar d "$tree/libscorers.a" pack_scorer_avx2.cpp.o
 if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts a library without scorers"; fi
+scorers
+ar d "$tree/libscorers.a" pack_layers_avx512.cpp.o
+if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts a library without layers"; fi
 
 # comments of public headers
 if command -v doxygen >/dev/null; then
