@@ -70,6 +70,7 @@ class JointFinder {
       found_.neck = turning(found_.chest, end_of_joint(head, kOneNeck * neck));
     }
     namer_.name_neck(found_.neck);
+    SHG_TRY(each_joint_has_one_place());
     return std::move(found_);
   }
 
@@ -168,6 +169,30 @@ class JointFinder {
       ++k;
     }
     return {};
+  }
+
+  // The trunk may hang on a leg, or both arms on one, in a file: such a tree is no person's.
+  [[nodiscard]] Result<void> each_joint_has_one_place() const {
+    std::vector<const char*> place(robot_.joints.size(), nullptr);
+    const auto take = [&](const std::vector<PersonJoint>& joints, const char* name) -> Result<void> {
+      for (const PersonJoint& j : joints) {
+        const char*& taken = place[index(j.joint)];
+        if (taken != nullptr) {
+          return fail(ErrorCode::unsupported,
+                      fmt::format("joint \"{}\" is part of the {} and of the {}; a body needs limbs "
+                                  "that leave its trunk one by one",
+                                  joint(j.joint).name, taken, name));
+        }
+        taken = name;
+      }
+      return {};
+    };
+    SHG_TRY(take(found_.legs[0].joints, "left leg"));
+    SHG_TRY(take(found_.legs[1].joints, "right leg"));
+    SHG_TRY(take(found_.spine, "spine"));
+    SHG_TRY(take(found_.neck, "neck"));
+    SHG_TRY(take(found_.arms[0].joints, "left arm"));
+    return take(found_.arms[1].joints, "right arm");
   }
 
   Result<void> find_leg(std::size_t side) {

@@ -255,6 +255,18 @@ TEST(RobotBody, NeedsTurningKnees) {
   EXPECT_THAT(body.error().message, testing::HasSubstr("left_knee"));
 }
 
+TEST(RobotBody, TrunkThatHangsOnALegIsRefused) {
+  std::string text = RobotFile().text();
+  const std::string parent = "parent link=\"pelvis\"";
+  text.replace(text.find(parent, text.find("waist_yaw")), parent.size(),
+               "parent link=\"left_thigh\"");
+  const Robot robot = parse_urdf(text, "r.urdf").value();
+  const Result<BodyModel> body = build_robot(robot, find_humanoid(robot).value());
+  ASSERT_FALSE(body);
+  EXPECT_EQ(body.error().code, ErrorCode::unsupported);
+  EXPECT_THAT(body.error().message, testing::HasSubstr("is part of the left leg and of the"));
+}
+
 TEST(RobotBody, RobotsWithoutLimbsAreNone) {
   const Robot robot = parse_urdf("<robot name=\"r\"><link name=\"a\"/></robot>", "r.urdf").value();
   EXPECT_FALSE(find_humanoid(robot));
