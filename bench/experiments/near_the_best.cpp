@@ -8,6 +8,7 @@
 
 #include "core/index.hpp"
 #include "generate/candidate.hpp"
+#include "generate/island.hpp"
 #include "generate/start_table.hpp"
 #include "goal_search.hpp"
 #include "independent_reach.hpp"
@@ -123,6 +124,8 @@ std::vector<double> search_from(const BodyModel& body, const Vec3d& goal, bool t
   problem.start.assign(at, at + problem.genes);
   (void)cma_es_search(problem, {.evaluations = budgets.back() - static_cast<int>(scores.size()),
                                 .step = kSearchStep,
+                                .mirrored = true,
+                                .diagonal_until = kScalesAlone * problem.genes,
                                 .seed = seed});
   return best.best();
 }

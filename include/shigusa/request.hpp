@@ -17,7 +17,7 @@
 namespace shigusa {
 
 /// Motions that the preset flat scores where a task says nothing else.
-inline constexpr int kFlatEvaluations = 1008;
+inline constexpr int kFlatEvaluations = 864;
 /// Motions that the preset human scores, each of which takes two of the preset flat.
 inline constexpr int kHumanEvaluations = 600;
 /// Motions that the preset flat scores by NLP-IK, which takes some ten times as long for one and

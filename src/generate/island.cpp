@@ -85,11 +85,14 @@ void Island::begin() {
   if (left <= 0) return;
   if (search_of(task_) == SearchMethod::cma_es && task_.preset != Preset::paper &&
       !task_.own_search) {
-    cma_es_.emplace(
-        searched_,
-        CmaEsSettings{
-            .evaluations = left, .step = plan_.step, .seed = task_.seed, .stream = plan_.stream},
-        progress_);
+    cma_es_.emplace(searched_,
+                    CmaEsSettings{.evaluations = left,
+                                  .step = plan_.step,
+                                  .mirrored = true,
+                                  .diagonal_until = kScalesAlone * searched_.genes,
+                                  .seed = task_.seed,
+                                  .stream = plan_.stream},
+                    progress_);
     return;
   }
   SearchResult rest = search_at_once(left);

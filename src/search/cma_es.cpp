@@ -28,6 +28,8 @@ void check(const SearchProblem& problem, const CmaEsSettings& s) {
   SHG_CHECK(s.step >= 1e-6 && s.step <= 1.0, fmt::format("step is {}, allowed: 1e-6..1", s.step));
   SHG_CHECK(s.polish_step >= 1e-6 && s.polish_step <= 1.0,
             fmt::format("polish_step is {}, allowed: 1e-6..1", s.polish_step));
+  SHG_CHECK(s.diagonal_until >= 0,
+            fmt::format("diagonal_until is {}, allowed: 0 and more", s.diagonal_until));
   SHG_CHECK(s.precision >= 0.0 && is_finite(s.precision),
             fmt::format("precision is {}, allowed: 0 and more", s.precision));
 }
@@ -89,7 +91,7 @@ void CmaEs::begin_descent() {
   }
   const double step = polishes ? settings_.polish_step : settings_.step;
   descent_.emplace(
-      Descent{.run = CmaRun(std::move(mean), step, settings_.population),
+      Descent{.run = CmaRun(std::move(mean), step, settings_.population, CmaShape::diagonal),
               .standstill =
                   Standstill(settings_.precision, 10 + 12 * scorer_.genes() / settings_.population),
               .begun_at = spent,
@@ -100,7 +102,8 @@ void CmaEs::begin_descent() {
 // One generation.
 void CmaEs::step() {
   Descent& now = *descent_;
-  const std::vector<double>& points = now.run.sample(random_);
+  if (scorer_.result().evaluations >= settings_.diagonal_until) now.run.learn_whole();
+  const std::vector<double>& points = now.run.sample(random_, settings_.mirrored);
   if (std::exchange(now.mean_first, false)) now.run.put_mean_first();
   const int before = scorer_.left();
   over_ = !scorer_.step(points, scores_);

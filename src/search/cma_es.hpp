@@ -21,6 +21,8 @@ struct CmaEsSettings {
   double step = 0.3;         // standard deviation that a run begins with, 1e-6..1
   double polish_step = 0.1;  // the same for a run from the best, 1e-6..1
   double precision = 1e-9;   // a fall of the best score that counts as none, ≥ 0
+  bool mirrored = false;     // the second half of a generation mirrors the first
+  int diagonal_until = 0;    // evaluations after which more than C's diagonal is learnt
   std::uint64_t seed = 0;
   std::uint64_t stream = 0;  // other random numbers for the same seed
 };
@@ -48,6 +50,11 @@ struct CmaEsSettings {
 // Reflection at the faces was ten times as far from an optimum on a face after 1000 evaluations, as
 // mirrored points crowd in front of it; moving the sample itself to the face ended runs before
 // their optimum.
+//
+// Two things are for searches of few evaluations a gene, and off unless asked for: a generation
+// whose second half is the first, mirrored at the mean (D. Brockhoff et al.: Mirrored sampling and
+// sequential selection for evolution strategies, PPSN 2010), and a C of which only the diagonal is
+// learnt, faster, before all of it is.
 //
 // The first point scored is the start. The final population is the best point of each run, in their
 // order, and then the last generation that was scored as a whole.

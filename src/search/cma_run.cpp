@@ -18,9 +18,12 @@ constexpr double kFactorRange = 1e-7;
 // Of 0.1 to 3, what does best on functions whose optimum lies on the cube's faces.
 constexpr double kBoundPenalty = 0.5;
 
+// How much larger the rates of a diagonal are.
+double diagonal_haste(double genes) { return 2.0 * (genes + 2.0) / 3.0; }
+
 }  // namespace
 
-CmaConstants::CmaConstants(int genes, int population) {
+CmaConstants::CmaConstants(int genes, int population, CmaShape shape) {
   const double n = genes;
   const int mu = population / 2;
   double sum[2] = {0.0, 0.0};      // of the positive weights, of the absolute negative ones
@@ -34,9 +37,10 @@ CmaConstants::CmaConstants(int genes, int population) {
   }
   mu_eff = sum[0] * sum[0] / squares[0];
   const double mu_eff_negative = sum[1] * sum[1] / squares[1];
-  c_one = 2.0 / ((n + 1.3) * (n + 1.3) + mu_eff);
+  const double haste = shape == CmaShape::diagonal ? diagonal_haste(n) : 1.0;
+  c_one = min(0.5, haste * 2.0 / ((n + 1.3) * (n + 1.3) + mu_eff));
   c_mu = min(1.0 - c_one,
-             2.0 * (0.25 + mu_eff + 1.0 / mu_eff - 2.0) / ((n + 2.0) * (n + 2.0) + mu_eff));
+             haste * 2.0 * (0.25 + mu_eff + 1.0 / mu_eff - 2.0) / ((n + 2.0) * (n + 2.0) + mu_eff));
   c_path = (4.0 + mu_eff / n) / (n + 4.0 + 2.0 * mu_eff / n);
   c_sigma = (mu_eff + 2.0) / (n + mu_eff + 5.0);
   d_sigma = 1.0 + 2.0 * max(0.0, sqrt((mu_eff - 1.0) / (n + 1.0)) - 1.0) + c_sigma;
@@ -49,9 +53,10 @@ CmaConstants::CmaConstants(int genes, int population) {
   }
 }
 
-CmaRun::CmaRun(std::vector<double> mean, double step, int population)
+CmaRun::CmaRun(std::vector<double> mean, double step, int population, CmaShape shape)
     : n_(mean.size()),
-      constants_(static_cast<int>(mean.size()), population),
+      shape_(shape),
+      constants_(static_cast<int>(mean.size()), population, shape),
       mean_(std::move(mean)),
       step_(step),
       covariance_(n_ * n_, 0.0),
@@ -65,17 +70,26 @@ CmaRun::CmaRun(std::vector<double> mean, double step, int population)
   factor_ = covariance_;
 }
 
-const std::vector<double>& CmaRun::sample(Random& random) {
+void CmaRun::learn_whole() {
+  if (shape_ == CmaShape::whole) return;
+  shape_ = CmaShape::whole;
+  constants_ = CmaConstants(static_cast<int>(n_), population(), shape_);
+}
+
+const std::vector<double>& CmaRun::sample(Random& random, bool mirrored) {
+  const std::size_t drawn = mirrored ? (excess_.size() + 1) / 2 : excess_.size();
   for (std::size_t p = 0; p < excess_.size(); ++p) {
     double* z = &z_[p * n_];
     double* y = &y_[p * n_];
     double* x = &points_[p * n_];
-    for (std::size_t i = 0; i < n_; ++i) z[i] = normal(random);
+    for (std::size_t i = 0; i < n_; ++i)
+      z[i] = p < drawn ? normal(random) : -z_[(p - drawn) * n_ + i];
     std::fill_n(y, n_, 0.0);
     for (std::size_t j = 0; j < n_; ++j) {
       // down a column of L, which is a row of what is kept: neighbours do not wait for each other
       const double* column = &factor_[j * n_];
-      for (std::size_t i = j; i < n_; ++i) y[i] += column[i] * z[j];
+      const std::size_t end = shape_ == CmaShape::diagonal ? j + 1 : n_;
+      for (std::size_t i = j; i < end; ++i) y[i] += column[i] * z[j];
     }
     excess_[p] = 0.0;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -162,14 +176,16 @@ void CmaRun::adapt_covariance(std::span<const std::size_t> order) {
   const double keep = 1.0 + c.c_one * kept_path - c.c_one - c.c_mu * weight_sum;
   for (std::size_t i = 0; i < n_; ++i) {
     double* row = &covariance_[i * n_];
-    for (std::size_t j = 0; j <= i; ++j) row[j] = keep * row[j] + c.c_one * path_c_[i] * path_c_[j];
+    for (std::size_t j = first_column(i); j <= i; ++j) {
+      row[j] = keep * row[j] + c.c_one * path_c_[i] * path_c_[j];
+    }
   }
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const double* y = &y_[order[k] * n_];
     for (std::size_t i = 0; i < n_; ++i) {
       const double scaled = c.c_mu * weights[k] * y[i];
       double* row = &covariance_[i * n_];
-      for (std::size_t j = 0; j <= i; ++j) row[j] += scaled * y[j];
+      for (std::size_t j = first_column(i); j <= i; ++j) row[j] += scaled * y[j];
     }
   }
 }
@@ -197,8 +213,9 @@ void CmaRun::factorise() {
       return;
     }
     const double diagonal = sqrt(column[j]);
-    for (std::size_t i = j; i < n_; ++i) column[i] /= diagonal;
-    for (std::size_t k = j + 1; k < n_; ++k) {
+    const std::size_t end = shape_ == CmaShape::diagonal ? j + 1 : n_;
+    for (std::size_t i = j; i < end; ++i) column[i] /= diagonal;
+    for (std::size_t k = j + 1; k < end; ++k) {
       double* later = &factor_[k * n_];
       for (std::size_t i = k; i < n_; ++i) later[i] -= column[k] * column[i];
     }

@@ -8,10 +8,15 @@
 
 namespace shigusa {
 
+// What a run learns of the covariance: all of it, or its diagonal.
+enum class CmaShape { whole, diagonal };
+
 // The constants of the covariance matrix adaptation for n genes and a population of λ: table 1 and
-// equations 49 to 58 of Hansen's tutorial (arXiv 1604.00772).
+// equations 49 to 58 of Hansen's tutorial (arXiv 1604.00772). A diagonal has n numbers to learn in
+// place of n², so its rates are larger: by twice the (n + 2) / 3 of R. Ros and N. Hansen (A simple
+// modification in CMA-ES achieving linear time and space complexity, PPSN 2008).
 struct CmaConstants {
-  CmaConstants(int genes, int population);
+  CmaConstants(int genes, int population, CmaShape shape = CmaShape::whole);
 
   std::vector<double> weights;  // (population), the best first; the second half negative
   double mu_eff = 0.0;          // variance-effective size of the better half
@@ -28,10 +33,14 @@ struct CmaConstants {
 class CmaRun {
  public:
   // mean (genes) in [0, 1]; step > 0; population ≥ 4.
-  CmaRun(std::vector<double> mean, double step, int population);
+  CmaRun(std::vector<double> mean, double step, int population, CmaShape shape = CmaShape::whole);
 
-  // The next generation, (population × genes) in [0, 1].
-  [[nodiscard]] const std::vector<double>& sample(Random& random);
+  // The next generation, (population × genes) in [0, 1]. `mirrored`: its second half lies on the
+  // other side of the mean, point by point.
+  [[nodiscard]] const std::vector<double>& sample(Random& random, bool mirrored = false);
+
+  // Learns the whole covariance from now on, from the diagonal that it has.
+  void learn_whole();
 
   // Takes the mean, if it lies in the cube, for the first point of the sample.
   void put_mean_first();
@@ -53,7 +62,13 @@ class CmaRun {
   void adapt_step();
   void factorise();
 
+  // of row `i` of the covariance, the first column that is learnt
+  [[nodiscard]] std::size_t first_column(std::size_t i) const {
+    return shape_ == CmaShape::diagonal ? i : 0;
+  }
+
   std::size_t n_;
+  CmaShape shape_;
   CmaConstants constants_;
   int generation_ = 0;
   std::vector<double> mean_;        // (n); may lie outside of the cube by a little

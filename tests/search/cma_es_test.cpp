@@ -105,6 +105,32 @@ TEST(CmaEs, FindsTheSameInStretches) {
   EXPECT_EQ(found.generations, whole.generations);
 }
 
+TEST(CmaEs, FindsTheSameWhateverComesAfter) {
+  // a search of more evaluations begins with the one of fewer, past where it learns all of C
+  const SearchProblem problem = problem_of(6, rosenbrock);
+  const CmaEsSettings settings{
+      .evaluations = 960, .mirrored = true, .diagonal_until = 480, .seed = 4};
+  Record few;
+  (void)cma_es_search(few.watch(problem), settings);
+  Record more;
+  CmaEsSettings longer = settings;
+  longer.evaluations = 2 * settings.evaluations;
+  (void)cma_es_search(more.watch(problem), longer);
+  ASSERT_EQ(few.scores.size(), 960U);
+  EXPECT_TRUE(std::equal(few.scores.begin(), few.scores.end(), more.scores.begin()));
+}
+
+TEST(CmaEs, LearnsScalesSoonerAlone) {
+  // an ellipsoid along the axes: 27 genes, of which the plain search still learns the scales
+  const auto best_after = [](int diagonal_until) {
+    return median_best(27, ellipsoid, [&](const SearchProblem& problem, auto seed) {
+      return cma_es_search(problem,
+                           {.evaluations = 2000, .diagonal_until = diagonal_until, .seed = seed});
+    });
+  };
+  EXPECT_LT(best_after(2000), 0.1 * best_after(0));
+}
+
 TEST(CmaEs, FinalPopulationBeginsWithTheBestOfEachRun) {
   // flat: a run ends when it has stood still for 10 + 12 · 4 / 16 generations, the first of all
   // after one more, in which its best was first known
@@ -134,6 +160,7 @@ TEST(CmaEs, RefusesSettingsOutOfRangeAndNamesThem) {
   for (const double precision : {-1e-9, nan}) {
     EXPECT_THAT(refusal(3, {.precision = precision}), HasSubstr("precision is"));
   }
+  EXPECT_THAT(refusal(3, {.diagonal_until = -1}), HasSubstr("diagonal_until is"));
 }
 
 TEST(CmaConstants, AreThoseOfTheTutorial) {
@@ -201,6 +228,17 @@ TEST(CmaRun, LearnsTheInverseOfTheHessian) {
   // within a factor of 2 of 10 and of 100
   EXPECT_NEAR(std::log2(std::sqrt(squares[0] / squares[1]) / 10.0), 0.0, 1.0);
   EXPECT_NEAR(std::log2(std::sqrt(squares[0] / squares[2]) / 100.0), 0.0, 1.0);
+}
+
+TEST(CmaRun, MirroredPointsLieOnTheOtherSideOfTheMean) {
+  Random random(5);
+  CmaRun run({0.4, 0.5, 0.6}, 0.01, 16);
+  const std::vector<double>& points = run.sample(random, true);
+  for (std::size_t k = 0; k < 8 * 3; ++k) {
+    EXPECT_NEAR(points[k] + points[8 * 3 + k], 2.0 * (0.4 + 0.1 * static_cast<double>(k % 3)),
+                1e-14);
+    EXPECT_NE(points[k], points[8 * 3 + k]);
+  }
 }
 
 TEST(CmaRun, BecomesDegenerateRatherThanSampleNaN) {

@@ -29,6 +29,17 @@ inline double sphere(std::span<const double> x) {
   return sum;
 }
 
+// Σ 10^(4 i / (n - 1)) (x - shift)²: a condition of 10⁴ along the coordinates.
+inline double ellipsoid(std::span<const double> x) {
+  const double n = static_cast<double>(x.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double d = x[i] - shift(i);
+    sum += std::pow(10.0, 4.0 * static_cast<double>(i) / (n - 1.0)) * d * d;
+  }
+  return sum;
+}
+
 // Σ 10^(4 i / (n - 1)) d_i², d = x - shift mirrored at the diagonal: a condition of 10⁴, and no
 // axis of it along a coordinate.
 inline double rotated_ellipsoid(std::span<const double> x) {
