@@ -85,11 +85,13 @@ void Island::begin() {
   if (left <= 0) return;
   if (search_of(task_) == SearchMethod::cma_es && task_.preset != Preset::paper &&
       !task_.own_search) {
+    // what brings the best sooner; styles are searched for what is not the best
+    const bool everywhere = plan_.niche.empty();
     cma_es_.emplace(searched_,
                     CmaEsSettings{.evaluations = left,
                                   .step = plan_.step,
-                                  .mirrored = true,
-                                  .diagonal_until = kScalesAlone * searched_.genes,
+                                  .mirrored = everywhere,
+                                  .diagonal_until = everywhere ? kScalesAlone * searched_.genes : 0,
                                   .seed = task_.seed,
                                   .stream = plan_.stream},
                     progress_);

@@ -27,8 +27,8 @@ using Niche = std::vector<Bound>;
 // The step of a search that looks all over its part of the space.
 inline constexpr double kWideStep = 0.15;
 
-// Up to so many motions for each gene, only scales are learnt: what else there is to learn of the
-// covariance has not paid before.
+// A search of the whole space learns nothing but scales for that many motions a gene: before, what
+// else the covariance holds does not pay.
 inline constexpr int kScalesAlone = 100;
 
 // The search of an island: where, from where, and how much.

@@ -174,14 +174,16 @@ class JointFinder {
   // The trunk may hang on a leg, or both arms on one, in a file: such a tree is no person's.
   [[nodiscard]] Result<void> each_joint_has_one_place() const {
     std::vector<const char*> place(robot_.joints.size(), nullptr);
-    const auto take = [&](const std::vector<PersonJoint>& joints, const char* name) -> Result<void> {
+    const auto take = [&](const std::vector<PersonJoint>& joints,
+                          const char* name) -> Result<void> {
       for (const PersonJoint& j : joints) {
         const char*& taken = place[index(j.joint)];
         if (taken != nullptr) {
-          return fail(ErrorCode::unsupported,
-                      fmt::format("joint \"{}\" is part of the {} and of the {}; a body needs limbs "
-                                  "that leave its trunk one by one",
-                                  joint(j.joint).name, taken, name));
+          return fail(
+              ErrorCode::unsupported,
+              fmt::format("joint \"{}\" is part of the {} and of the {}; a body needs limbs "
+                          "that leave its trunk one by one",
+                          joint(j.joint).name, taken, name));
         }
         taken = name;
       }

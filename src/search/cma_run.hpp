@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-// What a run learns of the covariance: all of it, or its diagonal.
+// The part of the covariance that a run learns.
 enum class CmaShape { whole, diagonal };
 
 // The constants of the covariance matrix adaptation for n genes and a population of λ: table 1 and

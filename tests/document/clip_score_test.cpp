@@ -25,7 +25,7 @@ GenerateResult small_generation(const Task& task) {
 
 Task low_reach(BodyModel body) {
   Task task(std::move(body));
-  task.goals = {{"right_hand", {-0.1, 0.35, 0.4}}};
+  task.goals = {{"right_hand", {-0.1, 0.5, 0.4}}};
   return task;
 }
 

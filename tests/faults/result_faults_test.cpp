@@ -32,10 +32,16 @@ struct Written {
 
   Written(const Vec3d& goal, std::size_t candidates, const std::string& formats)
       : file(asked(goal)),
-        task(make_task(file, {}).value()),
+        task(of_one_thread(make_task(file, {}).value())),
         generation(regenerate(task, uniform_parameters(task.body)).value()),
         settings{.formats = parse_formats(formats).value()} {
     generation.candidates.resize(candidates, generation.candidates[0]);
+  }
+
+  // The tests fork: a child has none of its parent's threads, and would wait for them.
+  static Task of_one_thread(Task task) {
+    task.batch.threads = 1;
+    return task;
   }
 
   [[nodiscard]] Result<std::string> write(const fs::path& folder) const {
