@@ -36,6 +36,10 @@ std::size_t JsonSplice::skip_blanks(std::size_t at) const {
   return at;
 }
 
+std::size_t JsonSplice::after_mark(std::size_t at) const {
+  return std::min(skip_blanks(at) + 1, text_.size());
+}
+
 std::size_t JsonSplice::end_of_value(std::size_t at) const {
   std::size_t depth = 0;
   for (; at < text_.size(); ++at) {
@@ -73,10 +77,10 @@ JsonSplice::Value JsonSplice::member(const Value& object, std::string_view key) 
   std::size_t at = skip_blanks(object.begin + 1);
   while (at < object.end && text_[at] == '"') {
     const std::size_t key_end = end_of_value(at);
-    const std::size_t begin = skip_blanks(skip_blanks(key_end) + 1);
+    const std::size_t begin = skip_blanks(after_mark(key_end));
     const std::size_t end = end_of_value(begin);
     if (key_of(text_.substr(at, key_end - at)) == key) found = {begin, end, at};
-    at = skip_blanks(skip_blanks(end) + 1);
+    at = skip_blanks(after_mark(end));
   }
   return found;
 }
@@ -88,7 +92,7 @@ void JsonSplice::each(const Value& list, Action&& action) const {
   while (at < list.end && text_[at] != ']') {
     const std::size_t end = end_of_value(at);
     action(Value{at, end, at});
-    at = skip_blanks(skip_blanks(end) + 1);
+    at = skip_blanks(after_mark(end));
   }
 }
 

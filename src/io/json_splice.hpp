@@ -46,6 +46,8 @@ class JsonSplice {
 
  private:
   [[nodiscard]] std::size_t skip_blanks(std::size_t at) const;
+  // Behind the colon or comma that comes next.
+  [[nodiscard]] std::size_t after_mark(std::size_t at) const;
   [[nodiscard]] std::size_t end_of_value(std::size_t at) const;
   template <class Action>
   void each(const Value& list, Action&& action) const;

@@ -186,5 +186,17 @@ TEST(JsonSplice, FindsItsWayThroughAnyText) {
       nlohmann::json::parse(R"({"a\"b":[7],"c":[1,"],[",{"x":[3]},[4,5],8,9],"d":-1e5,"e":[1]})"));
 }
 
+TEST(JsonSplice, StaysInsideATextThatEndsTooEarly) {
+  const std::string whole = R"({"a":[{"name":"b"},{"name":"c\"d"}],"e":1})";
+  for (std::size_t size = 0; size <= whole.size(); ++size) {
+    const std::string_view text = std::string_view(whole).substr(0, size);
+    const JsonSplice splice(text);
+    EXPECT_LE(splice.text_of(splice.member(splice.root(), "e")).size(), size) << text;
+    for (const auto& each : splice.elements(splice.member(splice.root(), "a"))) {
+      EXPECT_LE(splice.text_of(splice.member(each, "name")).size(), size) << text;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace shigusa
