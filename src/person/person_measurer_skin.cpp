@@ -36,15 +36,16 @@ Range range_along(const std::vector<Vec3d>& points, const Vec3d& direction) {
 
 }  // namespace
 
-// The vertices of a foot and of all that hangs on it; of one without a mesh the shank's, which ends
-// in a peg or a boot.
+// The vertices of a foot and of all that hangs on it, no further from the ankle than the leg is
+// long; of one without a mesh the shank's, which ends in a peg or a boot.
 std::vector<Vec3d> PersonMeasurer::flesh_of_foot(Side side) const {
-  for (const Bone bone : {leg_bones(side)[2], leg_bones(side)[1]}) {
+  const auto [hip, knee, ankle] = leg_bones(side);
+  const double leg = norm(at(hip) - at(knee)) + norm(at(knee) - at(ankle));
+  for (const Bone bone : {ankle, knee}) {
     std::vector<Vec3d> points;
     for (const SkinVertex& vertex : tree_.skin()) {
-      if (vertex.node >= 0 && tree_.below(vertex.node, map_[bone])) {
-        points.push_back(vertex.position);
-      }
+      const bool hangs = vertex.node >= 0 && tree_.below(vertex.node, map_[bone]);
+      if (hangs && norm(vertex.position - at(ankle)) <= leg) points.push_back(vertex.position);
     }
     if (!points.empty()) return points;
   }

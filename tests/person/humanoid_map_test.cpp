@@ -487,6 +487,20 @@ TEST(HumanoidMap, AskedBoneTellsTheSidesOfAFigureWithoutNames) {
   EXPECT_EQ((*map)[Bone::right_lower_arm], (*as_found)[Bone::left_lower_arm]);
 }
 
+TEST(HumanoidMap, ALegThatHangsOnTheOtherTellsNoArms) {
+  StickFigure figure = standing_figure();
+  figure["RightUpLeg"].parent = figure.find("LeftUpLeg");
+  for (const char* side : {"Left", "Right"}) {
+    for (const char* bone : {"Shoulder", "Arm", "ForeArm", "Hand"}) {
+      const std::string name = std::string(side) + bone;
+      if (figure.find(name) >= 0) figure[name].name = "node" + std::to_string(figure.find(name));
+    }
+  }
+  const auto map = find(figure);
+  ASSERT_FALSE(map);
+  EXPECT_THAT(map.error().message, HasSubstr("arm"));
+}
+
 TEST(HumanoidMap, AskedBoneThatDoesNotHangThereIsRefused) {
   const StickFigure figure = standing_figure();
   for (const auto& [bone, name] : {std::pair(Bone::right_hand, "LeftHand"),

@@ -148,6 +148,17 @@ TEST(PersonSkin, TheSupportPolygonIsTheShoes) {
   }
 }
 
+TEST(PersonSkin, WhatIsFurtherFromTheFootThanTheLegIsLongIsNoSole) {
+  const StickFigure figure = standing_figure();
+  Mesh mesh = shoes(figure, {});
+  const MeasuredPerson before = measured(figure, mesh);
+  mesh.push_back({{-1e4, 0.0, 0.0}, figure.find("RightFoot")});
+  const MeasuredPerson after = measured(figure, mesh);
+  for (std::size_t i = 0; i < before.landmarks.right_leg.sole->size(); ++i) {
+    EXPECT_EQ((*after.landmarks.right_leg.sole)[i], (*before.landmarks.right_leg.sole)[i]);
+  }
+}
+
 TEST(PersonSkin, AFootWithoutMeshEndsWithItsShanks) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
