@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
 #include <shigusa/parallel.hpp>
 
 #include "goal_search.hpp"
@@ -108,7 +109,7 @@ int motions_in(double milliseconds, int evaluations, const Run& measured) {
 }
 
 int seeds_of(const Plan& plan, int evaluations) {
-  return evaluations == kShort ? plan.slow_seeds : 1;
+  return evaluations == kShort ? plan.seeds : plan.slow_seeds;
 }
 
 Compared compare(const Plan& plan, const Subject& subject, const Place& place,
@@ -174,8 +175,10 @@ std::string against_layers(const Plan& plan, std::span<const Subject> subjects) 
   Table table({"criteria", "body", "search", "motions", "layers", "flat", "flat in equal time",
                "layers / flat", "in equal time", "at the feet", "cold, ms", "warm, ms", "flat, ms",
                "cells", "flat motions in warm time"});
+  std::vector<Subject> bodies(subjects.begin(), subjects.end());
+  bodies.push_back(make_subject(plan, human_body()));
   for (const Pairing& pairing : kPairings) {
-    for (const Subject& subject : subjects) {
+    for (const Subject& subject : bodies) {
       add_line(plan, subject, pairing, kShort, table);
       if (!plan.quick) add_line(plan, subject, pairing, kLong, table);
     }
@@ -183,7 +186,7 @@ std::string against_layers(const Plan& plan, std::span<const Subject> subjects) 
   return fmt::format(
              "`generate_layered()` (trunk and limb lengths above, arms from the limb library "
              "below; human: the swivel of arms, then free arms) "
-             "against `generate()` by the same search, criteria and seeds ({} at 300 motions, 1 at "
+             "against `generate()` by the same search, criteria and seeds ({} at 300 motions, {} at "
              "3000): over codes 0..15 against the preset paper, over wide codes against the preset "
              "flat. "
              "Best score that each saw, a miss being the worst. At equal time, flat scores as many "
@@ -194,7 +197,7 @@ std::string against_layers(const Plan& plan, std::span<const Subject> subjects) 
              "the cold one searched. Ratios above 1 are in favour of flat; that at the feet is of "
              "equal "
              "motions.\n\n",
-             plan.slow_seeds) +
+             plan.seeds, plan.slow_seeds) +
          table.text();
 }
 

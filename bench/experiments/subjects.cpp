@@ -47,22 +47,22 @@ std::vector<Vec3d> reachable_goals(const BodyModel& body, int count, std::uint64
   return goals;
 }
 
-std::vector<Subject> make_subjects(const Plan& plan) {
-  std::vector<Subject> subjects;
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    Subject subject{body, {}, static_cast<std::size_t>(plan.goals)};
-    for (const Vec3d& goal : reachable_goals(body, plan.goals, plan.goal_seed)) {
-      subject.places.push_back({"drawn", goal});
-    }
-    IndependentReach reach(body, "right_hand");
-    Random starts(plan.goal_seed, 3);
-    for (const Place& place : named_places()) {
-      SHG_CHECK(reach.posture(place.position, kStarts, starts), place.name + " is out of reach");
-      subject.places.push_back(place);
-    }
-    subjects.push_back(std::move(subject));
+Subject make_subject(const Plan& plan, const BodyModel& body) {
+  Subject subject{body, {}, static_cast<std::size_t>(plan.goals)};
+  for (const Vec3d& goal : reachable_goals(body, plan.goals, plan.goal_seed)) {
+    subject.places.push_back({"drawn", goal});
   }
-  return subjects;
+  IndependentReach reach(body, "right_hand");
+  Random starts(plan.goal_seed, 3);
+  for (const Place& place : named_places()) {
+    SHG_CHECK(reach.posture(place.position, kStarts, starts), place.name + " is out of reach");
+    subject.places.push_back(place);
+  }
+  return subject;
+}
+
+std::vector<Subject> make_subjects(const Plan& plan) {
+  return {make_subject(plan, half_body()), make_subject(plan, full_body())};
 }
 
 std::vector<double> of_drawn(const Subject& subject, const std::vector<double>& of_places) {

@@ -46,6 +46,7 @@ struct Subject {
   std::vector<Place> places;  // those drawn, and then the named ones
   std::size_t drawn = 0;      // how many were drawn
 };
+[[nodiscard]] Subject make_subject(const Plan& plan, const BodyModel& body);
 // The half and the full body.
 [[nodiscard]] std::vector<Subject> make_subjects(const Plan& plan);
 
