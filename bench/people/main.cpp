@@ -26,50 +26,45 @@ Chosen chosen(const Recorded& reach, std::string way, const Candidate& candidate
   return {std::move(way), std::move(track), off, candidate.score.terms};
 }
 
-// The best-scored candidate and the one that ends nearest to the record.
-void add_two(const Recorded& reach, const std::string& of, const GenerateResult& generation,
+// The best-scored candidate and the one that ends nearest to the record; `what` stands before the
+// words for them.
+void add_two(const Recorded& reach, const std::string& what, const GenerateResult& generation,
              std::vector<Chosen>& into) {
-  into.push_back(chosen(reach, "best-scored" + of, generation.candidates.front()));
+  const std::string of = fmt::format(" of {}", kCandidates);
+  into.push_back(chosen(reach, what + "best-scored" + of, generation.candidates.front()));
   std::optional<Chosen> nearest;
   for (const Candidate& candidate : generation.candidates) {
-    Chosen each = chosen(reach, "nearest" + of, candidate);
+    Chosen each = chosen(reach, what + "nearest" + of, candidate);
     if (!nearest || each.apart.final_place < nearest->apart.final_place) nearest = std::move(each);
   }
   into.push_back(std::move(*nearest));
+}
+
+Result<GenerateResult> motions_of(const Recorded& record, Preset preset) {
+  Task task = with_preset(record.task(), preset);
+  task.candidates = kCandidates;
+  return generate(task);
 }
 
 Result<Compared> compared(const std::filesystem::path& clip, const Segment& segment) {
   SHG_TRY_ASSIGN(Recorded reach, read_reach(clip, segment));
   Compared result{std::move(reach)};
   const Recorded& record = result.reach;
-  Task task = record.task();
-  task.candidates = kCandidates;
-  SHG_TRY_ASSIGN(const GenerateResult flat, generate(task));
+  SHG_TRY_ASSIGN(const GenerateResult flat, motions_of(record, Preset::flat));
   result.candidates = static_cast<int>(flat.candidates.size());
-  add_two(record, fmt::format(" of {}", kCandidates), flat, result.chosen);
+  add_two(record, "", flat, result.chosen);
+  SHG_TRY_ASSIGN(const GenerateResult layered, motions_of(record, Preset::human));
+  add_two(record, "preset `human`, ", layered, result.chosen);
   const Task paper = with_preset(record.task(), Preset::paper);
-  const Result<GenerateResult> uniform = regenerate(paper, uniform_parameters(task.body));
-  const Result<GenerateResult> searched = generate(paper);
-  if (!uniform || !searched) {
-    return tl::unexpected((uniform ? searched : uniform).error());
-  }
-  result.chosen.push_back(chosen(record, "uniform weights", uniform->candidates.front()));
-  std::vector<Chosen> of_paper;
-  add_two(record, "", *searched, of_paper);
-  for (Chosen& each : of_paper) {
-    each.way = (each.way == "nearest" ? "preset `paper`, nearest" : "preset `paper`, best-scored");
-    result.chosen.push_back(std::move(each));
-  }
+  SHG_TRY_ASSIGN(const GenerateResult uniform,
+                 regenerate(paper, uniform_parameters(record.task().body)));
+  result.chosen.push_back(chosen(record, "uniform weights", uniform.candidates.front()));
+  SHG_TRY_ASSIGN(const GenerateResult searched, motions_of(record, Preset::paper));
+  add_two(record, "preset `paper`, ", searched, result.chosen);
   SHG_TRY_ASSIGN(const Recorded on_toes, read_reach(clip, segment, true));
-  Task lifting = on_toes.task();
-  lifting.candidates = kCandidates;
-  SHG_TRY_ASSIGN(const GenerateResult lifted, generate(lifting));
-  std::vector<Chosen> on_heels;
-  add_two(on_toes, fmt::format(" of {}", kCandidates), lifted, on_heels);
-  for (Chosen& each : on_heels) {
-    each.way = "heels may lift, " + each.way;
-    result.chosen.push_back(std::move(each));
-  }
+  SHG_TRY_ASSIGN(const GenerateResult lifted, motions_of(on_toes, Preset::flat));
+  add_two(on_toes, "heels may lift, ", lifted, result.chosen);
+  Task task = record.task();
   task.duration.reset();
   result.own_duration = make_problem(task).value().duration;
   SHG_TRY_ASSIGN(
