@@ -186,7 +186,8 @@ std::string against_layers(const Plan& plan, std::span<const Subject> subjects) 
   return fmt::format(
              "`generate_layered()` (trunk and limb lengths above, arms from the limb library "
              "below; human: the swivel of arms, then free arms) "
-             "against `generate()` by the same search, criteria and seeds ({} at 300 motions, {} at "
+             "against `generate()` by the same search, criteria and seeds ({} at 300 motions, {} "
+             "at "
              "3000): over codes 0..15 against the preset paper, over wide codes against the preset "
              "flat. "
              "Best score that each saw, a miss being the worst. At equal time, flat scores as many "

@@ -146,7 +146,7 @@ std::string against_paper(const Plan& plan, std::span<const Subject> subjects,
     std::vector<PlotSeries> dots;
     for (const Subject& subject : subjects) add_lines(plan, subject, criteria, tables, dots);
     const std::string name = "paper_" + std::string(criteria.name) + "_criteria";
-    const std::vector<double> ticks{0.05, 0.1, 0.2, 0.3, 0.5, 1};
+    const std::vector<double> ticks{0.05, 0.1, 0.2, 0.3, 0.5, 1, 2};
     pictures.push_back({name, dot_plot({"the preset paper's best score, " +
                                             std::string(criteria.name) + " criteria, a dot a goal",
                                         ticks},

@@ -215,7 +215,8 @@ std::optional<BodyShape> BoneFinder::shape_beside(const std::array<bool, 4>& fou
   const bool all_legs = found[0] && found[1];
   if (all_legs == (found[2] && found[3])) return find_body_shape(tree_, may_be);
   const BranchPair named_pair = branches_of(all_legs ? 0 : 2);
-  if (std::min({named_pair.node, named_pair.branch[0], named_pair.branch[1]}) < 0) return std::nullopt;
+  if (std::min({named_pair.node, named_pair.branch[0], named_pair.branch[1]}) < 0)
+    return std::nullopt;
   const std::optional<BranchPair> other = longest_pair(
       tree_, named_pair, [&](const BranchPair& pair) { return may_be(pair, !all_legs); });
   if (!other) return std::nullopt;
