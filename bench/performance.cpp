@@ -175,6 +175,7 @@ std::string query_table(const Measurements& m) {
   constexpr Row kRows[] = {
       {"full_body, one core", "query/full_body/", 20.0, false},
       {"human, one core", "query/human/", 25.0, false},
+      // 0.58 of one core's
       {"human, two cores, by the clock", "query/human/two_threads/", 14.5, true}};
   std::string page =
       "\n## One query\n\n`generate()` with nothing said but the goal: up to five candidates, by "

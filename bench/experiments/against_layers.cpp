@@ -10,6 +10,7 @@
 #include "goal_search.hpp"
 #include "report.hpp"
 #include "sections.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa::bench {
 namespace {
@@ -61,6 +62,8 @@ Task pairing_task(const Subject& subject, const Place& place, const Pairing& pai
   task.search = pairing.method;
   // what is compared is the search: candidates are played again at a cost of their own
   task.candidates = 1;
+  // or a candidate that no body could make would be scored in a longer time
+  task.duration = make_problem(task).value().duration;
   return task;
 }
 
@@ -186,9 +189,9 @@ std::string against_layers(const Plan& plan, std::span<const Subject> subjects) 
   return fmt::format(
              "`generate_layered()` (trunk and limb lengths above, arms from the limb library "
              "below; human: the swivel of arms, then free arms) "
-             "against `generate()` by the same search, criteria and seeds ({} at 300 motions, {} "
-             "at "
-             "3000): over codes 0..15 against the preset paper, over wide codes against the preset "
+             "against `generate()` by the same search, criteria, duration and seeds ({} at 300 "
+             "motions, {} at 3000): over codes 0..15 against the preset paper, over wide codes "
+             "against the preset "
              "flat. "
              "Best score that each saw, a miss being the worst. At equal time, flat scores as many "
              "motions as the layers' warm time is enough for at flat's speed (on one thread each). "

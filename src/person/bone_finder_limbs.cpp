@@ -215,15 +215,15 @@ std::optional<BodyShape> BoneFinder::shape_beside(const std::array<bool, 4>& fou
   const bool all_legs = found[0] && found[1];
   if (all_legs == (found[2] && found[3])) return find_body_shape(tree_, may_be);
   const BranchPair named_pair = branches_of(all_legs ? 0 : 2);
-  if (std::min({named_pair.node, named_pair.branch[0], named_pair.branch[1]}) < 0)
-    return std::nullopt;
+  if (named_pair.node < 0) return std::nullopt;
   const std::optional<BranchPair> other = longest_pair(
       tree_, named_pair, [&](const BranchPair& pair) { return may_be(pair, !all_legs); });
   if (!other) return std::nullopt;
   return all_legs ? BodyShape{named_pair, *other} : BodyShape{*other, named_pair};
 }
 
-// The branches on which a limb that was found and its fellow on the right hang.
+// The branches on which a limb that was found and its fellow on the right hang; none where one
+// hangs on the other.
 BranchPair BoneFinder::branches_of(std::size_t left_limb) const {
   const int left = map_[kLimbs[left_limb][0]];
   const int right = map_[kLimbs[left_limb + 1][0]];
@@ -232,6 +232,7 @@ BranchPair BoneFinder::branches_of(std::size_t left_limb) const {
     return node;
   };
   const int hub = tree_.common_ancestor(left, right);
+  if (hub == left || hub == right) return {};
   return {hub, {branch(left, hub), branch(right, hub)}, 0.0};
 }
 
