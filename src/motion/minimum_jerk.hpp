@@ -13,6 +13,14 @@ template <class S>
   return t * t * t * (S(10) - t * (S(15) - S(6) * t));
 }
 
+// The share of its own time that a movement has behind it at tau, where it is `haste` quicker in
+// its first half than in its second: τ + haste · τ (1 - τ), in -1..1. With the minimum-jerk profile
+// the speed is greatest at tau = 0.50 for a haste of 0, 0.41 for 0.4, and 0.56 for -0.25.
+template <class S>
+[[nodiscard]] constexpr S hastened(const S& tau, const S& haste) {
+  return tau + haste * tau * (S(1) - tau);
+}
+
 // The share that a step makes of what was left of a change before it: `before` and `now` are the
 // shares of the whole change that are made before and after the step.
 [[nodiscard]] constexpr double share_of_rest(double before, double now) {
@@ -52,13 +60,16 @@ struct EffectorPath {
   Vec3d start{};             // m, world
   Vec3d goal{};              // m, world
   Vec3d detour{};            // m, world: how far the path leaves the straight line at its peak
-  double detour_peak = 0.5;  // in (0, 1): when, as a share of the duration
+  double detour_peak = 0.5;  // in (0, 1): when, as a share of the path's own time
+  double haste = 0.0;        // see hastened()
 
   // Position (m, world) at tau = time / duration in [0, 1].
   [[nodiscard]] Vec3d at(double tau) const {
-    return start + (goal - start) * minimum_jerk(tau) +
-           detour * minimum_jerk_detour(tau, detour_peak);
+    return start + (goal - start) * done(tau) +
+           detour * minimum_jerk_detour(hastened(tau, haste), detour_peak);
   }
+  // The share of the line that is done at tau.
+  [[nodiscard]] double done(double tau) const { return minimum_jerk(hastened(tau, haste)); }
 };
 
 // Rule R9: T = clamp(0.45 s + 0.75 s/m · D, 0.6 s, 2.0 s), and 0.14 s more where the trunk and the

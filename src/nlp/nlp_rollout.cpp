@@ -18,6 +18,7 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
       next_(*problem.body),
       angles_(3, std::vector<double>(problem.body->dofs().size())),
       reference_(problem.body->dofs().size()),
+      timed_parts_(timed_parts(*problem.body)),
       blend_(reference_.size()) {
   SHG_CHECK(problem.steps >= 1 && problem.duration > 0.0, "steps and duration of a motion");
   SHG_CHECK(problem.guide.empty() || problem.guide.size() == reference_.size(),
@@ -68,14 +69,16 @@ void NlpRollout::advance() {
 // where the effectors are to be in this frame
 void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   const double tau = static_cast<double>(frame) / problem_->steps;
-  const double off = path_bow(minimum_jerk(tau), input.timing.skew) * input.timing.bow;
-  const double aside = path_bow(minimum_jerk(tau), 0.0) * input.timing.sway;
   for (std::size_t g = 0; g < contacts_from_; ++g) {
     const ReachGoal& goal = problem_->goals[g];
     targets_[g].position = goal.path.at(tau);
-    if (!input.posture.empty()) targets_[g].position += goal.bow * off + goal.sway * aside;
+    const double done = goal.path.done(tau);
+    if (!input.posture.empty()) {
+      targets_[g].position += goal.bow * (path_bow(done, input.timing.skew) * input.timing.bow) +
+                              goal.sway * (path_bow(done, 0.0) * input.timing.sway);
+    }
     if (!targets_[g].turns()) continue;
-    targets_[g].orientation = goal.turn.at(tau);
+    targets_[g].orientation = goal.turn.at(hastened(tau, goal.path.haste));
     targets_[g].direction = targets_[g].orientation.cx;
   }
 }
@@ -92,18 +95,22 @@ void NlpRollout::change_phase(int frame, const MotionInput<double>& input) {
 // how far the null space is drawn in this frame, as in Rollout
 void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   if (!drawn_) return;
-  const auto share = [&](int f) {
-    const double tau = static_cast<double>(f) / problem_->steps;
-    if (!problem_->guide.empty()) return minimum_jerk(tau);
-    return minimum_jerk((tau - input.timing.delay) / (1.0 - input.timing.delay));
-  };
-  const double before = share(frame - 1);
-  const double now = share(frame);
+  const auto tau = [&](int f) { return static_cast<double>(f) / problem_->steps; };
+  if (!problem_->guide.empty()) {
+    const double share = share_of_rest(minimum_jerk(tau(frame - 1)), minimum_jerk(tau(frame)));
+    for (std::size_t d = 0; d < reference_.size(); ++d) {
+      reference_[d] = (problem_->guide[d] - angles_[1][d]) * share;
+    }
+    return;
+  }
   const std::span<const double> posture = input.has_later() ? blend_.posture() : input.posture;
+  const double delay = input.timing.delay;
   for (std::size_t d = 0; d < reference_.size(); ++d) {
-    reference_[d] = problem_->guide.empty()
-                        ? posture[d] * (now - before)
-                        : (problem_->guide[d] - angles_[1][d]) * share_of_rest(before, now);
+    const TimeWindow& window = problem_->windows[timed_parts_[d]];
+    const auto share = [&](int f) {
+      return minimum_jerk((window.at(tau(f)) - delay) / (1.0 - delay));
+    };
+    reference_[d] = posture[d] * (share(frame) - share(frame - 1));
   }
 }
 

@@ -64,6 +64,7 @@ class NlpRollout {
   std::vector<std::vector<double>> angles_;  // of the frame before, this one and the next
   bool drawn_ = false;                       // the null space is drawn somewhere, by …
   std::vector<double> reference_;            // … (dofs, rad) in this frame
+  std::vector<std::size_t> timed_parts_;     // (dofs) the TimedPart of each
   PhaseBlend<double> blend_;                 // of a motion in two phases …
   double later_share_ = 0.0;                 // … and how much of the later there is in this frame
 };

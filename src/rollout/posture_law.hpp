@@ -17,10 +17,13 @@ inline constexpr double kGazeArrives = 0.7;
 inline constexpr double kHeadOfGaze = 0.75;
 // How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
 inline constexpr double kArmHangs = 0.8;
+// How far the elbow of a free arm bends for each angle by which its shoulder is turned forwards:
+// recorded free elbows end at 32 to 88 degrees where the trunk leans by 67 to 81.
+inline constexpr double kElbowBends = 0.6;
 // The clavicle's elevation with the arm straight up, and its protraction with the arm straight
 // ahead: a part of what the shoulder blade turns in raising an arm (V. Inman, J. Saunders and L.
 // Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
-inline constexpr double kClavicleRises = radians(28);
+inline constexpr double kClavicleRises = radians(36);
 inline constexpr double kClavicleAhead = radians(14);
 
 // Elevation and protraction (rad) that go with an arm that points along a unit vector in the frame
@@ -107,7 +110,9 @@ class PostureLaw {
     int parent = 0;  // link that carries the shoulder
     int chest = 0;   // link that carries the clavicle
     int upper = 0;   // the upper arm's link
-    Freedom flexion, abduction, elevation, protraction;
+    bool has_elbow = false;
+    T lean{};  // rad: flexion that the start wants
+    Freedom flexion, abduction, elevation, protraction, elbow;
   };
 
   static Freedom freedom(const BodyModel& body, int d, double share = 1.0) {
@@ -153,6 +158,9 @@ class PostureLaw {
     arm.upper = *rotation;
     arm.flexion = freedom(body, *flexion);
     arm.abduction = freedom(body, *abduction);
+    const auto elbow = dof("elbow.flexion");
+    arm.has_elbow = elbow.has_value();
+    if (elbow) arm.elbow = freedom(body, *elbow);
     const auto elevation = dof("clavicle.elevation");
     const auto protraction = dof("clavicle.protraction");
     arm.has_clavicle = elevation && protraction;
@@ -172,6 +180,7 @@ class PostureLaw {
         body, {arm.parent, arm.has_clavicle ? arm.chest : arm.parent, arm.upper}, arm.side);
     arm.flexion.start -= static_cast<T>(start.flexion);
     arm.abduction.start -= static_cast<T>(start.abduction);
+    arm.lean = static_cast<T>(start.flexion);
     if (!arm.has_clavicle) return;
     arm.elevation.start -= static_cast<T>(start.elevation);
     arm.protraction.start -= static_cast<T>(start.protraction);
@@ -209,6 +218,9 @@ class PostureLaw {
     const Hanging<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
     draw_to(arm.flexion, wanted.flexion, S(1), angles, reference);
     draw_to(arm.abduction, wanted.abduction, S(1), angles, reference);
+    if (!arm.has_elbow) return;
+    const S lean = max(wanted.flexion - S(arm.lean), S(0));
+    draw_to(arm.elbow, lean * S(kElbowBends), S(1), angles, reference);
   }
 
   void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <shigusa/body_model.hpp>
 #include <vector>
@@ -50,6 +51,23 @@ struct ReachGoal {
   }
 };
 
+// A part of the time in which a part of the body changes its posture, as shares of the duration.
+struct TimeWindow {
+  double begin = 0.0;
+  double end = 1.0;
+
+  // How much of its own time is over at tau; below 0 before it, above 1 after it.
+  template <class S>
+  [[nodiscard]] S at(const S& tau) const {
+    return (tau - S(begin)) * S(1.0 / (end - begin));
+  }
+};
+
+// The parts of the body that keep their own time; all that is none of these goes with the arms.
+enum class TimedPart { knees, hips, spine, arms };  // knees: with the ankles
+inline constexpr std::size_t kTimedParts = 4;
+using PartWindows = std::array<TimeWindow, kTimedParts>;
+
 // Everything that is the same for all motions of one search.
 struct ReachProblem {
   const BodyModel* body = nullptr;  // outlives the problem
@@ -62,6 +80,7 @@ struct ReachProblem {
   std::vector<double> guide;
   // false: the hands go where the guide takes them, and only the last frame has them at their goals
   bool follow_path = true;
+  PartWindows windows{};  // of the change of posture
   IkSettings ik;
   bool hold_limits = false;     // no joint passes a limit (see LimitGuard)
   bool posture_law = false;     // head, free arms and clavicles follow PostureLaw
@@ -107,6 +126,9 @@ struct BasicReachOutcome {
   }
 };
 using ReachOutcome = BasicReachOutcome<double>;
+
+// (dofs) the number of the TimedPart of each.
+[[nodiscard]] std::vector<std::size_t> timed_parts(const BodyModel& body);
 
 // The targets of weighted IK for a problem: its goals, then each planted foot but the base, held
 // where it stands in the start posture.

@@ -14,6 +14,24 @@ Vec3d ReachGoal::nearest(const Vec3d& at, double inset) const {
   return place;
 }
 
+namespace {
+
+TimedPart timed_part(const Dof& dof) {
+  const std::string& joint = dof.part.joint;
+  if (joint == "knee" || joint == "ankle") return TimedPart::knees;
+  if (joint == "hip") return TimedPart::hips;
+  const bool back = joint == "spine" || joint == "chest" || joint == "upper_chest";
+  return back ? TimedPart::spine : TimedPart::arms;
+}
+
+}  // namespace
+
+std::vector<std::size_t> timed_parts(const BodyModel& body) {
+  std::vector<std::size_t> parts;
+  for (const Dof& dof : body.dofs()) parts.push_back(static_cast<std::size_t>(timed_part(dof)));
+  return parts;
+}
+
 std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
   const Kinematics<double> kinematics = start_kinematics(body);

@@ -44,6 +44,7 @@ class Rollout {
         unlocked_(problem.body->dofs().size()),
         reference_(unlocked_),
         blend_(unlocked_.size()),
+        timed_parts_(timed_parts(*problem.body)),
         law_(problem) {
     if (problem.hold_limits) limits_.emplace(*problem.body);
     for (const IkTarget<double>& target : ik_targets(problem)) {
@@ -62,7 +63,9 @@ class Rollout {
       const double tau = static_cast<double>(frame) / problem.steps;
       for (const ReachGoal& goal : problem.goals) {
         paths_.push_back(to_scalar<Element<S>>(goal.path.at(tau)));
-        if (turning_) turns_.push_back(to_scalar<Element<S>>(goal.turn.at(tau)));
+        if (turning_) {
+          turns_.push_back(to_scalar<Element<S>>(goal.turn.at(hastened(tau, goal.path.haste))));
+        }
       }
     }
   }
@@ -206,9 +209,7 @@ class Rollout {
 
   // where the effectors are to be in this frame
   void place_goals(int frame, const MotionInput<S>& input) {
-    const double done = minimum_jerk(static_cast<double>(frame) / problem_->steps);
-    const S off = path_bow(S(done), input.timing.skew) * input.timing.bow;
-    const S aside = path_bow(S(done), S(0)) * input.timing.sway;
+    const double tau = static_cast<double>(frame) / problem_->steps;
     for (std::size_t g = 0; g < contacts_from_; ++g) {
       const std::size_t k = index(frame) * contacts_from_ + g;
       targets_[g].position = to_scalar<S>(paths_[k]);
@@ -217,8 +218,11 @@ class Rollout {
         targets_[g].direction = targets_[g].orientation.cx;
       }
       if (input.posture.empty()) continue;
-      targets_[g].position += to_scalar<S>(problem_->goals[g].bow) * off;
-      targets_[g].position += to_scalar<S>(problem_->goals[g].sway) * aside;
+      const ReachGoal& goal = problem_->goals[g];
+      const S done(goal.path.done(tau));
+      targets_[g].position +=
+          to_scalar<S>(goal.bow) * (path_bow(done, input.timing.skew) * input.timing.bow) +
+          to_scalar<S>(goal.sway) * (path_bow(done, S(0)) * input.timing.sway);
     }
   }
 
@@ -229,9 +233,15 @@ class Rollout {
     if (guided) {
       draw_to_guide(frame);
     } else if (!input.posture.empty()) {
-      const S share = posture_share(frame, input) - posture_share(frame - 1, input);
+      std::array<S, kTimedParts> shares;
+      for (std::size_t p = 0; p < kTimedParts; ++p) {
+        const TimeWindow& window = problem_->windows[p];
+        shares[p] = posture_share(window, frame, input) - posture_share(window, frame - 1, input);
+      }
       const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
-      for (std::size_t d = 0; d < reference_.size(); ++d) reference_[d] = posture[d] * share;
+      for (std::size_t d = 0; d < reference_.size(); ++d) {
+        reference_[d] = posture[d] * shares[timed_parts_[d]];
+      }
     } else if (drawn_) {
       for (S& change : reference_) change = S(0);
     }
@@ -239,8 +249,8 @@ class Rollout {
   }
 
   // how much of the change of posture is made by then
-  S posture_share(int frame, const MotionInput<S>& input) const {
-    const S tau(static_cast<double>(frame) / problem_->steps);
+  S posture_share(const TimeWindow& window, int frame, const MotionInput<S>& input) const {
+    const S tau(window.at(static_cast<double>(frame) / problem_->steps));
     return minimum_jerk((tau - input.timing.delay) / (S(1) - input.timing.delay));
   }
 
@@ -336,6 +346,7 @@ class Rollout {
   bool drawn_ = false;                     // the null space is drawn somewhere, by …
   std::vector<S> reference_;               // … (dofs, rad) in this frame
   PhaseBlend<S> blend_;                    // of a motion in two phases
+  std::vector<std::size_t> timed_parts_;   // (dofs) the TimedPart of each
   PostureLaw<S> law_;
   std::optional<LimitGuard<S>> limits_;
 };

@@ -9,6 +9,7 @@
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/minimum_jerk.hpp"
 #include "rollout/reach_problem.hpp"
+#include "task/natural_times.hpp"
 #include "task/plan_of.hpp"
 #include "task_goals.hpp"
 
@@ -177,11 +178,14 @@ Result<ReachProblem> make_problem(const Task& task) {
   SHG_TRY(check_settings(task));
   const BodyModel& body = task.body;
   const Kinematics<double> kinematics = start_kinematics(body);
+  const bool natural = traits_of(task.preset).natural;
   ReachProblem problem;
   problem.body = &body;
   problem.duration = 0.0;
   for (const Goal& goal : task.goals) {
     SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
+    const bool hand = body.effector(reach.effector).part.limb == LimbKind::arm;
+    if (hand && natural) reach.path.haste = natural_haste(reach.path);
     for (const ReachGoal& earlier : problem.goals) {
       if (earlier.effector != reach.effector) continue;
       return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
@@ -192,7 +196,8 @@ Result<ReachProblem> make_problem(const Task& task) {
   SHG_TRY(check_rows(problem));
   problem.duration *= load_factor(body.load());
   if (task.duration) problem.duration = *task.duration;
-  problem.hold_limits = problem.posture_law = traits_of(task.preset).natural;
+  problem.hold_limits = problem.posture_law = natural;
+  if (natural) problem.windows = natural_windows(problem.goals);
   problem.gaze = task_criteria(task).head.gaze_target;
   if (task.preset == Preset::flat) {
     problem.corrections = kLimitCorrections;
