@@ -152,6 +152,7 @@ struct BodyDefinition {
   double stature = 0.0;   ///< m
   double mass = 0.0;      ///< kg, of the links together
   double load = 0.0;      ///< kg, of them the heaviest that a hand holds
+  double lumbar_part = 1.0;  ///< how much the back takes of a bend, beside a man's
   Transformd base;        ///< the base link's frame in the world: +Y up, facing +Z, floor at y = 0
   std::vector<Dof> dofs;  ///< parents before children
   std::vector<LimitCoupling> couplings;  ///< upper limits that grow with other angles
@@ -180,6 +181,8 @@ class BodyModel {
   [[nodiscard]] const std::string& name() const { return definition_.name; }
   /// Standing height (m).
   [[nodiscard]] double stature() const { return definition_.stature; }
+  /// How much the back takes of a bend, beside a man's.
+  [[nodiscard]] double lumbar_part() const { return definition_.lumbar_part; }
   /// Mass of all links together (kg).
   [[nodiscard]] double mass() const { return definition_.mass; }
   /// The heaviest load that a hand holds (kg).

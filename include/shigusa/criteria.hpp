@@ -123,6 +123,48 @@ struct FeasibilitySettings {
   double outside = kFeasibilityOutside;  ///< m, > 0
 };
 
+/// Difference (rad) from people's proportions at which the penalty is full, were knees and back both
+/// off by it and twice.
+inline constexpr double kCoordinationAngle = 0.35;
+/// Sets the scale of the criterion coordination: whether knees, hips and back bend together as
+/// people's do.
+struct CoordinationSettings {
+  double angle = kCoordinationAngle;  ///< rad, > 0
+  std::vector<int> effectors{};       ///< of the task's goals; all hands where none are given
+};
+
+/// Share of its length by which a hand's path is off people's where the penalty is full.
+inline constexpr double kPathOffset = 0.2;
+/// Sets the scale of the criterion hand_curve: how far hands leave the ways that people's take.
+struct HandCurveSettings {
+  double offset = kPathOffset;   ///< of the way's length, > 0
+  std::vector<int> effectors{};  ///< of the task's goals; all hands where none are given
+};
+
+/// Way (m) of a shoulder beyond what its goal needs at which the penalty is full.
+inline constexpr double kTravelDistance = 0.3;
+/// Sets the scale of the criterion trunk_travel: how far the trunk goes where the arm would do.
+struct TrunkTravelSettings {
+  double distance = kTravelDistance;  ///< m, > 0
+  std::vector<int> effectors{};       ///< of the task's goals; all hands where none are given
+};
+
+/// Distance (m) of the centre of mass from where people have it at which the penalty is full.
+inline constexpr double kMassDistance = 0.15;
+/// Sets the scale of the criterion mass_ahead: whether the centre of mass goes along with the hands.
+struct MassAheadSettings {
+  double distance = kMassDistance;  ///< m, > 0
+  std::vector<int> effectors{};     ///< of the task's goals; all hands where none are given
+};
+
+/// Change of a torque or of the floor's pressure from frame to frame at which the penalty is full,
+/// as a share of what counts as a jolt: 30 % of the strength, or 3 cm.
+inline constexpr double kJoltLimit = 1.0;
+/// Sets the scale of the criterion jolts: how suddenly torques and the floor's pressure change.
+struct JoltsSettings {
+  double limit = kJoltLimit;  ///< of a jolt, > 0
+};
+
 /// A criterion of the user's own: any scalar function of the motion; smaller is better. Its penalty
 /// is value / scale, held to [0, 1] as the built-in ones are. NaN makes the motion the worst of
 /// all.
@@ -149,6 +191,11 @@ struct CriteriaSettings {
   double collision_weight = 0.0;                   ///< of collisions
   double pressure_weight = 0.0;                    ///< of a pressure outside the feet
   double feasibility_weight = 0.0;                 ///< of what the body cannot do
+  double coordination_weight = 0.0;                ///< of knees, hips and back out of proportion
+  double hand_curve_weight = 0.0;                   ///< of ways that hands do not take
+  double trunk_travel_weight = 0.0;                ///< of a trunk that moves where the arm would do
+  double mass_ahead_weight = 0.0;                  ///< of a centre of mass held back
+  double jolts_weight = 0.0;                       ///< of sudden torques
   JointRangeSettings joint_range{};                ///< scale of joint_range
   BalanceSettings balance{};                       ///< scale of balance
   TorqueSettings torque{};                         ///< scale of torque
@@ -161,6 +208,11 @@ struct CriteriaSettings {
   CollisionSettings collision{};                   ///< scale of collision
   PressureSettings pressure{};                     ///< scale of centre_of_pressure
   FeasibilitySettings feasibility{};               ///< scale of feasibility
+  CoordinationSettings coordination{};             ///< scale of coordination
+  HandCurveSettings hand_curve{};                    ///< scale of hand_curve
+  TrunkTravelSettings trunk_travel{};              ///< scale of trunk_travel
+  MassAheadSettings mass_ahead{};                  ///< scale of mass_ahead
+  JoltsSettings jolts{};                           ///< scale of jolts
   std::vector<UserCriterion> user{};               ///< the user's own
 };
 

@@ -10,13 +10,18 @@
 #include "criteria/balance_zone.hpp"
 #include "criteria/centre_of_pressure.hpp"
 #include "criteria/collision.hpp"
+#include "criteria/coordination.hpp"
 #include "criteria/discomfort.hpp"
 #include "criteria/feasibility.hpp"
+#include "criteria/hand_curve.hpp"
 #include "criteria/head.hpp"
 #include "criteria/joint_acceleration.hpp"
 #include "criteria/joint_range.hpp"
+#include "criteria/jolts.hpp"
 #include "criteria/low_back.hpp"
+#include "criteria/mass_ahead.hpp"
 #include "criteria/torque.hpp"
+#include "criteria/trunk_travel.hpp"
 #include "criteria/work.hpp"
 
 namespace shigusa {
@@ -82,6 +87,19 @@ inline constexpr std::tuple kCriteria{
     CriterionEntry<Feasibility>{"feasibility", &CriteriaSettings::feasibility_weight,
                                 &CriteriaSettings::feasibility, "outside_m",
                                 &FeasibilitySettings::outside},
+    CriterionEntry<Coordination>{"coordination", &CriteriaSettings::coordination_weight,
+                                 &CriteriaSettings::coordination, "angle_rad",
+                                 &CoordinationSettings::angle},
+    CriterionEntry<HandCurve>{"hand_curve", &CriteriaSettings::hand_curve_weight,
+                             &CriteriaSettings::hand_curve, "offset", &HandCurveSettings::offset},
+    CriterionEntry<TrunkTravel>{"trunk_travel", &CriteriaSettings::trunk_travel_weight,
+                                &CriteriaSettings::trunk_travel, "distance_m",
+                                &TrunkTravelSettings::distance},
+    CriterionEntry<MassAhead>{"mass_ahead", &CriteriaSettings::mass_ahead_weight,
+                              &CriteriaSettings::mass_ahead, "distance_m",
+                              &MassAheadSettings::distance},
+    CriterionEntry<Jolts>{"jolts", &CriteriaSettings::jolts_weight, &CriteriaSettings::jolts,
+                          "limit", &JoltsSettings::limit},
 };
 
 // Calls visit(entry) for each built-in criterion in the table's order.

@@ -19,6 +19,11 @@ CriteriaSettings default_criteria() {
   settings.collision_weight = 0.5;
   settings.pressure_weight = 0.35;
   settings.feasibility_weight = 1.0;
+  settings.coordination_weight = 0.3;
+  settings.hand_curve_weight = 0.2;
+  settings.trunk_travel_weight = 0.2;
+  settings.mass_ahead_weight = 0.2;
+  settings.jolts_weight = 0.5;
   return settings;
 }
 

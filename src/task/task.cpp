@@ -168,6 +168,12 @@ CriteriaSettings task_criteria(const Task& task) {
   if (task.look_at) criteria.head.gaze_target = task.look_at;
   if (!criteria.head.gaze_target) criteria.head.gaze_target = gaze_of(task.body, task.goals);
   criteria.collision.obstacles = task.obstacles;
+  std::vector<int> effectors;
+  for (const Goal& goal : task.goals) {
+    if (const auto effector = task.body.find_effector(goal.effector)) effectors.push_back(*effector);
+  }
+  criteria.coordination.effectors = criteria.hand_curve.effectors = effectors;
+  criteria.trunk_travel.effectors = criteria.mass_ahead.effectors = effectors;
   return criteria;
 }
 
