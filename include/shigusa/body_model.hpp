@@ -148,10 +148,10 @@ struct NodePlace {
 
 /// Everything that makes a body; BodyModel checks it once and keeps it.
 struct BodyDefinition {
-  std::string name;       ///< "full_body", or of a character the file's
-  double stature = 0.0;   ///< m
-  double mass = 0.0;      ///< kg, of the links together
-  double load = 0.0;      ///< kg, of them the heaviest that a hand holds
+  std::string name;          ///< "full_body", or of a character the file's
+  double stature = 0.0;      ///< m
+  double mass = 0.0;         ///< kg, of the links together
+  double load = 0.0;         ///< kg, of them the heaviest that a hand holds
   double lumbar_part = 1.0;  ///< how much the back takes of a bend, beside a man's
   Transformd base;        ///< the base link's frame in the world: +Y up, facing +Z, floor at y = 0
   std::vector<Dof> dofs;  ///< parents before children

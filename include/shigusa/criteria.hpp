@@ -123,8 +123,8 @@ struct FeasibilitySettings {
   double outside = kFeasibilityOutside;  ///< m, > 0
 };
 
-/// Difference (rad) from people's proportions at which the penalty is full, were knees and back both
-/// off by it and twice.
+/// Difference (rad) from people's proportions at which the penalty is full, were knees and back
+/// both off by it and twice.
 inline constexpr double kCoordinationAngle = 0.35;
 /// Sets the scale of the criterion coordination: whether knees, hips and back bend together as
 /// people's do.
@@ -151,7 +151,8 @@ struct TrunkTravelSettings {
 
 /// Distance (m) of the centre of mass from where people have it at which the penalty is full.
 inline constexpr double kMassDistance = 0.15;
-/// Sets the scale of the criterion mass_ahead: whether the centre of mass goes along with the hands.
+/// Sets the scale of the criterion mass_ahead: whether the centre of mass goes along with the
+/// hands.
 struct MassAheadSettings {
   double distance = kMassDistance;  ///< m, > 0
   std::vector<int> effectors{};     ///< of the task's goals; all hands where none are given
@@ -192,7 +193,7 @@ struct CriteriaSettings {
   double pressure_weight = 0.0;                    ///< of a pressure outside the feet
   double feasibility_weight = 0.0;                 ///< of what the body cannot do
   double coordination_weight = 0.0;                ///< of knees, hips and back out of proportion
-  double hand_curve_weight = 0.0;                   ///< of ways that hands do not take
+  double hand_curve_weight = 0.0;                  ///< of ways that hands do not take
   double trunk_travel_weight = 0.0;                ///< of a trunk that moves where the arm would do
   double mass_ahead_weight = 0.0;                  ///< of a centre of mass held back
   double jolts_weight = 0.0;                       ///< of sudden torques
@@ -209,7 +210,7 @@ struct CriteriaSettings {
   PressureSettings pressure{};                     ///< scale of centre_of_pressure
   FeasibilitySettings feasibility{};               ///< scale of feasibility
   CoordinationSettings coordination{};             ///< scale of coordination
-  HandCurveSettings hand_curve{};                    ///< scale of hand_curve
+  HandCurveSettings hand_curve{};                  ///< scale of hand_curve
   TrunkTravelSettings trunk_travel{};              ///< scale of trunk_travel
   MassAheadSettings mass_ahead{};                  ///< scale of mass_ahead
   JoltsSettings jolts{};                           ///< scale of jolts

@@ -91,7 +91,7 @@ inline constexpr std::tuple kCriteria{
                                  &CriteriaSettings::coordination, "angle_rad",
                                  &CoordinationSettings::angle},
     CriterionEntry<HandCurve>{"hand_curve", &CriteriaSettings::hand_curve_weight,
-                             &CriteriaSettings::hand_curve, "offset", &HandCurveSettings::offset},
+                              &CriteriaSettings::hand_curve, "offset", &HandCurveSettings::offset},
     CriterionEntry<TrunkTravel>{"trunk_travel", &CriteriaSettings::trunk_travel_weight,
                                 &CriteriaSettings::trunk_travel, "distance_m",
                                 &TrunkTravelSettings::distance},

@@ -25,8 +25,8 @@ inline constexpr double kBackBend = radians(60);
 inline constexpr double kBackHalf = radians(52);
 
 // What a body's knees, hips and back do together where a motion ends, beside people's proportions,
-// in [0, 1]: whoever bends, bends all of them. With T the lean of the line from hips to shoulders, K
-// the knees' flexion and L the back's,
+// in [0, 1]: whoever bends, bends all of them. With T the lean of the line from hips to shoulders,
+// K the knees' flexion and L the back's,
 //   P = min(1, (½ ((K - K*(T)) / angle)² + ½ ((L - L*(T)) / angle)²) / 2).
 // K* keeps the posture index of R. Burgess-Limerick and B. Abernethy (Human Factors 39 (1997) 141),
 // which is the same from 9 to 63 cm, and is less for a near load (Int. J. Industrial Ergonomics 22
@@ -69,8 +69,8 @@ class Coordination {
     penalty_ = off * off;
     if (!back_.empty()) {
       const S back = S(back_bend_) * lean / (lean + S(kBackHalf));
-      const S bent = (mean(frame.angles, back_) * S(static_cast<double>(back_.size())) - back) *
-                     S(per_angle_);
+      const S bent =
+          (mean(frame.angles, back_) * S(static_cast<double>(back_.size())) - back) * S(per_angle_);
       penalty_ = penalty_ + bent * bent;
     }
   }
@@ -88,10 +88,10 @@ class Coordination {
   std::vector<GoalHand> hands_;
   std::vector<std::size_t> knees_;
   std::vector<std::size_t> back_;
-  double per_angle_;   // 1/rad
-  double back_bend_;   // rad
-  double per_ahead_;   // 1/m
-  S penalty_{};        // of the last frame seen
+  double per_angle_;  // 1/rad
+  double back_bend_;  // rad
+  double per_ahead_;  // 1/m
+  S penalty_{};       // of the last frame seen
 };
 
 }  // namespace shigusa

@@ -15,15 +15,15 @@ namespace shigusa {
 // Recorded: 0.05 to 0.17 down to the floor, -0.03 to -0.07 up to shelves.
 inline constexpr double kBowLevel = 0.03;
 inline constexpr double kBowDown = 0.08;
-// The mean over a motion's time of how far a bow of 1 has left its line (see path_bow): ∫ 4 s (1 - s)
-// along the minimum-jerk profile.
+// The mean over a motion's time of how far a bow of 1 has left its line (see path_bow): ∫ 4 s (1 -
+// s) along the minimum-jerk profile.
 inline constexpr double kMeanBow = 0.4372;
 
-// How the hands' paths leave the straight way, in [0, 1]: people's hands do by some tenth of it, each
-// in its direction. Of each goal's hand, o is the mean offset of its places from the middle of its
-// straight way, square to that and over the bow's mean share of time, and n the offset that people's
-// have:   P = min(1, mean |o - n|² / offset²).
-// A hand that moves by less than 5 cm, and a body without hands, has no penalty.
+// How the hands' paths leave the straight way, in [0, 1]: people's hands do by some tenth of it,
+// each in its direction. Of each goal's hand, o is the mean offset of its places from the middle of
+// its straight way, square to that and over the bow's mean share of time, and n the offset that
+// people's have:   P = min(1, mean |o - n|² / offset²). A hand that moves by less than 5 cm, and a
+// body without hands, has no penalty.
 template <class S>
 class HandCurve {
  public:

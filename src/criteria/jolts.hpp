@@ -9,8 +9,8 @@
 
 namespace shigusa {
 
-// A torque that changes by this share of the joint's strength, both ways together, from one frame of
-// a motion to the next is a jolt as large as …
+// A torque that changes by this share of the joint's strength, both ways together, from one frame
+// of a motion to the next is a jolt as large as …
 inline constexpr double kTorqueJolt = 0.30;
 // … a floor's pressure that moves by this (m).
 inline constexpr double kPressureJolt = 0.03;
@@ -25,8 +25,7 @@ class Jolts {
   using Settings = JoltsSettings;
 
   explicit Jolts(const BodyModel& body, const JoltsSettings& settings = {})
-      : before_(body.dofs().size()),
-        per_limit_(1.0 / settings.limit) {
+      : before_(body.dofs().size()), per_limit_(1.0 / settings.limit) {
     for (const Dof& dof : body.dofs()) {
       per_strength_.push_back(
           static_cast<T>(1.0 / (kTorqueJolt * (dof.torque_positive + dof.torque_negative))));

@@ -41,10 +41,10 @@ class MassAhead {
     Vec3<S> hand{};
     for (const GoalHand& goal : hands_) hand += goal.hand.in(frame.kinematics);
     const S share(kMassShare / static_cast<double>(hands_.size()));
-    const S x = frame.centre_of_mass.x - start_.x - hand.x * share +
-                S(standing_.standing.x * kMassShare);
-    const S z = frame.centre_of_mass.z - start_.z - hand.z * share +
-                S(standing_.standing.z * kMassShare);
+    const S x =
+        frame.centre_of_mass.x - start_.x - hand.x * share + S(standing_.standing.x * kMassShare);
+    const S z =
+        frame.centre_of_mass.z - start_.z - hand.z * share + S(standing_.standing.z * kMassShare);
     penalty_ = x * x + z * z;
   }
 

@@ -15,10 +15,10 @@ namespace shigusa {
 inline constexpr double kArmAlone = 0.92;
 
 // How much farther than its goal takes it a reaching arm's shoulder has gone where the motion ends,
-// in [0, 1]: within the arm's length the trunk keeps out of a reach (Kaminski, Bock and Gentile, Exp.
-// Brain Res. 106 (1995) 457), beyond it the trunk goes along by what the arm lacks. With m the way
-// that the shoulder has gone, and n by how much the hand's end is farther from where the shoulder
-// was than 0.92 arms, P = min(1, mean ((m - n) / distance)²) over the goals' hands.
+// in [0, 1]: within the arm's length the trunk keeps out of a reach (Kaminski, Bock and Gentile,
+// Exp. Brain Res. 106 (1995) 457), beyond it the trunk goes along by what the arm lacks. With m the
+// way that the shoulder has gone, and n by how much the hand's end is farther from where the
+// shoulder was than 0.92 arms, P = min(1, mean ((m - n) / distance)²) over the goals' hands.
 template <class S>
 class TrunkTravel {
  public:

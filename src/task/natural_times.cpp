@@ -32,7 +32,8 @@ double natural_haste(const EffectorPath& path) {
 
 PartWindows natural_windows(std::span<const ReachGoal> goals) {
   double rise = 0.0;
-  for (const ReachGoal& goal : goals) rise += rise_of(goal.path) / static_cast<double>(goals.size());
+  for (const ReachGoal& goal : goals)
+    rise += rise_of(goal.path) / static_cast<double>(goals.size());
   const double up = 0.5 + 0.5 * rise;
   PartWindows windows;
   for (std::size_t p = 0; p < kTimedParts; ++p) {

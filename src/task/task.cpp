@@ -170,7 +170,8 @@ CriteriaSettings task_criteria(const Task& task) {
   criteria.collision.obstacles = task.obstacles;
   std::vector<int> effectors;
   for (const Goal& goal : task.goals) {
-    if (const auto effector = task.body.find_effector(goal.effector)) effectors.push_back(*effector);
+    if (const auto effector = task.body.find_effector(goal.effector))
+      effectors.push_back(*effector);
   }
   criteria.coordination.effectors = criteria.hand_curve.effectors = effectors;
   criteria.trunk_travel.effectors = criteria.mass_ahead.effectors = effectors;
