@@ -10,22 +10,29 @@
 
 namespace shigusa {
 
-// Of the way from the ankles to where the hands end, over the floor, the share that the centre of
-// mass goes: by 5 to 14 cm in recorded low reaches, 23 to 61 % of the foot from near goals to far
-// ones (Pozzo, Stapley and Papaxanthis, Exp. Brain Res. 144 (2002) 343).
-inline constexpr double kMassShare = 0.18;
+// Of the way over the floor from the ankles to where the hands end, the share that the centre of
+// mass goes in a level reach: little more than what the arm's own mass makes of it …
+inline constexpr double kMassLevel = 0.08;
+// … and in a reach down by kLowReach of the stature or more. There recorded people's goes by 5 to
+// 14 cm, 23 to 61 % of the foot from near goals to far ones (Pozzo, Stapley and Papaxanthis, Exp.
+// Brain Res. 144 (2002) 343): by this share of what the hands end ahead of kMassNear (m).
+inline constexpr double kMassLow = 0.30;
+inline constexpr double kMassNear = 0.13;
+inline constexpr double kLowReach = 0.3;
 
 // Whether the centre of mass goes along with the hands where the motion ends, in [0, 1]: people do
-// not hold it back. With c the way that it has gone over the floor, and g that from the middle of
-// the ankles to the middle of the goals' hands, P = min(1, |c - 0.18 g|² / distance²).
+// not hold it back. With c the way that it has gone over the floor, g the way from the middle of
+// the ankles to the middle of the goals' hands, both in the plane of the floor, and n people's
+// share of g, P = min(1, |c - n|² / distance²).
 template <class S>
 class MassAhead {
  public:
   using Settings = MassAheadSettings;
 
   explicit MassAhead(const BodyModel& body, const MassAheadSettings& settings = {})
-      : standing_(posture_points(body)),
+      : points_(posture_points(body)),
         hands_(goal_hands(body, settings.effectors)),
+        per_drop_(body.stature() > 0.0 ? 1.0 / (kLowReach * body.stature()) : 0.0),
         per_square_(1.0 / (settings.distance * settings.distance)) {}
 
   // Forgets the frames seen.
@@ -35,27 +42,36 @@ class MassAhead {
   }
 
   void add(const PlacedFrame<S>& frame) {
-    if (!standing_.found || hands_.empty()) return;
-    if (!seen_) start_ = frame.centre_of_mass;
-    seen_ = true;
+    if (!points_.found || hands_.empty()) return;
     Vec3<S> hand{};
     for (const GoalHand& goal : hands_) hand += goal.hand.in(frame.kinematics);
-    const S share(kMassShare / static_cast<double>(hands_.size()));
-    const S x =
-        frame.centre_of_mass.x - start_.x - hand.x * share + S(standing_.standing.x * kMassShare);
-    const S z =
-        frame.centre_of_mass.z - start_.z - hand.z * share + S(standing_.standing.z * kMassShare);
-    penalty_ = x * x + z * z;
+    hand = hand * S(1.0 / static_cast<double>(hands_.size()));
+    if (!seen_) {
+      start_ = frame.centre_of_mass;
+      height_ = hand.y;
+    }
+    seen_ = true;
+    const S low = clamp((height_ - hand.y) * S(per_drop_), S(0), S(1));
+    const S share = S(kMassLevel) + low * S(kMassLow - kMassLevel);
+    const S x = hand.x - S(points_.standing.x);
+    const S z = hand.z - S(points_.standing.z);
+    const S far = sqrt(x * x + z * z);
+    const S goes = max(share * far - low * S(kMassLow * kMassNear), S(0)) / max(far, S(1e-6));
+    const S off_x = frame.centre_of_mass.x - start_.x - x * goes;
+    const S off_z = frame.centre_of_mass.z - start_.z - z * goes;
+    penalty_ = off_x * off_x + off_z * off_z;
   }
 
   [[nodiscard]] S penalty() const { return min(S(1), penalty_ * S(per_square_)); }
 
  private:
-  PosturePoints standing_;
+  PosturePoints points_;
   std::vector<GoalHand> hands_;
-  double per_square_;
+  double per_drop_;    // 1/m
+  double per_square_;  // 1/m²
   bool seen_ = false;
   Vec3<S> start_{};  // m
+  S height_{};       // m, of the hands at the start
   S penalty_{};      // of the last frame seen, m²
 };
 
