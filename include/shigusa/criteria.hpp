@@ -126,7 +126,7 @@ struct FeasibilitySettings {
 /// Difference (rad) from people's proportions at which the penalty is full, were knees and back
 /// both off by it and twice.
 inline constexpr double kCoordinationAngle = 0.35;
-/// Sets the scale of the criterion coordination: whether knees, hips and back bend together as
+/// Sets the scale of the criterion coordination: whether knees bend along with the trunk as
 /// people's do.
 struct CoordinationSettings {
   double angle = kCoordinationAngle;  ///< rad, > 0
@@ -192,7 +192,7 @@ struct CriteriaSettings {
   double collision_weight = 0.0;                   ///< of collisions
   double pressure_weight = 0.0;                    ///< of a pressure outside the feet
   double feasibility_weight = 0.0;                 ///< of what the body cannot do
-  double coordination_weight = 0.0;                ///< of knees, hips and back out of proportion
+  double coordination_weight = 0.0;                ///< of knees out of proportion
   double hand_curve_weight = 0.0;                  ///< of ways that hands do not take
   double trunk_travel_weight = 0.0;                ///< of a trunk that moves where the arm would do
   double mass_ahead_weight = 0.0;                  ///< of a centre of mass held back

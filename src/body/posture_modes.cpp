@@ -24,6 +24,8 @@ constexpr std::string_view kSquatSentence =
     "and ankle, which keeps the leg's line for a thigh as long as the shank.";
 constexpr std::string_view kLeanSentence = "The hips bend and go back over the ankles.";
 constexpr std::string_view kRoundSentence = "The spine bends forwards.";
+constexpr std::string_view kRoundMoreSentence =
+    "The spine bends forwards by more than goes with the pelvis, or by less.";
 constexpr std::string_view kTwistSentence = "The trunk turns to the left over the feet.";
 constexpr std::string_view kElbowSentence = "The elbow bends: the arm's contraction.";
 constexpr std::string_view kSwivelSentence = "The upper arm turns outwards about its axis.";
@@ -69,7 +71,7 @@ void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
         {{"right_hip.rotation", kHips}, {"left_hip.rotation", -kHips}, {"spine.rotation", kSpine}});
     return;
   }
-  modes.add("round", kRoundSentence, radians(-15.0), radians(70.0),
+  modes.add("round", kRoundMoreSentence, radians(-20.0), radians(20.0),
             {{"spine.flexion", kSpineRanges[0].flexion},
              {"chest.flexion", kSpineRanges[1].flexion},
              {"upper_chest.flexion", kSpineRanges[2].flexion}});

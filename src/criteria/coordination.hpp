@@ -19,19 +19,13 @@ inline constexpr double kKneesBegin = radians(10);
 // kHandAhead and beyond, this share of it at none.
 inline constexpr double kHandAhead = 0.23;
 inline constexpr double kKneesNear = 0.5;
-// The back's bend (rad) that goes with a lean T of the trunk is kBackBend · T / (T + kBackHalf): 40
-// degrees of a full bend of 110, and more than half of the first 30.
-inline constexpr double kBackBend = radians(60);
-inline constexpr double kBackHalf = radians(52);
 
-// What a body's knees, hips and back do together where a motion ends, beside people's proportions,
-// in [0, 1]: whoever bends, bends all of them. With T the lean of the line from hips to shoulders,
-// K the knees' flexion and L the back's,
-//   P = min(1, (½ ((K - K*(T)) / angle)² + ½ ((L - L*(T)) / angle)²) / 2).
-// K* keeps the posture index of R. Burgess-Limerick and B. Abernethy (Human Factors 39 (1997) 141),
-// which is the same from 9 to 63 cm, and is less for a near load (Int. J. Industrial Ergonomics 22
-// (1998) 367); L* is of Esola et al., Spine 21 (1996) 71, and women's a part of it (Thomas, Corcos
-// and Hasan, J. Motor Behavior 30 (1998) 98). A body without these joints has no penalty.
+// What a body's knees do beside its trunk where a motion ends, and people's proportion of both, in
+// [0, 1]: whoever bends, bends both. With T the lean of the line from hips to shoulders and K the
+// knees' flexion, P = min(1, ((K - K*(T)) / angle)² / 4). K* keeps the posture index of R.
+// Burgess-Limerick and B. Abernethy (Human Factors 39 (1997) 141), which is the same from 9 to 63
+// cm, and is less for a near load (Int. J. Industrial Ergonomics 22 (1998) 367). A body without
+// these joints has no penalty.
 template <class S>
 class Coordination {
  public:
@@ -41,13 +35,9 @@ class Coordination {
       : points_(posture_points(body)),
         hands_(goal_hands(body, settings.effectors)),
         per_angle_(1.0 / settings.angle),
-        back_bend_(kBackBend * body.lumbar_part()),
         per_ahead_(body.stature() > 0.0 ? 1.0 / (kHandAhead * body.stature()) : 0.0) {
     for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
       if (const auto d = body.find_dof(knee)) knees_.push_back(static_cast<std::size_t>(*d));
-    }
-    for (const char* joint : {"spine.flexion", "chest.flexion", "upper_chest.flexion"}) {
-      if (const auto d = body.find_dof(joint)) back_.push_back(static_cast<std::size_t>(*d));
     }
   }
 
@@ -65,31 +55,19 @@ class Coordination {
     const S far = clamp((ahead - S(points_.standing.z)) * S(per_ahead_), S(0), S(1));
     const S share = S(kKneeOfTrunk) * (S(kKneesNear) + S(1.0 - kKneesNear) * far);
     const S knees = share * lean * lean / (lean + S(kKneesBegin));
-    const S off = (mean(frame.angles, knees_) - knees) * S(per_angle_);
+    S bent(0);
+    for (const std::size_t knee : knees_) bent = bent + frame.angles[knee];
+    const S off = (bent * S(1.0 / static_cast<double>(knees_.size())) - knees) * S(per_angle_);
     penalty_ = off * off;
-    if (!back_.empty()) {
-      const S back = S(back_bend_) * lean / (lean + S(kBackHalf));
-      const S bent =
-          (mean(frame.angles, back_) * S(static_cast<double>(back_.size())) - back) * S(per_angle_);
-      penalty_ = penalty_ + bent * bent;
-    }
   }
 
   [[nodiscard]] S penalty() const { return min(S(1), penalty_ * S(0.25)); }
 
  private:
-  static S mean(std::span<const S> angles, const std::vector<std::size_t>& dofs) {
-    S sum(0);
-    for (const std::size_t d : dofs) sum = sum + angles[d];
-    return sum * S(1.0 / static_cast<double>(dofs.size()));
-  }
-
   PosturePoints points_;
   std::vector<GoalHand> hands_;
   std::vector<std::size_t> knees_;
-  std::vector<std::size_t> back_;
   double per_angle_;  // 1/rad
-  double back_bend_;  // rad
   double per_ahead_;  // 1/m
   S penalty_{};       // of the last frame seen
 };

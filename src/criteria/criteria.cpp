@@ -13,16 +13,16 @@ CriteriaSettings default_criteria() {
   for_each_criterion([&](const auto& entry) { entry.weight(settings) = 0.0; });
   settings.joint_range_weight = 0.25;
   settings.balance_zone_weight = 0.20;
-  settings.discomfort_weight = 0.27;
-  settings.joint_acceleration_weight = 0.22;
+  settings.discomfort_weight = 0.2;
+  settings.joint_acceleration_weight = 0.15;
   settings.low_back_weight = 0.20;
   settings.collision_weight = 0.5;
   settings.pressure_weight = 0.35;
   settings.feasibility_weight = 1.0;
-  settings.coordination_weight = 0.3;
-  settings.hand_curve_weight = 0.2;
+  settings.coordination_weight = 0.5;
+  settings.hand_curve_weight = 0.5;
   settings.trunk_travel_weight = 0.2;
-  settings.mass_ahead_weight = 0.2;
+  settings.mass_ahead_weight = 0.3;
   settings.jolts_weight = 0.5;
   return settings;
 }

@@ -61,15 +61,20 @@ struct EffectorPath {
   Vec3d goal{};              // m, world
   Vec3d detour{};            // m, world: how far the path leaves the straight line at its peak
   double detour_peak = 0.5;  // in (0, 1): when, as a share of the path's own time
+  double begin = 0.0;        // share of the duration before the effector leaves
   double haste = 0.0;        // see hastened()
 
-  // Position (m, world) at tau = time / duration in [0, 1].
+  // The share of the path's own time that is over at tau = time / duration in [0, 1].
+  [[nodiscard]] double own_time(double tau) const {
+    return tau > begin ? hastened((tau - begin) / (1.0 - begin), haste) : 0.0;
+  }
+  // Position (m, world) at tau.
   [[nodiscard]] Vec3d at(double tau) const {
     return start + (goal - start) * done(tau) +
-           detour * minimum_jerk_detour(hastened(tau, haste), detour_peak);
+           detour * minimum_jerk_detour(own_time(tau), detour_peak);
   }
   // The share of the line that is done at tau.
-  [[nodiscard]] double done(double tau) const { return minimum_jerk(hastened(tau, haste)); }
+  [[nodiscard]] double done(double tau) const { return minimum_jerk(own_time(tau)); }
 };
 
 // Rule R9: T = clamp(0.45 s + 0.75 s/m · D, 0.6 s, 2.0 s), and 0.14 s more where the trunk and the

@@ -78,7 +78,7 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
                               goal.sway * (path_bow(done, 0.0) * input.timing.sway);
     }
     if (!targets_[g].turns()) continue;
-    targets_[g].orientation = goal.turn.at(hastened(tau, goal.path.haste));
+    targets_[g].orientation = goal.turn.at(goal.path.own_time(tau));
     targets_[g].direction = targets_[g].orientation.cx;
   }
 }

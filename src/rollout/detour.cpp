@@ -46,7 +46,7 @@ void add_detours(ReachProblem& problem) {
     EffectorPath& path = around.goals[g].path;
     path.detour = moment.deepest.outward * (moment.deepest.depth + kDetourClearance);
     const double tau = static_cast<double>(moment.frame) / problem.steps;
-    path.detour_peak = clamp(hastened(tau, path.haste), kDetourMargin, 1.0 - kDetourMargin);
+    path.detour_peak = clamp(path.own_time(tau), kDetourMargin, 1.0 - kDetourMargin);
     const DeepestMoment detoured = find_deepest(around, g);
     const bool leads_there = detoured.arrives || !moment.arrives;
     if (leads_there && detoured.deepest.depth < moment.deepest.depth) problem = around;

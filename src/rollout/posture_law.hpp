@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "body/anthropometry.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/minimum_jerk.hpp"
 #include "rollout/reach_problem.hpp"
@@ -12,7 +14,7 @@ namespace shigusa {
 
 // The head has turned to the goal by this share of the duration: gaze gets there before the hand
 // does (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
-inline constexpr double kGazeArrives = 0.7;
+inline constexpr double kGazeArrives = 0.5;
 // The head's share of a turn of the gaze; eyes do the rest.
 inline constexpr double kHeadOfGaze = 0.75;
 // How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
@@ -25,6 +27,16 @@ inline constexpr double kElbowBends = 0.6;
 // Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
 inline constexpr double kClavicleRises = radians(36);
 inline constexpr double kClavicleAhead = radians(14);
+
+// The back's bend (rad) that goes with a pelvis tipped forwards by an angle t is
+// kBackBend · t / (t + kBackHalf): 1.9, 0.9 and 0.4 of what the hips take of a bend of 111 degrees
+// in its first, second and third part (Esola et al., Spine 21 (1996) 71) …
+inline constexpr double kBackBend = radians(55);
+inline constexpr double kBackHalf = radians(18);
+// … and with a load in the hand more, by this share of it for each kilogram (Vazirian, Van Dillen
+// and Bazrgari, 2016: larger with load), up to so many of them.
+inline constexpr double kBackOfLoad = 0.01;
+inline constexpr double kBackLoadMost = 20.0;  // kg
 
 // Elevation and protraction (rad) that go with an arm that points along a unit vector in the frame
 // of the chest, beside those of one that hangs.
@@ -68,8 +80,9 @@ struct ArmLinks {
 [[nodiscard]] ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side);
 
 // How the parts of a whole human move that no goal moves, frame by frame: the head turns to the
-// goal, a free arm hangs, clavicles go with their arms. The law says by how much the null space is
-// drawn; goals, contacts and limits stay what they are. For bodies with a neck; others have none.
+// goal, a free arm hangs and bends, clavicles go with their arms, the back bends with the pelvis.
+// The law says by how much the null space is drawn; goals, contacts and limits stay what they are.
+// For bodies with a neck; others have none.
 template <class S>
 class PostureLaw {
  public:
@@ -77,21 +90,30 @@ class PostureLaw {
     const BodyModel& body = *problem.body;
     if (!problem.posture_law || !body.find_dof("neck.flexion")) return;
     find_head(problem);
+    find_back(body);
     for (const char* side : {"left_", "right_"}) find_arm(problem, side);
   }
 
   [[nodiscard]] bool empty() const { return !looks_ && arms_.empty(); }
 
   // Sets what the step to `frame` is drawn by (dofs, rad), from the placement and the angles (dofs,
-  // rad) before it. `guided`: the rest of the body is drawn to a posture; arms with goals are left
-  // to it.
+  // rad) before it. `guided`: the rest of the body is drawn to a posture; the back and arms with
+  // goals are left to it. Else the reference holds by how much more than the law the back is to
+  // bend (see bends_back()).
   void draw(int frame, const Kinematics<S>& now, std::span<const S> angles, bool guided,
             std::span<S> reference) const {
+    if (!guided) bend_back(now, angles, reference);
     if (looks_) look(gaze_share(frame), now, angles, reference);
     for (const Arm& arm : arms_) {
       if (arm.free) hang(arm, now, angles, reference);
       if (arm.has_clavicle && (arm.free || !guided)) shrug(arm, now, angles, reference);
     }
+  }
+
+  // Whether the law bends the back by this freedom.
+  [[nodiscard]] bool bends_back(std::size_t dof) const {
+    return std::any_of(back_.begin(), back_.end(),
+                       [dof](const Freedom& f) { return f.dof == dof; });
   }
 
  private:
@@ -138,6 +160,22 @@ class PostureLaw {
       nods_.push_back(freedom(body, *nod, two ? 0.5 : 1.0));
       turns_.push_back(freedom(body, *turn, two ? 0.5 : 1.0));
     }
+  }
+
+  void find_back(const BodyModel& body) {
+    constexpr const char* kJoints[] = {"spine.flexion", "chest.flexion", "upper_chest.flexion"};
+    for (std::size_t k = 0; k < kSpineJoints; ++k) {
+      const auto bend = body.find_dof(kJoints[k]);
+      if (!bend) return back_.clear();
+      back_.push_back(freedom(body, *bend, kSpineRanges[k].flexion));
+    }
+    pelvis_ = body.dof(static_cast<int>(back_.front().dof)).parent;
+    const double load = min(body.load(), kBackLoadMost);
+    back_bend_ = static_cast<T>(kBackBend * body.lumbar_part() * (1.0 + kBackOfLoad * load));
+    // of a start that is bent already, the law goes on from there
+    const Mat3d pelvis = start_kinematics(body).link_rotation(pelvis_);
+    const double bent = bend_of_back(pelvis) * static_cast<double>(back_bend_);
+    for (Freedom& f : back_) f.start -= f.share * static_cast<T>(bent);
   }
 
   void find_arm(const ReachProblem& problem, const std::string& side) {
@@ -201,6 +239,23 @@ class PostureLaw {
     reference[f.dof] = (held - angles[f.dof]) * share;
   }
 
+  // the back's bend beside the most, with the pelvis turned so
+  template <class U>
+  static U bend_of_back(const Mat3<U>& pelvis) {
+    const U tip = max(atan2(-pelvis.cz.y, pelvis.cy.y), U(0));
+    return tip / (tip + U(kBackHalf));
+  }
+
+  void bend_back(const Kinematics<S>& now, std::span<const S> angles,
+                 std::span<S> reference) const {
+    if (back_.empty()) return;
+    const S bend = bend_of_back(now.link_rotation(pelvis_)) * S(back_bend_);
+    for (const Freedom& f : back_) {
+      const S wanted = S(f.start) + bend * S(f.share) + reference[f.dof];
+      reference[f.dof] = clamp(wanted, S(f.lower), S(f.upper)) - angles[f.dof];
+    }
+  }
+
   void look(const S& share, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
     const Vec3<S> eye = now.origin[index(head_)];
@@ -238,6 +293,9 @@ class PostureLaw {
   int head_ = 0;      // dof whose centre is where the eyes are taken to be
   std::vector<Freedom> nods_;
   std::vector<Freedom> turns_;
+  std::vector<Freedom> back_;
+  int pelvis_ = 0;  // link that carries the back
+  T back_bend_{};   // rad, see kBackBend
   std::vector<Arm> arms_;
 };
 

@@ -64,8 +64,8 @@ struct TimeWindow {
 };
 
 // The parts of the body that keep their own time; all that is none of these goes with the arms.
-enum class TimedPart { knees, hips, spine, arms };  // knees: with the ankles
-inline constexpr std::size_t kTimedParts = 4;
+enum class TimedPart { ankles, knees, hips, spine, arms };
+inline constexpr std::size_t kTimedParts = 5;
 using PartWindows = std::array<TimeWindow, kTimedParts>;
 
 // Everything that is the same for all motions of one search.

@@ -18,7 +18,8 @@ namespace {
 
 TimedPart timed_part(const Dof& dof) {
   const std::string& joint = dof.part.joint;
-  if (joint == "knee" || joint == "ankle") return TimedPart::knees;
+  if (joint == "ankle") return TimedPart::ankles;
+  if (joint == "knee") return TimedPart::knees;
   if (joint == "hip") return TimedPart::hips;
   const bool back = joint == "spine" || joint == "chest" || joint == "upper_chest";
   return back ? TimedPart::spine : TimedPart::arms;

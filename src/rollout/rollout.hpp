@@ -46,6 +46,9 @@ class Rollout {
         blend_(unlocked_.size()),
         timed_parts_(timed_parts(*problem.body)),
         law_(problem) {
+    for (std::size_t d = 0; d < unlocked_.size(); ++d) {
+      if (law_.bends_back(d)) backs_.push_back(d);
+    }
     if (problem.hold_limits) limits_.emplace(*problem.body);
     for (const IkTarget<double>& target : ik_targets(problem)) {
       targets_.push_back({.link = target.link,
@@ -64,7 +67,7 @@ class Rollout {
       for (const ReachGoal& goal : problem.goals) {
         paths_.push_back(to_scalar<Element<S>>(goal.path.at(tau)));
         if (turning_) {
-          turns_.push_back(to_scalar<Element<S>>(goal.turn.at(hastened(tau, goal.path.haste))));
+          turns_.push_back(to_scalar<Element<S>>(goal.turn.at(goal.path.own_time(tau))));
         }
       }
     }
@@ -242,6 +245,9 @@ class Rollout {
       for (std::size_t d = 0; d < reference_.size(); ++d) {
         reference_[d] = posture[d] * shares[timed_parts_[d]];
       }
+      const TimeWindow& spine = problem_->windows[static_cast<std::size_t>(TimedPart::spine)];
+      const S bent = posture_share(spine, frame, input);
+      for (const std::size_t d : backs_) reference_[d] = posture[d] * bent;
     } else if (drawn_) {
       for (S& change : reference_) change = S(0);
     }
@@ -348,6 +354,7 @@ class Rollout {
   PhaseBlend<S> blend_;                    // of a motion in two phases
   std::vector<std::size_t> timed_parts_;   // (dofs) the TimedPart of each
   PostureLaw<S> law_;
+  std::vector<std::size_t> backs_;  // the dofs that it bends beside the posture
   std::optional<LimitGuard<S>> limits_;
 };
 

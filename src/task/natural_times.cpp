@@ -10,8 +10,10 @@ namespace {
 // the hand at 0.35 (recorded, 7 men), and the back leads the hips (Esola et al., Spine 21 (1996)
 // 71). In rising the knee leads the hip, and the hip the back (Burgess-Limerick et al., Hum.
 // Factors 37 (1995) 395).
-constexpr PartWindows kDown{{{0.0, 0.9}, {0.0, 0.95}, {0.0, 0.8}, {0.05, 1.0}}};
-constexpr PartWindows kUp{{{0.0, 0.75}, {0.1, 0.9}, {0.25, 1.0}, {0.05, 1.0}}};
+constexpr PartWindows kDown{{{0.0, 1.0}, {0.0, 0.95}, {0.0, 0.8}, {0.0, 0.8}, {0.15, 1.0}}};
+constexpr PartWindows kUp{{{0.0, 0.6}, {0.0, 0.7}, {0.1, 0.9}, {0.25, 1.0}, {0.05, 1.0}}};
+// A hand that goes down leaves after this share of the time.
+constexpr double kHandLeaves = 0.16;
 
 // The height gained on the way, as a share of its length.
 double rise_of(const EffectorPath& path) {
@@ -29,6 +31,8 @@ double natural_haste(const EffectorPath& path) {
   constexpr double kUpwards = 0.22;
   return kLevel + kUpwards * rise_of(path);
 }
+
+double natural_begin(const EffectorPath& path) { return kHandLeaves * max(-rise_of(path), 0.0); }
 
 PartWindows natural_windows(std::span<const ReachGoal> goals) {
   double rise = 0.0;

@@ -9,6 +9,10 @@ namespace shigusa {
 // people's are.
 [[nodiscard]] double natural_haste(const EffectorPath& path);
 
+// The share of the duration before a hand leaves for its goal (EffectorPath::begin), as people's
+// do.
+[[nodiscard]] double natural_begin(const EffectorPath& path);
+
 // When the parts of the body change their posture in motions along these paths, as people's do.
 [[nodiscard]] PartWindows natural_windows(std::span<const ReachGoal> goals);
 

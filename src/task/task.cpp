@@ -192,7 +192,10 @@ Result<ReachProblem> make_problem(const Task& task) {
   for (const Goal& goal : task.goals) {
     SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
     const bool hand = body.effector(reach.effector).part.limb == LimbKind::arm;
-    if (hand && natural) reach.path.haste = natural_haste(reach.path);
+    if (hand && natural) {
+      reach.path.begin = natural_begin(reach.path);
+      reach.path.haste = natural_haste(reach.path);
+    }
     for (const ReachGoal& earlier : problem.goals) {
       if (earlier.effector != reach.effector) continue;
       return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
