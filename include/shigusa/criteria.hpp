@@ -133,7 +133,7 @@ struct CoordinationSettings {
   std::vector<int> effectors{};       ///< of the task's goals; all hands where none are given
 };
 
-/// Share of its length by which a hand's path is off people's where the penalty is full.
+/// Share of its length by which a hand's path is off people's where half of the penalty is reached.
 inline constexpr double kPathOffset = 0.2;
 /// Sets the scale of the criterion hand_curve: how far hands leave the ways that people's take.
 struct HandCurveSettings {

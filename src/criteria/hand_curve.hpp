@@ -22,8 +22,8 @@ inline constexpr double kMeanBow = 0.4372;
 // How the hands' paths leave the straight way, in [0, 1]: people's hands do by some tenth of it,
 // each in its direction. Of each goal's hand, o is the mean offset of its places from the middle of
 // its straight way, square to that and over the bow's mean share of time, and n the offset that
-// people's have:   P = min(1, mean |o - n|² / offset²). A hand that moves by less than 5 cm, and a
-// body without hands, has no penalty.
+// people's have, m = mean |o - n|² / offset² and P = m / (1 + m): far from people's way, too,
+// nearer is better. A hand that moves by less than 5 cm, and a body without hands, has no penalty.
 template <class S>
 class HandCurve {
  public:
@@ -55,7 +55,8 @@ class HandCurve {
     if (frames_ == 0 || hands_.empty()) return S(0);
     S sum(0);
     for (std::size_t h = 0; h < hands_.size(); ++h) sum = sum + square_off(h);
-    return min(S(1), sum * S(per_square_ / static_cast<double>(hands_.size())));
+    const S off = sum * S(per_square_ / static_cast<double>(hands_.size()));
+    return off / (S(1) + off);
   }
 
  private:

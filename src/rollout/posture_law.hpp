@@ -31,7 +31,7 @@ inline constexpr double kClavicleAhead = radians(14);
 // The back's bend (rad) that goes with a pelvis tipped forwards by an angle t is
 // kBackBend · t / (t + kBackHalf): 1.9, 0.9 and 0.4 of what the hips take of a bend of 111 degrees
 // in its first, second and third part (Esola et al., Spine 21 (1996) 71) …
-inline constexpr double kBackBend = radians(55);
+inline constexpr double kBackBend = radians(70);
 inline constexpr double kBackHalf = radians(18);
 // … and with a load in the hand more, by this share of it for each kilogram (Vazirian, Van Dillen
 // and Bazrgari, 2016: larger with load), up to so many of them.
