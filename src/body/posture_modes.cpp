@@ -31,6 +31,27 @@ constexpr std::string_view kElbowSentence = "The elbow bends: the arm's contract
 constexpr std::string_view kSwivelSentence = "The upper arm turns outwards about its axis.";
 constexpr std::string_view kWristSentence = "The hand bends to the palm's side, or back.";
 
+// How far a body squats and leans as it starts (rad): by so much less it can do so; nothing of who
+// stands as people do.
+struct Bent {
+  double squat = 0.0;
+  double lean = 0.0;
+};
+
+Bent bent_at_start(const BodyModel& body) {
+  constexpr double kStands = radians(20.0);
+  const auto at_start = [&](const char* name) {
+    const auto dof = body.find_dof(name);
+    return dof ? body.start()[static_cast<std::size_t>(*dof)] : 0.0;
+  };
+  const double knees = min(at_start("right_knee.flexion"), at_start("left_knee.flexion"));
+  const double hips = min(at_start("right_hip.flexion"), at_start("left_hip.flexion"));
+  Bent bent;
+  if (knees > kStands) bent.squat = knees;
+  if (hips - 0.5 * bent.squat > kStands) bent.lean = hips - 0.5 * bent.squat;
+  return bent;
+}
+
 class ModeBuilder {
  public:
   explicit ModeBuilder(const BodyModel& body) : body_(body) {}
@@ -71,7 +92,7 @@ void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
         {{"right_hip.rotation", kHips}, {"left_hip.rotation", -kHips}, {"spine.rotation", kSpine}});
     return;
   }
-  modes.add("round", kRoundMoreSentence, radians(-20.0), radians(20.0),
+  modes.add("round", kRoundMoreSentence, radians(-10.0), radians(10.0),
             {{"spine.flexion", kSpineRanges[0].flexion},
              {"chest.flexion", kSpineRanges[1].flexion},
              {"upper_chest.flexion", kSpineRanges[2].flexion}});
@@ -87,8 +108,9 @@ void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
 
 std::vector<PostureMode> posture_modes(const BodyModel& body) {
   ModeBuilder modes(body);
+  const Bent bent = bent_at_start(body);
   if (body.find_dof("right_knee.flexion")) {
-    modes.add("squat", kSquatSentence, 0.0, radians(130.0),
+    modes.add("squat", kSquatSentence, -bent.squat, radians(130.0),
               {{"right_knee.flexion", 1.0},
                {"left_knee.flexion", 1.0},
                {"right_hip.flexion", 0.5},
@@ -96,7 +118,7 @@ std::vector<PostureMode> posture_modes(const BodyModel& body) {
                {"right_ankle.flexion", 0.5},
                {"left_ankle.flexion", 0.5}});
   }
-  modes.add("lean", kLeanSentence, radians(-20.0), radians(110.0),
+  modes.add("lean", kLeanSentence, radians(-20.0) - bent.lean, radians(110.0),
             {{"right_hip.flexion", 1.0},
              {"left_hip.flexion", 1.0},
              {"right_ankle.flexion", -kHipsBack},

@@ -43,6 +43,10 @@ class ParameterSpace {
   [[nodiscard]] int find(std::string_view name) const;
   // Where a coordinate is when its parameter has that value, held to [0, 1].
   [[nodiscard]] double coordinate(int gene, double value) const;
+  // The least value of a gene.
+  [[nodiscard]] double lowest(int gene) const {
+    return genes_[static_cast<std::size_t>(gene)].lower;
+  }
 
   // Decodes many points, one after the other, as BatchRollout takes them; valid until the next
   // call.

@@ -10,8 +10,11 @@
 namespace shigusa {
 namespace {
 
-// Of the bent postures (deg): leans of the trunk, half of it in the back, and bends of the knees.
+// Of the bent postures (deg): leans of the trunk and bends of the knees, and the least values of
+// both modes for a body that stands.
 constexpr double kLeans[] = {0.0, 30.0, 60.0, 90.0};
+constexpr double kSquatLeast = 0.0;
+constexpr double kLeanLeast = -20.0;
 constexpr double kSquats[] = {0.0, 40.0, 80.0, 120.0};
 
 constexpr double kPlaceUnit = 1e-3;  // statures
@@ -100,17 +103,19 @@ std::optional<Vec3d> start_place(const BodyModel& body, int effector, const Vec3
 
 std::vector<double> bent_starts(const ParameterSpace& space) {
   std::vector<double> points;
-  const auto set = [&](std::string_view mode, double value) {
+  // a body that starts bent straightens as far as one that stands
+  const auto set = [&](std::string_view mode, double standing, double value) {
     const int gene = space.find(mode);
-    if (gene >= 0) *(points.end() - space.genes() + gene) = space.coordinate(gene, radians(value));
+    if (gene < 0) return;
+    const double bend = radians(value - standing) + space.lowest(gene);
+    *(points.end() - space.genes() + gene) = space.coordinate(gene, bend);
   };
   const std::vector<double> upright = space.start();
   for (const double squat : kSquats) {
     for (const double lean : kLeans) {
       points.insert(points.end(), upright.begin(), upright.end());
-      set("squat", squat);
-      set("lean", lean);
-      set("round", 0.5 * lean);
+      set("squat", kSquatLeast, squat);
+      set("lean", kLeanLeast, lean);
     }
   }
   return points;

@@ -14,11 +14,22 @@ template <class S>
 }
 
 // The share of its own time that a movement has behind it at tau, where it is `haste` quicker in
-// its first half than in its second: τ + haste · τ (1 - τ), in -1..1. With the minimum-jerk profile
-// the speed is greatest at tau = 0.50 for a haste of 0, 0.41 for 0.4, and 0.56 for -0.25.
+// its first half than in its second: τ + 4 haste · τ² (1 - τ)², in -1..1. It begins and ends as
+// gently as without haste. With the minimum-jerk profile the speed is greatest at tau = 0.50 for a
+// haste of 0, 0.40 for 0.22, and 0.57 for -0.15.
 template <class S>
 [[nodiscard]] constexpr S hastened(const S& tau, const S& haste) {
-  return tau + haste * tau * (S(1) - tau);
+  const S bump = tau * (S(1) - tau);
+  return tau + S(4) * haste * bump * bump;
+}
+
+// A profile from 0 to 1 for τ in [0, 1] (clamped) that begins and ends without jerk, for what would
+// jolt the body: 35τ⁴ - 84τ⁵ + 70τ⁶ - 20τ⁷.
+template <class S>
+[[nodiscard]] S minimum_snap(const S& tau) {
+  const S t = clamp(tau, S(0), S(1));
+  const S square = t * t;
+  return square * square * (S(35) - t * (S(84) - t * (S(70) - S(20) * t)));
 }
 
 // The share that a step makes of what was left of a change before it: `before` and `now` are the

@@ -108,7 +108,7 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   for (std::size_t d = 0; d < reference_.size(); ++d) {
     const TimeWindow& window = problem_->windows[timed_parts_[d]];
     const auto share = [&](int f) {
-      return minimum_jerk((window.at(tau(f)) - delay) / (1.0 - delay));
+      return minimum_snap((window.at(tau(f)) - delay) / (1.0 - delay));
     };
     reference_[d] = posture[d] * (share(frame) - share(frame - 1));
   }

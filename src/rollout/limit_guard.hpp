@@ -9,15 +9,19 @@
 
 namespace shigusa {
 
-// A joint that moves towards a limit gives way to the others from this far before it (rad).
+// A joint that moves towards a limit gives way to the others from this far before it (rad) …
 inline constexpr double kLimitMargin = radians(8.0);
+// … or from as far as it would go in so many steps.
+inline constexpr double kLimitSteps = 5.0;
+// A joint that leaves a limit gets its weight back by this share of it in a step.
+inline constexpr double kLimitRise = 0.2;
 
 // Joint limits inside the IK, as an active set that changes smoothly. Towards a limit a freedom's
 // inverse weight, and what it is drawn by, fall to 0 over the last kLimitMargin, so that it comes
-// to rest there while others take over; away from it, the freedom has its own weight. In which
-// direction it wants to go is taken from the step before. A step that would pass a limit in spite
-// of that is held back there, and the rest is left for corrections to make up for with the other
-// freedoms.
+// to rest there while others take over, over more where it is fast; away from it, the freedom gets
+// its own weight back within a few steps. In which direction it wants to go, and how fast, is taken
+// from the step before. A step that would pass a limit in spite of that is held back there, and the
+// rest is left for corrections to make up for with the other freedoms.
 //
 // A freedom that gives little (Dof::give) has that share of its inverse weight. As the ankle of a
 // standing foot runs out of dorsiflexion the toes take over its inverse weight, and what it was
@@ -32,6 +36,7 @@ class LimitGuard {
       : coupled_(body),
         wanted_(body.dofs().size()),
         share_(wanted_),
+        most_(wanted_),
         softened_(wanted_),
         allowed_(wanted_) {
     for (std::size_t d = 0; d < wanted_.size(); ++d) {
@@ -52,6 +57,7 @@ class LimitGuard {
   // Before a motion's first step.
   void reset() {
     for (S& wanted : wanted_) wanted = S(0);
+    for (S& most : most_) most = S(1);
   }
 
   // From now on, freedoms that give little (Dof::give) give as the others do.
@@ -64,9 +70,10 @@ class LimitGuard {
     for (std::size_t d = 0; d < limits_.size(); ++d) {
       const S room =
           select(wanted_[d] > S(0), upper_[d] - angles[d], angles[d] - S(limits_[d].lower));
-      const S left = clamp(room * S(1.0 / kLimitMargin), S(0), S(1));
+      const S margin = max(S(kLimitMargin), abs(wanted_[d]) * S(kLimitSteps));
+      const S left = clamp(room / margin, S(0), S(1));
       // level where it begins: a joint that slowed down at once would jolt the body
-      share_[d] = left * (S(2) - left);
+      share_[d] = min(left * (S(2) - left), most_[d]);
       softened_[d] = inverse_weights[d] * share_[d];
     }
     for (const Stiff& s : stiff_) softened_[s.dof] = softened_[s.dof] * S(s.give);
@@ -94,6 +101,7 @@ class LimitGuard {
              std::span<const S> reference) {
     for (std::size_t d = 0; d < limits_.size(); ++d) {
       wanted_[d] = inverse_weights[d] * pull[d];
+      most_[d] = share_[d] + S(kLimitRise);
       if (!reference.empty()) wanted_[d] = wanted_[d] + reference[d];
     }
     for (const Stiff& s : stiff_) {
@@ -156,6 +164,7 @@ class LimitGuard {
   std::vector<S> upper_;     // (dofs) rad, with what the couplings add now
   std::vector<S> wanted_;    // (dofs) rad, the last step without limits
   std::vector<S> share_;     // (dofs) 0..1, how far a freedom may still follow its own weight
+  std::vector<S> most_;      // (dofs) what that may be in this step
   std::vector<S> softened_;  // (dofs) inverse weights
   std::vector<S> allowed_;   // (dofs) rad, of the reference
 };

@@ -28,6 +28,10 @@ inline constexpr double kElbowBends = 0.6;
 inline constexpr double kClavicleRises = radians(36);
 inline constexpr double kClavicleAhead = radians(14);
 
+// Of what clavicles and free arms are away from what the law wants, the share that a step makes,
+// and the most of it (rad): where an arm points along what the law divides by, its wish runs.
+inline constexpr double kLawShare = 0.4;
+inline constexpr double kLawStep = radians(4);
 // The back's bend (rad) that goes with a pelvis tipped forwards by an angle t is
 // kBackBend · t / (t + kBackHalf): 1.9, 0.9 and 0.4 of what the hips take of a bend of 111 degrees
 // in its first, second and third part (Esola et al., Spine 21 (1996) 71) …
@@ -236,7 +240,7 @@ class PostureLaw {
   static void draw_to(const Freedom& f, const S& wanted, const S& share, std::span<const S> angles,
                       std::span<S> reference) {
     const S held = clamp(S(f.start) + wanted * S(f.share), S(f.lower), S(f.upper));
-    reference[f.dof] = (held - angles[f.dof]) * share;
+    reference[f.dof] = clamp((held - angles[f.dof]) * share, S(-kLawStep), S(kLawStep));
   }
 
   // the back's bend beside the most, with the pelvis turned so
@@ -271,19 +275,19 @@ class PostureLaw {
   void hang(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
     const Hanging<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
-    draw_to(arm.flexion, wanted.flexion, S(1), angles, reference);
-    draw_to(arm.abduction, wanted.abduction, S(1), angles, reference);
+    draw_to(arm.flexion, wanted.flexion, S(kLawShare), angles, reference);
+    draw_to(arm.abduction, wanted.abduction, S(kLawShare), angles, reference);
     if (!arm.has_elbow) return;
     const S lean = max(wanted.flexion - S(arm.lean), S(0));
-    draw_to(arm.elbow, lean * S(kElbowBends), S(1), angles, reference);
+    draw_to(arm.elbow, lean * S(kElbowBends), S(kLawShare), angles, reference);
   }
 
   void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
              std::span<S> reference) const {
     const Shrug<S> wanted =
         shrugged(transpose_times(now.link_rotation(arm.chest), -now.link_rotation(arm.upper).cy));
-    draw_to(arm.elevation, wanted.elevation, S(1), angles, reference);
-    draw_to(arm.protraction, wanted.protraction, S(1), angles, reference);
+    draw_to(arm.elevation, wanted.elevation, S(kLawShare), angles, reference);
+    draw_to(arm.protraction, wanted.protraction, S(kLawShare), angles, reference);
   }
 
   int steps_;  // of a motion

@@ -257,7 +257,7 @@ class Rollout {
   // how much of the change of posture is made by then
   S posture_share(const TimeWindow& window, int frame, const MotionInput<S>& input) const {
     const S tau(window.at(static_cast<double>(frame) / problem_->steps));
-    return minimum_jerk((tau - input.timing.delay) / (S(1) - input.timing.delay));
+    return minimum_snap((tau - input.timing.delay) / (S(1) - input.timing.delay));
   }
 
   void draw_to_guide(int frame) {

@@ -10,8 +10,8 @@ namespace {
 // the hand at 0.35 (recorded, 7 men), and the back leads the hips (Esola et al., Spine 21 (1996)
 // 71). In rising the knee leads the hip, and the hip the back (Burgess-Limerick et al., Hum.
 // Factors 37 (1995) 395).
-constexpr PartWindows kDown{{{0.0, 1.0}, {0.0, 0.95}, {0.0, 0.8}, {0.0, 0.8}, {0.15, 1.0}}};
-constexpr PartWindows kUp{{{0.0, 0.6}, {0.0, 0.7}, {0.1, 0.9}, {0.25, 1.0}, {0.05, 1.0}}};
+constexpr PartWindows kDown{{{0.0, 0.95}, {0.0, 0.9}, {0.0, 0.8}, {0.0, 0.8}, {0.1, 1.0}}};
+constexpr PartWindows kUp{{{0.0, 0.65}, {0.0, 0.75}, {0.1, 0.9}, {0.25, 1.0}, {0.0, 1.0}}};
 // A hand that goes down leaves after this share of the time.
 constexpr double kHandLeaves = 0.16;
 
@@ -27,8 +27,8 @@ double rise_of(const EffectorPath& path) {
 double natural_haste(const EffectorPath& path) {
   // recorded hands are fastest at 0.31 to 0.40 of the time on their way up and at 0.47 to 0.61 on
   // their way down (and see Papaxanthis et al., Neurosci. Lett. 253 (1998) 103)
-  constexpr double kLevel = 0.07;
-  constexpr double kUpwards = 0.22;
+  constexpr double kLevel = 0.05;
+  constexpr double kUpwards = 0.15;
   return kLevel + kUpwards * rise_of(path);
 }
 
