@@ -141,7 +141,7 @@ struct HandCurveSettings {
   std::vector<int> effectors{};  ///< of the task's goals; all hands where none are given
 };
 
-/// Way (m) of a shoulder beyond what its goal needs at which the penalty is full.
+/// Way (m) of a shoulder beyond what its goal needs at which half of the penalty is reached.
 inline constexpr double kTravelDistance = 0.3;
 /// Sets the scale of the criterion trunk_travel: how far the trunk goes where the arm would do.
 struct TrunkTravelSettings {
@@ -149,7 +149,8 @@ struct TrunkTravelSettings {
   std::vector<int> effectors{};       ///< of the task's goals; all hands where none are given
 };
 
-/// Distance (m) of the centre of mass from where people have it at which the penalty is full.
+/// Distance (m) of the centre of mass from where people have it at which half of the penalty is
+/// reached.
 inline constexpr double kMassDistance = 0.15;
 /// Sets the scale of the criterion mass_ahead: whether the centre of mass goes along with the
 /// hands.

@@ -22,9 +22,9 @@ inline constexpr double kKneesNear = 0.5;
 
 // What a body's knees do beside its trunk where a motion ends, and people's proportion of both, in
 // [0, 1]: whoever bends, bends both. With T the lean of the line from hips to shoulders and K the
-// knees' flexion, P = min(1, ((K - K*(T)) / angle)² / 4). K* keeps the posture index of R.
-// Burgess-Limerick and B. Abernethy (Human Factors 39 (1997) 141), which is the same from 9 to 63
-// cm, and is less for a near load (Int. J. Industrial Ergonomics 22 (1998) 367). A body without
+// knees' flexion, q = ((K - K*(T)) / angle)² / 4 and P = q / (1 + q). K* keeps the posture index of
+// R. Burgess-Limerick and B. Abernethy (Human Factors 39 (1997) 141), which is the same from 9 to
+// 63 cm, and is less for a near load (Int. J. Industrial Ergonomics 22 (1998) 367). A body without
 // these joints has no penalty.
 template <class S>
 class Coordination {
@@ -42,7 +42,7 @@ class Coordination {
   }
 
   // Forgets the frames seen.
-  void reset() { penalty_ = S(0); }
+  void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {
     if (!points_.found || knees_.empty()) return;
@@ -52,16 +52,16 @@ class Coordination {
     S ahead(0);
     for (const GoalHand& goal : hands_) ahead = ahead + goal.hand.in(frame.kinematics).z;
     if (!hands_.empty()) ahead = ahead * S(1.0 / static_cast<double>(hands_.size()));
-    const S far = clamp((ahead - S(points_.standing.z)) * S(per_ahead_), S(0), S(1));
+    const S far = clamp((ahead - S(points_.ankles.z)) * S(per_ahead_), S(0), S(1));
     const S share = S(kKneeOfTrunk) * (S(kKneesNear) + S(1.0 - kKneesNear) * far);
     const S knees = share * lean * lean / (lean + S(kKneesBegin));
     S bent(0);
     for (const std::size_t knee : knees_) bent = bent + frame.angles[knee];
     const S off = (bent * S(1.0 / static_cast<double>(knees_.size())) - knees) * S(per_angle_);
-    penalty_ = off * off;
+    off_ = off * off * S(0.25);
   }
 
-  [[nodiscard]] S penalty() const { return min(S(1), penalty_ * S(0.25)); }
+  [[nodiscard]] S penalty() const { return off_ / (S(1) + off_); }
 
  private:
   PosturePoints points_;
@@ -69,7 +69,7 @@ class Coordination {
   std::vector<std::size_t> knees_;
   double per_angle_;  // 1/rad
   double per_ahead_;  // 1/m
-  S penalty_{};       // of the last frame seen
+  S off_{};           // of the last frame seen
 };
 
 }  // namespace shigusa

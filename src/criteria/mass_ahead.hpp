@@ -36,43 +36,32 @@ class MassAhead {
         per_square_(1.0 / (settings.distance * settings.distance)) {}
 
   // Forgets the frames seen.
-  void reset() {
-    seen_ = false;
-    penalty_ = S(0);
-  }
+  void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {
     if (!points_.found || hands_.empty()) return;
     Vec3<S> hand{};
     for (const GoalHand& goal : hands_) hand += goal.hand.in(frame.kinematics);
     hand = hand * S(1.0 / static_cast<double>(hands_.size()));
-    if (!seen_) {
-      start_ = frame.centre_of_mass;
-      height_ = hand.y;
-    }
-    seen_ = true;
-    const S low = clamp((height_ - hand.y) * S(per_drop_), S(0), S(1));
+    const S low = clamp((S(points_.hand_hangs) - hand.y) * S(per_drop_), S(0), S(1));
     const S share = S(kMassLevel) + low * S(kMassLow - kMassLevel);
-    const S x = hand.x - S(points_.standing.x);
-    const S z = hand.z - S(points_.standing.z);
+    const S x = hand.x - S(points_.ankles.x);
+    const S z = hand.z - S(points_.ankles.z);
     const S far = sqrt(x * x + z * z);
     const S goes = max(share * far - low * S(kMassLow * kMassNear), S(0)) / max(far, S(1e-6));
-    const S off_x = frame.centre_of_mass.x - start_.x - x * goes;
-    const S off_z = frame.centre_of_mass.z - start_.z - z * goes;
-    penalty_ = off_x * off_x + off_z * off_z;
+    const S off_x = frame.centre_of_mass.x - S(points_.home_mass.x) - x * goes;
+    const S off_z = frame.centre_of_mass.z - S(points_.home_mass.z) - z * goes;
+    off_ = (off_x * off_x + off_z * off_z) * S(per_square_);
   }
 
-  [[nodiscard]] S penalty() const { return min(S(1), penalty_ * S(per_square_)); }
+  [[nodiscard]] S penalty() const { return off_ / (S(1) + off_); }
 
  private:
   PosturePoints points_;
   std::vector<GoalHand> hands_;
   double per_drop_;    // 1/m
   double per_square_;  // 1/m²
-  bool seen_ = false;
-  Vec3<S> start_{};  // m
-  S height_{};       // m, of the hands at the start
-  S penalty_{};      // of the last frame seen, m²
+  S off_{};            // of the last frame seen
 };
 
 }  // namespace shigusa

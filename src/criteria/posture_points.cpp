@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "dynamics/centre_of_mass.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -13,26 +15,51 @@ const BodyNode* find_node(const BodyModel& body, std::string_view name) {
   return nullptr;
 }
 
+// where the body is upright over its feet, on legs of that length (m)
+void find_home(const BodyModel& body, const Kinematics<double>& start, double leg,
+               PosturePoints& points) {
+  const Vec3d left = points.shoulders[0].in(start);
+  const Vec3d right = points.shoulders[1].in(start);
+  points.hand_hangs = points.ankles.y + kHandHangs * body.stature();
+  points.home_shoulders = {left, right};
+  points.home_mass = centre_of_mass(body, start);
+  if (!body.find_dof("right_knee.flexion") && !body.find_dof("left_knee.flexion")) return;
+  const double trunk = norm((left + right) * 0.5 - PosturePoints::middle(points.hips, start));
+  const Vec3d ahead{0.0, 0.0, kStandsAhead * body.stature()};
+  points.home_mass = points.ankles + ahead;
+  const Vec3d middle = points.home_mass + Vec3d{0.0, leg + trunk, 0.0};
+  const Vec3d half{0.5 * norm(left - right), 0.0, 0.0};
+  points.home_shoulders = {middle + half, middle - half};
+}
+
 }  // namespace
 
 PosturePoints posture_points(const BodyModel& body) {
   PosturePoints points;
   const Kinematics<double> start = start_kinematics(body);
+  double leg = 0.0;
   for (std::size_t side = 0; side < 2; ++side) {
     const std::string prefix = side == 0 ? "left_" : "right_";
     const BodyNode* hip = find_node(body, prefix + "upper_leg");
-    const BodyNode* shoulder = find_node(body, prefix + "upper_arm");
+    const BodyNode* knee = find_node(body, prefix + "lower_leg");
     const BodyNode* ankle = find_node(body, prefix + "foot");
-    if (hip == nullptr || shoulder == nullptr || ankle == nullptr) return {};
+    const BodyNode* shoulder = find_node(body, prefix + "upper_arm");
+    if (hip == nullptr || knee == nullptr || ankle == nullptr || shoulder == nullptr) return {};
     points.hips[side] = {hip->link, hip->point};
     points.shoulders[side] = {shoulder->link, shoulder->point};
-    points.standing += start.point(ankle->link, ankle->point) * 0.5;
+    const Vec3d knee_at = start.point(knee->link, knee->point);
+    const Vec3d ankle_at = start.point(ankle->link, ankle->point);
+    leg += 0.5 * (norm(points.hips[side].in(start)-knee_at) + norm(knee_at - ankle_at));
+    points.ankles += ankle_at * 0.5;
   }
+  find_home(body, start, leg, points);
   points.found = true;
   return points;
 }
 
 std::vector<GoalHand> goal_hands(const BodyModel& body, const std::vector<int>& effectors) {
+  const PosturePoints points = posture_points(body);
+  const Kinematics<double> start = start_kinematics(body);
   std::vector<GoalHand> hands;
   for (int e = 0; e < static_cast<int>(body.effectors().size()); ++e) {
     const Effector& hand = body.effector(e);
@@ -45,7 +72,12 @@ std::vector<GoalHand> goal_hands(const BodyModel& body, const std::vector<int>& 
       arm += norm(body.dof(d).offset);
       d = body.dof(d).parent;
     }
-    hands.push_back({{hand.link, hand.point}, {hand.limb_root, {}}, arm});
+    const LinkPoint shoulder{hand.limb_root, {}};
+    const std::size_t side = hand.part.side == Side::left ? 0 : 1;
+    hands.push_back({{hand.link, hand.point},
+                     shoulder,
+                     points.found ? points.home_shoulders[side] : shoulder.in(start),
+                     arm});
   }
   return hands;
 }

@@ -14,53 +14,46 @@ namespace shigusa {
 // (Mark et al., J. Exp. Psychology: HPP 23 (1997) 1365).
 inline constexpr double kArmAlone = 0.92;
 
-// How much farther than its goal takes it a reaching arm's shoulder has gone where the motion ends,
-// in [0, 1]: within the arm's length the trunk keeps out of a reach (Kaminski, Bock and Gentile,
-// Exp. Brain Res. 106 (1995) 457), beyond it the trunk goes along by what the arm lacks. With m the
-// way that the shoulder has gone, and n by how much the hand's end is farther from where the
-// shoulder was than 0.92 arms, P = min(1, mean ((m - n) / distance)²) over the goals' hands.
+// How much farther than its goal takes it a reaching arm's shoulder ends from where it is in a
+// person who stands, in [0, 1): within the arm's length the trunk keeps out of a reach (Kaminski,
+// Bock and Gentile, Exp. Brain Res. 106 (1995) 457), beyond it the trunk goes along by what the arm
+// lacks, and who has stooped stands up. With m the way of the shoulder from there, n by how much
+// the hand's end is farther from there than 0.92 arms, and q = mean ((m - n) / distance)² over the
+// goals' hands, P = q / (1 + q).
 template <class S>
 class TrunkTravel {
  public:
   using Settings = TrunkTravelSettings;
 
   explicit TrunkTravel(const BodyModel& body, const TrunkTravelSettings& settings = {})
-      : hands_(goal_hands(body, settings.effectors)),
-        starts_(hands_.size()),
-        per_distance_(1.0 / settings.distance) {}
+      : hands_(goal_hands(body, settings.effectors)), per_distance_(1.0 / settings.distance) {}
 
   // Forgets the frames seen.
-  void reset() {
-    seen_ = false;
-    penalty_ = S(0);
-  }
+  void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {
     S sum(0);
-    for (std::size_t h = 0; h < hands_.size(); ++h) {
-      const GoalHand& goal = hands_[h];
-      const Vec3<S> shoulder = goal.shoulder.in(frame.kinematics);
-      if (!seen_) starts_[h] = shoulder;
-      const S far = norm(goal.hand.in(frame.kinematics) - starts_[h]);
+    for (const GoalHand& goal : hands_) {
+      const Vec3<S> home = to_scalar<S>(goal.home);
+      const S far = norm(goal.hand.in(frame.kinematics) - home);
       const S needed = max(far - S(kArmAlone * goal.arm), S(0));
-      const S more = (norm(shoulder - starts_[h]) - needed) * S(per_distance_);
+      const S way = norm(goal.shoulder.in(frame.kinematics) - home);
+      const S more = (way - needed) * S(per_distance_);
       sum = sum + more * more;
     }
-    seen_ = true;
-    penalty_ = sum;
+    off_ = sum;
   }
 
   [[nodiscard]] S penalty() const {
     if (hands_.empty()) return S(0);
-    return min(S(1), penalty_ * S(1.0 / static_cast<double>(hands_.size())));
+    const S off = off_ * S(1.0 / static_cast<double>(hands_.size()));
+    return off / (S(1) + off);
   }
 
  private:
   std::vector<GoalHand> hands_;
-  std::vector<Vec3<S>> starts_;  // m, of the shoulders
-  double per_distance_;
-  bool seen_ = false;
-  S penalty_{};  // of the last frame seen
+  double per_distance_;  // 1/m
+  S off_{};              // of the last frame seen
 };
 
 }  // namespace shigusa
