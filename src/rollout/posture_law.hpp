@@ -22,6 +22,8 @@ inline constexpr double kArmHangs = 0.8;
 // How far the elbow of a free arm bends for each angle by which its shoulder is turned forwards:
 // recorded free elbows end at 32 to 88 degrees where the trunk leans by 67 to 81.
 inline constexpr double kElbowBends = 0.6;
+// … and how far it stays bent at the least, hanging down (rad).
+inline constexpr double kElbowHangs = radians(10);
 // The clavicle's elevation with the arm straight up, and its protraction with the arm straight
 // ahead: a part of what the shoulder blade turns in raising an arm (V. Inman, J. Saunders and L.
 // Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
@@ -179,7 +181,11 @@ class PostureLaw {
     // of a start that is bent already, the law goes on from there
     const Mat3d pelvis = start_kinematics(body).link_rotation(pelvis_);
     const double bent = bend_of_back(pelvis) * static_cast<double>(back_bend_);
-    for (Freedom& f : back_) f.start -= f.share * static_cast<T>(bent);
+    for (Freedom& f : back_) {
+      // a file's back is straight as it starts, and a straight one bends no farther backwards
+      f.lower = min(f.start, T(0));
+      f.start -= f.share * static_cast<T>(bent);
+    }
   }
 
   void find_arm(const ReachProblem& problem, const std::string& side) {
@@ -202,7 +208,10 @@ class PostureLaw {
     arm.abduction = freedom(body, *abduction);
     const auto elbow = dof("elbow.flexion");
     arm.has_elbow = elbow.has_value();
-    if (elbow) arm.elbow = freedom(body, *elbow);
+    if (elbow) {
+      arm.elbow = freedom(body, *elbow);
+      arm.elbow.lower = min(arm.elbow.start, static_cast<T>(kElbowHangs));
+    }
     const auto elevation = dof("clavicle.elevation");
     const auto protraction = dof("clavicle.protraction");
     arm.has_clavicle = elevation && protraction;
@@ -255,8 +264,8 @@ class PostureLaw {
     if (back_.empty()) return;
     const S bend = bend_of_back(now.link_rotation(pelvis_)) * S(back_bend_);
     for (const Freedom& f : back_) {
-      const S wanted = S(f.start) + bend * S(f.share) + reference[f.dof];
-      reference[f.dof] = clamp(wanted, S(f.lower), S(f.upper)) - angles[f.dof];
+      const S wanted = max(S(f.start) + bend * S(f.share), S(f.lower)) + reference[f.dof];
+      reference[f.dof] = min(wanted, S(f.upper)) - angles[f.dof];
     }
   }
 
@@ -278,7 +287,7 @@ class PostureLaw {
     draw_to(arm.flexion, wanted.flexion, S(kLawShare), angles, reference);
     draw_to(arm.abduction, wanted.abduction, S(kLawShare), angles, reference);
     if (!arm.has_elbow) return;
-    const S lean = max(wanted.flexion - S(arm.lean), S(0));
+    const S lean = wanted.flexion - S(arm.lean);
     draw_to(arm.elbow, lean * S(kElbowBends), S(kLawShare), angles, reference);
   }
 

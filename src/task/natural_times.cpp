@@ -27,8 +27,8 @@ double rise_of(const EffectorPath& path) {
 double natural_haste(const EffectorPath& path) {
   // recorded hands are fastest at 0.31 to 0.40 of the time on their way up and at 0.47 to 0.61 on
   // their way down (and see Papaxanthis et al., Neurosci. Lett. 253 (1998) 103)
-  constexpr double kLevel = 0.05;
-  constexpr double kUpwards = 0.15;
+  constexpr double kLevel = 0.07;
+  constexpr double kUpwards = 0.2;
   return kLevel + kUpwards * rise_of(path);
 }
 
