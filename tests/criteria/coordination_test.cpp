@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "criteria/coordination.hpp"
+
+#include <gtest/gtest.h>
+
+#include "person/at_ease.hpp"
+#include "support/motions.hpp"
+#include "support/penalty_by.hpp"
+#include "support/posed_body.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr double kLean = radians(50);
+constexpr double kOff = 0.1;  // rad
+
+// People's flexion of the knees (rad) at a lean, for hands so far ahead of the ankles (of
+// kHandAhead).
+double peoples_knees(double lean, double far) {
+  return kKneeOfTrunk * (kKneesNear + (1.0 - kKneesNear) * far) * lean * lean /
+         (lean + kKneesBegin);
+}
+
+// A posture of people's proportions, with the hands so far ahead of the ankles (of kHandAhead).
+Pose peoples(double lean, double far = 1.0) {
+  Pose pose{.lean = lean};
+  pose.left_knee = pose.right_knee = peoples_knees(lean, far);
+  pose.left.hand.z = pose.right.hand.z = kPosedAnkles + far * kHandAhead * kPosedStature;
+  return pose;
+}
+
+Pose with_knees(Pose pose, double flexion) {
+  pose.left_knee = pose.right_knee = flexion;
+  return pose;
+}
+
+double penalty_of(const Pose& pose, const CoordinationSettings& settings = {}) {
+  return penalty_of_poses<Coordination>({pose}, settings);
+}
+
+// The penalty of knees that are off by so much (rad).
+double cost_of(double off, double angle = kCoordinationAngle) {
+  return 0.25 * off * off / (angle * angle);
+}
+
+TEST(Coordination, OfUprightStandingIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }
+
+TEST(Coordination, OfPeoplesProportionsIsZero) {
+  for (const double lean : {radians(5), radians(30), radians(60), radians(100)}) {
+    for (const double far : {0.0, 0.5, 1.0})
+      EXPECT_NEAR(penalty_of(peoples(lean, far)), 0.0, 1e-12);
+  }
+}
+
+TEST(Coordination, KneesMayBendTooMuchOrTooLittle) {
+  for (const double off : {kOff, -kOff}) {
+    const Pose pose = with_knees(peoples(kLean), peoples_knees(kLean, 1.0) + off);
+    EXPECT_NEAR(penalty_of(pose), cost_of(off), 1e-12);
+  }
+}
+
+TEST(Coordination, KneesAreTheMeanOfBoth) {
+  Pose pose = peoples(kLean);
+  pose.left_knee += kOff;
+  pose.right_knee -= kOff;
+  EXPECT_NEAR(penalty_of(pose), 0.0, 1e-12);
+}
+
+TEST(Coordination, WhoeverLeansOnStraightKneesPays) {
+  constexpr double kLittle = radians(20);
+  EXPECT_NEAR(penalty_of(with_knees(peoples(kLittle), 0.0)),
+              min(1.0, cost_of(peoples_knees(kLittle, 1.0))), 1e-12);
+}
+
+TEST(Coordination, WhoeverBendsTheKneesUnderAnUprightTrunkPays) {
+  EXPECT_NEAR(penalty_of(with_knees({}, kOff)), cost_of(kOff), 1e-12);
+}
+
+TEST(Coordination, KneesBendLessForANearHand) {
+  constexpr double kLittle = radians(20);
+  double before = 1.0;
+  for (const double far : {1.0, 0.6, 0.3, 0.0}) {
+    const double now = penalty_of(with_knees(peoples(kLittle, far), 0.0));
+    EXPECT_LT(now, before);
+    before = now;
+  }
+}
+
+TEST(Coordination, FartherThanPeopleLikeItAndBehindTheAnklesChangeNothing) {
+  Pose pose = peoples(kLean, 1.0);
+  pose.left.hand.z += 0.5;
+  pose.right.hand.z += 0.5;
+  EXPECT_NEAR(penalty_of(pose), 0.0, 1e-12);
+  pose = peoples(kLean, 0.0);
+  pose.left.hand.z -= 0.5;
+  pose.right.hand.z -= 0.5;
+  EXPECT_NEAR(penalty_of(pose), 0.0, 1e-12);
+}
+
+TEST(Coordination, LooksAtTheHandsOfTheGoals) {
+  Pose pose = peoples(kLean, 1.0);
+  pose.left.hand.z = -1.0;
+  const std::vector<int> right = right_hand_of(posed_body());
+  EXPECT_NEAR(penalty_of(pose, {.effectors = right}), 0.0, 1e-12);
+  EXPECT_GT(penalty_of(pose), 0.0);
+}
+
+TEST(Coordination, ALeanBackwardsIsNone) {
+  EXPECT_EQ(penalty_of({.lean = -0.3}), 0.0);
+  EXPECT_NEAR(penalty_of(with_knees({.lean = -0.3}, kOff)), cost_of(kOff), 1e-12);
+}
+
+TEST(Coordination, OnlyTheEndCounts) {
+  Pose other = peoples(kLean);
+  other.left_knee = 2.0;
+  EXPECT_NEAR(penalty_of_poses<Coordination>({other, peoples(kLean)}), 0.0, 1e-12);
+}
+
+TEST(Coordination, IsFullWhereKneesAreOffByTwiceTheAngleAndBeyond) {
+  EXPECT_NEAR(penalty_of(with_knees({}, 2.0 * kCoordinationAngle)), 1.0, 1e-12);
+  EXPECT_EQ(penalty_of(with_knees({}, 3.0 * kCoordinationAngle)), 1.0);
+}
+
+TEST(Coordination, AngleIsASetting) {
+  EXPECT_NEAR(penalty_of(with_knees({}, kOff), {.angle = 0.2}), cost_of(kOff, 0.2), 1e-12);
+}
+
+TEST(Coordination, IsTheSameInAMirror) {
+  const std::vector<Pose> poses = lopsided_poses();
+  EXPECT_GT(penalty_of(poses.back()), 0.0);
+  EXPECT_DOUBLE_EQ(penalty_of(mirrored(poses.back())), penalty_of(poses.back()));
+}
+
+TEST(Coordination, OfABodyWithoutKneesHipsOrShouldersIsZero) {
+  const Pose pose = with_knees(peoples(kLean), 2.0);
+  ASSERT_GT(penalty_of(pose), 0.0);
+  for (const std::vector<std::string>& lacks : {std::vector<std::string>{"left_knee", "right_knee"},
+                                                {"left_upper_leg"},
+                                                {"right_upper_arm"},
+                                                {"left_foot"}}) {
+    EXPECT_EQ(penalty_of_poses<Coordination>({pose}, {}, posed_body_without(lacks)), 0.0)
+        << lacks[0];
+  }
+}
+
+// The half body's left side is a stub, and a seated person's legs are of one piece.
+TEST(Coordination, OfAHalfBodyAndOfWhoSitsIsZero) {
+  const Landmarks person = standing_landmarks(1.7, kStandingToeOut);
+  const BodyModel sits = build_human(
+      seated(person, 1.7, 0.42),
+      {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70.0, .sits = true});
+  Random random(3);
+  for (const BodyModel& body : {half_body(), sits}) {
+    const Motion motion = motion_through(body, {random_posture(body, random)});
+    EXPECT_EQ(penalty_by<Coordination>(body, motion), 0.0) << body.name();
+  }
+}
+
+TEST(Coordination, ForgetsWhatItSaw) {
+  Coordination<double> coordination(posed_body());
+  show_poses(posed_body(), {{.left_knee = 1.0}}, coordination);
+  EXPECT_GT(coordination.penalty(), 0.0);
+  coordination.reset();
+  EXPECT_EQ(coordination.penalty(), 0.0);
+}
+
+TEST(Coordination, OfNoFramesIsZero) { EXPECT_EQ(penalty_of_poses<Coordination>({}), 0.0); }
+
+}  // namespace
+}  // namespace shigusa

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "criteria/hand_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/minimum_jerk.hpp"
+#include "support/posed_body.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr Vec3d kFrom{-0.2, 1.0, 0.1};
+constexpr Vec3d kForwards{0, 0, 1};
+constexpr Vec3d kOutwards{-1, 0, 0};
+constexpr Vec3d kUp{0, 1, 0};
+
+// The right hand goes by `way` (m) in three frames, and in the middle one it is off its line by
+// such a vector that its mean offset is that of a bow of `off` (of the way's length): a third of
+// what it is off there.
+std::vector<Pose> going(const Vec3d& way, const Vec3d& off = {}) {
+  std::vector<Pose> poses(3);
+  poses[0].right.hand = kFrom;
+  poses[1].right.hand = kFrom + way * 0.5 + off * (3.0 * kMeanBow * norm(way));
+  poses[2].right.hand = kFrom + way;
+  return poses;
+}
+
+double penalty_of(const std::vector<Pose>& poses, double offset = kPathOffset) {
+  return penalty_of_poses<HandCurve>(poses,
+                                     {.offset = offset, .effectors = right_hand_of(posed_body())});
+}
+
+// The penalty of a hand that is off people's way by so much (of its length).
+double cost_of(double off) { return off * off / (kPathOffset * kPathOffset); }
+
+TEST(HandCurve, MeanOfABowIsThatOfTheMinimumJerkProfile) {
+  constexpr int kSteps = 10000;
+  double sum = 0.0;
+  for (int f = 0; f < kSteps; ++f) sum += path_bow(minimum_jerk((f + 0.5) / kSteps), 0.0);
+  EXPECT_NEAR(kMeanBow, sum / kSteps, 1e-4);
+}
+
+TEST(HandCurve, OfAStraightWayForwardsIsZero) {
+  EXPECT_NEAR(penalty_of(going({0, 0, 0.4})), 0.0, 1e-12);
+}
+
+TEST(HandCurve, OfPeoplesWaysIsZero) {
+  EXPECT_NEAR(penalty_of(going({-0.4, 0, 0}, kForwards * kBowLevel)), 0.0, 1e-12);
+  EXPECT_NEAR(penalty_of(going({0, -0.4, 0}, kForwards * (kBowLevel + kBowDown))), 0.0, 1e-12);
+  EXPECT_NEAR(penalty_of(going({0, 0.4, 0}, kForwards * (kBowLevel - kBowDown))), 0.0, 1e-12);
+}
+
+TEST(HandCurve, OfAWayThatGoesDownAndForwardsBowsSquareToIt) {
+  const double slant = std::sqrt(0.5);
+  const Vec3d way{0, -0.4 * slant, 0.4 * slant};
+  // of the forwards direction, the part that is square to the way
+  const Vec3d bow = Vec3d{0, slant, slant} * slant;
+  EXPECT_NEAR(penalty_of(going(way, bow * (kBowLevel + kBowDown * slant))), 0.0, 1e-12);
+}
+
+TEST(HandCurve, IsTheSquareOfTheOffsetInAnyDirection) {
+  const Vec3d way{0, -0.4, 0};
+  const Vec3d peoples = kForwards * (kBowLevel + kBowDown);
+  for (const Vec3d& off : {kForwards * 0.05, kForwards * -0.05, kOutwards * 0.05, kOutwards * -0.05,
+                           kOutwards * 0.03 + kForwards * 0.04}) {
+    EXPECT_NEAR(penalty_of(going(way, peoples + off)), cost_of(0.05), 1e-12);
+  }
+}
+
+TEST(HandCurve, OfAStraightWayIsWhatPeoplesBowIs) {
+  EXPECT_NEAR(penalty_of(going({-0.4, 0, 0})), cost_of(kBowLevel), 1e-12);
+}
+
+TEST(HandCurve, WhenTheHandIsWhereOnItsWayDoesNotMatter) {
+  const double straight = penalty_of(going({-0.4, 0, 0}));
+  EXPECT_NEAR(penalty_of(going({-0.4, 0, 0}, kOutwards * 0.2)), straight, 1e-12);
+}
+
+TEST(HandCurve, OfAWayTwiceAsLongIsTheSame) {
+  const Vec3d off = kOutwards * 0.05 + kUp * 0.02;
+  EXPECT_NEAR(penalty_of(going({0.1, -0.3, 0.2}, off)), penalty_of(going({0.2, -0.6, 0.4}, off)),
+              1e-12);
+}
+
+TEST(HandCurve, OfAHandThatHardlyMovesIsZero) {
+  EXPECT_EQ(penalty_of(going({0, 0.049, 0}, kOutwards)), 0.0);
+  EXPECT_EQ(penalty_of(going({0, 0.051, 0}, kOutwards)), 1.0);
+  EXPECT_EQ(penalty_of(going({}, kOutwards)), 0.0);
+  EXPECT_EQ(penalty_of({going({})[0]}), 0.0);
+}
+
+TEST(HandCurve, IsTheMeanOverTheHands) {
+  std::vector<Pose> poses = going({-0.4, 0, 0}, kForwards * (kBowLevel + 0.1));
+  // the other hand's way is people's
+  for (std::size_t f = 0; f < poses.size(); ++f) {
+    poses[f].left.hand = kFrom + Vec3d{0, 0, 0.2 * static_cast<double>(f)};
+  }
+  EXPECT_NEAR(penalty_of_poses<HandCurve>(poses), 0.5 * cost_of(0.1), 1e-12);
+  EXPECT_NEAR(penalty_of(poses), cost_of(0.1), 1e-12);
+}
+
+TEST(HandCurve, IsFullAtItsOffsetAndBeyond) {
+  EXPECT_NEAR(penalty_of(going({0, 0, 0.4}, kOutwards * kPathOffset)), 1.0, 1e-12);
+  EXPECT_EQ(penalty_of(going({0, 0, 0.4}, kOutwards * (2.0 * kPathOffset))), 1.0);
+}
+
+TEST(HandCurve, OffsetIsASetting) {
+  EXPECT_NEAR(penalty_of(going({0, 0, 0.4}, kOutwards * 0.1), 0.4), 0.0625, 1e-12);
+}
+
+TEST(HandCurve, IsTheSameInAMirror) {
+  std::vector<Pose> poses = lopsided_poses();
+  const double penalty = penalty_of_poses<HandCurve>(poses, {.offset = 1.0});
+  EXPECT_GT(penalty, 0.0);
+  EXPECT_LT(penalty, 1.0);
+  for (Pose& pose : poses) pose = mirrored(pose);
+  EXPECT_DOUBLE_EQ(penalty_of_poses<HandCurve>(poses, {.offset = 1.0}), penalty);
+}
+
+TEST(HandCurve, OfABodyWithoutHandsIsZero) {
+  BodyDefinition handless = posed_definition();
+  handless.effectors[0].name = "left_foot";
+  handless.effectors[1].name = "right_foot";
+  EXPECT_EQ(penalty_of_poses<HandCurve>(going({0, 0, 0.4}, kOutwards), {}, BodyModel(handless)),
+            0.0);
+}
+
+TEST(HandCurve, ForgetsWhatItSaw) {
+  HandCurve<double> curve(posed_body(), {.effectors = right_hand_of(posed_body())});
+  show_poses(posed_body(), going({0, 0.4, 0}, kOutwards), curve);
+  EXPECT_EQ(curve.penalty(), 1.0);
+  curve.reset();
+  EXPECT_EQ(curve.penalty(), 0.0);
+  show_poses(posed_body(), going({0, 0, 0.4}), curve);
+  EXPECT_NEAR(curve.penalty(), 0.0, 1e-12);
+}
+
+TEST(HandCurve, OfNoFramesIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }
+
+}  // namespace
+}  // namespace shigusa
