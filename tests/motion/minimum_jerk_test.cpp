@@ -94,6 +94,106 @@ TEST(EffectorPath, LeadsStraightFromStartToGoal) {
   }
 }
 
+// When (of the duration) the minimum-jerk profile with such a haste is fastest, by its differences.
+double fastest_at(double haste) {
+  constexpr double kStep = 1e-3;
+  double most = 0.0;
+  double at = 0.0;
+  for (double t = 0.5 * kStep; t < 1.0; t += kStep) {
+    const double gone = minimum_jerk(hastened(t + 0.5 * kStep, haste)) -
+                        minimum_jerk(hastened(t - 0.5 * kStep, haste));
+    if (gone <= most) continue;
+    most = gone;
+    at = t;
+  }
+  return at;
+}
+
+constexpr double kHastes[] = {-1.0, -0.25, 0.0, 0.07, 0.4, 1.0};
+
+TEST(Hastened, BeginsAndEndsWithTheTime) {
+  for (const double haste : kHastes) {
+    EXPECT_EQ(hastened(0.0, haste), 0.0);
+    EXPECT_EQ(hastened(1.0, haste), 1.0);
+  }
+}
+
+TEST(Hastened, WithoutHasteIsTheTime) {
+  for (const double t : {0.1, 0.3, 0.77}) EXPECT_EQ(hastened(t, 0.0), t);
+}
+
+TEST(Hastened, IsQuickerInTheFirstHalfByTheHaste) {
+  for (const double haste : kHastes) {
+    const double first = hastened(0.5, haste) / 0.5;
+    const double second = (1.0 - hastened(0.5, haste)) / 0.5;
+    EXPECT_NEAR(first - second, haste, 1e-15);
+  }
+}
+
+TEST(Hastened, BackwardsIsTheOppositeHaste) {
+  for (const double haste : kHastes) {
+    for (const double t : {0.0, 0.2, 0.5, 0.9}) {
+      EXPECT_NEAR(1.0 - hastened(1.0 - t, haste), hastened(t, -haste), 1e-15);
+    }
+  }
+}
+
+RC_GTEST_PROP(HastenedProperty, NeverTurnsBack, ()) {
+  const double haste = *rc::gen::inRange(-1000, 1001) / 1e3;
+  const double a = *rc::gen::inRange(0, 10000) / 1e4;
+  const double b = min(a + *rc::gen::inRange(0, 2000) / 1e4, 1.0);
+  RC_ASSERT(hastened(a, haste) <= hastened(b, haste) + 1e-15);
+}
+
+TEST(Hastened, MovesTheGreatestSpeed) {
+  // as its comment says
+  EXPECT_NEAR(fastest_at(0.0), 0.50, 0.005);
+  EXPECT_NEAR(fastest_at(0.4), 0.37, 0.005);
+  EXPECT_NEAR(fastest_at(-0.25), 0.59, 0.005);
+  double before = 1.0;
+  for (const double haste : kHastes) {
+    EXPECT_LT(fastest_at(haste), before);
+    before = fastest_at(haste);
+  }
+}
+
+// A path with a detour, and the same with haste.
+struct Paths {
+  EffectorPath even{.start = {0.1, 0.2, 0.3}, .goal = {0.7, -0.4, 1.5}, .detour = {0, 0.1, 0}};
+  EffectorPath hasty = even;
+
+  explicit Paths(double haste) { hasty.haste = haste; }
+};
+
+TEST(EffectorPath, HasteChangesWhenItIsWhereAndNotWhere) {
+  for (const double haste : kHastes) {
+    const Paths paths(haste);
+    for (double tau = 0.0; tau <= 1.0; tau += 0.05) {
+      EXPECT_LT(norm(paths.hasty.at(tau) - paths.even.at(hastened(tau, haste))), 1e-15);
+    }
+  }
+}
+
+TEST(EffectorPath, WithHasteBeginsAndEndsAtRestWhereItDoesWithout) {
+  constexpr double kStep = 1e-4;
+  for (const double haste : kHastes) {
+    const Paths paths(haste);
+    EXPECT_EQ(paths.hasty.at(0.0), paths.even.start);
+    EXPECT_LT(norm(paths.hasty.at(1.0) - paths.even.goal), 1e-15);
+    // 10 (2 h)³ of a line of 1.5 m at most, and a detour whose own cube is 16 times as steep
+    EXPECT_LT(norm(paths.hasty.at(kStep) - paths.even.start), 200 * kStep * kStep * kStep);
+    EXPECT_LT(norm(paths.hasty.at(1.0 - kStep) - paths.even.goal), 200 * kStep * kStep * kStep);
+  }
+}
+
+TEST(EffectorPath, DoneIsTheShareOfItsLine) {
+  const EffectorPath path{.start = {0.1, 0.2, 0.3}, .goal = {0.7, -0.4, 1.5}, .haste = 0.3};
+  const Vec3d way = path.goal - path.start;
+  for (double tau = 0.0; tau <= 1.0; tau += 0.05) {
+    EXPECT_NEAR(path.done(tau), dot(path.at(tau) - path.start, way) / dot(way, way), 1e-15);
+  }
+}
+
 TEST(ReachDuration, HasRuleR9sNumbers) {
   EXPECT_EQ(kDurationBase, 0.45);
   EXPECT_EQ(kDurationPerMetre, 0.75);
