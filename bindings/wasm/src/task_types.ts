@@ -200,6 +200,26 @@ export interface Criteria {
     weight?: number;
     outside_m?: number;
   };
+  coordination?: {
+    weight?: number;
+    angle_rad?: number;
+  };
+  hand_curve?: {
+    weight?: number;
+    offset?: number;
+  };
+  trunk_travel?: {
+    weight?: number;
+    distance_m?: number;
+  };
+  mass_ahead?: {
+    weight?: number;
+    distance_m?: number;
+  };
+  jolts?: {
+    weight?: number;
+    limit?: number;
+  };
 }
 
 /** A request: a body and the final places of its hands, feet or other joints. Metres, kilograms, seconds,
