@@ -45,6 +45,7 @@ export const englishBody: BodyWords = {
   criteria: {
     joint_range: 'Joint limits', balance: 'Upright balance', torque: 'Joint torque', balance_zone: 'Balance', discomfort: 'Comfort',
     joint_acceleration: 'Smoothness', work: 'Work', low_back: 'Lower back', head: 'Head and gaze', collision: 'Collision', centre_of_pressure: 'Stays standing', feasibility: 'Within strength',
+    coordination: 'Coordination', hand_curve: 'Curve of the hand', trunk_travel: 'Still trunk', mass_ahead: 'Weight goes along', jolts: 'No jolts',
   },
   presets: { flat: 'all at once', human: 'in layers', paper: 'as published', layers: 'the paper’s layers' },
   bodies: { human: 'person', full_body: 'person', half_body: 'one arm and leg' },
@@ -75,6 +76,7 @@ export const japaneseBody: BodyWords = {
   criteria: {
     joint_range: '関節の限界', balance: '直立の釣り合い', torque: '関節トルク', balance_zone: '釣り合い', discomfort: '楽さ',
     joint_acceleration: '滑らかさ', work: '仕事量', low_back: '腰の負担', head: '頭と視線', collision: '衝突', centre_of_pressure: '立っていられる', feasibility: '力の範囲',
+    coordination: '全身の連動', hand_curve: '手の軌道の弧', trunk_travel: '体幹の安定', mass_ahead: '重心の移動', jolts: '急変のなさ',
   },
   presets: { flat: '一度に', human: '階層的に', paper: '論文の方法', layers: '論文の階層' },
   bodies: { human: '人', full_body: '人', half_body: '片腕片脚' },
