@@ -17,7 +17,7 @@ inline constexpr double kBowLevel = 0.03;
 inline constexpr double kBowDown = 0.08;
 // The mean over a motion's time of how far a bow of 1 has left its line (see path_bow): ∫ 4 s (1 -
 // s) along the minimum-jerk profile.
-inline constexpr double kMeanBow = 0.4372;
+inline constexpr double kMeanBow = 0.4329;
 
 // How the hands' paths leave the straight way, in [0, 1]: people's hands do by some tenth of it,
 // each in its direction. Of each goal's hand, o is the mean offset of its places from the middle of
