@@ -151,7 +151,8 @@ TEST_F(Reach, CriteriaOfTheCallReplaceThoseOfTheTaskFile) {
   EXPECT_THAT(terms_by({"--criteria", "default"}),
               testing::UnorderedElementsAre("joint_range", "balance_zone", "discomfort",
                                             "joint_acceleration", "low_back", "collision",
-                                            "centre_of_pressure", "feasibility"));
+                                            "centre_of_pressure", "feasibility", "coordination",
+                                            "hand_curve", "trunk_travel", "mass_ahead", "jolts"));
 }
 
 TEST_F(Reach, GoalsOfTheCallReplaceThoseOfTheTaskFile) {
