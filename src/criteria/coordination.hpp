@@ -20,7 +20,7 @@ inline constexpr double kKneesBegin = radians(10);
 inline constexpr double kHandAhead = 0.23;
 inline constexpr double kKneesNear = 0.5;
 
-// What a body's knees do beside its trunk where a motion ends, and people's proportion of both, in
+// How a body's knees bend beside its trunk where a motion ends, against people's proportion, in
 // [0, 1]: whoever bends, bends both. With T the lean of the line from hips to shoulders and K the
 // knees' flexion, q = ((K - K*(T)) / angle)² / 4 and P = q / (1 + q). K* keeps the posture index of
 // R. Burgess-Limerick and B. Abernethy (Human Factors 39 (1997) 141), which is the same from 9 to

@@ -40,7 +40,7 @@ inline constexpr double kLawStep = radians(4);
 inline constexpr double kBackBend = radians(70);
 inline constexpr double kBackHalf = radians(18);
 // … and with a load in the hand more, by this share of it for each kilogram (Vazirian, Van Dillen
-// and Bazrgari, 2016: larger with load), up to so many of them.
+// and Bazrgari, 2016: larger with load), up to this load.
 inline constexpr double kBackOfLoad = 0.01;
 inline constexpr double kBackLoadMost = 20.0;  // kg
 
