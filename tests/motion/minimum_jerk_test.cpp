@@ -186,8 +186,32 @@ TEST(EffectorPath, WithHasteBeginsAndEndsAtRestWhereItDoesWithout) {
   }
 }
 
+TEST(EffectorPath, StaysUntilItBegins) {
+  Paths paths(0.3);
+  paths.hasty.begin = 0.2;
+  for (const double tau : {0.0, 0.1, 0.2}) {
+    EXPECT_EQ(paths.hasty.own_time(tau), 0.0);
+    EXPECT_EQ(paths.hasty.at(tau), paths.even.start);
+  }
+  EXPECT_GT(paths.hasty.own_time(0.21), 0.0);
+}
+
+TEST(EffectorPath, HasTheRestOfTheTimeOnceItHasBegun) {
+  for (const double haste : kHastes) {
+    Paths paths(haste);
+    const EffectorPath at_once = paths.hasty;
+    paths.hasty.begin = 0.2;
+    for (double own = 0.0; own <= 1.0; own += 0.05) {
+      // in 0.8 of the time
+      EXPECT_LT(norm(paths.hasty.at(0.2 + 0.8 * own) - at_once.at(own)), 1e-14);
+    }
+    EXPECT_LT(norm(paths.hasty.at(1.0) - paths.even.goal), 1e-15);
+  }
+}
+
 TEST(EffectorPath, DoneIsTheShareOfItsLine) {
-  const EffectorPath path{.start = {0.1, 0.2, 0.3}, .goal = {0.7, -0.4, 1.5}, .haste = 0.3};
+  const EffectorPath path{
+      .start = {0.1, 0.2, 0.3}, .goal = {0.7, -0.4, 1.5}, .haste = 0.3, .begin = 0.1};
   const Vec3d way = path.goal - path.start;
   for (double tau = 0.0; tau <= 1.0; tau += 0.05) {
     EXPECT_NEAR(path.done(tau), dot(path.at(tau) - path.start, way) / dot(way, way), 1e-15);

@@ -67,6 +67,18 @@ TEST(NaturalHaste, OfAHandThatStaysIsThatOfALevelWay) {
   EXPECT_EQ(natural_haste(path_by({})), natural_haste(path_by(kForwards)));
 }
 
+TEST(NaturalBegin, IsLaterTheMoreTheHandGoesDown) {
+  EXPECT_GT(natural_begin(path_by(kDown)), natural_begin(path_by(kDown + kForwards)));
+  EXPECT_GT(natural_begin(path_by(kDown + kForwards)), 0.0);
+  EXPECT_LT(natural_begin(path_by(kDown)), 0.5);
+}
+
+TEST(NaturalBegin, OfLevelWaysAndWaysUpIsAtOnce) {
+  for (const Vec3d& way : {kForwards, kUp, kUp + kForwards, Vec3d{}}) {
+    EXPECT_EQ(natural_begin(path_by(way)), 0.0);
+  }
+}
+
 TEST(NaturalWindows, AreWithinTheMotion) {
   Random random(12);
   for (int i = 0; i < 200; ++i) {
@@ -134,23 +146,27 @@ TEST(MakeProblem, ReachesOfPeopleTakePeoplesTimes) {
   const EffectorPath& path = problem.goals[0].path;
   EXPECT_EQ(path.haste, natural_haste(path));
   EXPECT_NE(path.haste, 0.0);
+  EXPECT_EQ(path.begin, natural_begin(path));
+  EXPECT_GT(path.begin, 0.0);
   expect_same(problem.windows, natural_windows(problem.goals));
 }
 
 TEST(MakeProblem, ThePapersMotionsAreEven) {
   const ReachProblem problem = problem_of(full(), Preset::paper, "right_hand", {-0.2, 0.1, 0.4});
   EXPECT_EQ(problem.goals[0].path.haste, 0.0);
+  EXPECT_EQ(problem.goals[0].path.begin, 0.0);
   for (const TimeWindow& window : problem.windows) {
     EXPECT_EQ(window.begin, 0.0);
     EXPECT_EQ(window.end, 1.0);
   }
 }
 
-TEST(MakeProblem, OnlyHandsHaveHaste) {
+TEST(MakeProblem, OnlyHandsHaveTimesOfTheirOwn) {
   const BodyModel body = human_body();
   const Vec3d head = effector_position(body, body.start(), "head");
   const ReachProblem problem = problem_of(body, Preset::flat, "head", head + Vec3d{0.0, -0.2, 0.1});
   EXPECT_EQ(problem.goals[0].path.haste, 0.0);
+  EXPECT_EQ(problem.goals[0].path.begin, 0.0);
 }
 
 TEST(TaskCriteria, LookAtTheHandsOfTheGoals) {
