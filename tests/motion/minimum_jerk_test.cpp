@@ -211,7 +211,7 @@ TEST(EffectorPath, HasTheRestOfTheTimeOnceItHasBegun) {
 
 TEST(EffectorPath, DoneIsTheShareOfItsLine) {
   const EffectorPath path{
-      .start = {0.1, 0.2, 0.3}, .goal = {0.7, -0.4, 1.5}, .haste = 0.3, .begin = 0.1};
+      .start = {0.1, 0.2, 0.3}, .goal = {0.7, -0.4, 1.5}, .begin = 0.1, .haste = 0.3};
   const Vec3d way = path.goal - path.start;
   for (double tau = 0.0; tau <= 1.0; tau += 0.05) {
     EXPECT_NEAR(path.done(tau), dot(path.at(tau) - path.start, way) / dot(way, way), 1e-15);
