@@ -16,7 +16,7 @@ template <class S>
 // The share of its own time that a movement has behind it at tau, where it is `haste` quicker in
 // its first half than in its second: τ + 4 haste · τ² (1 - τ)², in -1..1. It begins and ends as
 // gently as without haste. With the minimum-jerk profile the speed is greatest at tau = 0.50 for a
-// haste of 0, 0.40 for 0.22, and 0.57 for -0.15.
+// haste of 0, 0.41 for 0.22, and 0.57 for -0.15.
 template <class S>
 [[nodiscard]] constexpr S hastened(const S& tau, const S& haste) {
   const S bump = tau * (S(1) - tau);
