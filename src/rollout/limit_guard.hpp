@@ -11,7 +11,7 @@ namespace shigusa {
 
 // A joint that moves towards a limit gives way to the others from this far before it (rad) …
 inline constexpr double kLimitMargin = radians(8.0);
-// … or from as far as it would go in so many steps.
+// … or from as far as it would go in this many steps.
 inline constexpr double kLimitSteps = 5.0;
 // A joint that leaves a limit gets its weight back by this share of it in a step.
 inline constexpr double kLimitRise = 0.2;
