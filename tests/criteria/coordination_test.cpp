@@ -27,7 +27,7 @@ double peoples_knees(double lean, double far) {
 Pose peoples(double lean, double far = 1.0) {
   Pose pose{.lean = lean};
   pose.left_knee = pose.right_knee = peoples_knees(lean, far);
-  pose.left.hand.z = pose.right.hand.z = kPosedAnkles + far * kHandAhead * kPosedStature;
+  pose.left.hand.z = pose.right.hand.z = kPosedAnkles.z + far * kHandAhead * kPosedStature;
   return pose;
 }
 
@@ -42,7 +42,8 @@ double penalty_of(const Pose& pose, const CoordinationSettings& settings = {}) {
 
 // The penalty of knees that are off by so much (rad).
 double cost_of(double off, double angle = kCoordinationAngle) {
-  return 0.25 * off * off / (angle * angle);
+  const double squares = 0.25 * off * off / (angle * angle);
+  return squares / (1.0 + squares);
 }
 
 TEST(Coordination, OfUprightStandingIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }
@@ -70,8 +71,8 @@ TEST(Coordination, KneesAreTheMeanOfBoth) {
 
 TEST(Coordination, WhoeverLeansOnStraightKneesPays) {
   constexpr double kLittle = radians(20);
-  EXPECT_NEAR(penalty_of(with_knees(peoples(kLittle), 0.0)),
-              min(1.0, cost_of(peoples_knees(kLittle, 1.0))), 1e-12);
+  EXPECT_NEAR(penalty_of(with_knees(peoples(kLittle), 0.0)), cost_of(peoples_knees(kLittle, 1.0)),
+              1e-12);
 }
 
 TEST(Coordination, WhoeverBendsTheKneesUnderAnUprightTrunkPays) {
@@ -118,9 +119,18 @@ TEST(Coordination, OnlyTheEndCounts) {
   EXPECT_NEAR(penalty_of_poses<Coordination>({other, peoples(kLean)}), 0.0, 1e-12);
 }
 
-TEST(Coordination, IsFullWhereKneesAreOffByTwiceTheAngleAndBeyond) {
-  EXPECT_NEAR(penalty_of(with_knees({}, 2.0 * kCoordinationAngle)), 1.0, 1e-12);
-  EXPECT_EQ(penalty_of(with_knees({}, 3.0 * kCoordinationAngle)), 1.0);
+TEST(Coordination, IsHalfWhereKneesAreOffByTwiceTheAngle) {
+  EXPECT_NEAR(penalty_of(with_knees({}, 2.0 * kCoordinationAngle)), 0.5, 1e-12);
+}
+
+TEST(Coordination, NearerIsBetterHoweverFarItIs) {
+  double before = -1.0;
+  for (double knees = 0.0; knees < 6.0 * kCoordinationAngle; knees += 0.1) {
+    const double now = penalty_of(with_knees({}, knees));
+    EXPECT_GT(now, before);
+    EXPECT_LT(now, 1.0);
+    before = now;
+  }
 }
 
 TEST(Coordination, AngleIsASetting) {

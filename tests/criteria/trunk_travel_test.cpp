@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/centre_of_mass.hpp"
 #include "support/posed_body.hpp"
 
 namespace shigusa {
@@ -10,74 +11,102 @@ namespace {
 
 using namespace testing_support;
 
-constexpr Vec3d kShoulder{-0.2, 1.4, 0.0};
+// Where the body's right shoulder is as it stands upright (m).
+const Vec3d kHome = kPosedAnkles + Vec3d{-0.5 * kPosedShoulders, kPosedLeg + kPosedTrunk,
+                                         kStandsAhead* kPosedStature};
 constexpr double kAlone = kArmAlone * kPosedArm;  // m, as far as the arm reaches alone
 
-// The right shoulder goes by `moved` (m) while the hand ends so far (m) from where the shoulder
-// was.
-std::vector<Pose> reaching(double far, const Vec3d& moved) {
-  std::vector<Pose> poses(2);
-  poses[0].right = {kShoulder, kShoulder + Vec3d{0, -0.4, 0}};
-  poses[1].right = {kShoulder + moved, kShoulder + Vec3d{0, 0, far}};
-  return poses;
+// The right shoulder ends `moved` (m) away from its home and the hand so far (m) from that.
+Pose reaching(double far, const Vec3d& moved) {
+  Pose pose;
+  pose.right = {kHome + moved, kHome + Vec3d{0, 0, far}};
+  return pose;
 }
 
-double penalty_of(const std::vector<Pose>& poses, double distance = kTravelDistance) {
+double penalty_of(const std::vector<Pose>& poses, double distance = kTravelDistance,
+                  const BodyModel& body = posed_body()) {
   return penalty_of_poses<TrunkTravel>(
-      poses, {.distance = distance, .effectors = right_hand_of(posed_body())});
+      poses, {.distance = distance, .effectors = right_hand_of(body)}, body);
 }
+
+// The penalty where the mean square of what shoulders are off is that many squares of the distance.
+double penalty_for(double squares) { return squares / (1.0 + squares); }
 
 // The penalty of a shoulder's way that is too long, or too short, by so much (m).
-double cost_of(double more) { return more * more / (kTravelDistance * kTravelDistance); }
+double cost_of(double more) {
+  return penalty_for(more * more / (kTravelDistance * kTravelDistance));
+}
 
 TEST(TrunkTravel, WithinTheArmsReachTheTrunkKeepsOut) {
-  EXPECT_EQ(penalty_of(reaching(0.3, {})), 0.0);
-  EXPECT_EQ(penalty_of(reaching(0.99 * kAlone, {})), 0.0);
+  EXPECT_NEAR(penalty_of({reaching(0.3, {})}), 0.0, 1e-12);
+  EXPECT_NEAR(penalty_of({reaching(0.99 * kAlone, {})}), 0.0, 1e-12);
 }
 
 TEST(TrunkTravel, WithinTheArmsReachAnyWayOfTheShoulderCosts) {
   for (const Vec3d& moved : {Vec3d{0, 0, 0.1}, Vec3d{0, 0, -0.1}, Vec3d{0.1, 0, 0},
                              Vec3d{0, -0.1, 0}, Vec3d{0, 0.06, 0.08}}) {
-    EXPECT_NEAR(penalty_of(reaching(0.3, moved)), cost_of(0.1), 1e-12);
+    EXPECT_NEAR(penalty_of({reaching(0.3, moved)}), cost_of(0.1), 1e-12);
   }
 }
 
 TEST(TrunkTravel, BeyondTheArmTheTrunkGoesAlongByWhatItLacks) {
-  EXPECT_NEAR(penalty_of(reaching(kAlone + 0.15, {0, 0, 0.15})), 0.0, 1e-12);
-  EXPECT_NEAR(penalty_of(reaching(kAlone + 0.15, {0, 0, 0.25})), cost_of(0.1), 1e-12);
+  EXPECT_NEAR(penalty_of({reaching(kAlone + 0.15, {0, 0, 0.15})}), 0.0, 1e-12);
+  EXPECT_NEAR(penalty_of({reaching(kAlone + 0.15, {0, 0, 0.25})}), cost_of(0.1), 1e-12);
 }
 
 TEST(TrunkTravel, AnArmThatIsStretchedOutToSpareTheTrunkCosts) {
-  EXPECT_NEAR(penalty_of(reaching(kPosedArm, {})), cost_of(kPosedArm - kAlone), 1e-12);
+  EXPECT_NEAR(penalty_of({reaching(kPosedArm, {})}), cost_of(kPosedArm - kAlone), 1e-12);
 }
 
 TEST(TrunkTravel, OnlyTheEndCounts) {
-  std::vector<Pose> poses = reaching(0.3, {});
-  poses.insert(poses.begin() + 1, reaching(0.3, {0, 0, 0.5})[1]);
-  EXPECT_EQ(penalty_of(poses), 0.0);
+  EXPECT_NEAR(penalty_of({reaching(0.3, {0, 0, 0.5}), reaching(0.3, {})}), 0.0, 1e-12);
+}
+
+TEST(TrunkTravel, WhoStartsStoopedIsToStandUp) {
+  BodyDefinition stooped = posed_definition();
+  stooped.start[0] = 0.8;
+  EXPECT_NEAR(penalty_of({reaching(0.3, {0, -0.1, 0})}, kTravelDistance, BodyModel(stooped)),
+              cost_of(0.1), 1e-12);
+}
+
+// As one that sits, whose legs have no joints.
+TEST(TrunkTravel, ABodyWithoutKneesIsAtHomeWhereItStarts) {
+  const BodyModel sits = posed_body_without({"left_knee", "right_knee"});
+  const Vec3d start = kPosedAnkles + Vec3d{-0.5 * kPosedShoulders, kPosedLeg + kPosedTrunk, 0.0};
+  EXPECT_NEAR(penalty_of({reaching(0.3, start - kHome)}, kTravelDistance, sits), 0.0, 1e-12);
 }
 
 TEST(TrunkTravel, IsTheMeanOverTheHands) {
-  std::vector<Pose> poses = reaching(0.3, {0, 0, 0.1});
-  EXPECT_NEAR(penalty_of_poses<TrunkTravel>(poses), 0.5 * cost_of(0.1), 1e-12);
-  poses[1].left.shoulder.y += 0.1;
-  EXPECT_NEAR(penalty_of_poses<TrunkTravel>(poses), cost_of(0.1), 1e-12);
+  Pose pose = reaching(0.3, {0, 0, 0.1});
+  pose.left = {kHome + Vec3d{kPosedShoulders, 0, 0}, kHome};
+  const double squares = 0.1 * 0.1 / (kTravelDistance * kTravelDistance);
+  EXPECT_NEAR(penalty_of_poses<TrunkTravel>({pose}), penalty_for(0.5 * squares), 1e-12);
+  pose.left.shoulder.y += 0.1;
+  EXPECT_NEAR(penalty_of_poses<TrunkTravel>({pose}), penalty_for(squares), 1e-12);
 }
 
-TEST(TrunkTravel, IsFullAtItsDistanceAndBeyond) {
-  EXPECT_NEAR(penalty_of(reaching(0.3, {0, 0, kTravelDistance})), 1.0, 1e-12);
-  EXPECT_EQ(penalty_of(reaching(0.3, {0, 0, 2.0 * kTravelDistance})), 1.0);
+TEST(TrunkTravel, IsHalfAtItsDistance) {
+  EXPECT_NEAR(penalty_of({reaching(0.3, {0, 0, kTravelDistance})}), 0.5, 1e-12);
+}
+
+TEST(TrunkTravel, NearerIsBetterHoweverFarItIs) {
+  double before = -1.0;
+  for (double moved = 0.0; moved < 2.0; moved += 0.05) {
+    const double now = penalty_of({reaching(0.3, {0, 0, moved})});
+    EXPECT_GT(now, before);
+    EXPECT_LT(now, 1.0);
+    before = now;
+  }
 }
 
 TEST(TrunkTravel, DistanceIsASetting) {
-  EXPECT_NEAR(penalty_of(reaching(0.3, {0, 0, 0.1}), 0.4), 0.0625, 1e-12);
+  EXPECT_NEAR(penalty_of({reaching(0.3, {0, 0, 0.1})}, 0.4), penalty_for(0.0625), 1e-12);
 }
 
 TEST(TrunkTravel, IsTheSameInAMirror) {
   std::vector<Pose> poses = lopsided_poses();
   const double penalty = penalty_of_poses<TrunkTravel>(poses);
   EXPECT_GT(penalty, 0.0);
-  EXPECT_LT(penalty, 1.0);
   for (Pose& pose : poses) pose = mirrored(pose);
   EXPECT_DOUBLE_EQ(penalty_of_poses<TrunkTravel>(poses), penalty);
 }
@@ -88,21 +117,16 @@ TEST(TrunkTravel, OfABodyWithoutHandsIsZero) {
   const BodyModel body(handless);
   TrunkTravel<double> travel(body);
   const std::vector<double> angles = angles_of(body, {.lean = 1.0});
-  const Kinematics<double> start = start_kinematics(body);
   const Kinematics<double> end = placed(body, angles);
-  travel.add(PlacedFrame<double>{{.angles = body.start(), .torques = {}}, start});
   travel.add(PlacedFrame<double>{{.angles = angles, .torques = {}}, end});
   EXPECT_EQ(travel.penalty(), 0.0);
 }
 
 TEST(TrunkTravel, ForgetsWhatItSaw) {
   TrunkTravel<double> travel(posed_body(), {.effectors = right_hand_of(posed_body())});
-  show_poses(posed_body(), reaching(0.3, {0, 0, 0.1}), travel);
+  show_poses(posed_body(), {reaching(0.3, {0, 0, 0.1})}, travel);
   EXPECT_GT(travel.penalty(), 0.0);
   travel.reset();
-  EXPECT_EQ(travel.penalty(), 0.0);
-  // the way begins anew
-  show_poses(posed_body(), {reaching(0.3, {0, 0, 0.1})[1]}, travel);
   EXPECT_EQ(travel.penalty(), 0.0);
 }
 
@@ -133,6 +157,24 @@ TEST(GoalHands, ArmsAreAsLongAsTheyReachStretchedOut) {
       EXPECT_NEAR(goal.arm, norm(arm), 0.01) << body.name();
       EXPECT_GE(goal.arm, norm(arm) - 1e-12) << body.name();
     }
+  }
+}
+
+// The built-in bodies start where they are at home: kStandsAhead and kHandHangs are theirs.
+TEST(PosturePoints, BuiltInBodiesStandAtHome) {
+  for (const BodyModel& body : {full_body(), human_body(), human_body({1.6, 60.0, Sex::female})}) {
+    const PosturePoints points = posture_points(body);
+    ASSERT_TRUE(points.found) << body.name();
+    const Kinematics<double> start = start_kinematics(body);
+    for (std::size_t side = 0; side < 2; ++side) {
+      EXPECT_LT(norm(points.shoulders[side].in(start)-points.home_shoulders[side]), 0.02)
+          << body.name();
+    }
+    const Vec3d mass = centre_of_mass(body, start);
+    EXPECT_NEAR(mass.x, points.home_mass.x, 0.02) << body.name();
+    EXPECT_NEAR(mass.z, points.home_mass.z, 0.02) << body.name();
+    const GoalHand hand = goal_hands(body, {})[0];
+    EXPECT_NEAR(hand.hand.in(start).y, points.hand_hangs, 0.05) << body.name();
   }
 }
 

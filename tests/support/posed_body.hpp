@@ -12,9 +12,12 @@
 // trunk and arms move apart from one another, so that a test sets each of them alone.
 namespace shigusa::testing_support {
 
-inline constexpr double kPosedStature = 2.0;  // m
-inline constexpr double kPosedArm = 0.5;      // m, from shoulder to hand
-inline constexpr double kPosedAnkles = 0.05;  // m, how far the ankles are ahead of the origin
+inline constexpr double kPosedStature = 2.0;          // m
+inline constexpr double kPosedArm = 0.5;              // m, from shoulder to hand
+inline constexpr double kPosedLeg = 0.9;              // m, from ankle to hip
+inline constexpr double kPosedTrunk = 0.5;            // m, from hips to shoulders
+inline constexpr double kPosedShoulders = 0.4;        // m, apart
+inline constexpr Vec3d kPosedAnkles{0.0, 0.1, 0.05};  // m, the middle of both
 
 // One frame of it.
 struct Pose {
@@ -35,8 +38,9 @@ inline BodyDefinition posed_definition() {
   BodyDefinition body;
   body.name = "posed";
   body.stature = kPosedStature;
+  const Vec3d hips = kPosedAnkles + Vec3d{0, kPosedLeg, 0};
   for (const char* joint : {"trunk", "left_knee", "right_knee"}) {
-    body.dofs.push_back(hinge(joint, kBaseLink, {0, 1, 0}));
+    body.dofs.push_back(hinge(joint, kBaseLink, hips));
   }
   const Vec3d half{0, -0.5 * kPosedArm, 0};
   for (const std::string side : {"left_", "right_"}) {
@@ -45,9 +49,14 @@ inline BodyDefinition posed_definition() {
     body.dofs.push_back(hinge(side + "shoulder", kBaseLink, {}));
     body.dofs.push_back(hinge(side + "elbow", shoulder, half));
     body.effectors.push_back({side + "hand", side + "hand", shoulder + 1, half, shoulder});
-    body.nodes.push_back({side + "upper_leg", -1, kBaseLink, {0.1 * out, 1.0, 0.0}});
-    body.nodes.push_back({side + "upper_arm", -1, 0, {0.2 * out, 0.5, 0.0}});
-    body.nodes.push_back({side + "foot", -1, kBaseLink, {0.1 * out, 0.1, kPosedAnkles}});
+    const auto above_ankle = [out](double height) {
+      return kPosedAnkles + Vec3d{0.1 * out, height, 0.0};
+    };
+    body.nodes.push_back({side + "upper_leg", -1, kBaseLink, above_ankle(kPosedLeg)});
+    body.nodes.push_back({side + "lower_leg", -1, kBaseLink, above_ankle(0.5 * kPosedLeg)});
+    body.nodes.push_back({side + "foot", -1, kBaseLink, above_ankle(0.0)});
+    const Vec3d shoulder_in_trunk{0.5 * kPosedShoulders * out, kPosedTrunk, 0.0};
+    body.nodes.push_back({side + "upper_arm", -1, 0, shoulder_in_trunk});
   }
   body.masses.assign(body.dofs.size(), {.mass = 1.0});
   body.mass = static_cast<double>(body.dofs.size());
