@@ -124,8 +124,7 @@ Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& se
   return reach;
 }
 
-Track track_of(const Recorded& reach, const Clip& clip) {
-  const BodyModel& body = reach.body;
+Track joints_track(const BodyModel& body, const Clip& clip) {
   Track track;
   track.frame_time = clip.frame_time;
   track.angles = clip;
@@ -143,6 +142,12 @@ Track track_of(const Recorded& reach, const Clip& clip) {
     for (const BodyNode* node : nodes) joints.push_back(placed.point(node->link, node->point));
     track.joints.push_back(std::move(joints));
   }
+  return track;
+}
+
+Track track_of(const Recorded& reach, const Clip& clip) {
+  const BodyModel& body = reach.body;
+  Track track = joints_track(body, clip);
   const SkeletonMotion motion = skeleton_motion(body, clip);
   const Rig rig = own_rig(*reach.person.landmarks, motion);
   track.paper_angles =

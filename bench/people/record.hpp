@@ -66,6 +66,9 @@ struct Recorded {
 [[nodiscard]] Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& segment,
                                           bool heels = false);
 
+// A motion of a body that has these joints; without the angles of another body.
+[[nodiscard]] Track joints_track(const BodyModel& body, const Clip& clip);
+
 // A generated motion of the reach's body.
 [[nodiscard]] Track track_of(const Recorded& reach, const Clip& clip);
 
