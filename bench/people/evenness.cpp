@@ -22,6 +22,7 @@ constexpr int kGoals = 200;
 static_assert(kGrid[0] * kGrid[1] * kGrid[2] == kGoals);
 constexpr Vec3d kCorner{-0.16, 0.08, 0.24};  // m, the lowest and nearest
 constexpr double kOtherStyle = radians(40.0);
+constexpr double kUneven = radians(20.0);
 constexpr std::size_t kPairsShown = 5;
 
 // A goal of the grid and how its first choice ends.
@@ -106,8 +107,11 @@ std::string largest(std::vector<Pair> pairs) {
 std::string evenness_section() {
   const std::vector<Ended> ends = all_ended();
   const std::vector<Pair> pairs = neighbours(ends);
-  const auto other = [](const Pair& pair) { return pair.jump() > kOtherStyle; };
-  const auto jumps = std::count_if(pairs.begin(), pairs.end(), other);
+  const auto beyond = [&](double angle) {
+    return std::count_if(pairs.begin(), pairs.end(),
+                         [angle](const Pair& pair) { return pair.jump() > angle; });
+  };
+  const auto jumps = beyond(kOtherStyle);
   double worst = 0.0;
   for (const Pair& pair : pairs) worst = std::fmax(worst, pair.jump());
   const Vec3d far = ends.back().goal;
@@ -115,11 +119,13 @@ std::string evenness_section() {
       "## Evenness\n\nGoals {:.0f} cm apart from one another should be reached alike. A grid of {} "
       "goals of the right hand of `human`, {:.2f} to {:.2f} m high, {:.2f} to {:.2f} m ahead and "
       "{:.2f} to {:.2f} m to the right; first choices of the default preset. Of {} pairs of "
-      "neighbours that are reached, the knees of {} end more than {:.0f}° apart: {}. The largest "
+      "neighbours that are reached, the knees of {} end more than {:.0f}° apart: {}; of {} more "
+      "than {:.0f}°. The largest "
       "jump is {:.0f}°.\n\n",
       100.0 * kStep, kGoals, kCorner.y, far.y, kCorner.z, far.z, -far.x, -kCorner.x, pairs.size(),
       jumps, degrees(kOtherStyle),
-      percent(static_cast<double>(jumps), static_cast<double>(pairs.size())), degrees(worst));
+      percent(static_cast<double>(jumps), static_cast<double>(pairs.size())), beyond(kUneven),
+      degrees(kUneven), degrees(worst));
   return text + largest(pairs);
 }
 

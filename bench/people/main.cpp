@@ -6,8 +6,11 @@
 #include <string_view>
 
 #include "evenness.hpp"
+#include "gaze.hpp"
 #include "jolts.hpp"
+#include "persons.hpp"
 #include "recorded_man.hpp"
+#include "regularities.hpp"
 
 namespace {
 
@@ -15,12 +18,13 @@ using namespace shigusa;
 using namespace shigusa::bench;
 
 constexpr const char* kUsage =
-    "usage: shigusa_people DOCS_FOLDER SHARED_FOLDER\n"
-    "       shigusa_people --only SECTION [SHARED_FOLDER]\n";
+    "usage: shigusa_people DOCS_FOLDER SHARED_FOLDER [REGULARITIES_FOLDER]\n"
+    "       shigusa_people --only SECTION [SHARED_FOLDER [REGULARITIES_FOLDER]]\n";
 
 // Where what people do is read from.
 struct Sources {
   std::filesystem::path shared;
+  std::filesystem::path regularities;  // what regularities.py has written; may be empty
 };
 
 // A part of the page after the recorded man's.
@@ -29,8 +33,15 @@ struct Section {
   Result<std::string> (*text)(const Sources&);
 };
 constexpr std::array kSections{
+    Section{"regularities",
+            [](const Sources& from) { return regularities_section(from.regularities); }},
+    Section{"persons",
+            [](const Sources& from) {
+              return persons_section(from.shared / "people" / "reaches.tsv");
+            }},
     Section{"evenness", [](const Sources&) -> Result<std::string> { return evenness_section(); }},
     Section{"jolts", [](const Sources&) -> Result<std::string> { return jolts_section(); }},
+    Section{"gaze", [](const Sources&) -> Result<std::string> { return gaze_section(); }},
 };
 
 int fault(const Error& error) {
@@ -81,13 +92,15 @@ Result<void> write_page(const std::filesystem::path& docs, const Sources& source
 
 int main(int argc, char** argv) {
   const std::vector<std::string_view> words(argv + 1, argv + argc);
-  if (words.size() < 2 || words.size() > 3) {
+  const bool only = !words.empty() && words[0] == "--only";
+  const std::size_t first = only ? 2 : 1;  // of the sources
+  if (words.size() < 2 || words.size() > first + 2) {
     std::cerr << kUsage;
     return 2;
   }
-  if (words[0] == "--only") {
-    return print_only(words[1], {words.size() > 2 ? words[2] : "../shared"});
-  }
-  const Result<void> written = write_page(words[0], {words[1]});
+  const Sources sources{words.size() > first ? words[first] : "../shared",
+                        words.size() > first + 1 ? words[first + 1] : ""};
+  if (only) return print_only(words[1], sources);
+  const Result<void> written = write_page(words[0], sources);
   return written ? 0 : fault(written.error());
 }

@@ -5,11 +5,11 @@
 #include <charconv>
 #include <shigusa/bvh.hpp>
 #include <shigusa/file.hpp>
-#include <string_view>
 
 #include "character/character_rig.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#include "tab_table.hpp"
 
 namespace shigusa::bench {
 namespace {
@@ -20,18 +20,9 @@ constexpr std::size_t kManifestMaxBytes = 1 << 20;
 using Bone = HumanoidBone;
 constexpr std::array kBones{Bone::right_upper_arm, Bone::right_lower_arm, Bone::right_upper_leg,
                             Bone::right_lower_leg, Bone::right_foot,      Bone::left_upper_arm,
-                            Bone::left_upper_leg,  Bone::left_lower_leg,  Bone::left_foot};
+                            Bone::left_upper_leg,  Bone::left_lower_leg,  Bone::left_foot,
+                            Bone::right_hand};
 static_assert(kBones.size() == right_grip);
-
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(at);
-    parts.push_back(text.substr(0, end));
-    if (end == text.npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
 
 std::optional<int> number(std::string_view text) {
   int value = 0;

@@ -32,6 +32,7 @@ enum Joint {
   left_hip,
   left_knee,
   left_ankle,
+  right_wrist,
   right_grip,
   kJoints
 };
