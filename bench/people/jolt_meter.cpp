@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "jolt_meter.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include "criteria/replay.hpp"
@@ -85,10 +85,63 @@ void find_driver(const BodyModel& body, const Motion& motion, const Keeper& kept
     most = makes;
     jolt.driver = static_cast<int>(d);
   }
-  if (jolt.driver < 0) return;
-  const double angle = angles[static_cast<std::size_t>(jolt.driver)];
-  jolt.room = std::fmin(angle - body.dof(jolt.driver).lower,
-                        upper_limit(body, jolt.driver, angles) - angle);
+}
+
+constexpr double kStopped = radians(0.4);  // of a step: a change of it that is seen
+constexpr double kKink = radians(0.25);    // the same, of a step's change
+constexpr double kNearLimit = radians(8.0);
+constexpr double kAtLimit = radians(0.2);
+
+// The steps (rad a frame) of one freedom around a jolt's frame.
+struct Steps {
+  const BodyModel* body;
+  const Clip* clip;
+  int dof;
+
+  [[nodiscard]] double angle(int frame) const { return held(frame)[static_cast<std::size_t>(dof)]; }
+  [[nodiscard]] double step(int frame) const { return angle(frame) - angle(frame - 1); }
+  // rad, to the nearest limit
+  [[nodiscard]] double room(int frame) const {
+    return std::fmin(angle(frame) - body->dof(dof).lower,
+                     upper_limit(*body, dof, held(frame)) - angle(frame));
+  }
+  [[nodiscard]] bool stops(int frame) const {
+    return room(frame) < kNearLimit &&
+           std::fabs(step(frame)) - std::fabs(step(frame + 1)) > kStopped;
+  }
+  [[nodiscard]] bool leaves(int frame) const {
+    return room(frame) < kAtLimit && std::fabs(step(frame + 1)) - std::fabs(step(frame)) > kStopped;
+  }
+  [[nodiscard]] bool kinks(int frame) const {
+    return std::fabs(step(frame + 1) - 2.0 * step(frame) + step(frame - 1)) > kKink;
+  }
+
+ private:
+  [[nodiscard]] std::span<const double> held(int frame) const {
+    return clip->frame(std::clamp(frame, 0, clip->frames - 1));
+  }
+};
+
+JoltEvent event_of(const BodyModel& body, const Clip& clip, int frame) {
+  if (frame <= 2) return JoltEvent::first_frames;
+  if (frame + 2 >= clip.frames) return JoltEvent::last_frames;
+  const auto some = [&](bool (Steps::*does)(int) const) {
+    for (int d = 0; d < clip.dofs; ++d) {
+      const Steps steps{&body, &clip, d};
+      for (int f = frame - 1; f <= frame + 1; ++f) {
+        if ((steps.*does)(f)) return true;
+      }
+    }
+    return false;
+  };
+  if (some(&Steps::stops)) return JoltEvent::to_limit;
+  if (some(&Steps::leaves)) return JoltEvent::from_limit;
+  return some(&Steps::kinks) ? JoltEvent::kink : JoltEvent::smooth;
+}
+
+void explain(const BodyModel& body, const Motion& motion, const Keeper& kept, Jolt& jolt) {
+  find_driver(body, motion, kept, jolt);
+  jolt.event = event_of(body, motion.clip, jolt.frame);
 }
 
 }  // namespace
@@ -110,8 +163,8 @@ Jolts jolts_of(const BodyModel& body, const Motion& motion) {
       jolts.torque = {.size = share, .frame = frame, .joint = static_cast<int>(d)};
     }
   }
-  if (jolts.pressure_jolts()) find_driver(body, motion, kept, jolts.pressure);
-  if (jolts.torque_jolts()) find_driver(body, motion, kept, jolts.torque);
+  if (jolts.pressure_jolts()) explain(body, motion, kept, jolts.pressure);
+  if (jolts.torque_jolts()) explain(body, motion, kept, jolts.torque);
   return jolts;
 }
 

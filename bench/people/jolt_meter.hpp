@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include <array>
 #include <shigusa/body_model.hpp>
 #include <shigusa/motion.hpp>
 
@@ -12,13 +12,25 @@ namespace shigusa::bench {
 inline constexpr double kPressureMoves = 0.03;
 inline constexpr double kTorqueMoves = 0.30;
 
+// What joints do around a jolt, the first that is so.
+enum class JoltEvent {
+  first_frames,  // the motion begins
+  last_frames,   // it ends
+  to_limit,      // a joint is stopped by its limit
+  from_limit,    // a joint leaves its limit at once
+  kink,          // a joint's step changes at once
+  smooth,        // none of these: the whole body moves strongly
+};
+inline constexpr std::array kJoltEvents{"frames 1–2",     "frames 59–60", "stopped by a limit",
+                                        "leaves a limit", "a kink",       "smooth, but strong"};
+
 // A motion's greatest change of one kind from a frame to the next.
 struct Jolt {
   double size = 0.0;  // m of the pressure, or the share of a strength
   int frame = 0;      // the later of the two
   int joint = -1;     // freedom whose torque it is; -1 of the pressure
   int driver = -1;    // freedom whose change of acceleration makes most of it
-  double room = kPi;  // rad, how far the driver is from its nearest limit then
+  JoltEvent event = JoltEvent::smooth;
 };
 struct Jolts {
   Jolt pressure;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <shigusa/generate.hpp>
 #include <shigusa/parallel.hpp>
@@ -21,6 +22,7 @@ constexpr std::size_t kNamesShown = 6;
 // What one task's candidates do; none where the goals are not met.
 struct Measured {
   std::vector<Jolts> candidates;
+  std::vector<Verdict> verdicts;   // of them
   std::vector<std::string> names;  // (freedoms) of the body
 };
 
@@ -33,6 +35,7 @@ Measured measured(int index) {
   for (const Dof& dof : body.dofs()) result.names.push_back(dof.name);
   for (const Candidate& candidate : generation->candidates) {
     result.candidates.push_back(jolts_of(body, candidate.motion));
+    result.verdicts.push_back(candidate.judgement.verdict);
   }
   return result;
 }
@@ -54,38 +57,45 @@ struct Count {
   }
 };
 
-// The motions of one kind of task.
-struct KindCount {
+// Counts of first choices and of all.
+struct BothCounts {
   Count first, every;
 
-  void add(const Measured& task) {
-    for (std::size_t c = 0; c < task.candidates.size(); ++c) {
-      if (c == 0) first.add(task.candidates[c]);
-      every.add(task.candidates[c]);
+  void add(const Jolts& jolts, bool is_first) {
+    if (is_first) first.add(jolts);
+    every.add(jolts);
+  }
+  [[nodiscard]] std::vector<std::string> row(const std::string& name) const {
+    std::vector<std::string> cells{name};
+    for (const Count* each : {&first, &every}) {
+      const auto more = each->cells();
+      cells.insert(cells.end(), more.begin(), more.end());
     }
+    return cells;
   }
 };
 
 std::string shares(const std::vector<Measured>& tasks) {
-  Table table({"asked for", "first choices", "jolt", "by pressure", "by a torque", "candidates",
-               "jolt", "by pressure", "by a torque"});
+  Table table({"", "first choices", "jolt", "by pressure", "by a torque", "candidates", "jolt",
+               "by pressure", "by a torque"});
   const auto kinds = hand_task_kinds();
-  std::vector<KindCount> counts(kinds.size());
-  KindCount all;
+  std::vector<BothCounts> by_kind(kinds.size());
+  std::array<BothCounts, kEnumWords<Verdict>.size()> by_verdict;
+  BothCounts all;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    counts[i % kinds.size()].add(tasks[i]);
-    all.add(tasks[i]);
-  }
-  const auto row = [&](const std::string& name, const KindCount& count) {
-    std::vector<std::string> cells{name};
-    for (const Count* each : {&count.first, &count.every}) {
-      const auto more = each->cells();
-      cells.insert(cells.end(), more.begin(), more.end());
+    for (std::size_t c = 0; c < tasks[i].candidates.size(); ++c) {
+      const Jolts& jolts = tasks[i].candidates[c];
+      by_kind[i % kinds.size()].add(jolts, c == 0);
+      by_verdict[static_cast<std::size_t>(tasks[i].verdicts[c])].add(jolts, c == 0);
+      all.add(jolts, c == 0);
     }
-    table.add(cells);
-  };
-  for (std::size_t k = 0; k < kinds.size(); ++k) row(kinds[k], counts[k]);
-  row("**all**", all);
+  }
+  for (std::size_t k = 0; k < kinds.size(); ++k) table.add(by_kind[k].row(kinds[k]));
+  table.add(all.row("**all**"));
+  for (const auto& word : kEnumWords<Verdict>) {
+    const auto name = fmt::format("of these, *{}*", word_of(word.value));
+    table.add(by_verdict[static_cast<std::size_t>(word.value)].row(name));
+  }
   return table.text();
 }
 
@@ -112,13 +122,13 @@ std::string most_frequent(const std::map<std::string, int>& counts) {
 
 // What jolts, what moves it, and when; of all candidates.
 std::string causes(const std::vector<Measured>& tasks) {
-  std::map<std::string, int> joints, frames[2], drivers[2], rooms[2];
+  std::map<std::string, int> joints, frames[2], drivers[2], events[2];
   const auto take = [&](const Measured& task, const Jolt& jolt, std::size_t kind) {
     ++frames[kind][part_of(jolt.frame)];
+    ++events[kind][kJoltEvents[static_cast<std::size_t>(jolt.event)]];
     if (jolt.joint >= 0) ++joints[task.names[static_cast<std::size_t>(jolt.joint)]];
     if (jolt.driver < 0) return;
     ++drivers[kind][task.names[static_cast<std::size_t>(jolt.driver)]];
-    ++rooms[kind][jolt.room < radians(0.2) ? "at it" : jolt.room < radians(8.0) ? "< 8°" : "> 8°"];
   };
   for (const Measured& task : tasks) {
     for (const Jolts& jolts : task.candidates) {
@@ -130,7 +140,7 @@ std::string causes(const std::vector<Measured>& tasks) {
   table.add({"frames", most_frequent(frames[0]), most_frequent(frames[1])});
   table.add({"joint whose torque it is", "–", most_frequent(joints)});
   table.add({"joint that makes it", most_frequent(drivers[0]), most_frequent(drivers[1])});
-  table.add({"from its limit", most_frequent(rooms[0]), most_frequent(rooms[1])});
+  table.add({"what happens then", most_frequent(events[0]), most_frequent(events[1])});
   return table.text();
 }
 
@@ -150,8 +160,10 @@ std::string jolts_section() {
   text += shares(tasks);
   text +=
       "\nThe greatest change of each motion that jolts, with the number of motions. *Joint that "
-      "makes it*: the freedom whose change of acceleration makes the largest part of it; *from its "
-      "limit*: how far that one is from its nearest limit then.\n\n";
+      "makes it*: the freedom whose change of acceleration makes the largest part of it; *what "
+      "happens then*: at the motion's ends that; else a joint that is stopped by its limit, or "
+      "leaves "
+      "it at once, or changes its step at once, in this order; else nothing of these.\n\n";
   return text + causes(tasks);
 }
 

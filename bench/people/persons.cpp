@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <shigusa/generate.hpp>
 #include <shigusa/human_body.hpp>
 #include <shigusa/parallel.hpp>
@@ -126,10 +127,26 @@ std::string table_of(const std::vector<RecordedReach>& reaches, const std::vecto
   return table.text();
 }
 
+// The share of persons whose style the chosen candidates have; one whose reaches differ counts by
+// the share of them.
+double share_of_persons(const std::vector<RecordedReach>& reaches, const std::vector<bool>& same) {
+  std::map<std::string, std::pair<int, int>> counts;  // of the same style, and all
+  for (std::size_t i = 0; i < reaches.size(); ++i) {
+    auto& [found, all] = counts[reaches[i].person];
+    found += same[i] ? 1 : 0;
+    ++all;
+  }
+  double sum = 0.0;
+  for (const auto& [person, count] : counts) {
+    sum += static_cast<double>(count.first) / count.second;
+  }
+  return sum / static_cast<double>(counts.size());
+}
+
 // Medians of how far figures are from the recorded ones, and shares of styles.
 std::string sums(const std::vector<RecordedReach>& reaches, const std::vector<Beside>& made) {
   Table table({"median difference from the record", "trunk, °", "knee, °", "pelvis drop, cm",
-               "pelvis back, cm", "bow / distance", "peak", "same style"});
+               "pelvis back, cm", "bow / distance", "peak", "same style", "of persons"});
   const auto row = [&](const char* name, const std::function<std::size_t(const Beside&)>& chosen) {
     std::vector<std::string> cells{name};
     for (const Column& c : kColumns) {
@@ -140,11 +157,13 @@ std::string sums(const std::vector<RecordedReach>& reaches, const std::vector<Be
       }
       cells.push_back(fmt::format("{:.{}f}", median(differences), c.digits));
     }
-    int same = 0;
+    std::vector<bool> same;
     for (std::size_t i = 0; i < reaches.size(); ++i) {
-      if (same_style(made[i].candidates[chosen(made[i])], reaches[i].figures)) ++same;
+      same.push_back(same_style(made[i].candidates[chosen(made[i])], reaches[i].figures));
     }
-    cells.push_back(fmt::format("{} of {}", same, reaches.size()));
+    cells.push_back(
+        fmt::format("{} of {}", std::count(same.begin(), same.end(), true), reaches.size()));
+    cells.push_back(fmt::format("{:.0f} %", 100.0 * share_of_persons(reaches, same)));
     table.add(cells);
   };
   row("best-scored", [](const Beside&) { return std::size_t{0}; });
@@ -171,7 +190,7 @@ Result<std::string> persons_section(const std::filesystem::path& path) {
       "best-scored, nearest of {} by trunk and knee. *Bow*: how far in front of its straight way "
       "the wrist is where it is farthest from that; *peak*: the share of the time at which it is "
       "fastest. The same *style*: a trunk within {:.0f}° and knees within {:.0f}° of the recorded "
-      "change.\n\n",
+      "change; *of persons*: each person counts once, by the share of their reaches.\n\n",
       kCandidates, kCandidates, degrees(kTrunkNear), degrees(kKneeNear));
   return text + sums(reaches, made) + "\n" + table_of(reaches, made);
 }
