@@ -120,7 +120,7 @@ std::string most_frequent(const std::map<std::string, int>& counts) {
   return text.empty() ? "–" : text;
 }
 
-// What jolts, what moves it, and when; of all candidates.
+// A table of the joints, the times and the events of jolts; of all candidates.
 std::string causes(const std::vector<Measured>& tasks) {
   std::map<std::string, int> joints, frames[2], drivers[2], events[2];
   const auto take = [&](const Measured& task, const Jolt& jolt, std::size_t kind) {

@@ -80,6 +80,7 @@ Result<void> write_page(const std::filesystem::path& docs, const Sources& source
     SHG_TRY_ASSIGN(const std::string text, section.text(sources));
     page += "\n" + text;
   }
+  page += "\n" + reaches_section(man);
   SHG_TRY(write_pictures(man, docs));
   std::ifstream remarks(docs / "people_remarks.md", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(remarks), {}};

@@ -8,8 +8,7 @@
 
 namespace shigusa::bench {
 
-// What one recorded reach is like; lengths of the wrist that is marked, changes from its start to
-// its end.
+// The figures of one reach: changes from its start to its end, and its wrist's path.
 struct ReachFigures {
   double trunk = 0.0;  // rad, forwards
   double knee = 0.0;   // rad, of flexion

@@ -7,8 +7,8 @@
 
 namespace shigusa::bench {
 
-// What `regularities.py` found, from a folder of its JSON files: `0.json` by default options, the
-// others named "N OPTIONS.json".
+// The findings of `regularities.py`, from a folder of its JSON files: `0.json` has those by default
+// options, the others are named "N OPTIONS.json".
 [[nodiscard]] Result<std::string> regularities_section(const std::filesystem::path& folder);
 
 }  // namespace shigusa::bench
