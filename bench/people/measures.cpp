@@ -34,20 +34,30 @@ std::vector<bool> nine_of(const BodyModel& body) {
   return nine;
 }
 
-// How far forwards of its straight line the hand is where it is farthest from that.
-double bow_of(const Track& track) {
-  const Vec3d from = track.joints.front()[right_grip];
-  const Vec3d along = normalized(track.joints.back()[right_grip] - from);
+}  // namespace
+
+double trunk_lean(const Joints& joints) {
+  const Vec3d trunk =
+      middle(joints, right_shoulder, left_shoulder) - middle(joints, right_hip, left_hip);
+  return std::atan2(trunk.z, trunk.y);
+}
+
+double mean_knee(const Joints& joints) {
+  return 0.5 * (knee_flexion(joints, right_hip, right_knee, right_ankle) +
+                knee_flexion(joints, left_hip, left_knee, left_ankle));
+}
+
+double forward_bow(const Track& track, Joint joint) {
+  const Vec3d from = track.joints.front()[joint];
+  const Vec3d along = normalized(track.joints.back()[joint] - from);
   Vec3d farthest{};
   for (const Joints& joints : track.joints) {
-    const Vec3d gone = joints[right_grip] - from;
+    const Vec3d gone = joints[joint] - from;
     const Vec3d off = gone - along * dot(gone, along);
     if (norm(off) > norm(farthest)) farthest = off;
   }
   return farthest.z;
 }
-
-}  // namespace
 
 Looks looks_of(const Track& track) {
   Looks looks;
@@ -56,8 +66,7 @@ Looks looks_of(const Track& track) {
   const Vec3d hips = middle(last, right_hip, left_hip);
   const Vec3d trunk = middle(last, right_shoulder, left_shoulder) - hips;
   looks.trunk = std::acos(std::clamp(trunk.y / norm(trunk), -1.0, 1.0));
-  looks.knee = 0.5 * (knee_flexion(last, right_hip, right_knee, right_ankle) +
-                      knee_flexion(last, left_hip, left_knee, left_ankle));
+  looks.knee = mean_knee(last);
   const Vec3d moved = hips - middle(first, right_hip, left_hip);
   looks.drop = -moved.y;
   looks.back = -moved.z;
@@ -71,7 +80,7 @@ Looks looks_of(const Track& track) {
     looks.peak_speed = speed;
     looks.peak_time = static_cast<double>(f) / static_cast<double>(track.joints.size() - 1);
   }
-  looks.bow = bow_of(track);
+  looks.bow = forward_bow(track, right_grip);
   looks.path_ratio = path / norm(last[right_grip] - first[right_grip]);
   return looks;
 }

@@ -18,6 +18,13 @@ struct Looks {
 };
 [[nodiscard]] Looks looks_of(const Track& track);
 
+// rad: from hips to shoulders, against the vertical; more than 0 where it leans forwards.
+[[nodiscard]] double trunk_lean(const Joints& joints);
+// rad: mean flexion of the knees.
+[[nodiscard]] double mean_knee(const Joints& joints);
+// How far in front of its straight line a joint is (m) where it is farthest from that.
+[[nodiscard]] double forward_bow(const Track& track, Joint joint);
+
 // How far two reaches are apart; moments are those of equal shares of the duration. Of angles it is
 // the root mean square over time of each freedom, averaged over the freedoms.
 struct Apart {

@@ -214,7 +214,8 @@ std::string people_page(const std::vector<Compared>& compared) {
       "skeleton, the posture that he starts from, where his right hand ends and how long he takes, "
       "and nothing else: the preset `flat` with 8 candidates on his body of the extent `human`. No "
       "weight was tuned on these numbers: they are one man on one day, and say where criteria and "
-      "parameters are wrong.\n\n";
+      "parameters are wrong. After him come published regularities, other recorded persons, and "
+      "how evenly and smoothly random tasks are met.\n\n";
   page += fmt::format(
       "*Final place* is the mean distance of right shoulder, elbow, hip and knee at the end, from "
       "his joints as recorded. *Nine angles* are the right side's nine freedoms of the paper's "
@@ -247,8 +248,11 @@ std::string people_page(const std::vector<Compared>& compared) {
       "itself: the difference of angles is the score. They have seen what they are compared "
       "with, so this is no forecast, but the least that these parameters leave.\n\n";
   page += fits(compared);
-  page += "\n## Reach by reach\n" + each_reach(compared);
   return page;
+}
+
+std::string reaches_section(const std::vector<Compared>& compared) {
+  return "## Reach by reach\n\nThe recorded man's.\n" + each_reach(compared);
 }
 
 }  // namespace shigusa::bench

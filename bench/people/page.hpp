@@ -28,8 +28,10 @@ struct Compared {
   int candidates = 0;
 };
 
-// The page but for its remarks.
+// The page's first part: the recorded man.
 [[nodiscard]] std::string people_page(const std::vector<Compared>& compared);
+// Each of his reaches.
+[[nodiscard]] std::string reaches_section(const std::vector<Compared>& compared);
 
 struct NamedPicture {
   std::string name;  // "00_start-low-recorded"

@@ -5,11 +5,11 @@
 #include <charconv>
 #include <shigusa/bvh.hpp>
 #include <shigusa/file.hpp>
-#include <string_view>
 
 #include "character/character_rig.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#include "tab_table.hpp"
 
 namespace shigusa::bench {
 namespace {
@@ -20,18 +20,9 @@ constexpr std::size_t kManifestMaxBytes = 1 << 20;
 using Bone = HumanoidBone;
 constexpr std::array kBones{Bone::right_upper_arm, Bone::right_lower_arm, Bone::right_upper_leg,
                             Bone::right_lower_leg, Bone::right_foot,      Bone::left_upper_arm,
-                            Bone::left_upper_leg,  Bone::left_lower_leg,  Bone::left_foot};
+                            Bone::left_upper_leg,  Bone::left_lower_leg,  Bone::left_foot,
+                            Bone::right_hand};
 static_assert(kBones.size() == right_grip);
-
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(at);
-    parts.push_back(text.substr(0, end));
-    if (end == text.npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
 
 std::optional<int> number(std::string_view text) {
   int value = 0;
@@ -124,8 +115,7 @@ Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& se
   return reach;
 }
 
-Track track_of(const Recorded& reach, const Clip& clip) {
-  const BodyModel& body = reach.body;
+Track joints_track(const BodyModel& body, const Clip& clip) {
   Track track;
   track.frame_time = clip.frame_time;
   track.angles = clip;
@@ -143,6 +133,12 @@ Track track_of(const Recorded& reach, const Clip& clip) {
     for (const BodyNode* node : nodes) joints.push_back(placed.point(node->link, node->point));
     track.joints.push_back(std::move(joints));
   }
+  return track;
+}
+
+Track track_of(const Recorded& reach, const Clip& clip) {
+  const BodyModel& body = reach.body;
+  Track track = joints_track(body, clip);
   const SkeletonMotion motion = skeleton_motion(body, clip);
   const Rig rig = own_rig(*reach.person.landmarks, motion);
   track.paper_angles =

@@ -32,6 +32,7 @@ enum Joint {
   left_hip,
   left_knee,
   left_ankle,
+  right_wrist,
   right_grip,
   kJoints
 };
@@ -65,6 +66,9 @@ struct Recorded {
 // With `heels`, on a body whose heels lift.
 [[nodiscard]] Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& segment,
                                           bool heels = false);
+
+// A motion of a body that has these joints; without the angles of another body.
+[[nodiscard]] Track joints_track(const BodyModel& body, const Clip& clip);
 
 // A generated motion of the reach's body.
 [[nodiscard]] Track track_of(const Recorded& reach, const Clip& clip);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <shigusa/body_model.hpp>
+#include <shigusa/motion.hpp>
+
+namespace shigusa::bench {
+
+// From one of a motion's 60 frames to the next, the floor's pressure moves by more than this (m),
+// or a torque by more than this share of the joint's strength both ways, in a jolt.
+inline constexpr double kPressureMoves = 0.03;
+inline constexpr double kTorqueMoves = 0.30;
+
+// What joints do around a jolt, the first that is so.
+enum class JoltEvent {
+  first_frames,  // the motion begins
+  last_frames,   // it ends
+  to_limit,      // a joint is stopped by its limit
+  from_limit,    // a joint leaves its limit at once
+  kink,          // a joint's step changes at once
+  smooth,        // none of these: the whole body moves strongly
+};
+inline constexpr std::array kJoltEvents{"frames 1–2",     "frames 59–60", "stopped by a limit",
+                                        "leaves a limit", "a kink",       "smooth, but strong"};
+
+// A motion's greatest change of one kind from a frame to the next.
+struct Jolt {
+  double size = 0.0;  // m of the pressure, or the share of a strength
+  int frame = 0;      // the later of the two
+  int joint = -1;     // freedom whose torque it is; -1 of the pressure
+  int driver = -1;    // freedom whose change of acceleration makes most of it
+  JoltEvent event = JoltEvent::smooth;
+};
+struct Jolts {
+  Jolt pressure;
+  Jolt torque;
+
+  [[nodiscard]] bool pressure_jolts() const { return pressure.size > kPressureMoves; }
+  [[nodiscard]] bool torque_jolts() const { return torque.size > kTorqueMoves; }
+  [[nodiscard]] bool any() const { return pressure_jolts() || torque_jolts(); }
+};
+[[nodiscard]] Jolts jolts_of(const BodyModel& body, const Motion& motion);
+
+}  // namespace shigusa::bench

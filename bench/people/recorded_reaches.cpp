@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "recorded_reaches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <shigusa/file.hpp>
+#include <shigusa/scalar.hpp>
+#include <shigusa/words.hpp>
+
+#include "tab_table.hpp"
+
+namespace shigusa::bench {
+namespace {
+
+constexpr std::size_t kTableMaxBytes = 1 << 20;
+
+// Somebody stands with arms hanging: the wrist is at about the hips' height, the trunk upright and
+// the knees nearly straight. A reach goes somewhere in front of them.
+constexpr double kHangsFrom = 0.70;  // m
+constexpr double kHangsTo = 1.05;    // m
+constexpr double kUpright = 15.0;    // degrees
+constexpr double kStraight = 35.0;   // degrees
+constexpr double kInFront = 0.10;    // m
+
+// Reads the cells of a row by the names of their columns.
+class Row {
+ public:
+  Row(const std::vector<std::string_view>& head, std::vector<std::string_view> cells)
+      : head_(&head), cells_(std::move(cells)) {}
+
+  [[nodiscard]] std::string_view text(std::string_view column) const {
+    const auto found = std::find(head_->begin(), head_->end(), column);
+    const auto at = static_cast<std::size_t>(found - head_->begin());
+    return at < cells_.size() ? cells_[at] : std::string_view{};
+  }
+  // NaN where there is none
+  [[nodiscard]] double number(std::string_view column) const {
+    return parse_number(text(column)).value_or(std::nan(""));
+  }
+
+ private:
+  const std::vector<std::string_view>* head_;
+  std::vector<std::string_view> cells_;
+};
+
+bool can_be_set_up(const Row& row) {
+  const double from = row.number("h0");
+  return from >= kHangsFrom && from <= kHangsTo && std::fabs(row.number("tr0")) <= kUpright &&
+         row.number("kn0") <= kStraight && row.number("f1") >= kInFront && row.number("dur") > 0.0;
+}
+
+RecordedReach reach_of(const Row& row) {
+  const auto change = [&](const char* from, const char* to) {
+    return radians(row.number(to) - row.number(from));
+  };
+  RecordedReach reach;
+  reach.person = row.text("person");
+  reach.both = row.text("hand").starts_with("both") ||
+               row.text("action").find("both hands") != std::string_view::npos;
+  reach.duration = row.number("dur");
+  reach.from = row.number("h0");
+  reach.height = row.number("h1");
+  reach.ahead = row.number("f1");
+  reach.figures = {.trunk = change("tr0", "tr1"),
+                   .knee = change("kn0", "kn1"),
+                   .drop = -row.number("pdy"),
+                   .back = -row.number("pfw"),
+                   .bow = row.number("bowf") / row.number("D"),
+                   .peak = row.number("pf")};
+  return reach;
+}
+
+}  // namespace
+
+Result<std::vector<RecordedReach>> read_recorded_reaches(const std::filesystem::path& table) {
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(table, kTableMaxBytes));
+  const auto lines = split(text, '\n');
+  const auto head = split(lines.front(), '\t');
+  for (const char* column : {"person", "action", "hand", "dur", "D", "h0", "h1", "f1", "pdy", "pfw",
+                             "bowf", "pf", "tr0", "tr1", "kn0", "kn1"}) {
+    if (std::find(head.begin(), head.end(), column) != head.end()) continue;
+    return fail(ErrorCode::parse, std::string("has no column ") + column, table.string());
+  }
+  std::vector<RecordedReach> reaches;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const Row row(head, split(lines[i], '\t'));
+    if (can_be_set_up(row)) reaches.push_back(reach_of(row));
+  }
+  if (reaches.empty()) return fail(ErrorCode::parse, "has no reach to set up", table.string());
+  return reaches;
+}
+
+}  // namespace shigusa::bench
