@@ -242,6 +242,10 @@ class BodyModel {
   /// Index of the effector of that name, or of that node, or nothing. Goals can be given for the
   /// effectors, and then for the body's named nodes that can move.
   [[nodiscard]] std::optional<int> find_effector(std::string_view name) const;
+  /// The node of that name; null where the body has none.
+  [[nodiscard]] const BodyNode* find_node(std::string_view name) const;
+  /// Length of an effector's limb (m): the distances along its chain, stretched out.
+  [[nodiscard]] double limb_length(const Effector& effector) const;
   /// The effector of that index, 0..effector_count()-1; the hands come first.
   [[nodiscard]] const Effector& effector(int i) const {
     const auto k = static_cast<std::size_t>(i);

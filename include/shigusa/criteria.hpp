@@ -123,8 +123,8 @@ struct FeasibilitySettings {
   double outside = kFeasibilityOutside;  ///< m, > 0
 };
 
-/// Difference (rad) from people's proportions at which the penalty is full, were knees and back
-/// both off by it and twice.
+/// Half the difference (rad) of the knees from people's proportions at which half of the penalty is
+/// reached.
 inline constexpr double kCoordinationAngle = 0.35;
 /// Sets the scale of the criterion coordination: whether knees bend along with the trunk as
 /// people's do.
@@ -159,8 +159,8 @@ struct MassAheadSettings {
   std::vector<int> effectors{};     ///< of the task's goals; all hands where none are given
 };
 
-/// Change of a torque or of the floor's pressure from frame to frame at which the penalty is full,
-/// as a share of what counts as a jolt: 30 % of the strength, or 3 cm.
+/// Change of a torque or of the floor's pressure within 1/60 s at which half of the penalty is
+/// reached, as a share of what counts as a jolt: 30 % of the strength, or 3 cm.
 inline constexpr double kJoltLimit = 1.0;
 /// Sets the scale of the criterion jolts: how suddenly torques and the floor's pressure change.
 struct JoltsSettings {
@@ -217,6 +217,9 @@ struct CriteriaSettings {
   JoltsSettings jolts{};                           ///< scale of jolts
   std::vector<UserCriterion> user{};               ///< the user's own
 };
+
+/// Tells the criteria that look at reaching hands which effectors those are.
+void set_reaching(CriteriaSettings& settings, const std::vector<int>& effectors);
 
 /// The paper's three by rule R8's weights: what CriteriaSettings is by default.
 [[nodiscard]] CriteriaSettings paper_criteria();

@@ -120,6 +120,21 @@ const LimitCoupling* BodyModel::coupling_of(int dof) const {
   return found == all.end() ? nullptr : &*found;
 }
 
+const BodyNode* BodyModel::find_node(std::string_view name) const {
+  for (const BodyNode& node : nodes()) {
+    if (node.name == name) return &node;
+  }
+  return nullptr;
+}
+
+double BodyModel::limb_length(const Effector& effector) const {
+  double length = norm(effector.point);
+  for (int d = effector.link; d != effector.limb_root && d != kBaseLink; d = dof(d).parent) {
+    length += norm(dof(d).offset);
+  }
+  return length;
+}
+
 std::optional<int> BodyModel::find_effector(std::string_view name) const {
   for (const std::string& word : {std::string(name), joint_word(name)}) {
     for (int i = 0; i < effector_count(); ++i) {

@@ -31,8 +31,8 @@ constexpr std::string_view kElbowSentence = "The elbow bends: the arm's contract
 constexpr std::string_view kSwivelSentence = "The upper arm turns outwards about its axis.";
 constexpr std::string_view kWristSentence = "The hand bends to the palm's side, or back.";
 
-// How far a body squats and leans as it starts (rad): by so much less it can do so; nothing of who
-// stands as people do.
+// How far a body squats and leans as it starts (rad): by so much it can straighten; nothing of who
+// stands as people do, or sits and has no knees to straighten.
 struct Bent {
   double squat = 0.0;
   double lean = 0.0;
@@ -40,15 +40,20 @@ struct Bent {
 
 Bent bent_at_start(const BodyModel& body) {
   constexpr double kStands = radians(20.0);
-  const auto at_start = [&](const char* name) {
-    const auto dof = body.find_dof(name);
-    return dof ? body.start()[static_cast<std::size_t>(*dof)] : 0.0;
+  // of both sides, or of the one that the body has
+  const auto at_start = [&](const std::string& name) {
+    const auto right = body.find_dof("right_" + name);
+    const auto left = body.find_dof("left_" + name);
+    if (!right && !left) return 0.0;
+    const double one = body.start()[static_cast<std::size_t>(right ? *right : *left)];
+    return left ? min(one, body.start()[static_cast<std::size_t>(*left)]) : one;
   };
-  const double knees = min(at_start("right_knee.flexion"), at_start("left_knee.flexion"));
-  const double hips = min(at_start("right_hip.flexion"), at_start("left_hip.flexion"));
   Bent bent;
-  if (knees > kStands) bent.squat = knees;
-  if (hips - 0.5 * bent.squat > kStands) bent.lean = hips - 0.5 * bent.squat;
+  const double knees = at_start("knee.flexion");
+  if (knees <= kStands) return bent;
+  bent.squat = knees;
+  const double hips = at_start("hip.flexion") - 0.5 * knees;
+  if (hips > kStands) bent.lean = hips;
   return bent;
 }
 
@@ -110,7 +115,7 @@ std::vector<PostureMode> posture_modes(const BodyModel& body) {
   ModeBuilder modes(body);
   const Bent bent = bent_at_start(body);
   if (body.find_dof("right_knee.flexion")) {
-    modes.add("squat", kSquatSentence, -bent.squat, radians(130.0),
+    modes.add("squat", kSquatSentence, 0.0 - bent.squat, radians(130.0),
               {{"right_knee.flexion", 1.0},
                {"left_knee.flexion", 1.0},
                {"right_hip.flexion", 0.5},

@@ -6,6 +6,11 @@
 
 namespace shigusa {
 
+void set_reaching(CriteriaSettings& settings, const std::vector<int>& effectors) {
+  settings.coordination.effectors = settings.hand_curve.effectors = effectors;
+  settings.trunk_travel.effectors = settings.mass_ahead.effectors = effectors;
+}
+
 CriteriaSettings paper_criteria() { return {}; }
 
 CriteriaSettings default_criteria() {

@@ -43,7 +43,8 @@ class HandCurve {
     for (std::size_t h = 0; h < hands_.size(); ++h) {
       ends_[h] = hands_[h].hand.in(frame.kinematics);
       if (frames_ == 0) {
-        starts_[h] = sums_[h] = ends_[h];
+        starts_[h] = ends_[h];
+        sums_[h] = ends_[h] * S(0.5);
       } else {
         sums_[h] += ends_[h];
       }
@@ -64,7 +65,9 @@ class HandCurve {
     const Vec3<S> way = ends_[h] - starts_[h];
     const S length = max(norm(way), S(1e-6));
     const Vec3<S> along = way * (S(1) / length);
-    Vec3<S> off = sums_[h] * S(1.0 / frames_) - (starts_[h] + ends_[h]) * S(0.5);
+    // both ends count half
+    Vec3<S> off = (sums_[h] - ends_[h] * S(0.5)) * S(1.0 / max(frames_ - 1, 1)) -
+                  (starts_[h] + ends_[h]) * S(0.5);
     off = (off - along * dot(off, along)) * (S(1.0 / kMeanBow) / length);
     // forwards, square to the way; a way that leads forwards bows nowhere
     const Vec3<S> forward = Vec3<S>{S(0), S(0), S(1)} - along * along.z;

@@ -9,23 +9,26 @@
 
 namespace shigusa {
 
-// A torque that changes by this share of the joint's strength, both ways together, from one frame
-// of a motion to the next is a jolt as large as …
+// A torque that changes by this share of the joint's strength, both ways together, within a
+// sixtieth of a second is a jolt as large as …
 inline constexpr double kTorqueJolt = 0.30;
 // … a floor's pressure that moves by this (m).
 inline constexpr double kPressureJolt = 0.03;
+inline constexpr double kJoltTime = 1.0 / 60.0;  // s
 
-// The greatest change of a torque or of the floor's pressure from one frame to the next, in [0, 1].
-// With t the change of a joint's torque over 0.30 of its strength both ways, and c the way of the
-// centre of pressure over 0.03 m, P = min(1, (max (t, c) / limit)⁴): of no weight until near the
-// limit.
+// How suddenly a torque or the floor's pressure changes at the worst, in [0, 1). With t the change
+// of a joint's torque over 0.30 of its strength both ways, c the way of the centre of pressure over
+// 0.03 m, both within 1/60 s, and q = (max (t, c) / limit)⁴, P = q / (1 + q): of little weight
+// until near the limit. A body without feet has no pressure.
 template <class S>
 class Jolts {
  public:
   using Settings = JoltsSettings;
 
   explicit Jolts(const BodyModel& body, const JoltsSettings& settings = {})
-      : before_(body.dofs().size()), per_limit_(1.0 / settings.limit) {
+      : before_(body.dofs().size()),
+        per_limit_(1.0 / settings.limit),
+        stands_(!body.feet().empty()) {
     for (const Dof& dof : body.dofs()) {
       per_strength_.push_back(
           static_cast<T>(1.0 / (kTorqueJolt * (dof.torque_positive + dof.torque_negative))));
@@ -44,23 +47,26 @@ class Jolts {
       worst = max(worst, abs(frame.torques[d] - before_[d]) * S(per_strength_[d]));
       before_[d] = frame.torques[d];
     }
-    const S force = max(frame.pressure.y, S(1e-3));
-    const S x = frame.pressure.x / force;
-    const S z = frame.pressure.z / force;
-    if (seen_) {
-      const S along = x - x_;
-      const S across = z - z_;
-      const S moved = (along * along + across * across) * S(kPerPressure * kPerPressure);
-      square_ = max(square_, max(worst * worst, moved));
+    S square = worst * worst;
+    if (stands_) {
+      const S force = max(frame.pressure.y, S(1e-3));
+      const S x = frame.pressure.x / force;
+      const S z = frame.pressure.z / force;
+      const S along = (x - x_) * S(kPerPressure);
+      const S across = (z - z_) * S(kPerPressure);
+      square = max(square, along * along + across * across);
+      x_ = x;
+      z_ = z;
     }
-    x_ = x;
-    z_ = z;
+    const double in_jolt_time = kJoltTime / frame.frame_time;
+    if (seen_) square_ = max(square_, square * S(in_jolt_time * in_jolt_time));
     seen_ = true;
   }
 
   [[nodiscard]] S penalty() const {
-    const S share = square_ * S(per_limit_ * per_limit_);
-    return min(S(1), share * share);
+    const S square = square_ * S(per_limit_ * per_limit_);
+    const S off = square * square;
+    return off / (S(1) + off);
   }
 
  private:
@@ -70,10 +76,11 @@ class Jolts {
   std::vector<T> per_strength_;  // (dofs) 1/(N·m)
   std::vector<S> before_;        // (dofs) N·m
   double per_limit_;
+  bool stands_;
   bool seen_ = false;
   S x_{};  // m, of the pressure
   S z_{};
-  S square_{};  // of the greatest change
+  S square_{};  // of the greatest change, in jolts
 };
 
 }  // namespace shigusa

@@ -21,9 +21,9 @@ inline constexpr double kMassNear = 0.13;
 inline constexpr double kLowReach = 0.3;
 
 // Whether the centre of mass goes along with the hands where the motion ends, in [0, 1]: people do
-// not hold it back. With c the way that it has gone over the floor, g the way from the middle of
-// the ankles to the middle of the goals' hands, both in the plane of the floor, and n people's
-// share of g, P = min(1, |c - n|² / distance²).
+// not hold it back. With c its way over the floor from where it is in a person who stands, g the
+// way from the middle of the ankles to the middle of the goals' hands, n people's share of g, and
+// q = |c - n|² / distance², P = q / (1 + q).
 template <class S>
 class MassAhead {
  public:

@@ -8,13 +8,6 @@
 namespace shigusa {
 namespace {
 
-const BodyNode* find_node(const BodyModel& body, std::string_view name) {
-  for (const BodyNode& node : body.nodes()) {
-    if (node.name == name) return &node;
-  }
-  return nullptr;
-}
-
 // where the body is upright over its feet, on legs of that length (m)
 void find_home(const BodyModel& body, const Kinematics<double>& start, double leg,
                PosturePoints& points) {
@@ -40,10 +33,10 @@ PosturePoints posture_points(const BodyModel& body) {
   double leg = 0.0;
   for (std::size_t side = 0; side < 2; ++side) {
     const std::string prefix = side == 0 ? "left_" : "right_";
-    const BodyNode* hip = find_node(body, prefix + "upper_leg");
-    const BodyNode* knee = find_node(body, prefix + "lower_leg");
-    const BodyNode* ankle = find_node(body, prefix + "foot");
-    const BodyNode* shoulder = find_node(body, prefix + "upper_arm");
+    const BodyNode* hip = body.find_node(prefix + "upper_leg");
+    const BodyNode* knee = body.find_node(prefix + "lower_leg");
+    const BodyNode* ankle = body.find_node(prefix + "foot");
+    const BodyNode* shoulder = body.find_node(prefix + "upper_arm");
     if (hip == nullptr || knee == nullptr || ankle == nullptr || shoulder == nullptr) return {};
     points.hips[side] = {hip->link, hip->point};
     points.shoulders[side] = {shoulder->link, shoulder->point};
@@ -63,21 +56,16 @@ std::vector<GoalHand> goal_hands(const BodyModel& body, const std::vector<int>& 
   std::vector<GoalHand> hands;
   for (int e = 0; e < static_cast<int>(body.effectors().size()); ++e) {
     const Effector& hand = body.effector(e);
-    const bool wanted =
-        effectors.empty() || std::find(effectors.begin(), effectors.end(), e) != effectors.end();
+    const bool wanted = effectors.empty()
+                            ? hand.name.ends_with("_hand")
+                            : std::find(effectors.begin(), effectors.end(), e) != effectors.end();
     if (!wanted || hand.part.limb != LimbKind::arm || hand.limb_root < 0) continue;
-    double arm = norm(hand.point);
-    int d = hand.link;
-    while (d != kBaseLink && d != hand.limb_root) {
-      arm += norm(body.dof(d).offset);
-      d = body.dof(d).parent;
-    }
     const LinkPoint shoulder{hand.limb_root, {}};
     const std::size_t side = hand.part.side == Side::left ? 0 : 1;
     hands.push_back({{hand.link, hand.point},
                      shoulder,
                      points.found ? points.home_shoulders[side] : shoulder.in(start),
-                     arm});
+                     body.limb_length(hand)});
   }
   return hands;
 }

@@ -222,6 +222,29 @@ void doubt(const ScoreSettings& settings, ClipScore& result) {
   }
 }
 
+// The hands that go more than half as far as the one that goes farthest: nobody tells which of a
+// recorded motion's have a goal.
+std::vector<int> reaching_hands(const BodyModel& body, const Clip& clip, int first, int last) {
+  Kinematics<double> begin(body);
+  Kinematics<double> end(body);
+  forward_kinematics<double>(body, clip.frame(first), begin);
+  forward_kinematics<double>(body, clip.frame(last), end);
+  std::vector<std::pair<double, int>> ways;
+  double farthest = 0.0;
+  for (int e = 0; e < static_cast<int>(body.effectors().size()); ++e) {
+    const Effector& hand = body.effector(e);
+    if (!hand.name.ends_with("_hand") || hand.limb_root < 0) continue;
+    const double way = norm(end.point(hand.link, hand.point) - begin.point(hand.link, hand.point));
+    ways.emplace_back(way, e);
+    farthest = max(farthest, way);
+  }
+  std::vector<int> hands;
+  for (const auto& [way, e] : ways) {
+    if (way > 0.5 * farthest) hands.push_back(e);
+  }
+  return hands;
+}
+
 }  // namespace
 
 Result<RecordedMotion> read_recorded(const std::filesystem::path& path, CharacterSpec character,
@@ -274,9 +297,12 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   Clip smooth = result.fit.clip;
   if (settings.cutoff > 0.0) low_pass(smooth, settings.cutoff);
   const int first = result.fit.before;
-  ClipPlayer player(recorded.body, settings.criteria);
+  CriteriaSettings criteria = settings.criteria;
+  set_reaching(criteria,
+               reaching_hands(recorded.body, smooth, first, first + last - settings.first));
+  ClipPlayer player(recorded.body, criteria);
   result.motion = player.play(smooth, first, first + last - settings.first);
-  result.score = summed(player.criteria(), recorded.body, result.motion, settings.criteria);
+  result.score = summed(player.criteria(), recorded.body, result.motion, criteria);
   result.measures = measure_motion(recorded.body, result.motion, settings.criteria.collision);
   // the player's meter sees the frames around
   result.measures.support = player.support().margins();

@@ -48,13 +48,6 @@ Transformd segment(Bone bone, const Landmarks& person, const HumanFrames& frames
   }
 }
 
-const BodyNode* find_node(const BodyModel& body, const std::string& name) {
-  for (const BodyNode& node : body.nodes()) {
-    if (node.name == name) return &node;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 std::optional<BoneDriver> bone_driver(Bone bone, const BodyModel& body, const Rig& rig,
@@ -66,9 +59,9 @@ std::optional<BoneDriver> bone_driver(Bone bone, const BodyModel& body, const Ri
   const bool left_leg = name == "left_upper_leg" || name == "left_lower_leg" ||
                         name == "left_foot" || name == "left_toes";
   // a half body's left leg goes as its right one
-  const bool half = left_leg && find_node(body, "left_lower_leg") == nullptr;
+  const bool half = left_leg && body.find_node("left_lower_leg") == nullptr;
   if (half) name = "right_" + name.substr(kLeft.size());
-  const BodyNode* node = find_node(body, name);
+  const BodyNode* node = body.find_node(name);
   if (node == nullptr) return std::nullopt;
   return BoneDriver{node->link, to_start, !half};
 }

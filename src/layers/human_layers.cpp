@@ -29,7 +29,11 @@ CriteriaSettings swivel_criteria() {
   CriteriaSettings criteria = default_criteria();
   criteria.balance_zone_weight = 0.0;  // with the trunk held there is nothing to balance …
   criteria.low_back_weight = 0.0;      // … and no back …
-  criteria.collision_weight = criteria.pressure_weight = 0.0;  // … and an arm alone has no feet
+  criteria.collision_weight = criteria.pressure_weight = 0.0;  // … and an arm alone has no feet …
+  criteria.coordination_weight = criteria.mass_ahead_weight = 0.0;
+  criteria.jolts_weight = 0.0;
+  // … while its hand goes and its shoulder stays wherever it swivels
+  criteria.hand_curve_weight = criteria.trunk_travel_weight = 0.0;
   criteria.torque_weight = 0.1;
   return criteria;
 }

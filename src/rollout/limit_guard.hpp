@@ -36,7 +36,8 @@ class LimitGuard {
       : coupled_(body),
         wanted_(body.dofs().size()),
         share_(wanted_),
-        most_(wanted_),
+        most_(wanted_.size(), S(1)),
+        given_(wanted_),
         softened_(wanted_),
         allowed_(wanted_) {
     for (std::size_t d = 0; d < wanted_.size(); ++d) {
@@ -73,8 +74,9 @@ class LimitGuard {
       const S margin = max(S(kLimitMargin), abs(wanted_[d]) * S(kLimitSteps));
       const S left = clamp(room / margin, S(0), S(1));
       // level where it begins: a joint that slowed down at once would jolt the body
-      share_[d] = min(left * (S(2) - left), most_[d]);
-      softened_[d] = inverse_weights[d] * share_[d];
+      share_[d] = left * (S(2) - left);
+      given_[d] = min(share_[d], most_[d]);
+      softened_[d] = inverse_weights[d] * given_[d];
     }
     for (const Stiff& s : stiff_) softened_[s.dof] = softened_[s.dof] * S(s.give);
     for (HeldHeel& heel : heels_) {
@@ -88,7 +90,7 @@ class LimitGuard {
 
   // The part of a reference (dofs, rad) that leads no freedom into its limit; after soften.
   [[nodiscard]] std::span<const S> allowed(std::span<const S> reference) {
-    for (std::size_t d = 0; d < limits_.size(); ++d) allowed_[d] = reference[d] * share_[d];
+    for (std::size_t d = 0; d < limits_.size(); ++d) allowed_[d] = reference[d] * given_[d];
     for (const HeldHeel& heel : heels_) {
       allowed_[heel.toes] = allowed_[heel.toes] + taken_of(heel, reference) * share_[heel.toes];
     }
@@ -101,7 +103,7 @@ class LimitGuard {
              std::span<const S> reference) {
     for (std::size_t d = 0; d < limits_.size(); ++d) {
       wanted_[d] = inverse_weights[d] * pull[d];
-      most_[d] = share_[d] + S(kLimitRise);
+      most_[d] = given_[d] + S(kLimitRise);
       if (!reference.empty()) wanted_[d] = wanted_[d] + reference[d];
     }
     for (const Stiff& s : stiff_) {
@@ -164,7 +166,8 @@ class LimitGuard {
   std::vector<S> upper_;     // (dofs) rad, with what the couplings add now
   std::vector<S> wanted_;    // (dofs) rad, the last step without limits
   std::vector<S> share_;     // (dofs) 0..1, how far a freedom may still follow its own weight
-  std::vector<S> most_;      // (dofs) what that may be in this step
+  std::vector<S> most_;      // (dofs) what that may be in this step …
+  std::vector<S> given_;     // (dofs) … and is, having left a limit
   std::vector<S> softened_;  // (dofs) inverse weights
   std::vector<S> allowed_;   // (dofs) rad, of the reference
 };

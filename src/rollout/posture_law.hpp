@@ -100,7 +100,7 @@ class PostureLaw {
     for (const char* side : {"left_", "right_"}) find_arm(problem, side);
   }
 
-  [[nodiscard]] bool empty() const { return !looks_ && arms_.empty(); }
+  [[nodiscard]] bool empty() const { return !looks_ && arms_.empty() && back_.empty(); }
 
   // Sets what the step to `frame` is drawn by (dofs, rad), from the placement and the angles (dofs,
   // rad) before it. `guided`: the rest of the body is drawn to a posture; the back and arms with
@@ -183,7 +183,7 @@ class PostureLaw {
     const double bent = bend_of_back(pelvis) * static_cast<double>(back_bend_);
     for (Freedom& f : back_) {
       // a file's back is straight as it starts, and a straight one bends no farther backwards
-      f.lower = min(f.start, T(0));
+      f.lower = f.start < T(0) ? f.start : T(0);
       f.start -= f.share * static_cast<T>(bent);
     }
   }
@@ -210,7 +210,7 @@ class PostureLaw {
     arm.has_elbow = elbow.has_value();
     if (elbow) {
       arm.elbow = freedom(body, *elbow);
-      arm.elbow.lower = min(arm.elbow.start, static_cast<T>(kElbowHangs));
+      arm.elbow.lower = static_cast<T>(min(static_cast<double>(arm.elbow.start), kElbowHangs));
     }
     const auto elevation = dof("clavicle.elevation");
     const auto protraction = dof("clavicle.protraction");

@@ -173,8 +173,7 @@ CriteriaSettings task_criteria(const Task& task) {
     if (const auto effector = task.body.find_effector(goal.effector))
       effectors.push_back(*effector);
   }
-  criteria.coordination.effectors = criteria.hand_curve.effectors = effectors;
-  criteria.trunk_travel.effectors = criteria.mass_ahead.effectors = effectors;
+  set_reaching(criteria, effectors);
   return criteria;
 }
 

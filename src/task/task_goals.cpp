@@ -99,15 +99,6 @@ Vec3d sway_of(const Vec3d& offset, const Vec3d& bow, const Effector& effector) {
   return dot(sway, out) < 0.0 ? -sway : sway;
 }
 
-// Length of a limb: the distances along its chain, stretched out.
-double limb_length(const BodyModel& body, const Effector& effector) {
-  double length = norm(effector.point);
-  for (int d = effector.link; d != effector.limb_root && d != kBaseLink; d = body.dof(d).parent) {
-    length += norm(body.dof(d).offset);
-  }
-  return length;
-}
-
 // Whether it is the sole's link of a leg that hangs from the pelvis: what its ankle moves, or,
 // where heels lift, its toes.
 bool is_foot(const BodyModel& body, int effector) {
@@ -253,7 +244,7 @@ double goal_duration(const BodyModel& body, const Kinematics<double>& start,
                      const ReachGoal& goal) {
   const Effector& effector = body.effector(goal.effector);
   const Vec3d root = start.origin[static_cast<std::size_t>(effector.limb_root)];
-  const bool beyond_limb = norm(goal.path.goal - root) > limb_length(body, effector);
+  const bool beyond_limb = norm(goal.path.goal - root) > body.limb_length(effector);
   return reach_duration(norm(goal.path.goal - goal.path.start), beyond_limb);
 }
 
