@@ -93,7 +93,7 @@ inline constexpr double kHeadHeight = 0.5;
 /// Sets the scale of the criterion head: whether the head stays up and can look at the goal.
 struct HeadSettings {
   double height = kHeadHeight;  ///< share, > 0
-  /// m, world: the point that the eyes are on. A task's first goal where none is given; without one
+  /// m, world: the point that the eyes are on. What a task gives where none is set; without one
   /// only the head's height counts.
   std::optional<Vec3d> gaze_target{};
 };

@@ -163,7 +163,8 @@ inline constexpr FieldTable kFields<Request>{
                .written = always}},
         Field{"look_at_m",
               &Request::look_at,
-              "The point that the eyes are on; the first goal of a limb when not given.",
+              "The point that the eyes are on; when not given, the first goal of a limb, or "
+              "between two hands'.",
               {.low = -kGoalRange,
                .high = kGoalRange,
                .option = "--look-at",

@@ -44,7 +44,7 @@ struct Task : Request {
 [[nodiscard]] Task with_preset(Task task, Preset preset);
 
 /// The criteria that the task's motions are scored by: its own, with the eyes on look_at, or on the
-/// first goal of a limb where nothing else is said.
+/// first goal of a limb, or between those of two hands, where nothing else is said.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
 
 /// A task with its goals' loads in the body's hands, whose body stands on its contacts.

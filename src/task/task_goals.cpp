@@ -261,13 +261,19 @@ Result<void> check_rows(const ReachProblem& problem) {
 }
 
 std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals) {
+  std::optional<Vec3d> first;
+  Vec3d hands{};
+  int count = 0;
   for (const Goal& goal : goals) {
     const auto index = body.find_effector(goal.effector);
     const bool limb = !index || *index < static_cast<int>(body.effectors().size()) ||
                       body.effector(*index).part.side;
-    if (limb) return goal.position;
+    if (limb && !first) first = goal.position;
+    if (!index || !goal.effector.ends_with("_hand")) continue;
+    hands += goal.position;
+    ++count;
   }
-  return std::nullopt;
+  return count == 2 ? hands * 0.5 : first;
 }
 
 Result<PreparedTask> prepared(Task task) {

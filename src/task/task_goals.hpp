@@ -28,7 +28,8 @@ namespace shigusa {
 // Fails where goals and contacts take more rows than the IK has.
 [[nodiscard]] Result<void> check_rows(const ReachProblem& problem);
 
-// Where the eyes go: the first goal of a limb, as head and trunk do not look at themselves.
+// Where the eyes go: the middle of two hands' goals, or the first goal of a limb, as head and trunk
+// do not look at themselves.
 [[nodiscard]] std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals);
 
 }  // namespace shigusa
