@@ -33,7 +33,7 @@ struct Case {
   std::vector<Known> recorded{};  // of a person's reach; no other bands hold for it
 };
 
-// What changes from case to case of a series.
+// The quantity that changes from case to case of a series.
 enum class Series { none, heights, near_and_far, distances, arms, sexes };
 
 // Cases that belong together, and go to the training or are held out as a whole.

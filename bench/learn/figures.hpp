@@ -4,7 +4,7 @@
 #include <shigusa/body_model.hpp>
 #include <shigusa/motion.hpp>
 
-// What people's motions are measured by, read off one motion.
+// Figures that people's motions are measured by, read off one motion.
 namespace shigusa::bench {
 
 // The stature that lengths are given for, so that figures of short and tall people compare (m).

@@ -7,9 +7,7 @@
 #include <iostream>
 #include <string_view>
 
-#include "measure.hpp"
-#include "mixture.hpp"
-#include "search/cma_es.hpp"
+#include "learner.hpp"
 
 namespace {
 
@@ -20,22 +18,14 @@ constexpr const char* kUsage =
     "usage: shigusa_learn_criteria SHARED_FOLDER [--evaluations N] [--seed N] [--threads N]\n"
     "         [--step X] [--scales] [--only-measure] [--list] [--weights "
     "NAME=VALUE,NAME.scale=VALUE,…]\n"
-    "         [--goals N]\n"
+    "         [--goals N] [--motions N]\n"
     "Weights that are given stand in place of the default's, or are what the search begins at.\n";
-// The queries of the last comparison have other random numbers than those of the search.
-constexpr std::uint64_t kOtherSeed = 1000;
-
 struct Options {
   std::string shared;
-  int evaluations = 320;
-  std::uint64_t seed = 0;
   std::uint64_t goals = 1;
-  int threads = 0;
-  double step = 0.12;
-  bool scales = false;
+  LearnSettings learn{};
   bool only_measure = false;
   bool list = false;  // each term that is out of its band
-  CriteriaSettings start = default_criteria();
 };
 
 template <class T>
@@ -49,6 +39,7 @@ std::optional<Options> options_of(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; ++i) {
     const std::string_view name = argv[i];
+    MeasureSettings& measure = options.learn.measure;
     const std::string_view value = i + 1 < argc ? argv[i + 1] : "";
     bool good = true;
     if (name == "--only-measure") {
@@ -56,75 +47,31 @@ std::optional<Options> options_of(int argc, char** argv) {
     } else if (name == "--list") {
       options.only_measure = options.list = true;
     } else if (name == "--scales") {
-      options.scales = true;
+      options.learn.scales = true;
     } else if (!name.starts_with("--")) {
       options.shared = name;
     } else {
       ++i;
       if (name == "--evaluations")
-        good = read(value, options.evaluations) && options.evaluations > 0;
+        good = read(value, options.learn.evaluations) && options.learn.evaluations > 0;
       else if (name == "--seed")
-        good = read(value, options.seed);
+        good = read(value, measure.seed);
       else if (name == "--goals")
         good = read(value, options.goals);
       else if (name == "--threads")
-        good = read(value, options.threads) && options.threads >= 0;
+        good = read(value, measure.threads) && measure.threads >= 0;
+      else if (name == "--motions")
+        good = read(value, measure.motions.emplace()) && *measure.motions >= kPaperPopulation;
       else if (name == "--step")
-        good = read(value, options.step);
+        good = read(value, options.learn.step);
       else if (name == "--weights")
-        good = set_weights(value, options.start).has_value();
+        good = set_weights(value, options.learn.start).has_value();
       else
         good = false;
     }
     if (!good) return {};
   }
   return options.shared.empty() ? std::nullopt : std::optional(std::move(options));
-}
-
-// The mixture of the least training loss that a search comes upon, or the middle of its last
-// points, which no chance has chosen.
-CriteriaSettings learned(const std::vector<Unit>& units, const Options& options) {
-  const auto train = part_of(units, false);
-  const auto held = part_of(units, true);
-  const MixtureSpace space(options.start, options.scales);
-  const auto genes = static_cast<std::size_t>(space.genes());
-  double least = 1e300;
-  int scored = 0;
-  SearchProblem problem;
-  problem.genes = space.genes();
-  problem.start = space.point(options.start);
-  problem.evaluate = [&](std::span<const double> points, std::span<double> scores) {
-    std::vector<CriteriaSettings> mixtures;
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-      mixtures.push_back(space.mixture(points.subspan(i * genes, genes)));
-    }
-    const auto all = measure(train, mixtures, {options.threads, options.seed});
-    for (std::size_t i = 0; i < scores.size(); ++i) {
-      ++scored;
-      scores[i] = all[i].loss;
-      if (scores[i] >= least) continue;
-      least = scores[i];
-      const auto out = measure(held, {&mixtures[i], 1}, {options.threads, options.seed});
-      std::cout << fmt::format("{} training {:.4f} held out {:.4f} jolting {:.2f} {}\n", scored,
-                               least, out[0].loss, all[i].jolting, weights_text(mixtures[i]))
-                << std::flush;
-    }
-  };
-  const CmaEsSettings settings{
-      .evaluations = options.evaluations, .step = options.step, .seed = options.seed};
-  const SearchResult found = cma_es_search(problem, settings);
-  std::vector<double> middle(genes);
-  const std::size_t last = std::min<std::size_t>(found.final_population.size(), 16);
-  for (std::size_t i = found.final_population.size() - last; i < found.final_population.size();
-       ++i) {
-    for (std::size_t g = 0; g < genes; ++g) {
-      middle[g] += found.final_population[i].point[g] / static_cast<double>(last);
-    }
-  }
-  const CriteriaSettings two[] = {space.mixture(found.best_seen.point), space.mixture(middle)};
-  const auto again = measure(train, two, {options.threads, options.seed + kOtherSeed});
-  std::cout << fmt::format("best seen {:.4f}, middle {:.4f}\n", again[0].loss, again[1].loss);
-  return again[1].loss < again[0].loss ? two[1] : two[0];
 }
 
 std::string part_of_row(const RuleResult& rule) {
@@ -137,7 +84,7 @@ std::string part_of_row(const RuleResult& rule) {
 void list_terms(const std::vector<Unit>& units, const Options& options) {
   for (const Unit& unit : units) {
     const Unit* one[] = {&unit};
-    const auto figures = best_figures(one, {&options.start, 1}, {options.threads, options.seed});
+    const auto figures = best_figures(one, {&options.learn.start, 1}, options.learn.measure);
     for (const Term& term : terms_of(unit, figures)) {
       if (term.off <= 0.0) continue;
       const Case& at = unit.cases[term.at];
@@ -186,12 +133,12 @@ int main(int argc, char** argv) {
   std::cout << fmt::format("{} tasks in {} units, {} of them held out\n", cases, units.size(),
                            part_of(units, true).size());
   if (options->only_measure) {
-    print_table(units, {options->start}, {options->threads, options->seed + kOtherSeed});
+    print_table(units, {options->learn.start}, other_seed(options->learn.measure));
     if (options->list) list_terms(units, *options);
     return 0;
   }
-  const CriteriaSettings found = learned(units, *options);
-  print_table(units, {options->start, found}, {options->threads, options->seed + kOtherSeed});
+  const CriteriaSettings found = learned(units, options->learn);
+  print_table(units, {options->learn.start, found}, other_seed(options->learn.measure));
   std::cout << "\n"
             << weights_code(found) << "\n"
             << weights_text(found) << "\n\n"

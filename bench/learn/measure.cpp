@@ -11,11 +11,13 @@ constexpr double kNotReached = 3.0;
 constexpr double kFewTerms = 6.0;
 
 // The figures of the best motion of a case.
-Figures best_of(const Case& of, const CriteriaSettings& mixture, std::uint64_t seed) {
+Figures best_of(const Case& of, const CriteriaSettings& mixture, std::uint64_t seed,
+                std::optional<int> motions) {
   Task task = of.task;
   task.criteria = mixture;
   task.candidates = 1;
   task.seed = seed;
+  task.evaluations = motions;
   task.batch.threads = 1;
   const auto made = generate(task);
   if (!made || made->candidates.empty()) return {.hard = kNotReached};
@@ -69,7 +71,8 @@ std::vector<Figures> best_figures(std::span<const Unit* const> units,
   parallel_for(static_cast<int>(figures.size()), settings.threads, [&](int i, int) {
     const auto k = static_cast<std::size_t>(i);
     const std::size_t c = k % cases.size();
-    figures[k] = best_of(*cases[c], mixtures[k / cases.size()], settings.seed + c);
+    figures[k] =
+        best_of(*cases[c], mixtures[k / cases.size()], settings.seed + c, settings.motions);
   });
   return figures;
 }

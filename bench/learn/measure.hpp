@@ -26,7 +26,8 @@ struct Measured {
 
 struct MeasureSettings {
   int threads = 0;
-  std::uint64_t seed = 0;  // of the queries
+  std::uint64_t seed = 0;        // of the queries
+  std::optional<int> motions{};  // that a query scores; as many as usual where not given
 };
 
 // (mixtures × cases) The figures of the best motion of each case by each mixture.

@@ -11,7 +11,7 @@
 namespace shigusa::bench {
 namespace {
 
-// What is searched: the others guarantee that a motion is possible.
+// The weights that are searched: those of the others guarantee that a motion is possible.
 constexpr std::array kWeights{
     "joint_range",  "torque",     "balance_zone", "discomfort",   "joint_acceleration",
     "work",         "low_back",   "head",         "coordination", "hand_curve",

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
+#include <charconv>
 #include <iostream>
 #include <map>
 #include <shigusa/file.hpp>
@@ -51,18 +50,17 @@ std::optional<double> mean_of(const std::vector<Row>& rows, const std::string& c
   for (const Row& row : rows) {
     const auto found = row.find(column);
     if (found == row.end()) continue;
-    std::istringstream in(found->second);
-    in.imbue(std::locale::classic());
+    const std::string& text = found->second;
     double value = 0.0;
-    if (!(in >> value)) continue;
+    if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) continue;
     sum += value;
     ++count;
   }
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-// A person's reach from hanging arms, by the means of its repetitions. Who was told to squat has
-// the path and its timing compared only.
+// A person's reach from hanging arms, by the means of its repetitions. A person who was told to
+// squat has the path and its timing compared only.
 std::optional<Case> case_of_rows(const std::vector<Row>& rows) {
   const auto from = mean_of(rows, "h0");
   const auto to = mean_of(rows, "h1");

@@ -7,7 +7,7 @@
 
 #include "cases.hpp"
 
-// What is known of people's figures. Sources are those of shared/people/people.md.
+// Rules that people's figures obey. Sources are those of shared/people/people.md.
 namespace shigusa::bench {
 
 // Between these a figure is one of people's.
