@@ -10,10 +10,11 @@ namespace shigusa::bench {
 
 struct LearnSettings {
   CriteriaSettings start = default_criteria();  // where the search begins
-  int evaluations = 320;                        // mixtures that are measured
+  int evaluations = 160;                        // mixtures that are measured
   double step = 0.12;   // standard deviation that the search begins with, of a gene
   bool scales = false;  // of the criteria that compare with people are searched too
-  MeasureSettings measure{};
+  // Queries of some thousand motions: those of fewer differ by chance more than mixtures do.
+  MeasureSettings measure{.motions = 2000};
 };
 
 // Settings with other random numbers for the queries than the search had.
