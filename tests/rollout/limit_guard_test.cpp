@@ -94,10 +94,32 @@ TEST(LimitGuard, SharesFallToNothingTowardsALimitAndNotAwayFromIt) {
   angles[knee] = body.dofs()[knee].upper;
   EXPECT_EQ(guard.soften(weights, angles)[knee], 0.0);
   EXPECT_EQ(guard.allowed(pull)[knee], 0.0);
-  pull[knee] = -0.01;  // wants to stretch
+  pull[knee] = -0.01;  // wants to stretch: gets its weight back step by step
+  for (double share = kLimitRise; share < 1.0; share += kLimitRise) {
+    guard.learn(weights, pull, {});
+    EXPECT_NEAR(guard.soften(weights, angles)[knee], 2.0 * share, 1e-12);
+  }
   guard.learn(weights, pull, {});
   EXPECT_EQ(guard.soften(weights, angles)[knee], 2.0);
   EXPECT_EQ(guard.allowed(pull)[knee], -0.01);
+}
+
+// A joint that would be at its limit in two steps gives way already, however far that is.
+TEST(LimitGuard, AFastJointGivesWayEarlier) {
+  const BodyModel body = half_body();
+  const std::size_t knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  LimitGuard<double> guard(body);
+  const std::vector<double> weights(body.dofs().size(), 1.0);
+  std::vector<double> pull(body.dofs().size());
+  std::vector<double> angles(body.start().begin(), body.start().end());
+  angles[knee] = body.dofs()[knee].upper - 2.0 * kLimitMargin;
+  pull[knee] = 0.1 * kLimitMargin;
+  guard.learn(weights, pull, {});
+  EXPECT_EQ(guard.soften(weights, angles)[knee], 1.0);
+  pull[knee] = kLimitMargin;
+  guard.learn(weights, pull, {});
+  const double left = 2.0 / kLimitSteps;
+  EXPECT_NEAR(guard.soften(weights, angles)[knee], left * (2.0 - left), 1e-12);
 }
 
 // A human whose heels may lift, and where its right toes and ankle are.

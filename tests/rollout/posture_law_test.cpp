@@ -69,6 +69,46 @@ TEST(PostureLaw, AFreeArmHangs) {
   EXPECT_LT(from_plumb("left_upper_arm", "left_lower_arm"), 30.0);
 }
 
+TEST(PostureLaw, AFreeElbowBendsAsTheTrunkLeans) {
+  const BodyModel body = human_body();
+  const Clip clip = roll_out(lawful_reach(body, kAtTheFeet), uniform_parameters(body)).motion.clip;
+  const int elbow = body.find_dof("left_elbow.flexion").value();
+  const auto bent = [&](int frame) {
+    return degrees(clip.frame(frame)[static_cast<std::size_t>(elbow)]);
+  };
+  EXPECT_LT(bent(0), 15.0);
+  EXPECT_GT(bent(60), bent(0) + 20.0);
+  EXPECT_LT(bent(60), 100.0);
+}
+
+// The sum of the back's bends, in degrees, in a frame.
+double back_bend(const BodyModel& body, std::span<const double> angles) {
+  double sum = 0.0;
+  for (const char* joint : {"spine.flexion", "chest.flexion", "upper_chest.flexion"}) {
+    sum += degrees(angles[static_cast<std::size_t>(body.find_dof(joint).value())]);
+  }
+  return sum;
+}
+
+// by the formula, from where the pelvis is in the frame before
+TEST(PostureLaw, TheBackBendsWithThePelvisAndWomensLess) {
+  double bends[2] = {};
+  for (const Sex sex : {Sex::male, Sex::female}) {
+    const BodyModel body = human_body({.sex = sex});
+    const Clip clip =
+        roll_out(lawful_reach(body, kAtTheFeet), uniform_parameters(body)).motion.clip;
+    const int spine = body.find_dof("spine.flexion").value();
+    const Mat3d pelvis = placed(body, clip.frame(59)).link_rotation(body.dof(spine).parent);
+    const double tip = std::atan2(-pelvis.cz.y, pelvis.cy.y);
+    ASSERT_GT(degrees(tip), 30.0);
+    const double wanted = kBackBend * body.lumbar_part() * tip / (tip + kBackHalf);
+    // the last step has the hand at its goal, by whatever moves it
+    EXPECT_NEAR(back_bend(body, clip.frame(60)), degrees(wanted), 2.0);
+    bends[sex == Sex::female ? 1 : 0] = wanted;
+  }
+  EXPECT_LT(bends[1], bends[0]);
+}
+
 TEST(PostureLaw, ARaisedArmTakesItsClavicleAlong) {
   const BodyModel body = human_body();
   const Clip clip = roll_out(lawful_reach(body, kHigh), uniform_parameters(body)).motion.clip;

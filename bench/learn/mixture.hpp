@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/criteria.hpp>
+#include <shigusa/result.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The mixtures that are searched: weights on a logarithmic scale, each a coordinate in [0, 1].
+namespace shigusa::bench {
+
+// Least and most of a weight that is searched; one below kDropped is 0.
+inline constexpr double kLeastWeight = 0.002;
+inline constexpr double kMostWeight = 4.0;
+inline constexpr double kDropped = 0.004;
+
+// How the points of a search are read as mixtures.
+class MixtureSpace {
+ public:
+  // All but what guarantees that a motion is possible keeps the weights of `fixed`; with scales the
+  // scales of those that compare with people are searched too.
+  MixtureSpace(CriteriaSettings fixed, bool scales);
+
+  [[nodiscard]] int genes() const { return static_cast<int>(members_.size()); }
+  [[nodiscard]] CriteriaSettings mixture(std::span<const double> point) const;
+  [[nodiscard]] std::vector<double> point(const CriteriaSettings& mixture) const;
+
+ private:
+  struct Member {
+    double* (*of)(CriteriaSettings&, const std::string&);
+    std::string name;
+    double least;
+    double most;
+    bool weight;
+  };
+  CriteriaSettings fixed_;
+  std::vector<Member> members_;
+};
+
+// Sets "name=weight,name.scale=value,…", names as in task files.
+[[nodiscard]] Result<void> set_weights(std::string_view text, CriteriaSettings& mixture);
+
+// "joint_range=0.25,…": what set_weights reads.
+[[nodiscard]] std::string weights_text(const CriteriaSettings& mixture);
+// Lines for default_criteria().
+[[nodiscard]] std::string weights_code(const CriteriaSettings& mixture);
+// The criteria of a task file.
+[[nodiscard]] std::string weights_json(const CriteriaSettings& mixture);
+
+}  // namespace shigusa::bench

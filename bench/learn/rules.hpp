@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases.hpp"
+
+// Rules that people's figures obey. Sources are those of shared/people/people.md.
+namespace shigusa::bench {
+
+// Between these a figure is one of people's.
+struct Band {
+  double low;
+  double high;
+};
+
+// How far one figure, or an order of figures, is from people's.
+struct Term {
+  std::size_t rule;    // in rule_names()
+  double value;        // the figure, or by how much the order is broken
+  double off;          // units outside the band, ≥ 0
+  std::size_t at = 0;  // the case; 0 of orders
+};
+
+// The names and sources of all rules, bands first, then orders, then what was recorded.
+struct RuleName {
+  std::string name;
+  std::string source;
+};
+[[nodiscard]] const std::vector<RuleName>& rule_names();
+
+// All terms of a unit whose cases' best motions have these figures.
+[[nodiscard]] std::vector<Term> terms_of(const Unit& unit, std::span<const Figures> figures);
+
+// off² / (1 + off²): who is far off is no worse for being farther.
+[[nodiscard]] double loss_of(const Term& term);
+
+}  // namespace shigusa::bench
