@@ -9,6 +9,7 @@
 #include "support/exported.hpp"
 #include "support/night.hpp"
 #include "support/reach_bounds.hpp"
+#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {
@@ -39,14 +40,15 @@ void judge_status(const BodyModel& body, const Vec3d& goal, bool reached) {
   }
 }
 
-// The hand is on its path at every frame: what goes straight follows the minimum-jerk line. A
-// reached goal is met within 1 mm, and so is the way there.
-void judge_path(const ExportedMotion& exported, const GoalResult& goal, double duration) {
+// The hand is on its path at every frame: what goes straight follows its line, in the path's own
+// time. A reached goal is met within 1 mm, and so is the way there.
+void judge_path(const ExportedMotion& exported, const GoalResult& goal, const EffectorPath& path,
+                double duration) {
   if (goal.path != PathKind::straight) return;
   const Vec3d start = exported.at(goal.node, 0);
   const Vec3d end = exported.at_end(goal.node);
   for (int f = 0; f < exported.frames(); ++f) {
-    const double s = minimum_jerk(f * exported.motion().clip.frame_time / duration);
+    const double s = path.done(f * exported.motion().clip.frame_time / duration);
     // the path's own end lies as near to where the hand ends as the goal does
     ASSERT_LE(norm(exported.at(goal.node, f) - (start + (end - start) * s)), 2.0 * kMillimetre)
         << f;
@@ -64,9 +66,12 @@ void judge(const Task& task, const GenerateResult& generation, const Candidate& 
   ASSERT_TRUE(task.preset == Preset::paper || candidate.measures.over_limit.empty());
   const bool reached = generation.meets_goals();
   ASSERT_TRUE(!reached || candidate.path_error <= kMillimetre) << candidate.path_error;
+  const ReachProblem problem = make_problem(task).value();
   double miss = 0.0;
-  for (const GoalResult& goal : candidate.goals) {
-    if (reached) judge_path(exported, goal, candidate.motion.clip.duration());
+  for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
+    const GoalResult& goal = candidate.goals[g];
+    const EffectorPath& path = problem.goals[g].path;
+    if (reached) judge_path(exported, goal, path, candidate.motion.clip.duration());
     miss = std::fmax(miss, norm(exported.at_end(goal.node) - goal.asked.position));
   }
   ASSERT_EQ(miss <= kMillimetre, reached) << miss << " m";

@@ -115,7 +115,9 @@ TEST(GenerateHuman, TrunkStaysForWhatTheArmReaches) {
   const Task task = task_for(full_body(), kHigh);
   const Candidate candidate = generated(task).candidates[0];
   EXPECT_LT(abs(travel(task, candidate, "right_knee.flexion")), radians(15.0));
-  EXPECT_LT(candidate.score.terms[1].penalty, 0.05) << candidate.score.terms[1].name;
+  for (const ScoreTerm& term : candidate.score.terms) {
+    if (term.name == "balance_zone") EXPECT_LT(term.penalty, 0.05);
+  }
 }
 
 TEST(GenerateHuman, SameSeedGivesTheSameNumbersOnAnyMachine) {
