@@ -13,7 +13,7 @@ Side other(Side side) { return side == Side::left ? Side::right : Side::left; }
 // Women's part of a man's lumbar bend: in reaches to low targets their backs and hips share it as
 // 0.2 : 1, men's as 1.2 : 1 (Thomas, Corcos and Hasan, J. Motor Behavior 30 (1998) 98); in a full
 // bend they are much nearer.
-constexpr double kWomensBack = 0.7;
+constexpr double kWomensBack = 0.85;
 
 bool joint_is_leg(const std::string& joint) {
   return !joint.ends_with("shoulder") && !joint.ends_with("elbow");

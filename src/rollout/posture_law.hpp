@@ -14,7 +14,7 @@ namespace shigusa {
 
 // The head has turned to the goal by this share of the duration: gaze gets there before the hand
 // does (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
-inline constexpr double kGazeArrives = 0.5;
+inline constexpr double kGazeArrives = 0.45;
 // The head's share of a turn of the gaze; eyes do the rest.
 inline constexpr double kHeadOfGaze = 0.75;
 // How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
@@ -37,7 +37,7 @@ inline constexpr double kLawStep = radians(4);
 // The back's bend (rad) that goes with a pelvis tipped forwards by an angle t is
 // kBackBend · t / (t + kBackHalf): 1.9, 0.9 and 0.4 of what the hips take of a bend of 111 degrees
 // in its first, second and third part (Esola et al., Spine 21 (1996) 71) …
-inline constexpr double kBackBend = radians(70);
+inline constexpr double kBackBend = radians(75);
 inline constexpr double kBackHalf = radians(18);
 // … and with a load in the hand more, by this share of it for each kilogram (Vazirian, Van Dillen
 // and Bazrgari, 2016: larger with load), up to this load.
