@@ -10,7 +10,7 @@
 namespace shigusa::bench {
 namespace {
 
-// What is left of a frame.
+// The part of a frame that is kept.
 struct Seen {
   Vec3d pressure;  // m, world, on the floor
   std::vector<double> speeds;

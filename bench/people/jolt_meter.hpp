@@ -12,7 +12,7 @@ namespace shigusa::bench {
 inline constexpr double kPressureMoves = 0.03;
 inline constexpr double kTorqueMoves = 0.30;
 
-// What joints do around a jolt, the first that is so.
+// The joints around a jolt, by the first of these that is so.
 enum class JoltEvent {
   first_frames,  // the motion begins
   last_frames,   // it ends

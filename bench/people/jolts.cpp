@@ -19,7 +19,7 @@ namespace {
 constexpr int kTasks = 500;
 constexpr std::size_t kNamesShown = 6;
 
-// What one task's candidates do; none where the goals are not met.
+// The jolts of one task's candidates; none where the goals are not met.
 struct Measured {
   std::vector<Jolts> candidates;
   std::vector<Verdict> verdicts;   // of them

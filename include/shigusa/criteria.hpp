@@ -93,8 +93,8 @@ inline constexpr double kHeadHeight = 0.5;
 /// Sets the scale of the criterion head: whether the head stays up and can look at the goal.
 struct HeadSettings {
   double height = kHeadHeight;  ///< share, > 0
-  /// m, world: the point that the eyes are on. What a task gives where none is set; without one
-  /// only the head's height counts.
+  /// m, world: the point that the eyes are on. A task without one looks at its goals; where there
+  /// are none only the head's height counts.
   std::optional<Vec3d> gaze_target{};
 };
 
@@ -151,7 +151,7 @@ struct TrunkTravelSettings {
 
 /// Distance (m) of the centre of mass from where people have it at which half of the penalty is
 /// reached.
-inline constexpr double kMassDistance = 0.15;
+inline constexpr double kMassDistance = 0.08;
 /// Sets the scale of the criterion mass_ahead: whether the centre of mass goes along with the
 /// hands.
 struct MassAheadSettings {
@@ -224,10 +224,9 @@ void set_reaching(CriteriaSettings& settings, const std::vector<int>& effectors)
 /// The paper's three by rule R8's weights: what CriteriaSettings is by default.
 [[nodiscard]] CriteriaSettings paper_criteria();
 
-/// The mixture that came nearest to a recorded man's reaches to the floor among those tried, with
-/// more of the low back (docs/criteria.md): joint range 0.25, balance zone 0.20, discomfort 0.27,
-/// joint acceleration 0.22, low back 0.20; and, of no weight against what is free, stands and is
-/// within the body's strength, collision 0.5, centre of pressure 0.35 and feasibility 1.
+/// The mixture of the presets flat and human (docs/criteria.md has its weights): what a posture and
+/// a motion cost a body; of large weight what people's reaches look like; and, of no weight against
+/// what is free, stands and is within the body's strength, collisions, pressure and feasibility.
 [[nodiscard]] CriteriaSettings default_criteria();
 
 /// The criteria that a Pareto view weighs against each other: joint range, as discomfort near its

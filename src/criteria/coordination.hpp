@@ -19,6 +19,9 @@ inline constexpr double kKneesBegin = radians(10);
 // kHandAhead and beyond, this share of it at none.
 inline constexpr double kHandAhead = 0.23;
 inline constexpr double kKneesNear = 0.5;
+// A load (kg) in the hand bends them more, by this share of it: stoops are of light loads only
+// (Burgess-Limerick and Abernethy, of 39 persons with light and heavier loads).
+inline constexpr double kKneesOfLoad = 0.01;
 
 // How a body's knees bend beside its trunk where a motion ends, against people's proportion, in
 // [0, 1]: whoever bends, bends both. With T the lean of the line from hips to shoulders and K the
@@ -35,6 +38,7 @@ class Coordination {
       : points_(posture_points(body)),
         hands_(goal_hands(body, settings.effectors)),
         per_angle_(1.0 / settings.angle),
+        of_trunk_(kKneeOfTrunk * (1.0 + kKneesOfLoad * body.load())),
         per_ahead_(body.stature() > 0.0 ? 1.0 / (kHandAhead * body.stature()) : 0.0) {
     for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
       if (const auto d = body.find_dof(knee)) knees_.push_back(static_cast<std::size_t>(*d));
@@ -53,7 +57,7 @@ class Coordination {
     for (const GoalHand& goal : hands_) ahead = ahead + goal.hand.in(frame.kinematics).z;
     if (!hands_.empty()) ahead = ahead * S(1.0 / static_cast<double>(hands_.size()));
     const S far = clamp((ahead - S(points_.ankles.z)) * S(per_ahead_), S(0), S(1));
-    const S share = S(kKneeOfTrunk) * (S(kKneesNear) + S(1.0 - kKneesNear) * far);
+    const S share = S(of_trunk_) * (S(kKneesNear) + S(1.0 - kKneesNear) * far);
     const S knees = share * lean * lean / (lean + S(kKneesBegin));
     S bent(0);
     for (const std::size_t knee : knees_) bent = bent + frame.angles[knee];
@@ -68,6 +72,7 @@ class Coordination {
   std::vector<GoalHand> hands_;
   std::vector<std::size_t> knees_;
   double per_angle_;  // 1/rad
+  double of_trunk_;   // of the knees, with the load
   double per_ahead_;  // 1/m
   S off_{};           // of the last frame seen
 };

@@ -21,14 +21,14 @@ CriteriaSettings default_criteria() {
   settings.discomfort_weight = 0.2;
   settings.joint_acceleration_weight = 0.10;
   settings.low_back_weight = 0.20;
-  settings.collision_weight = 0.5;
-  settings.pressure_weight = 0.35;
-  settings.feasibility_weight = 1.0;
+  settings.collision_weight = 2.0;
+  settings.pressure_weight = 1.0;
+  settings.feasibility_weight = 2.0;
   settings.coordination_weight = 1.0;
   settings.hand_curve_weight = 1.5;
   settings.trunk_travel_weight = 0.4;
   settings.mass_ahead_weight = 1.0;
-  settings.jolts_weight = 0.5;
+  settings.jolts_weight = 1.0;
   return settings;
 }
 

@@ -64,7 +64,8 @@ class Jolts {
   }
 
   [[nodiscard]] S penalty() const {
-    const S square = square_ * S(per_limit_ * per_limit_);
+    // single precision has no square of what a body that falls takes of the floor
+    const S square = min(square_ * S(per_limit_ * per_limit_), S(1e6));
     const S off = square * square;
     return off / (S(1) + off);
   }

@@ -26,6 +26,8 @@ namespace {
 
 // Smoothing sees so much (s) on either side of the frames that are scored.
 constexpr double kAround = 0.35;
+// A hand that goes by more than this share of the way of the one that goes farthest reaches too.
+constexpr double kGoesAsFar = 0.8;
 
 // All that a motion file holds.
 struct MotionFile {
@@ -222,8 +224,8 @@ void doubt(const ScoreSettings& settings, ClipScore& result) {
   }
 }
 
-// The hands that go more than half as far as the one that goes farthest: nobody tells which of a
-// recorded motion's have a goal.
+// The hands that go nearly as far as the one that goes farthest: nobody tells which of a recorded
+// motion's have a goal, and a free one goes along with the trunk.
 std::vector<int> reaching_hands(const BodyModel& body, const Clip& clip, int first, int last) {
   Kinematics<double> begin(body);
   Kinematics<double> end(body);
@@ -240,7 +242,7 @@ std::vector<int> reaching_hands(const BodyModel& body, const Clip& clip, int fir
   }
   std::vector<int> hands;
   for (const auto& [way, e] : ways) {
-    if (way > 0.5 * farthest) hands.push_back(e);
+    if (way > kGoesAsFar * farthest) hands.push_back(e);
   }
   return hands;
 }

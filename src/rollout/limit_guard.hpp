@@ -37,7 +37,7 @@ class LimitGuard {
         wanted_(body.dofs().size()),
         share_(wanted_),
         most_(wanted_.size(), S(1)),
-        given_(wanted_),
+        given_(most_),
         softened_(wanted_),
         allowed_(wanted_) {
     for (std::size_t d = 0; d < wanted_.size(); ++d) {
@@ -59,6 +59,7 @@ class LimitGuard {
   void reset() {
     for (S& wanted : wanted_) wanted = S(0);
     for (S& most : most_) most = S(1);
+    for (S& given : given_) given = S(1);
   }
 
   // From now on, freedoms that give little (Dof::give) give as the others do.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "body/anthropometry.hpp"
@@ -169,11 +170,15 @@ class PostureLaw {
   }
 
   void find_back(const BodyModel& body) {
-    constexpr const char* kJoints[] = {"spine.flexion", "chest.flexion", "upper_chest.flexion"};
-    for (std::size_t k = 0; k < kSpineJoints; ++k) {
-      const auto bend = body.find_dof(kJoints[k]);
+    // a copy: the table itself would be shared between SIMD sets
+    constexpr std::pair<const char*, double> kBends[] = {
+        {"spine.flexion", kSpineRanges[0].flexion},
+        {"chest.flexion", kSpineRanges[1].flexion},
+        {"upper_chest.flexion", kSpineRanges[2].flexion}};
+    for (const auto& [name, share] : kBends) {
+      const auto bend = body.find_dof(name);
       if (!bend) return back_.clear();
-      back_.push_back(freedom(body, *bend, kSpineRanges[k].flexion));
+      back_.push_back(freedom(body, *bend, share));
     }
     pelvis_ = body.dof(static_cast<int>(back_.front().dof)).parent;
     const double load = min(body.load(), kBackLoadMost);

@@ -199,7 +199,9 @@ Result<ReachProblem> make_problem(const Task& task) {
       if (earlier.effector != reach.effector) continue;
       return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
     }
-    problem.duration = max(problem.duration, goal_duration(body, kinematics, reach));
+    // the hand takes as long as it does without a late start
+    const double duration = goal_duration(body, kinematics, reach) / (1.0 - reach.path.begin);
+    problem.duration = max(problem.duration, duration);
     problem.goals.push_back(std::move(reach));
   }
   SHG_TRY(check_rows(problem));

@@ -18,13 +18,16 @@ constexpr Vec3d kForwards{0, 0, 1};
 constexpr Vec3d kOutwards{-1, 0, 0};
 constexpr Vec3d kUp{0, 1, 0};
 
+// Of two spans between three frames, the middle frame counts as half of each: the mean over time is
+// this share of it.
+constexpr double kMiddleShare = 0.5;
+
 // The right hand goes by `way` (m) in three frames, and in the middle one it is off its line by
-// such a vector that its mean offset is that of a bow of `off` (of the way's length): a third of
-// what it is off there.
+// such a vector that its mean offset is that of a bow of `off` (of the way's length).
 std::vector<Pose> going(const Vec3d& way, const Vec3d& off = {}) {
   std::vector<Pose> poses(3);
   poses[0].right.hand = kFrom;
-  poses[1].right.hand = kFrom + way * 0.5 + off * (3.0 * kMeanBow * norm(way));
+  poses[1].right.hand = kFrom + way * 0.5 + off * (kMeanBow / kMiddleShare * norm(way));
   poses[2].right.hand = kFrom + way;
   return poses;
 }
@@ -46,6 +49,41 @@ TEST(HandCurve, MeanOfABowIsThatOfTheMinimumJerkProfile) {
   double sum = 0.0;
   for (int f = 0; f < kSteps; ++f) sum += path_bow(minimum_jerk((f + 0.5) / kSteps), 0.0);
   EXPECT_NEAR(kMeanBow, sum / kSteps, 1e-4);
+}
+
+// The right hand goes by `way` (m) as people's hands do, and leaves its line by a bow of `off` (of
+// the way's length).
+std::vector<Pose> bowing(const Vec3d& way, const Vec3d& off, int frames) {
+  std::vector<Pose> poses;
+  for (int f = 0; f < frames; ++f) {
+    const double done = minimum_jerk(static_cast<double>(f) / (frames - 1));
+    Pose pose;
+    pose.right.hand = kFrom + way * done + off * (path_bow(done, 0.0) * norm(way));
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+TEST(HandCurve, OfABowIsTheSameInFewFramesAndInMany) {
+  constexpr double kBow = 0.1;
+  for (const int frames : {15, 30, 300}) {
+    EXPECT_NEAR(penalty_of(bowing({0, 0, 0.4}, kOutwards * kBow, frames)), cost_of(kBow), 1e-4)
+        << frames;
+  }
+}
+
+// A hand's places at both ends count for half a frame each.
+TEST(HandCurve, IsTheMeanOverTimeNotOverFrames) {
+  constexpr double kBow = 0.1;
+  const Vec3d way{0, 0, 0.4};
+  const Vec3d off = kOutwards * (kMeanBow * norm(way) * kBow);
+  // off by as much in two frames of four, which are two thirds of the time
+  std::vector<Pose> poses(4);
+  for (std::size_t f = 0; f < poses.size(); ++f) {
+    poses[f].right.hand = kFrom + way * (static_cast<double>(f) / 3.0);
+    if (f == 1 || f == 2) poses[f].right.hand += off * 1.5;
+  }
+  EXPECT_NEAR(penalty_of(poses), cost_of(kBow), 1e-12);
 }
 
 TEST(HandCurve, OfAStraightWayForwardsIsZero) {

@@ -104,7 +104,36 @@ TEST(LimitGuard, SharesFallToNothingTowardsALimitAndNotAwayFromIt) {
   EXPECT_EQ(guard.allowed(pull)[knee], -0.01);
 }
 
-// A joint that would be at its limit in two steps gives way already, however far that is.
+// A guard that has softened nothing yet, and one that begins anew, gives a joint with room all of
+// its weight, also where it first hears what the joint wants.
+TEST(LimitGuard, BeginsWithFullShares) {
+  const BodyModel body = half_body();
+  const std::size_t knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  const Dof& dof = body.dofs()[knee];
+  const std::vector<double> weights(body.dofs().size(), 1.0);
+  std::vector<double> pull(body.dofs().size());
+  pull[knee] = 0.01;
+  std::vector<double> amid(body.start().begin(), body.start().end());
+  amid[knee] = 0.5 * (dof.lower + dof.upper);
+  std::vector<double> bent(amid);
+  bent[knee] = dof.upper;
+  for (const bool learns_first : {false, true}) {
+    LimitGuard<double> guard(body);
+    for (int motion = 0; motion < 2; ++motion) {
+      if (learns_first) guard.learn(weights, pull, {});
+      EXPECT_EQ(guard.soften(weights, amid)[knee], 1.0) << learns_first << motion;
+      // until its limit has held it
+      guard.learn(weights, pull, {});
+      EXPECT_EQ(guard.soften(weights, bent)[knee], 0.0);
+      guard.learn(weights, pull, {});
+      EXPECT_NEAR(guard.soften(weights, amid)[knee], kLimitRise, 1e-12);
+      guard.reset();
+    }
+  }
+}
+
+// A joint that would be at its limit in two steps gives way already, however far that is, and
+// whether the goal pulls it there or the posture draws it.
 TEST(LimitGuard, AFastJointGivesWayEarlier) {
   const BodyModel body = half_body();
   const std::size_t knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
@@ -120,11 +149,21 @@ TEST(LimitGuard, AFastJointGivesWayEarlier) {
   guard.learn(weights, pull, {});
   const double left = 2.0 / kLimitSteps;
   EXPECT_NEAR(guard.soften(weights, angles)[knee], left * (2.0 - left), 1e-12);
+  guard.reset();
+  pull[knee] = 0.5 * kLimitMargin;
+  const std::vector<double> reference(pull);
+  guard.learn(weights, pull, reference);
+  EXPECT_NEAR(guard.soften(weights, angles)[knee], left * (2.0 - left), 1e-12);
 }
 
 // A human whose heels may lift, and where its right toes and ankle are.
 class Lifting : public testing::Test {
  protected:
+  static constexpr double kPull = 0.01;    // rad, towards a goal
+  static constexpr double kDrawn = 0.015;  // rad, towards a posture
+  // slow enough to give way over the least margin only
+  static_assert((kPull + kDrawn) * kLimitSteps < kLimitMargin);
+
   const BodyModel body = human_body({.heels = true});
   const std::size_t toes = static_cast<std::size_t>(body.find_dof("right_toes.flexion").value());
   const std::size_t ankle = static_cast<std::size_t>(body.find_dof("right_ankle.flexion").value());
@@ -135,18 +174,18 @@ class Lifting : public testing::Test {
 };
 
 TEST_F(Lifting, ToesGiveLittleWhileTheAnkleHasRoom) {
-  pull[toes] = pull[ankle] = 0.01;
+  pull[toes] = pull[ankle] = kPull;
   guard.learn(weights, pull, {});
   EXPECT_NEAR(guard.soften(weights, angles)[toes], kToesGive, 1e-12);
-  EXPECT_EQ(guard.allowed(pull)[toes], 0.01);
+  EXPECT_EQ(guard.allowed(pull)[toes], kPull);
   guard.loosen();
   EXPECT_EQ(guard.soften(weights, angles)[toes], 1.0);
 }
 
 TEST_F(Lifting, ToesTakeOverAsTheAnkleRunsOut) {
   std::vector<double> reference(pull);
-  reference[ankle] = 0.02;
-  pull[toes] = pull[ankle] = 0.01;
+  reference[ankle] = kDrawn;
+  pull[toes] = pull[ankle] = kPull;
   angles[ankle] = body.dofs()[ankle].upper - 0.25 * kLimitMargin;
   guard.learn(weights, pull, reference);
   (void)guard.soften(weights, angles);
@@ -161,8 +200,8 @@ TEST_F(Lifting, ToesTakeOverAsTheAnkleRunsOut) {
 
 TEST_F(Lifting, ToesOfMoreWeightTakeOverLessAndLockedOnesNothing) {
   std::vector<double> reference(pull);
-  reference[ankle] = 0.02;
-  pull[toes] = pull[ankle] = 0.01;
+  reference[ankle] = kDrawn;
+  pull[toes] = pull[ankle] = kPull;
   angles[ankle] = body.dofs()[ankle].upper;
   for (const double inverse : {0.1, 0.0}) {
     weights[toes] = inverse;
@@ -176,8 +215,8 @@ TEST_F(Lifting, ToesOfMoreWeightTakeOverLessAndLockedOnesNothing) {
 
 // At the other end of its range an ankle hands nothing over.
 TEST_F(Lifting, ToesStayAsTheAnklePointsDown) {
-  pull[toes] = 0.01;
-  pull[ankle] = -0.01;
+  pull[toes] = kPull;
+  pull[ankle] = -kPull;
   angles[ankle] = body.dofs()[ankle].lower;
   guard.learn(weights, pull, {});
   EXPECT_NEAR(guard.soften(weights, angles)[toes], kToesGive, 1e-12);
