@@ -147,7 +147,7 @@ inline constexpr double kEndSlack = radians(0.1);
 inline constexpr double kCandidateSpread = 0.35;
 /// Where the best bends down, one that is the best of its style may be worse by this: people squat
 /// although it costs more, and stoop although few do.
-inline constexpr double kStyleSpread = 0.75;
+inline constexpr double kStyleSpread = 1.0;
 /// Searches score in single precision; every candidate is played again in double and scored anew.
 /// Scores may differ by this without being counted: feasibility takes the worst moment of
 /// accelerations, which single precision puts off by some 2e-3 rad/s².
