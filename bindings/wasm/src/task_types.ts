@@ -233,7 +233,7 @@ export interface Task {
    * that `shigusa body` names: metres, +Y up, the body faces +Z, its left is +X. One for each effector at most;
    * one at least is given, or a foot is left out of contacts. */
   goals?: Goal[];
-  /** The point that the eyes are on; the first goal of a limb when not given. */
+  /** The point that the eyes are on; when not given, the first goal of a limb, or between two hands'. */
   look_at_m?: Vec3;
   /** Feet that stay on the floor, one at least; all without a goal when not given. A foot that is not named and has
    * no goal lifts. */
