@@ -144,14 +144,14 @@ inline constexpr double kNearEnd = radians(5.0);
 /// A replay in double may bring two ends nearer by this (rad).
 inline constexpr double kEndSlack = radians(0.1);
 /// Candidates score at most this much worse than the best.
-inline constexpr double kCandidateSpread = 0.35;
+inline constexpr double kCandidateSpread = 0.6;
 /// Where the best bends down, one that is the best of its style may be worse by this: people squat
 /// although it costs more, and stoop although few do.
-inline constexpr double kStyleSpread = 1.0;
+inline constexpr double kStyleSpread = 1.5;
 /// Searches score in single precision; every candidate is played again in double and scored anew.
-/// Scores may differ by this without being counted: feasibility takes the worst moment of
+/// Scores may differ by this without being counted: feasibility and jolts take the worst moment of
 /// accelerations, which single precision puts off by some 2e-3 rad/s².
-inline constexpr double kReplayTolerance = 5e-3;
+inline constexpr double kReplayTolerance = 0.02;
 /// How near (m) a candidate must come to the closest point where the goal is out of reach.
 inline constexpr double kEdgeTolerance = 5e-3;
 

@@ -64,7 +64,7 @@ void show_pressures(const std::vector<Vec3d>& pressures, Jolts<double>& jolts,
   }
 }
 
-// What the floor's pressure is at a place (m, with y = 0) by such a force (N).
+// The floor's pressure at a place (m, with y = 0) by such a force (N).
 Vec3d pressure_at(const Vec3d& place, double force = kBodyWeight) {
   return place * force + Vec3d{0, force, 0};
 }

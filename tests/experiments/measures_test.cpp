@@ -56,8 +56,7 @@ TEST(GoalSearch, ScoresInLanesAsInDouble) {
   const SearchProblem problem = searched.problem();
   double score = 0.0;
   problem.evaluate(problem.start, {&score, 1});
-  // kReplayTolerance of the library
-  EXPECT_NEAR(score, searched.replayed(problem.start), 1e-3);
+  EXPECT_NEAR(score, searched.replayed(problem.start), kReplayTolerance);
   EXPECT_LT(score, worst_score(searched.criteria()));
 }
 

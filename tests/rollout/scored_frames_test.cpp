@@ -41,7 +41,7 @@ TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
           EXPECT_NEAR(stored.terms[term].penalty, penalty, 1e-13) << name;
           ++term;
         });
-        EXPECT_EQ(term, 12u);
+        EXPECT_EQ(term, std::tuple_size_v<decltype(kCriteria)>);
       }
     }
   }
