@@ -27,7 +27,7 @@ namespace {
 // Smoothing sees so much (s) on either side of the frames that are scored.
 constexpr double kAround = 0.35;
 // A hand that goes by more than this share of the way of the one that goes farthest reaches too.
-constexpr double kGoesAsFar = 0.8;
+constexpr double kGoesAsFar = 0.9;
 
 // All that a motion file holds.
 struct MotionFile {

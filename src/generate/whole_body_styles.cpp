@@ -22,7 +22,7 @@ namespace {
 
 constexpr StyleRange kBentStyles[] = {
     {"squat", 115, 138, true, 2}, {"squat", 0, 30}, {"squat", 50, 90}};
-constexpr StyleRange kUprightStyles[] = {{"lean", 25, 60, true}, {"squat", 30, 60, true}};
+constexpr StyleRange kUprightStyles[] = {{"lean", 8, 25, true}, {"squat", 12, 35, true}};
 // To the side that the best does not turn to: one of each pair.
 constexpr StyleRange kOtherSides[][2] = {
     {{"twist", 20, 65}, {"twist", -65, -20}},

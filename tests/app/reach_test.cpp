@@ -175,7 +175,7 @@ TEST_F(Reach, TaskOfASummaryIsATaskFile) {
 }
 
 TEST_F(Reach, AShorterResultLeavesNoFileOfALongerOne) {
-  const std::string goal = "--goal=right_hand=-0.2,1.1,0.4";
+  const std::string goal = "--goal=right_hand=-0.2,0.5,0.45";
   ASSERT_EQ(reach({goal, "--duration", "3"}, "bvh,svg").exit_code, 0);
   ASSERT_GE(StoredRun(work_, "out").summary().at("candidates").size(), 2u);
   work_.put("out/notes.txt", "mine");

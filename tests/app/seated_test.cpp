@@ -55,7 +55,7 @@ TEST_F(Seated, EditKeepsTheSeat) {
                 .exit_code,
             0);
   const ProgramRun edit =
-      run_shigusa({"edit", "out", "--set", "lean_deg=20", "--formats", "bvh", "--out", "edited"},
+      run_shigusa({"edit", "out", "--set", "lean_deg=5", "--formats", "bvh", "--out", "edited"},
                   {.folder = work_.path()});
   ASSERT_EQ(edit.exit_code, 0) << edit.err;
 }

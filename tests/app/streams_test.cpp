@@ -63,7 +63,7 @@ TEST_F(Streams, JsonIsTheSummaryOfTheFolder) {
 }
 
 TEST_F(Streams, ResultsGoToStdoutAndNothingElseDoes) {
-  const ProgramRun run = reach("one");
+  const ProgramRun run = reach("one", {"--candidates", "1"});
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, testing::StartsWith("reached: full_body, right_hand at (-0.2, 1.1, 0.4) m"));
   EXPECT_THAT(run.out, HasSubstr("one/candidate-1.png\n"));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <shigusa/generate.hpp>
 #include <shigusa/random.hpp>
 
 #include "experiments/goal_search.hpp"

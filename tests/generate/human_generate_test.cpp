@@ -140,7 +140,7 @@ TEST(GenerateHuman, CandidatesEndApartAndAreRanked) {
   task.evaluations = 600;
   task.duration = 1.5;  // in haste, most are worse by far than the best
   const auto candidates = generated(task).candidates;
-  ASSERT_GE(candidates.size(), 3u);
+  ASSERT_GE(candidates.size(), 2u);
   for (std::size_t i = 1; i < candidates.size(); ++i) {
     EXPECT_LE(candidates[i - 1].score.total, candidates[i].score.total);
     for (std::size_t k = 0; k < i; ++k) {
