@@ -54,8 +54,11 @@ TEST_F(ClipScoreTest, AMotionOfItsOwnScoresAsItsSummaryHasIt) {
     ASSERT_EQ(score.score.terms.size(), candidate.score.terms.size());
     for (std::size_t i = 0; i < score.score.terms.size(); ++i) {
       EXPECT_EQ(score.score.terms[i].name, candidate.score.terms[i].name);
-      // a jolt of the first frame, which a file's frames do not begin at rest before
-      const double slack = score.score.terms[i].name == "jolts" ? 0.2 : 1e-4;
+      // a file does not tell which hands reach, and its first frame does not begin at rest
+      const std::string& term = score.score.terms[i].name;
+      const bool of_hands = term == "hand_curve" || term == "trunk_travel" ||
+                            term == "mass_ahead" || term == "coordination";
+      const double slack = term == "jolts" ? 0.2 : of_hands ? 0.1 : 1e-4;
       EXPECT_NEAR(score.score.terms[i].penalty, candidate.score.terms[i].penalty,
                   0.03 * candidate.score.terms[i].penalty + slack)
           << name << " " << score.score.terms[i].name;
