@@ -115,7 +115,7 @@ TEST_F(CharacterFiles, WithoutTheFileAnEditSaysWhatToGive) {
   std::filesystem::create_directory(work_ / "moved");
   std::filesystem::rename(work_ / "person.glb", work_ / "moved/person.glb");
   const ProgramRun without = run({"edit", "out", "--set", "right_knee.weight=3", "--out", "a"});
-  EXPECT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_THAT(without.exit_code, delivered()) << without.err;
   EXPECT_THAT(without.err, AllOf(HasSubstr("person.glb: note: "), HasSubstr("--character FILE"),
                                  HasSubstr("No such file")));
   EXPECT_EQ(formats_of(StoredRun(work_, "a")), (std::set<std::string>{"bvh", "csv", "png", "svg"}));

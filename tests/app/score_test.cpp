@@ -49,7 +49,7 @@ TEST_F(ScoreCommand, JsonHasTheNamesOfTheSummary) {
   EXPECT_EQ(json.at("criteria").size(), candidate.at("criteria").size());
   for (const auto& [name, penalty] : candidate.at("criteria").items()) {
     // a file's first frame goes on as it came, where a motion begins at rest
-    const double slack = name == "jolts" ? 0.1 : 5e-3;
+    const double slack = name == "jolts" ? 0.1 : 1e-2;
     EXPECT_NEAR(json.at("criteria").at(name).get<double>(), penalty.get<double>(), slack) << name;
   }
   EXPECT_LT(json.at("follows").at("worst_mm").get<double>(), 0.01);
