@@ -150,6 +150,10 @@ void note_run(const FinishedRun& run) {
     note("duration", fmt::format("{:.2f} s, as nothing that was found is possible in less",
                                  generation.duration));
   }
+  if (generation.gentled) {
+    note("duration",
+         fmt::format("{:.2f} s, as the first candidate would jolt in less", generation.duration));
+  }
   if (generation.status == ReachStatus::unsteady) {
     print_err("shigusa: unsteady: the goal{} met, but by no motion that this body could make\n",
               task.goals.size() > 1 ? "s are" : " is");

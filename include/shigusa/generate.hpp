@@ -110,6 +110,9 @@ struct GenerateResult {
   /// The task gives no duration, and nothing that was found is possible in the usual one: this is
   /// one in which something is. See played_task.
   bool slowed = false;
+  /// The task gives no duration, and in the usual one the first candidate jolts (see Suddenness):
+  /// this is a longer one in which it does not. See played_task.
+  bool gentled = false;
   int evaluations = 0;   ///< motions scored by the search
   int runs = 1;          ///< of the preset paper: with other random numbers each, see generate
   int generations = 0;   ///< of the search, in all runs

@@ -73,12 +73,26 @@ struct CollisionFound {
 [[nodiscard]] CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
                                                const CollisionSettings& settings = {});
 
+/// How suddenly a motion changes at most from one of its frames to the next, as if it had 60 of
+/// them. A person sees a jolt where the floor's centre of pressure moves by more than 3 cm then, or
+/// a torque by more than 30 % of its joint's strength both ways together.
+struct Suddenness {
+  double pressure = 0.0;  ///< m, by which the centre of pressure moves; 0 of a body without feet
+  double torque = 0.0;    ///< share of the strength, by which a torque changes
+
+  /// Whether the motion jolts.
+  [[nodiscard]] bool jolts() const;
+};
+/// Measures a whole motion that is at rest before and after.
+[[nodiscard]] Suddenness suddenness(const BodyModel& body, const Motion& motion);
+
 /// The demands of a motion, generated or recorded, on its body.
 struct MotionMeasures {
   std::vector<JointLoad> loads;             ///< (dofs)
   std::vector<LimitExcess> over_limit;      ///< the worst first
   std::optional<SupportMargins> support{};  ///< of a body that stands
   CollisionFound collides;  ///< the deepest at any frame, with itself, an obstacle or the floor
+  Suddenness sudden;        ///< the most from frame to frame
 };
 /// Measures a whole motion that is at rest before and after.
 [[nodiscard]] MotionMeasures measure_motion(const BodyModel& body, const Motion& motion,

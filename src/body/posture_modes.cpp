@@ -52,7 +52,7 @@ Bent bent_at_start(const BodyModel& body) {
   const double knees = at_start("knee.flexion");
   if (knees <= kStands) return bent;
   bent.squat = knees;
-  const double hips = at_start("hip.flexion") - 0.5 * knees;
+  const double hips = at_start("hip.flexion") - kOfKnee * knees;
   if (hips > kStands) bent.lean = hips;
   return bent;
 }
@@ -118,10 +118,10 @@ std::vector<PostureMode> posture_modes(const BodyModel& body) {
     modes.add("squat", kSquatSentence, 0.0 - bent.squat, radians(130.0),
               {{"right_knee.flexion", 1.0},
                {"left_knee.flexion", 1.0},
-               {"right_hip.flexion", 0.5},
-               {"left_hip.flexion", 0.5},
-               {"right_ankle.flexion", 0.5},
-               {"left_ankle.flexion", 0.5}});
+               {"right_hip.flexion", kOfKnee},
+               {"left_hip.flexion", kOfKnee},
+               {"right_ankle.flexion", kOfKnee},
+               {"left_ankle.flexion", kOfKnee}});
   }
   modes.add("lean", kLeanSentence, radians(-20.0) - bent.lean, radians(110.0),
             {{"right_hip.flexion", 1.0},

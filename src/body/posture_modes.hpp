@@ -18,6 +18,9 @@ struct PostureMode {
   double upper = 0.0;             // rad
 };
 
+// In a squat each hip and ankle bends by this share of the knee's angle.
+inline constexpr double kOfKnee = 0.5;
+
 // The modes of a body, as far as it has the freedoms: squat, lean, round, twist, and of each arm
 // elbow, swivel and wrist.
 // Source of the choice: weights alone never find a squat, since for a nearly straight knee lowering

@@ -39,7 +39,7 @@ std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
 MotionMeasures measure_motion(const BodyModel& body, const Motion& motion,
                               const CollisionSettings& collision) {
   return {joint_loads(body, motion), limit_excess(body, motion.clip), support_margins(body, motion),
-          deepest_collision(body, motion.clip, collision)};
+          deepest_collision(body, motion.clip, collision), suddenness(body, motion)};
 }
 
 const JointLoad* most_loaded(const MotionMeasures& measures) {

@@ -47,7 +47,7 @@ Json reason_to_json(const Reason& reason) {
 
 void add_measures(const BodyModel& body, const MotionMeasures& measures, const FinalPosture& ends,
                   Json& json) {
-  const auto& [loads, over_limit, support, collides] = measures;
+  const auto& [loads, over_limit, support, collides, sudden] = measures;
   if (const JointLoad* load = most_loaded(measures)) {
     json["most_loaded"] = {{"joint", body.dof(load->dof).name},
                            {"share", load->share},
@@ -68,6 +68,9 @@ void add_measures(const BodyModel& body, const MotionMeasures& measures, const F
                          {"other", collides.other},
                          {"time_s", collides.time}};
   }
+  json["sudden"] = {{"pressure_mm", sudden.pressure * kMillimetres},
+                    {"torque_share", sudden.torque},
+                    {"jolts", sudden.jolts()}};
   json["final_posture"] = posture_to_json(ends);
 }
 

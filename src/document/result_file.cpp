@@ -231,7 +231,7 @@ RunInfo replay_info(std::string how, std::chrono::steady_clock::time_point begin
 }
 
 TaskFile played_task(TaskFile file, const GenerateResult& generation) {
-  if (generation.slowed) file.duration = generation.duration;
+  if (generation.slowed || generation.gentled) file.duration = generation.duration;
   return file;
 }
 

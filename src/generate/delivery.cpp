@@ -19,7 +19,7 @@ constexpr int kTries = 12;
 // Which steps of the delivery a preset has.
 struct Policy {
   bool by_end = false;     // motions are told apart by how they end, not by all of their frames
-  bool asks_free = false;  // motions that pass through something do not count
+  bool asks_free = false;  // motions that pass through something, or jolt, do not count
   bool near_copies = false;
   bool styles = false;
   std::vector<double> spare_distances{};  // rad
@@ -122,7 +122,8 @@ class Delivery {
  private:
   [[nodiscard]] std::vector<Candidate>& all() const { return generation_.candidates; }
   [[nodiscard]] bool is_free(const Candidate& candidate) const {
-    return !policy_.asks_free || candidate.measures.collides.depth <= kCollisionDepth;
+    return !policy_.asks_free || (candidate.measures.collides.depth <= kCollisionDepth &&
+                                  !candidate.measures.sudden.jolts());
   }
   [[nodiscard]] bool has_free(Style style) const {
     return std::any_of(all().begin(), all().end(), [&](const Candidate& candidate) {
@@ -200,7 +201,8 @@ class Delivery {
 
   void add(Replayed replayed, double searched_score) {
     if (replayed.as_searched) {
-      const double difference = abs(replayed.candidate.score.total - searched_score);
+      // what is smoother than what was searched is no worse
+      const double difference = replayed.candidate.score.total - searched_score;
       if (difference > kReplayTolerance) ++generation_.replay_differs;
       generation_.replay_difference = max(generation_.replay_difference, difference);
     }
@@ -256,6 +258,14 @@ void keep_most(std::size_t most, std::vector<Candidate>& all) {
 
 }  // namespace
 
+void drop_jolts(std::vector<Candidate>& all) {
+  const auto jolts = [](const Candidate& c) { return c.measures.sudden.jolts(); };
+  const bool some = std::any_of(all.begin(), all.end(), [&](const Candidate& c) {
+    return !jolts(c) && c.judgement.verdict != Verdict::impossible;
+  });
+  if (some) std::erase_if(all, jolts);
+}
+
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         GenerateResult& generation) {
   generation.missed = generation.over_limit = generation.replay_differs = 0;
@@ -269,6 +279,7 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
   if (traits_of(task.preset).natural) {
     traits_of(task.preset).layers ? keep_within_limits(generation) : drop_collisions(generation);
+    if (!traits_of(task.preset).layers) drop_jolts(generation.candidates);
   }
   selection.similar = count_similar(selection, generation.candidates, delivery.taken());
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);

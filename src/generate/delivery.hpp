@@ -20,4 +20,7 @@ namespace shigusa {
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         GenerateResult& generation);
 
+// Where some possible candidate does not jolt, those that do are left out.
+void drop_jolts(std::vector<Candidate>& all);
+
 }  // namespace shigusa

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <shigusa/generate.hpp>
 #include <utility>
 
@@ -212,32 +213,39 @@ std::optional<double> possible_duration(const GenerateResult& generation) {
   return least;
 }
 
+// The candidate of values, by another posture at the edge of reach where the usual one misses.
+Candidate played(Planner& planner, const Parameters& values) {
+  Candidate best = only_candidate(planner, values);
+  bool other_postures = false;
+  for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
+    if (miss_of(best) <= kReachTolerance) break;
+    if (!planner.go_by_other_posture(other)) continue;
+    other_postures = true;
+    Candidate candidate = only_candidate(planner, values);
+    if (miss_of(candidate) <= kReachTolerance) best = std::move(candidate);
+  }
+  if (other_postures) planner.go_by_other_posture(0);
+  return best;
+}
+
 // Plays values without a search.
 Result<GenerateResult> play_values(const PreparedTask& task, const Parameters& values) {
-  SHG_TRY_ASSIGN(const std::unique_ptr<Planner> made, make_planner(task));
-  Planner& planner = *made;
-  SHG_TRY(check_parameters(planner.plan(), values));
+  SHG_TRY_ASSIGN(const std::unique_ptr<Planner> planner, make_planner(task));
+  SHG_TRY(check_parameters(planner->plan(), values));
   GenerateResult generation;
-  generation.duration = planner.duration();
-  generation.candidates.push_back(only_candidate(planner, values));
-  for (int other = 1; other <= kOtherPostures && planner.in_reach(); ++other) {
-    if (miss_of(generation.candidates.front()) <= kReachTolerance) break;
-    if (!planner.go_by_other_posture(other)) continue;
-    Candidate candidate = only_candidate(planner, values);
-    if (miss_of(candidate) <= kReachTolerance) generation.candidates.front() = std::move(candidate);
-  }
-  finish(planner.in_reach(), generation);
+  generation.duration = planner->duration();
+  generation.candidates.push_back(played(*planner, values));
+  finish(planner->in_reach(), generation);
   return generation;
 }
 
 // The candidates as the task plays them, which has another duration.
 Result<GenerateResult> played_anew(const PreparedTask& task, const GenerateResult& generation) {
+  SHG_TRY_ASSIGN(const std::unique_ptr<Planner> planner, make_planner(task));
   GenerateResult again = generation;
   again.duration = *task.duration;
-  again.candidates.clear();
-  for (const Candidate& candidate : generation.candidates) {
-    SHG_TRY_ASSIGN(GenerateResult one, play_values(task, candidate.parameters));
-    again.candidates.push_back(std::move(one.candidates.front()));
+  for (Candidate& candidate : again.candidates) {
+    candidate = played(*planner, Parameters(candidate.parameters));
   }
   std::stable_sort(again.candidates.begin(), again.candidates.end(), ranks_before);
   again.status = status_of(generation.meets_goals(), again.candidates);
@@ -274,6 +282,28 @@ void try_slower(const PreparedTask& task, JointProgress& progress, GenerateResul
   if (spent) found.evaluations = evaluations;
 }
 
+bool first_jolts(const GenerateResult& generation) {
+  return generation.candidates.front().measures.sudden.jolts();
+}
+
+// Where the first choice jolts, and the task gives no duration, the candidates take longer by these
+// factors, until their first does not.
+constexpr std::array kGentler{1.15, 1.3, 1.5, 1.75};
+
+void try_gentler(const PreparedTask& task, GenerateResult& found) {
+  if (!found.meets_goals() || task.duration || found.end == SearchEnd::cancelled) return;
+  PreparedTask gentler = task;
+  for (const double factor : kGentler) {
+    if (!first_jolts(found)) return;
+    gentler.duration = factor * found.duration;
+    Result<GenerateResult> again = played_anew(gentler, found);
+    if (!again || first_jolts(*again) || again->status != found.status) continue;
+    found = std::move(*again);
+    drop_jolts(found.candidates);
+    found.gentled = true;
+  }
+}
+
 // Where nothing that was found is possible, this many times as many motions are scored.
 constexpr int kLongerSearch = 3;
 
@@ -288,7 +318,7 @@ void try_longer(const PreparedTask& task, JointProgress& progress, GenerateResul
 }  // namespace
 
 Task played_task(Task task, const GenerateResult& generation) {
-  if (generation.slowed) task.duration = generation.duration;
+  if (generation.slowed || generation.gentled) task.duration = generation.duration;
   return task;
 }
 
@@ -309,6 +339,7 @@ Result<GenerateResult> generate(const Task& task, const Progress& progress) {
   if (natural) {
     try_slower(ready, joint, found);
     try_longer(ready, joint, found);
+    if (!traits_of(ready.preset).layers) try_gentler(ready, found);
   }
   return found;
 }

@@ -4,6 +4,7 @@
 #include "approaches.hpp"
 #include "candidate.hpp"
 #include "planner.hpp"
+#include "rollout/smooth_motion.hpp"
 #include "task/make_problem.hpp"
 #include "whole_body_search.hpp"
 
@@ -84,7 +85,11 @@ class WholeBodyPlanner : public Planner {
   }
 
   [[nodiscard]] Candidate candidate(const Expanded& expanded, Arrival arrival) const override {
-    return make_candidate(task_, *arrival.approach, expanded.values, std::move(arrival.rolled));
+    const ReachProblem& problem = *arrival.approach;
+    const bool smooths = problem.smooth && task_.generator == MotionGenerator::weighted_ik;
+    RolledOut rolled = smooths ? smoothed(problem, expanded.values, std::move(arrival.rolled))
+                               : std::move(arrival.rolled);
+    return make_candidate(task_, problem, expanded.values, std::move(rolled));
   }
 
   void finish(GenerateResult& /*generation*/) override {}

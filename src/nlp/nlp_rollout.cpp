@@ -18,7 +18,7 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
       next_(*problem.body),
       angles_(3, std::vector<double>(problem.body->dofs().size())),
       reference_(problem.body->dofs().size()),
-      timed_parts_(timed_parts(*problem.body)),
+      posture_draw_(problem),
       blend_(reference_.size()) {
   SHG_CHECK(problem.steps >= 1 && problem.duration > 0.0, "steps and duration of a motion");
   SHG_CHECK(problem.guide.empty() || problem.guide.size() == reference_.size(),
@@ -104,14 +104,7 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
     return;
   }
   const std::span<const double> posture = input.has_later() ? blend_.posture() : input.posture;
-  const double delay = input.timing.delay;
-  for (std::size_t d = 0; d < reference_.size(); ++d) {
-    const TimeWindow& window = problem_->windows[timed_parts_[d]];
-    const auto share = [&](int f) {
-      return minimum_snap((window.at(tau(f)) - delay) / (1.0 - delay));
-    };
-    reference_[d] = posture[d] * (share(frame) - share(frame - 1));
-  }
+  posture_draw_.draw(frame, posture, input.timing.delay, reference_);
 }
 
 void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome) {

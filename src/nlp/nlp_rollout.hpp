@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "nlp/nlp_ik.hpp"
+#include "rollout/posture_draw.hpp"
 #include "rollout/rollout.hpp"
 
 namespace shigusa {
@@ -64,9 +65,9 @@ class NlpRollout {
   std::vector<std::vector<double>> angles_;  // of the frame before, this one and the next
   bool drawn_ = false;                       // the null space is drawn somewhere, by …
   std::vector<double> reference_;            // … (dofs, rad) in this frame
-  std::vector<std::size_t> timed_parts_;     // (dofs) the TimedPart of each
-  PhaseBlend<double> blend_;                 // of a motion in two phases …
-  double later_share_ = 0.0;                 // … and how much of the later there is in this frame
+  PostureDraw<double> posture_draw_;
+  PhaseBlend<double> blend_;  // of a motion in two phases …
+  double later_share_ = 0.0;  // … and how much of the later there is in this frame
 };
 
 // Generates and keeps the whole motion for the parameters.

@@ -63,9 +63,11 @@ struct TimeWindow {
   }
 };
 
-// The parts of the body that keep their own time; all that is none of these goes with the arms.
-enum class TimedPart { ankles, knees, hips, spine, arms };
-inline constexpr std::size_t kTimedParts = 5;
+// The parts of the body that keep their own time: knees with what bends in hips and ankles as they
+// do (see LegFlexions), hips and ankles otherwise, the spine; all that is none of these goes with
+// the arms.
+enum class TimedPart { knees, hips, spine, arms };
+inline constexpr std::size_t kTimedParts = 4;
 using PartWindows = std::array<TimeWindow, kTimedParts>;
 
 // Everything that is the same for all motions of one search.
@@ -84,6 +86,7 @@ struct ReachProblem {
   IkSettings ik;
   bool hold_limits = false;     // no joint passes a limit (see LimitGuard)
   bool posture_law = false;     // head, free arms and clavicles follow PostureLaw
+  bool smooth = false;          // motions are delivered without kinks (see smoothed())
   std::optional<Vec3d> gaze{};  // m, world: what the head turns to by that law
   // A step falls short of its path by what joints on arcs leave the straight line. The shortfall
   // changes little from frame to frame, so the next step allows for the last one's, up to this
@@ -129,6 +132,15 @@ using ReachOutcome = BasicReachOutcome<double>;
 
 // (dofs) the number of the TimedPart of each.
 [[nodiscard]] std::vector<std::size_t> timed_parts(const BodyModel& body);
+
+// The freedoms of one leg that bend together in a squat.
+struct LegFlexions {
+  std::size_t knee;
+  std::size_t hip;
+  std::size_t ankle;
+};
+// Of the legs that have all three.
+[[nodiscard]] std::vector<LegFlexions> leg_flexions(const BodyModel& body);
 
 // The targets of weighted IK for a problem: its goals, then each planted foot but the base, held
 // where it stands in the start posture.

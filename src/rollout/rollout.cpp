@@ -18,9 +18,8 @@ namespace {
 
 TimedPart timed_part(const Dof& dof) {
   const std::string& joint = dof.part.joint;
-  if (joint == "ankle") return TimedPart::ankles;
   if (joint == "knee") return TimedPart::knees;
-  if (joint == "hip") return TimedPart::hips;
+  if (joint == "hip" || joint == "ankle") return TimedPart::hips;
   const bool back = joint == "spine" || joint == "chest" || joint == "upper_chest";
   return back ? TimedPart::spine : TimedPart::arms;
 }
@@ -31,6 +30,17 @@ std::vector<std::size_t> timed_parts(const BodyModel& body) {
   std::vector<std::size_t> parts;
   for (const Dof& dof : body.dofs()) parts.push_back(static_cast<std::size_t>(timed_part(dof)));
   return parts;
+}
+
+std::vector<LegFlexions> leg_flexions(const BodyModel& body) {
+  std::vector<LegFlexions> legs;
+  for (const std::string side : {"right_", "left_"}) {
+    const auto knee = body.find_dof(side + "knee.flexion");
+    const auto hip = body.find_dof(side + "hip.flexion");
+    const auto ankle = body.find_dof(side + "ankle.flexion");
+    if (knee && hip && ankle) legs.push_back({index(*knee), index(*hip), index(*ankle)});
+  }
+  return legs;
 }
 
 std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {

@@ -11,6 +11,7 @@
 #include "rollout/limit_guard.hpp"
 #include "rollout/motion_input.hpp"
 #include "rollout/phase_blend.hpp"
+#include "rollout/posture_draw.hpp"
 #include "rollout/posture_law.hpp"
 #include "rollout/reach_problem.hpp"
 
@@ -44,7 +45,7 @@ class Rollout {
         unlocked_(problem.body->dofs().size()),
         reference_(unlocked_),
         blend_(unlocked_.size()),
-        timed_parts_(timed_parts(*problem.body)),
+        posture_draw_(problem),
         law_(problem) {
     for (std::size_t d = 0; d < unlocked_.size(); ++d) {
       if (law_.bends_back(d)) backs_.push_back(d);
@@ -91,15 +92,29 @@ class Rollout {
       unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
     }
     forward_kinematics<S>(body, angles_[1], now());
-    for (int frame = 1; frame <= problem_->steps; ++frame) {
-      follow(frame, input, outcome);
-      visit(dynamics_.frame(angles_, now()));
-      std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
-      now_ = 1 - now_;
-    }
-    // the motion ends at rest
-    angles_[2] = angles_[1];
-    visit(dynamics_.frame(angles_, now()));
+    show([&](int frame) { follow(frame, input, outcome); }, visit);
+    return outcome;
+  }
+
+  // The same for a motion whose frames are known but for small corrections: `angles` (frames ×
+  // dofs, rad) are brought back to the paths and contacts, frame by frame.
+  template <class Visitor>
+  BasicReachOutcome<S> retrace(const MotionInput<S>& input, std::span<const S> angles,
+                               Visitor&& visit) {
+    const std::size_t dofs = unlocked_.size();
+    BasicReachOutcome<S> outcome;
+    now_ = 0;
+    if (limits_) limits_->reset();
+    if (input.has_later()) blend_.begin(input);
+    std::copy_n(angles.begin(), dofs, angles_[0].begin());
+    angles_[1] = angles_[0];
+    forward_kinematics<S>(*problem_->body, angles_[1], now());
+    const auto next_frame = [&](int frame) {
+      std::copy_n(angles.begin() + static_cast<std::ptrdiff_t>(index(frame) * dofs), dofs,
+                  angles_[2].begin());
+      return_to_paths(frame, input, outcome);
+    };
+    show(next_frame, visit);
     return outcome;
   }
 
@@ -110,6 +125,20 @@ class Rollout {
   // placements in this frame and in the next
   [[nodiscard]] Kinematics<S>& now() { return kinematics_[now_]; }
   [[nodiscard]] Kinematics<S>& next() { return kinematics_[1 - now_]; }
+
+  // shows all frames, the next of which `move` makes each time
+  template <class Move, class Visitor>
+  void show(Move&& move, Visitor&& visit) {
+    for (int frame = 1; frame <= problem_->steps; ++frame) {
+      move(frame);
+      visit(dynamics_.frame(angles_, now()));
+      std::rotate(angles_.begin(), angles_.begin() + 1, angles_.end());
+      now_ = 1 - now_;
+    }
+    // the motion ends at rest
+    angles_[2] = angles_[1];
+    visit(dynamics_.frame(angles_, now()));
+  }
 
   // moves the angles of the next frame to where the paths are then
   void follow(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
@@ -141,6 +170,34 @@ class Rollout {
       correct(contacts, unlocked_, off);
       missed = measure(targets, turn_share, false);
     }
+    add(missed, last, outcome);
+  }
+
+  // brings the angles of the next frame back to where the paths are then
+  void return_to_paths(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
+    const bool last = frame == problem_->steps;
+    const std::span<const S> inverse_weights = change_phase(frame, input);
+    place_goals(frame, input);
+    forward_kinematics<S>(*problem_->body, angles_[2], next());
+    const bool follows = problem_->follow_path && is_finite(problem_->tolerance.path);
+    const auto targets =
+        std::span<IkTarget<S>>(targets_).subspan(follows || last ? 0 : contacts_from_);
+    for (IkTarget<S>& target : targets_) target.lead = target.tilt_lead = {};
+    const double turn_share = last ? 1.0 : kTurnOnWay;
+    BasicReachOutcome<S> missed = measure(targets, turn_share, false);
+    for (int k = 0; k < problem_->goal_corrections; ++k) {
+      const auto off = max(missed.path_error, contact_error(missed)) > S(problem_->goal_tolerance);
+      if (!any(off)) break;
+      // what is missed is small, and no reason to hold back
+      for (IkTarget<S>& target : targets_) target.lag = S(0);
+      correct(targets, inverse_weights, off);
+      missed = measure(targets, turn_share, false);
+    }
+    add(missed, last, outcome);
+  }
+
+  // adds the misses of one frame
+  static void add(const BasicReachOutcome<S>& missed, bool last, BasicReachOutcome<S>& outcome) {
     outcome.path_error = worse(outcome.path_error, missed.path_error);
     outcome.contact_slide = worse(outcome.contact_slide, missed.contact_slide);
     outcome.contact_tilt = worse(outcome.contact_tilt, missed.contact_tilt);
@@ -236,28 +293,14 @@ class Rollout {
     if (guided) {
       draw_to_guide(frame);
     } else if (!input.posture.empty()) {
-      std::array<S, kTimedParts> shares;
-      for (std::size_t p = 0; p < kTimedParts; ++p) {
-        const TimeWindow& window = problem_->windows[p];
-        shares[p] = posture_share(window, frame, input) - posture_share(window, frame - 1, input);
-      }
       const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
-      for (std::size_t d = 0; d < reference_.size(); ++d) {
-        reference_[d] = posture[d] * shares[timed_parts_[d]];
-      }
-      const TimeWindow& spine = problem_->windows[static_cast<std::size_t>(TimedPart::spine)];
-      const S bent = posture_share(spine, frame, input);
+      posture_draw_.draw(frame, posture, input.timing.delay, reference_);
+      const S bent = posture_draw_.made(TimedPart::spine, frame, input.timing.delay);
       for (const std::size_t d : backs_) reference_[d] = posture[d] * bent;
     } else if (drawn_) {
       for (S& change : reference_) change = S(0);
     }
     if (!law_.empty()) law_.draw(frame, now(), angles_[1], guided, reference_);
-  }
-
-  // how much of the change of posture is made by then
-  S posture_share(const TimeWindow& window, int frame, const MotionInput<S>& input) const {
-    const S tau(window.at(static_cast<double>(frame) / problem_->steps));
-    return minimum_snap((tau - input.timing.delay) / (S(1) - input.timing.delay));
   }
 
   void draw_to_guide(int frame) {
@@ -352,7 +395,7 @@ class Rollout {
   bool drawn_ = false;                     // the null space is drawn somewhere, by …
   std::vector<S> reference_;               // … (dofs, rad) in this frame
   PhaseBlend<S> blend_;                    // of a motion in two phases
-  std::vector<std::size_t> timed_parts_;   // (dofs) the TimedPart of each
+  PostureDraw<S> posture_draw_;
   PostureLaw<S> law_;
   std::vector<std::size_t> backs_;  // the dofs that it bends beside the posture
   std::optional<LimitGuard<S>> limits_;

@@ -10,10 +10,10 @@ namespace {
 // the hand at 0.35 (recorded, 7 men), and the back leads the hips (Esola et al., Spine 21 (1996)
 // 71). In rising the knee leads the hip, and the hip the back (Burgess-Limerick et al., Hum.
 // Factors 37 (1995) 395).
-constexpr PartWindows kDown{{{0.0, 1.0}, {0.0, 0.95}, {0.0, 0.75}, {0.0, 0.7}, {0.1, 1.0}}};
-constexpr PartWindows kUp{{{0.0, 0.65}, {0.0, 0.75}, {0.1, 0.9}, {0.25, 1.0}, {0.0, 1.0}}};
+constexpr PartWindows kDown{{{0.0, 0.98}, {0.0, 0.9}, {0.0, 0.88}, {0.1, 1.0}}};
+constexpr PartWindows kUp{{{0.0, 0.9}, {0.1, 0.96}, {0.25, 1.0}, {0.0, 1.0}}};
 // A hand that goes down leaves after this share of the time.
-constexpr double kHandLeaves = 0.17;
+constexpr double kHandLeaves = 0.2;
 
 // The height gained on the way, as a share of its length.
 double rise_of(const EffectorPath& path) {

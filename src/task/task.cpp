@@ -213,6 +213,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   if (task.preset == Preset::flat) {
     problem.corrections = kLimitCorrections;
     problem.path_slack = kPathSlack;
+    problem.smooth = true;
   }
   return problem;
 }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "rollout/smooth_motion.hpp"
+
+#include "core/index.hpp"
+#include "record_motion.hpp"
+
+namespace shigusa {
+namespace {
+
+// λ: what changes with a period of 10 frames loses half, what changes faster nearly all.
+constexpr double kSmoothness = 16.0;
+constexpr std::array<double, 4> kThirdDifference{-1.0, 3.0, -3.0, 1.0};
+constexpr int kBand = 3;
+
+// The smooth values of a row of frames, by an LDLᵀ decomposition of I + λ DᵀD, a matrix of seven
+// diagonals; the first and the last frame are given, and what is beyond them is at rest there.
+class LeastJerk {
+ public:
+  explicit LeastJerk(int frames)
+      : inner_(frames - 2), rows_(index(inner_)), first_(rows_.size()), last_(rows_.size()) {
+    for (auto& row : rows_) row[0] = 1.0;
+    for (int j = -kBand; j <= inner_; ++j) add_difference(j);
+    for (int i = 0; i < inner_; ++i) {
+      const auto& row = rows_[index(i)];
+      for (int k = 1; k <= most(i); ++k) {
+        const double share = row[index(k)] / row[0];
+        for (int m = k; m <= most(i); ++m)
+          rows_[index(i + k)][index(m - k)] -= share * row[index(m)];
+      }
+      for (int k = 1; k <= kBand; ++k) rows_[index(i)][index(k)] /= row[0];
+    }
+  }
+
+  // value(frame) is a reference
+  template <class Value>
+  void smooth(Value&& value) const {
+    const double first = value(0);
+    const double last = value(inner_ + 1);
+    for (int i = 0; i < inner_; ++i) {
+      value(i + 1) -= first_[index(i)] * first + last_[index(i)] * last;
+    }
+    for (int i = 0; i < inner_; ++i) {
+      for (int k = 1; k <= most(i); ++k)
+        value(i + 1 + k) -= rows_[index(i)][index(k)] * value(i + 1);
+    }
+    for (int i = inner_ - 1; i >= 0; --i) {
+      value(i + 1) /= rows_[index(i)][0];
+      for (int k = 1; k <= most(i); ++k)
+        value(i + 1) -= rows_[index(i)][index(k)] * value(i + 1 + k);
+    }
+  }
+
+ private:
+  // how far the row's diagonals go
+  [[nodiscard]] int most(int i) const { return i + kBand < inner_ ? kBand : inner_ - 1 - i; }
+
+  // of the third difference that begins at the inner frame j
+  void add_difference(int j) {
+    for (int k = 0; k <= kBand; ++k) {
+      const int i = j + k;
+      if (i < 0 || i >= inner_) continue;
+      for (int m = 0; m <= kBand; ++m) {
+        const double part = kSmoothness * kThirdDifference[index(k)] * kThirdDifference[index(m)];
+        const int other = j + m;
+        if (other < 0) {
+          first_[index(i)] += part;
+        } else if (other >= inner_) {
+          last_[index(i)] += part;
+        } else if (other >= i) {
+          rows_[index(i)][index(other - i)] += part;
+        }
+      }
+    }
+  }
+
+  int inner_;  // frames between the first and the last
+  std::vector<std::array<double, 1 + kBand>>
+      rows_;                   // from the diagonal to the right; then D and Lᵀ
+  std::vector<double> first_;  // of the matrix, for the frames that are given
+  std::vector<double> last_;
+};
+
+}  // namespace
+
+void smooth_frames(std::size_t dofs, std::vector<double>& angles) {
+  const auto frames = static_cast<int>(angles.size() / dofs);
+  if (frames < 3) return;
+  const LeastJerk row(frames);
+  for (std::size_t d = 0; d < dofs; ++d) {
+    row.smooth([&](int frame) -> double& { return angles[index(frame) * dofs + d]; });
+  }
+}
+
+RolledOut smoothed(const ReachProblem& problem, const Parameters& parameters, RolledOut rolled) {
+  std::vector<double> angles = rolled.motion.clip.angles;
+  smooth_frames(problem.body->dofs().size(), angles);
+  MotionRecorder recorder(problem);
+  const HeldInput held(*problem.body, parameters);
+  const ReachOutcome outcome = Rollout<double>(problem).retrace(held.input(), angles, recorder);
+  if (!outcome.met(problem.tolerance)) return rolled;
+  return {std::move(recorder.motion), outcome};
+}
+
+}  // namespace shigusa
