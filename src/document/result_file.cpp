@@ -65,6 +65,10 @@ Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate
       list.back()["heel_lift_deg"] = degrees(contact.heel->angle);
       list.back()["heel_lift_mm"] = contact.heel->height * kMillimetres;
     }
+    if (!contact.on.empty()) {
+      list.back()["on"] = contact.on;
+      list.back()["force_N"] = contact.force;
+    }
     add_gltf_node(character, contact.node, list.back());
   }
   return list;
@@ -288,8 +292,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   const Json& candidates = json["candidates"];
   SHG_TRY(check_count(candidates, place));
   SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
-  const Result<Plan> plan =
-      plan_of(body, result.task.goals, result.task.preset, result.task.layer_reading);
+  const Result<Plan> plan = plan_of(body, result.task);
   if (!plan) return fail(ErrorCode::parse, plan.error().to_string(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);
