@@ -69,12 +69,19 @@ struct HeelLift {
 
 /// How well a planted foot stood.
 struct ContactResult {
-  std::string effector;            ///< name of the foot or hand
+  std::string effector;            ///< name of the foot
   std::string node;                ///< node of the exported skeleton that moves with it
   double max_slide = 0.0;          ///< m, at any frame
   std::optional<HeelLift> heel{};  ///< of one that may lift
-  std::string on{};                ///< of a hand that rests: what it rests on; the floor when empty
-  double force = 0.0;              ///< N, of such a hand: the most that it presses with
+};
+
+/// How one hand rests on something.
+struct RestResult {
+  std::string effector;    ///< name of the hand
+  std::string node;        ///< node of the exported skeleton that its point is
+  std::string on;          ///< what it rests on, as Support has it
+  double max_slide = 0.0;  ///< m, from its place, at any frame after it has arrived
+  double force = 0.0;      ///< N, the most that it presses with
 };
 
 /// How far the arms of the goals pass through the body (rule R11).
@@ -92,7 +99,8 @@ struct Candidate {
   std::vector<GoalResult> goals;  ///< in the task's order
   /// m, largest distance from the path at any frame that follows it
   double path_error = 0.0;
-  std::vector<ContactResult> contacts;          ///< of planted feet, then of resting hands
+  std::vector<ContactResult> contacts;          ///< of planted feet
+  std::vector<RestResult> resting{};            ///< of hands that rest on something
   MotionMeasures measures;                      ///< what the motion asks of the body
   Judgement judgement;                          ///< whether the body could make the motion
   FinalPosture final_posture;                   ///< how it ends

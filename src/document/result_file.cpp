@@ -65,11 +65,20 @@ Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate
       list.back()["heel_lift_deg"] = degrees(contact.heel->angle);
       list.back()["heel_lift_mm"] = contact.heel->height * kMillimetres;
     }
-    if (!contact.on.empty()) {
-      list.back()["on"] = contact.on;
-      list.back()["force_N"] = contact.force;
-    }
     add_gltf_node(character, contact.node, list.back());
+  }
+  return list;
+}
+
+Json resting_to_json(const CharacterSpec& character, const Candidate& candidate) {
+  Json list = Json::array();
+  for (const RestResult& rest : candidate.resting) {
+    list.push_back({{"effector", rest.effector},
+                    {"joint", joint_of(character, rest.node)},
+                    {"on", rest.on},
+                    {"max_slide_mm", rest.max_slide * kMillimetres},
+                    {"force_N", rest.force}});
+    add_gltf_node(character, rest.node, list.back());
   }
   return list;
 }
@@ -104,6 +113,7 @@ Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std:
   json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(character, candidate);
+  if (!candidate.resting.empty()) json["resting"] = resting_to_json(character, candidate);
   add_measures(run.task.body, candidate.measures, candidate.final_posture, json);
   json["final_posture"]["elbow_swivel_deg"] = degrees(candidate.final_posture.elbow_swivel);
   json["duration_s"] = run.generation.duration;

@@ -89,14 +89,12 @@ void add_resting_hands(const Task& task, const ReachProblem& problem, const Moti
     if (candidate.parameters.supports[k] < 0.0) continue;
     const HandSupport& support = problem.supports[k];
     const Effector& hand = task.body.effector(support.effector);
-    ContactResult& contact = candidate.contacts.emplace_back();
-    contact.effector = hand.name;
-    contact.node = hand.node;
-    contact.max_slide = slide_of(problem, motion.clip, support, at_rest[k]);
-    contact.on = task.supports[k].on;
-    for (const Vec3d& force : motion.resting[k].forces) {
-      contact.force = max(contact.force, norm(force));
-    }
+    RestResult& rest = candidate.resting.emplace_back();
+    rest.effector = hand.name;
+    rest.node = hand.node;
+    rest.on = task.supports[k].on;
+    rest.max_slide = slide_of(problem, motion.clip, support, at_rest[k]);
+    for (const Vec3d& force : motion.resting[k].forces) rest.force = max(rest.force, norm(force));
   }
 }
 

@@ -78,7 +78,7 @@ struct HandSupport {
   int carrier = kWorldCarrier;  // link, or kWorldCarrier
   Vec3d place{};                // m, where the hand's point rests
   Vec3d normal{0, 1, 0};        // unit vector out of the surface
-  double arrives = 0.75;        // share of the duration after which the hand is there
+  double arrives = 0.7;         // share of the duration after which the hand is there
 
   // The share of the hand's way that is done at tau = time / duration.
   [[nodiscard]] double done(double tau) const { return minimum_snap(tau / arrives); }

@@ -21,9 +21,9 @@ constexpr double kFromEdge = 0.04;
 // The hand rests about the place that is nearest to a point below the shoulder by this share of the
 // arm's length.
 constexpr double kBelowShoulder = 0.4;
-// The shares of the duration after which hands may have arrived, the earliest first: of the profile
-// of their way 0.97 is done by 0.6 of the time where they arrive at 0.75.
-constexpr double kArrivals[] = {0.75, 0.85, 0.95};
+// The shares of the duration after which hands may have arrived, the earliest first. A hand that
+// arrives at 0.7 has 0.99 of its way behind it at 0.6.
+constexpr double kArrivals[] = {0.7, 0.8, 0.9};
 
 tl::unexpected<Error> wrong_support(const Support& support, std::string message) {
   return fail(ErrorCode::invalid_argument, std::move(message),
