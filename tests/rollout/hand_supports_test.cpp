@@ -5,6 +5,7 @@
 
 #include <shigusa/task.hpp>
 
+#include "body/posture_modes.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "rollout/rollout.hpp"
 #include "support/problems.hpp"
