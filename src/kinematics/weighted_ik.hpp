@@ -401,6 +401,19 @@ S fill_support_products(int first, int blocks, std::span<const S> inverse_weight
   return largest;
 }
 
+// adds the rows of a step's supports after those of its targets; the largest mean diagonal of one.
+// A function of its own, as few motions have supports.
+template <class S>
+[[gnu::noinline]] S add_supports(const BodyModel& body, const Kinematics<S>& kinematics,
+                                 const IkStep<S>& step, const IkSettings& settings,
+                                 IkWorkspace<S>& workspace) {
+  const int first = row_count(step.targets) / 3;
+  const int blocks = first + static_cast<int>(step.supports.size());
+  fill_support_rows(body, kinematics, step.supports, index(first), workspace);
+  return fill_support_products(first, blocks, step.inverse_weights, settings.support_damping,
+                               workspace);
+}
+
 // Jᵀ y, y being the solution that stands in the residual
 template <class S>
 [[gnu::always_inline]] inline void pull_joints(int blocks, IkWorkspace<S>& workspace) {
@@ -450,9 +463,7 @@ std::span<const S> weighted_ik_step(const BodyModel& body, const Kinematics<S>& 
   ik_detail::fill_products(free / 3, inverse_weights, workspace);
   S diagonal = ik_detail::add_damping(step.targets, settings, workspace);
   if (!step.supports.empty()) {
-    ik_detail::fill_support_rows(body, kinematics, step.supports, index(free / 3), workspace);
-    diagonal = max(diagonal, ik_detail::fill_support_products(free / 3, blocks, inverse_weights,
-                                                              settings.support_damping, workspace));
+    diagonal = max(diagonal, ik_detail::add_supports(body, kinematics, step, settings, workspace));
   }
   if (!reference.empty()) {
     ik_detail::take_off_reference(blocks, inverse_weights, reference, workspace);

@@ -63,7 +63,7 @@ class FrameDynamics {
 
  private:
   // puts the hands' forces of this frame where they are
-  void press(const Kinematics<S>& now, Wrench<S>& ground) {
+  [[gnu::noinline]] void press(const Kinematics<S>& now, Wrench<S>& ground) {
     const BodyModel& body = *problem_->body;
     const double weight = (body.mass() - body.load()) * kGravity;
     const double tau = static_cast<double>(frame_++) / problem_->steps;

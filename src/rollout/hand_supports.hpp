@@ -9,7 +9,8 @@
 namespace shigusa {
 
 // The hands of a motion that rest on something: where they are to be in each frame. In the lanes in
-// which a hand is free it is no target, and PostureLaw moves its arm.
+// which a hand is free it is no target, and PostureLaw moves its arm. Most motions have none, so
+// its functions are kept out of their code.
 template <class S>
 class HandSupports {
  public:
@@ -62,7 +63,7 @@ class HandSupports {
   }
 
   // Sets where the hands are to be in this frame, from where they were in the one before.
-  void place(int frame, const Kinematics<S>& before) {
+  [[gnu::noinline]] void place(int frame, const Kinematics<S>& before) {
     for (std::size_t k = 0; k < targets_.size(); ++k) {
       const Moment& moment = at(frame, k);
       IkSupport<S>& target = targets_[k];
@@ -91,10 +92,10 @@ class HandSupports {
 
   // Keeps what the posture draws the arms by (dofs, rad), and puts it back as far as their hands
   // have come: the law is of arms that are free.
-  void keep_arms(std::span<const S> reference) {
+  [[gnu::noinline]] void keep_arms(std::span<const S> reference) {
     for (ArmFreedom& arm : arms_) arm.kept = reference[arm.dof];
   }
-  void restore_arms(int frame, std::span<S> reference) const {
+  [[gnu::noinline]] void restore_arms(int frame, std::span<S> reference) const {
     for (const ArmFreedom& arm : arms_) {
       const S share = targets_[arm.support].holds * S(at(frame, arm.support).done);
       S& drawn = reference[arm.dof];
@@ -104,7 +105,7 @@ class HandSupports {
 
   // How far the hands that have arrived are from their places (m), the most; `learn`: adds that to
   // the leads of those that are nearer than `limit` (m).
-  S miss(int frame, const Kinematics<S>& kinematics, const S& limit, bool learn) {
+  [[gnu::noinline]] S miss(int frame, const Kinematics<S>& kinematics, const S& limit, bool learn) {
     S most(0);
     for (std::size_t k = 0; k < targets_.size(); ++k) {
       if (!at(frame, k).there) continue;

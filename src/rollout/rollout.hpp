@@ -196,12 +196,12 @@ class Rollout {
       leads_.push_back({target.lead, target.tilt_lead});
       target.lead = target.tilt_lead = {};
     }
-    supports_.put_leads_aside();
+    if (!supports_.empty()) supports_.put_leads_aside();
     const IkStep<S> wanted{
         targets, within_limits(inverse_weights, angles_[2]), {}, supports_.targets()};
     const std::span<const S> dq =
         weighted_ik_step<S>(*problem_->body, next(), wanted, problem_->ik, ik_);
-    supports_.put_leads_back();
+    if (!supports_.empty()) supports_.put_leads_back();
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].lead = leads_[i].position;
       targets[i].tilt_lead = leads_[i].tilt;
