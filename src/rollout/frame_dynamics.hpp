@@ -52,7 +52,7 @@ class FrameDynamics {
       accelerations_[d] = (to_come - gone) * square_rate;
     }
     Wrench<S> ground = inverse_dynamics<S>(body, now, {speeds_, accelerations_}, work_, torques_);
-    if (!hands_.empty()) press(now, ground);
+    if (!hands_.empty()) ground = pressed(now, Wrench<S>(ground));
     bear_on_feet<S>(body, now, angles[1], ground, torques_);
     const Vec3<S> centre = centre_of_mass(body, work_);
     return {{angles[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
@@ -62,8 +62,8 @@ class FrameDynamics {
   }
 
  private:
-  // puts the hands' forces of this frame where they are
-  [[gnu::noinline]] void press(const Kinematics<S>& now, Wrench<S>& ground) {
+  // puts the hands' forces of this frame where they are; the floor's wrench beside them
+  [[gnu::noinline]] Wrench<S> pressed(const Kinematics<S>& now, Wrench<S> ground) {
     const BodyModel& body = *problem_->body;
     const double weight = (body.mass() - body.load()) * kGravity;
     const double tau = static_cast<double>(frame_++) / problem_->steps;
@@ -78,6 +78,7 @@ class FrameDynamics {
       load.force = leaning_direction(normal, arm) * (shares_[k] * S(weight * support.bears(tau)));
       bear_on_hand<S>(body, now, load, ground, torques_);
     }
+    return ground;
   }
 
   const ReachProblem* problem_;
