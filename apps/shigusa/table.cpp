@@ -90,6 +90,7 @@ std::string table_row(const BodyModel& body, std::size_t rank, const Candidate& 
     slide = std::max(slide, foot.max_slide);
     if (foot.heel) lift = std::max(lift, foot.heel->height);
   }
+  for (const RestResult& hand : candidate.resting) slide = std::max(slide, hand.max_slide);
   text += fmt::format("  {:>9.3f}  {:>9.3f}  ", 1e3 * error, 1e3 * slide);
   if (columns.heels) text += fmt::format("{:>8.1f}  ", 1e3 * lift);
   return text + measures_row(body, candidate.measures, candidate.final_posture) + "\n";

@@ -205,6 +205,10 @@ Result<Value> parse(const AnyField& field, const std::string& text) {
     const auto n = parse_numbers(text, 3);
     if (!n) return misread(field, text);
     return Vec3d{(*n)[0], (*n)[1], (*n)[2]};
+  } else if constexpr (std::same_as<Value, Support>) {
+    const auto parts = split(text);
+    if (!parts) return misread(field.traits.option, text, field.traits.form);
+    return Support{.effector = parts->first, .on = parts->second};
   } else {
     const auto named = parse_named(text, std::same_as<Value, Goal> ? 3 : 6);
     if (!named) return misread(field, text);

@@ -100,11 +100,17 @@ struct HeadSettings {
 
 /// Depth (m) of a collision at which the penalty is full.
 inline constexpr double kCollisionFull = 0.05;
+/// A hand that rests on a part of the body or on an obstacle touches it, which is no collision.
+struct RestingPlace {
+  int link = 0;    ///< of the hand
+  std::string on;  ///< name of the part or the obstacle
+};
 /// Sets the scale of the criterion collision: how deep parts are in one another, in obstacles or in
 /// the floor.
 struct CollisionSettings {
-  double full = kCollisionFull;       ///< m, > 0
-  std::vector<Obstacle> obstacles{};  ///< of the task
+  double full = kCollisionFull;         ///< m, > 0
+  std::vector<Obstacle> obstacles{};    ///< of the task
+  std::vector<RestingPlace> resting{};  ///< of the task's supports
 };
 
 /// How far outside the support polygon (m) the penalty is full.

@@ -75,6 +75,15 @@ struct ContactResult {
   std::optional<HeelLift> heel{};  ///< of one that may lift
 };
 
+/// How one hand rests on something.
+struct RestResult {
+  std::string effector;    ///< name of the hand
+  std::string node;        ///< node of the exported skeleton that its point is
+  std::string on;          ///< what it rests on, as Support has it
+  double max_slide = 0.0;  ///< m, from its place, at any frame after it has arrived
+  double force = 0.0;      ///< N, the most that it presses with
+};
+
 /// How far the arms of the goals pass through the body (rule R11).
 struct ArmCollision {
   double depth = 0.0;  ///< m, collision_depth of these arms, the deepest
@@ -91,6 +100,7 @@ struct Candidate {
   /// m, largest distance from the path at any frame that follows it
   double path_error = 0.0;
   std::vector<ContactResult> contacts;          ///< of planted feet
+  std::vector<RestResult> resting{};            ///< of hands that rest on something
   MotionMeasures measures;                      ///< what the motion asks of the body
   Judgement judgement;                          ///< whether the body could make the motion
   FinalPosture final_posture;                   ///< how it ends

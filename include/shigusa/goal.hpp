@@ -62,6 +62,32 @@ inline constexpr FieldTable kFields<Obstacle>{
               {.mirroring = Mirroring::other_side, .written = always}},
     }};
 
+/// The place of a support that is the thigh of the hand's own side.
+inline constexpr std::string_view kThighPlace = "thigh";
+
+/// A hand without a goal that rests on something, and may bear a part of the body's weight there.
+struct Support {
+  std::string effector = "left_hand";  ///< see BodyModel::find_effector
+  std::string on{kThighPlace};         ///< kThighPlace, or an obstacle's name
+  friend bool operator==(const Support&, const Support&) = default;
+};
+
+/// The fields of a support.
+template <>
+inline constexpr FieldTable kFields<Support>{
+    "support", "A hand without a goal, and what it rests on.",
+    std::tuple{
+        Field{"effector",
+              &Support::effector,
+              "left_hand or right_hand.",
+              {.required = true, .mirroring = Mirroring::other_side, .written = always}},
+        Field{"on",
+              &Support::on,
+              "thigh: that of the hand's own side, a little above the knee; or the name of an "
+              "obstacle.",
+              {.required = true, .written = always}},
+    }};
+
 inline constexpr double kToleranceMax = 10.0;  ///< m
 
 /// An axis of an effector and where it is to point. The effector's frame is the world's where the

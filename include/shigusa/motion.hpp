@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <shigusa/vec3.hpp>
 #include <span>
 #include <string>
@@ -44,12 +45,21 @@ inline constexpr double kRateMax = 240.0;
 /// most. Needs a frame, and a rate from kRateMin to kRateMax.
 [[nodiscard]] Clip resampled(const Clip& clip, double rate);
 
+/// A hand that rests on something, and what it bears, frame after frame.
+struct RestingHand {
+  int effector = 0;            ///< see BodyModel::effector
+  std::optional<int> thigh{};  ///< link that bears the opposite force; none of a thing of the world
+  std::vector<Vec3d> places{};  ///< (frames) m, world: where the hand's point is
+  std::vector<Vec3d> forces{};  ///< (frames) N, world: on the hand
+};
+
 /// A motion with the quantities that can be read off it. Criteria of the user's own are given this.
 struct Motion {
   Clip clip;                                  ///< joint angles
   std::vector<double> torques;                ///< (frames × dofs) N·m, dof order of BodyModel
   std::vector<Vec3d> centre_of_mass;          ///< (frames) m, world
   std::vector<std::vector<Vec3d>> effectors;  ///< [goal][frame] m, world: where the goal's point is
+  std::vector<RestingHand> resting{};         ///< hands that rest on something
 };
 
 /// How far a recorded foot goes from where it is in the first frame.

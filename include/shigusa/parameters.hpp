@@ -132,6 +132,9 @@ struct Parameters {
   std::vector<ArmWeights> arms{};  ///< (goals whose arm moves by weights)
   std::vector<double> swivels{};   ///< (goals whose arm moves by its swivel) rad
   std::vector<double> finals{};    ///< (final angles that layers search) rad
+  /// (the task's supports) share of the body's weight that the hand presses with; below 0 it is
+  /// free
+  std::vector<double> supports{};
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
@@ -147,6 +150,13 @@ struct FixedParameters {
   Parameters values;      ///< with a posture; with a later phase if some of that is set too
   std::vector<bool> set;  ///< (the plan's parameters that the values have) which are set
 };
+
+/// The most that a hand presses with, as a share of the body's weight: a weak man (5th percentile)
+/// pushes 187 N with his left arm straight (MIL-STD-1472, arm strength), a quarter of the weight of
+/// 73 kg.
+inline constexpr double kSupportMost = 0.25;
+/// The least value of a support's parameter; all below 0 leave the hand free.
+inline constexpr double kSupportLeast = -0.05;
 
 /// All freedoms alike: the plain pseudo-inverse.
 [[nodiscard]] Parameters uniform_parameters(const BodyModel& body);

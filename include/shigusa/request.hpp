@@ -88,6 +88,8 @@ inline constexpr auto kEnumWords<Preset> = words_of_table(kPresets, &PresetTrait
 inline constexpr std::size_t kGoalsMax = 64;  ///< more than any body can meet
 /// The most obstacles of a task.
 inline constexpr std::size_t kObstaclesMax = 64;
+/// The most supports of a task.
+inline constexpr std::size_t kSupportsMax = 8;
 inline constexpr double kTaskDurationMin = 0.05;  ///< s
 inline constexpr double kTaskDurationMax = 60.0;  ///< s
 inline constexpr int kPhasesMax = 2;              ///< weights and posture change once at most
@@ -115,6 +117,8 @@ struct Request {
   std::optional<std::vector<std::string>> contacts{};
   /// Things that the criterion `collision` sees.
   std::vector<Obstacle> obstacles{};
+  /// Hands that rest on something, each another one.
+  std::vector<Support> supports{};
   std::optional<double> duration{};  ///< s
   /// The way in which parameters are searched.
   Preset preset = Preset::flat;
@@ -184,6 +188,15 @@ inline constexpr FieldTable kFields<Request>{
               {.high = kObstaclesMax,
                .option = "--obstacle",
                .form = "NAME=X,Y,Z,SX,SY,SZ",
+               .mirroring = Mirroring::other_side}},
+        Field{"support",
+              &Request::supports,
+              "Of the preset flat: hands without a goal that rest on the thigh, or on an obstacle "
+              "by its name. What they press with, from 0 to 0.25 of the body's weight, is a "
+              "parameter, such as left_hand.support; below 0 the hand stays free.",
+              {.high = kSupportsMax,
+               .option = "--support",
+               .form = "HAND=PLACE",
                .mirroring = Mirroring::other_side}},
         Field{"duration_s",
               &Request::duration,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "criteria/collision.hpp"
 
+#include <algorithm>
+
 namespace shigusa {
 
 namespace {
@@ -9,6 +11,15 @@ namespace {
 double reach_of(const BodyModel& body, int number) {
   const Capsule& capsule = body.capsules()[index(number)];
   return capsule.radius + 0.5 * norm(capsule.to - capsule.from);
+}
+
+// Whether a capsule is that of a hand that rests on what has the name.
+bool rests_on(const BodyModel& body, int capsule, const std::string& name,
+              const CollisionSettings& settings) {
+  const int link = body.capsules()[index(capsule)].link;
+  return std::any_of(
+      settings.resting.begin(), settings.resting.end(),
+      [&](const RestingPlace& place) { return place.link == link && place.on == name; });
 }
 
 // A hand without a wrist points where its forearm does, and cannot be kept off the floor.
@@ -32,7 +43,9 @@ CollisionPairs::~CollisionPairs() = default;
 
 CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& settings) {
   CollisionPairs pairs;
+  const auto& capsules = body.capsules();
   for (const CapsulePair& pair : all_limb_pairs(body)) {
+    if (rests_on(body, pair.limb, capsules[index(pair.part)].name, settings)) continue;
     const double together = reach_of(body, pair.limb) + reach_of(body, pair.part);
     const auto near = static_cast<float>(kApartSlack * together * together);
     pairs.parts.push_back({pair.limb, pair.part, 0.0, near});
@@ -40,6 +53,7 @@ CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& s
   for (const Effector& effector : body.effectors()) add_floor(body, effector, pairs);
   for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {
     for (int o = 0; o < static_cast<int>(settings.obstacles.size()); ++o) {
+      if (rests_on(body, c, settings.obstacles[index(o)].name, settings)) continue;
       pairs.obstacles.push_back({c, o});
     }
   }

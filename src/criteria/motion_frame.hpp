@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "kinematics/forward_kinematics.hpp"
+#include "dynamics/hand_load.hpp"
 
 namespace shigusa {
 
@@ -24,7 +24,8 @@ struct MotionFrame {
 template <class S>
 struct PlacedFrame : MotionFrame<S> {
   const Kinematics<S>& kinematics;
-  Vec3<S> pressure{};  // of the floor on the body, see pressure()
+  Vec3<S> pressure{};                    // of the floor on the body, see pressure()
+  std::span<const HandLoad<S>> hands{};  // that rest on something
 };
 
 // Whether a criterion must be shown PlacedFrames: its `add` takes no others.

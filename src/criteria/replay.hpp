@@ -5,6 +5,7 @@
 
 #include "criteria/motion_frame.hpp"
 #include "dynamics/contact_forces.hpp"
+#include "dynamics/hand_load.hpp"
 
 namespace shigusa {
 
@@ -49,8 +50,9 @@ void show_motion(const BodyModel& body, const Motion& motion, Criteria& criteria
                                     clip.frame_time};
     if (placed) {
       forward_kinematics<double>(body, now, kinematics);
-      const Wrench<double> ground =
+      Wrench<double> ground =
           inverse_dynamics<double>(body, kinematics, {speeds, accelerations}, dynamics, torques);
+      bear_on_hands(body, kinematics, motion.resting, k, ground, torques);
       criteria.add(PlacedFrame<double>{frame, kinematics, pressure(ground, floor_height(body))});
     } else if constexpr (!looks_at_placement<Criteria, double>) {
       criteria.add(frame);

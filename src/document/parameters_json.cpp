@@ -13,6 +13,7 @@ constexpr const char* kContractions = "contractions";
 constexpr const char* kPosture = "posture";
 constexpr const char* kLater = "later";
 constexpr const char* kArms = "arms";
+constexpr const char* kSupports = "supports";
 
 // Where a parameter stands: {"later", "posture", "squat_rad"}.
 struct Placed {
@@ -47,6 +48,9 @@ std::vector<std::string> path_of(const Parameter& parameter) {
       break;
     case ParameterKind::switch_at:
       path.push_back(name);
+      break;
+    case ParameterKind::support:
+      path = {kSupports, name};
       break;
   }
   return path;

@@ -70,6 +70,19 @@ Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate
   return list;
 }
 
+Json resting_to_json(const CharacterSpec& character, const Candidate& candidate) {
+  Json list = Json::array();
+  for (const RestResult& rest : candidate.resting) {
+    list.push_back({{"effector", rest.effector},
+                    {"joint", joint_of(character, rest.node)},
+                    {"on", rest.on},
+                    {"max_slide_mm", rest.max_slide * kMillimetres},
+                    {"force_N", rest.force}});
+    add_gltf_node(character, rest.node, list.back());
+  }
+  return list;
+}
+
 // Adds the files of a candidate. Frames are those of the files that hold the motion of nodes.
 void add_files(const Candidate& candidate, const CandidateFiles& files, double rate, Json& json) {
   json["files"] = Json::object();
@@ -100,6 +113,7 @@ Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std:
   json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(character, candidate);
+  if (!candidate.resting.empty()) json["resting"] = resting_to_json(character, candidate);
   add_measures(run.task.body, candidate.measures, candidate.final_posture, json);
   json["final_posture"]["elbow_swivel_deg"] = degrees(candidate.final_posture.elbow_swivel);
   json["duration_s"] = run.generation.duration;
@@ -288,8 +302,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   const Json& candidates = json["candidates"];
   SHG_TRY(check_count(candidates, place));
   SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
-  const Result<Plan> plan =
-      plan_of(body, result.task.goals, result.task.preset, result.task.layer_reading);
+  const Result<Plan> plan = plan_of(body, result.task);
   if (!plan) return fail(ErrorCode::parse, plan.error().to_string(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);

@@ -70,8 +70,7 @@ Result<void> mirror_result(StoredResult& stored) {
   SHG_TRY_ASSIGN(const BodyModel body, build_body(stored.task));
   SHG_TRY_ASSIGN(TaskFile image, mirrored(stored.task));
   SHG_TRY_ASSIGN(const Task task, make_task(image, {}));
-  SHG_TRY_ASSIGN(const Plan from,
-                 plan_of(body, stored.task.goals, task.preset, task.layer_reading));
+  SHG_TRY_ASSIGN(const Plan from, plan_of(body, stored.task));
   SHG_TRY_ASSIGN(const Plan to, plan_of(task));
   stored.task = std::move(image);
   for (Parameters& values : stored.candidates) values = mirrored(from, to, values);

@@ -58,6 +58,46 @@ double frame_distance(const Clip& a, const Clip& b, int frame) {
   return sqrt(squares / a.dofs);
 }
 
+// How far a planted foot slides, and a resting hand on its place, the most at any frame (m).
+double slide_of(const BodyModel& body, const Clip& clip, const Foot& foot) {
+  const Vec3d planted = start_kinematics(body).point(foot.link, foot.centre);
+  Kinematics<double> placed(body);
+  double most = 0.0;
+  for (int f = 0; f < clip.frames; ++f) {
+    forward_kinematics<double>(body, clip.frame(f), placed);
+    most = max(most, norm(placed.point(foot.link, foot.centre) - planted));
+  }
+  return most;
+}
+double slide_of(const ReachProblem& problem, const Clip& clip, const HandSupport& support,
+                const IkSupport<double>& at_rest) {
+  Kinematics<double> placed(*problem.body);
+  double most = 0.0;
+  for (int f = 0; f < clip.frames; ++f) {
+    if (static_cast<double>(f) / problem.steps < support.arrives) continue;
+    forward_kinematics<double>(*problem.body, clip.frame(f), placed);
+    most = max(most, norm(support_error(placed, at_rest)));
+  }
+  return most;
+}
+
+// Adds the hands that rest in this motion.
+void add_resting_hands(const Task& task, const ReachProblem& problem, const Motion& motion,
+                       Candidate& candidate) {
+  const std::vector<IkSupport<double>> at_rest = ik_supports(problem);
+  for (std::size_t k = 0; k < problem.supports.size(); ++k) {
+    if (candidate.parameters.supports[k] < 0.0) continue;
+    const HandSupport& support = problem.supports[k];
+    const Effector& hand = task.body.effector(support.effector);
+    RestResult& rest = candidate.resting.emplace_back();
+    rest.effector = hand.name;
+    rest.node = hand.node;
+    rest.on = task.supports[k].on;
+    rest.max_slide = slide_of(problem, motion.clip, support, at_rest[k]);
+    for (const Vec3d& force : motion.resting[k].forces) rest.force = max(rest.force, norm(force));
+  }
+}
+
 // a NaN is worse than any score
 double ranking(const Score& score) {
   return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
@@ -86,10 +126,14 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
   candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
     // the base cannot move; what another foot does was measured in every frame
-    const double slide = foot.link == kBaseLink ? 0.0 : rolled.outcome.contact_slide;
+    const bool alone = problem.supports.empty();  // hands are among what was measured otherwise
+    const double slide = foot.link == kBaseLink ? 0.0
+                         : alone                ? rolled.outcome.contact_slide
+                                                : slide_of(body, rolled.motion.clip, foot);
     candidate.contacts.push_back({foot.name, foot.node, slide, {}});
     if (foot.heel) candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip);
   }
+  add_resting_hands(task, problem, rolled.motion, candidate);
   candidate.measures = measure_motion(body, rolled.motion, task_criteria(task).collision);
   candidate.judgement = judge(body, rolled.motion, candidate.measures);
   const Clip& clip = rolled.motion.clip;

@@ -15,13 +15,31 @@ namespace {
 // The logarithm of the least weight that is searched for a freedom that gives way last (Dof::give).
 constexpr double kLastLogWeight = -1.0;
 
+// The share of the body's weight that a resting hand presses with in the plain motion.
+constexpr double kSupportStart = 0.05;
+
 // Whether each freedom moves a target: the others do nothing in weighted IK.
 std::vector<bool> useful_dofs(const ReachProblem& problem) {
   std::vector<bool> useful(problem.body->dofs().size());
   for (const IkTarget<double>& target : ik_targets(problem)) {
     for (const int d : problem.body->chain(target.link)) useful[static_cast<std::size_t>(d)] = true;
   }
+  for (const IkSupport<double>& support : ik_supports(problem)) {
+    for (const int d : problem.body->chain(support.link))
+      useful[static_cast<std::size_t>(d)] = true;
+    if (support.carrier == kWorldCarrier) continue;
+    for (const int d : problem.body->chain(support.carrier)) {
+      useful[static_cast<std::size_t>(d)] = true;
+    }
+  }
   return useful;
+}
+
+// The task's supports, as its plan names them.
+std::vector<Support> supports_of(const ReachProblem& problem) {
+  std::vector<Support> supports;
+  for (const HandSupport& support : problem.supports) supports.push_back({support.name, {}});
+  return supports;
 }
 
 // "hip.flexion" of "left_hip.flexion", "spine.flexion" of all of its joints; arms keep their side
@@ -72,11 +90,11 @@ ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
     : body_(problem.body),
       code_(code),
       named_(code == GeneCode::natural || code == GeneCode::every),
-      fixed_(fixed ? *fixed : no_fixed_parameters(*body_)),
+      fixed_(fixed ? *fixed : no_fixed_parameters(*body_, supports_of(problem))),
       posed_(named_),
       modes_(posture_modes(*body_)) {
   SHG_CHECK(phases == 1 || (phases == 2 && named_), "one phase, or two of the natural code");
-  const Plan plan = whole_body_plan(*body_);
+  const Plan plan = whole_body_plan(*body_, supports_of(problem));
   if (phases == 2) fixed_ = in_both_phases(plan, std::move(fixed_));
   const std::vector<bool> useful = useful_dofs(problem);
   const std::vector<Parameter> all = parameters_of(plan, fixed_.values);
@@ -123,6 +141,10 @@ void ParameterSpace::add(const Parameter& parameter, const std::vector<bool>& us
     }
     case ParameterKind::switch_at:
       gene.start = parameter.value();
+      break;
+    case ParameterKind::support:
+      gene.lower = 0.0;  // a hand that is asked to rest does; an edit may free it
+      gene.start = kSupportStart;
       break;
     case ParameterKind::contraction:
     case ParameterKind::swivel:
@@ -184,6 +206,7 @@ void ParameterSpace::keep_fixed(Parameters& parameters) const {
   }
   keep_joints(fixed_joints_, fixed_.values.joints, parameters.joints);
   if (posed_) parameters.posture = fixed_.values.posture;
+  parameters.supports = fixed_.values.supports;
 }
 
 Parameters ParameterSpace::decode(std::span<const double> point) const {
@@ -212,6 +235,9 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
         break;
       case ParameterKind::switch_at:
         parameters.later->switch_at = value;
+        break;
+      case ParameterKind::support:
+        parameters.supports[gene.index] = value;
         break;
       default:  // of other plans
         break;
@@ -243,6 +269,7 @@ MotionInputs ParameterSpace::rows(std::span<const double> points) {
   if (!posed_) return weights_;
   MotionInputs inputs{weights_, postures_, timing_};
   if (base.later) inputs.later = {later_weights_, later_postures_, switches_};
+  inputs.supports = supports_;
   return inputs;
 }
 
@@ -253,6 +280,7 @@ void ParameterSpace::start_rows(const Parameters& base, std::size_t motions) {
   std::vector<double> timing;
   for (const auto member : kTimingMembers<double>) timing.push_back(base.posture.timing.*member);
   repeat(timing, motions, timing_);
+  repeat(base.supports, motions, supports_);
   if (!base.later) return;
   repeat(inverse_weights({.joints = base.later->joints}), motions, later_weights_);
   repeat(posture_change(*body_, {.modes = base.later->modes}), motions, later_postures_);
@@ -276,6 +304,8 @@ void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
       }
     } else if (gene.kind == ParameterKind::switch_at) {
       switches_[row] = static_cast<float>(value);
+    } else if (gene.kind == ParameterKind::support) {
+      supports_[row * fixed_.values.supports.size() + gene.index] = static_cast<float>(value);
     } else {
       timing_[row * kTimings + gene.index] = static_cast<float>(value);
     }

@@ -23,9 +23,9 @@ enum class GeneCode {
 
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
-// mode that moves one of these; bow and sway. Of two phases it has the weights and modes of the
-// later one too, and the switch. A fixed parameter is no coordinate, or of the paper's code one
-// that changes nothing.
+// mode that moves one of these; bow and sway; what resting hands press with. Of two phases it has
+// the weights and modes of the later one too, and the switch. A fixed parameter is no coordinate,
+// or of the paper's code one that changes nothing.
 class ParameterSpace {
  public:
   // Two phases have the natural code alone.
@@ -90,6 +90,7 @@ class ParameterSpace {
   std::vector<float> later_weights_;
   std::vector<float> later_postures_;
   std::vector<float> switches_;
+  std::vector<float> supports_;
 };
 
 }  // namespace shigusa

@@ -19,7 +19,7 @@ constexpr double kSquatPull = 1.0;
 std::optional<double> fixed_value(const Task& task, std::string_view name) {
   if (!task.fixed) return std::nullopt;
   Parameters values = task.fixed->values;
-  const Plan plan = whole_body_plan(task.body);
+  const Plan plan = whole_body_plan(task.body, task.supports);
   const std::vector<Parameter> all = parameters_of(plan, values);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].info->name == name && task.fixed->set[i]) return all[i].value();

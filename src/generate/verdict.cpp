@@ -45,10 +45,11 @@ std::string when(const Reason& reason) {
 }
 
 // The verdict on a motion in another duration: limits and collisions are what they were.
-Verdict verdict_in(double duration, const BodyModel& body, Clip clip, MotionMeasures measures,
-                   ClipDynamics& dynamics) {
+Verdict verdict_in(double duration, const BodyModel& body, const Motion& motion,
+                   MotionMeasures measures, ClipDynamics& dynamics) {
+  Clip clip = motion.clip;
   clip.frame_time = duration / (clip.frames - 1);
-  const Motion slower = dynamics.completed(std::move(clip));
+  const Motion slower = dynamics.completed(std::move(clip), motion.resting);
   measures.loads = joint_loads(body, slower);
   measures.support = support_margins(body, slower);
   return judge(body, measures).verdict;
@@ -113,7 +114,7 @@ Judgement judge(const BodyModel& body, const Motion& motion, const MotionMeasure
   double slow = kSlowest * fast;
   ClipDynamics dynamics(body);
   const auto in = [&](double duration) {
-    return verdict_in(duration, body, motion.clip, measures, dynamics);
+    return verdict_in(duration, body, motion, measures, dynamics);
   };
   const Verdict best = in(slow);
   if (best == Verdict::impossible) return judgement;

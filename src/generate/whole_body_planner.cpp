@@ -6,6 +6,7 @@
 #include "planner.hpp"
 #include "rollout/smooth_motion.hpp"
 #include "task/make_problem.hpp"
+#include "task/task_supports.hpp"
 #include "whole_body_search.hpp"
 
 namespace shigusa {
@@ -16,7 +17,7 @@ constexpr int kKeptPerCandidate = 4;
 
 Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
   if (!task.fixed) return {};
-  const Plan plan = whole_body_plan(task.body);
+  const Plan plan = whole_body_plan(task.body, task.supports);
   Parameters values = task.fixed->values;
   SHG_TRY(check_parameters(plan, values));
   if (task.fixed->set.size() != parameters_of(plan, values).size()) {
@@ -32,7 +33,7 @@ class WholeBodyPlanner : public Planner {
  public:
   WholeBodyPlanner(const Task& task, ReachProblem problem)
       : task_(task),
-        plan_(whole_body_plan(task.body)),
+        plan_(whole_body_plan(task.body, task.supports)),
         problem_(std::move(problem)),
         reach_(closest_reach(problem_)),
         usual_approaches_(approaches_to_goal(problem_, reach_)),
@@ -116,6 +117,7 @@ class WholeBodyPlanner : public Planner {
 
 Result<std::unique_ptr<Planner>> make_whole_body_planner(const Task& task) {
   SHG_TRY_ASSIGN(ReachProblem problem, make_problem(task));
+  SHG_TRY(settle_supports(task, problem));
   return std::make_unique<WholeBodyPlanner>(task, std::move(problem));
 }
 

@@ -33,6 +33,21 @@ struct IkTarget {
   [[nodiscard]] bool turns() const { return contact || turning != Turning::free; }
 };
 
+// The world, as the carrier of a place that stands still.
+inline constexpr int kWorldCarrier = -2;
+
+// A point of one link that is to be at a place of another one, its carrier: a hand on a thigh. Met
+// exactly, as a contact is.
+template <class S>
+struct IkSupport {
+  int link = 0;
+  Vec3<Element<S>> point{};     // m, in the link frame
+  int carrier = kWorldCarrier;  // link, or kWorldCarrier
+  Vec3<S> place{};              // m, in the carrier's frame, or the world's
+  S holds{};                    // 1, or 0 where the point is free
+  Vec3<S> lead{};               // m, as IkTarget's
+};
+
 // The request of one step of IK.
 template <class S>
 struct IkStep {
@@ -41,6 +56,7 @@ struct IkStep {
   std::span<const S> inverse_weights;
   // (dofs, rad) Δq_ref: the change that is made as far as the targets leave it open; or empty
   std::span<const S> reference{};
+  std::span<const IkSupport<S>> supports{};
 };
 
 struct IkSettings {
@@ -51,7 +67,8 @@ struct IkSettings {
   double lag_scale = 0.1;  // m
   // The damping of contacts, just enough for redundant rows.
   double contact_damping = 1e-9;
-  double max_step = 0.25;  // rad, no angle changes by more in one step
+  double support_damping = 1e-9;  // and of supports
+  double max_step = 0.25;         // rad, no angle changes by more in one step
 };
 
 // Size of the largest system: a foot and two hands that turn × 6 rows, head and hips × 3 rows.
@@ -76,19 +93,38 @@ struct IkWorkspace {
   };
   std::vector<Vec3<S>> columns;  // of positions, and of turns about two axes, (blocks × dofs)
   Block blocks[kMaxIkRows / 3];
-  std::vector<S> pull;  // (dofs) Jᵀ y: times the inverse weight, the step of the last solve …
-  std::vector<S> step;  // (dofs, rad) … and that step as it was returned
+  std::vector<S> pull;   // (dofs) Jᵀ y: times the inverse weight, the step of the last solve …
+  std::vector<S> step;   // (dofs, rad) … and that step as it was returned
+  std::vector<int> all;  // (dofs) the chain of a support's block
   SmallSymmetric<S, kMaxIkRows> system;
   S residual[kMaxIkRows];
 
   explicit IkWorkspace(const BodyModel& body) : IkWorkspace(body.dofs().size()) {}
-  explicit IkWorkspace(std::size_t dofs) : columns(dofs * kMaxIkRows / 3), pull(dofs), step(pull) {}
+  explicit IkWorkspace(std::size_t dofs)
+      : columns(dofs * kMaxIkRows / 3), pull(dofs), step(pull), all(dofs) {
+    for (std::size_t d = 0; d < dofs; ++d) all[d] = static_cast<int>(d);
+  }
 };
 
 // How far the target's point is from where it is to be (m, world).
 template <class S>
 [[nodiscard]] Vec3<S> position_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
   return target.position - kinematics.point(target.link, target.point);
+}
+
+// Where the place of a support is (m, world).
+template <class S>
+[[nodiscard]] Vec3<S> place_in_world(const Kinematics<S>& kinematics, const IkSupport<S>& support) {
+  if (support.carrier == kWorldCarrier) return support.place;
+  return kinematics.link_origin(support.carrier) +
+         kinematics.link_rotation(support.carrier) * support.place;
+}
+
+// How far the support's point is from its place (m, world); 0 where it is free.
+template <class S>
+[[nodiscard]] Vec3<S> support_error(const Kinematics<S>& kinematics, const IkSupport<S>& support) {
+  const Vec3<S> at = kinematics.point(support.link, support.point);
+  return (place_in_world(kinematics, support) - at) * support.holds;
 }
 
 // How a contact's link must turn to have its orientation again (rad for small ones, world).
@@ -301,6 +337,83 @@ S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
   return largest;
 }
 
+// fills the blocks of supports, from block `b` on, and their residual: the columns of a point less
+// those of its place, which are 0 where the lane is free, so that such rows drop out
+template <class S>
+void fill_support_rows(const BodyModel& body, const Kinematics<S>& kinematics,
+                       std::span<const IkSupport<S>> supports, std::size_t b,
+                       IkWorkspace<S>& workspace) {
+  const auto& dofs = body.constants<Element<S>>().dofs;
+  for (const IkSupport<S>& support : supports) {
+    // no block before this one has more than one array of columns
+    Vec3<S>* columns = workspace.columns.data() + b * dofs.size();
+    for (std::size_t d = 0; d < dofs.size(); ++d) columns[d] = {};
+    const auto add = [&](int link, const Vec3<S>& at, const S& sign) {
+      Vec3<S> arm{};  // from the joint
+      for (const int d : body.chain(link)) {
+        const std::size_t k = index(d);
+        if (dofs[k].starts_joint) arm = at - kinematics.origin[k];
+        columns[k] += cross(kinematics.axis[k], arm) * sign;
+      }
+    };
+    add(support.link, kinematics.point(support.link, support.point), support.holds);
+    if (support.carrier != kWorldCarrier) {
+      add(support.carrier, place_in_world(kinematics, support), -support.holds);
+    }
+    put(workspace.residual + 3 * b,
+        support_error(kinematics, support) + support.lead * support.holds);
+    workspace.blocks[b++] = {workspace.all, columns, Element<S>(1)};
+  }
+}
+
+// the blocks of J A Jᵀ from block `first` on, which are those of supports, with their damping; the
+// largest mean diagonal of one
+template <class S>
+S fill_support_products(int first, int blocks, std::span<const S> inverse_weights, double damping,
+                        IkWorkspace<S>& workspace) {
+  S largest(0);
+  for (int i = first; i < blocks; ++i) {
+    const auto& a = workspace.blocks[i];
+    for (int j = 0; j <= i; ++j) {
+      const auto& b = workspace.blocks[j];
+      // a support's columns are 0 outside its own chains
+      Mat3<S> m = block_product(a.columns, b.columns, b.chain, inverse_weights);
+      if (b.scale != Element<S>(1)) scale_block(m, S(b.scale));
+      const Vec3<S> rows[] = {
+          {m.cx.x, m.cy.x, m.cz.x}, {m.cx.y, m.cy.y, m.cz.y}, {m.cx.z, m.cy.z, m.cz.z}};
+      for (int row = 0; row < 3; ++row) {
+        const int columns = i == j ? row + 1 : 3;
+        for (int k = 0; k < columns; ++k) {
+          workspace.system(3 * i + row, 3 * j + k) = k == 0   ? rows[row].x
+                                                     : k == 1 ? rows[row].y
+                                                              : rows[row].z;
+        }
+      }
+    }
+    S trace(0);
+    for (int row = 3 * i; row < 3 * i + 3; ++row) trace = trace + workspace.system(row, row);
+    const S mean = trace * S(1.0 / 3.0);
+    for (int row = 3 * i; row < 3 * i + 3; ++row) {
+      workspace.system(row, row) = workspace.system(row, row) + mean * S(damping);
+    }
+    largest = max(largest, mean);
+  }
+  return largest;
+}
+
+// adds the rows of a step's supports after those of its targets; the largest mean diagonal of one.
+// A function of its own, as few motions have supports.
+template <class S>
+[[gnu::noinline]] S add_supports(const BodyModel& body, const Kinematics<S>& kinematics,
+                                 const IkStep<S>& step, const IkSettings& settings,
+                                 IkWorkspace<S>& workspace) {
+  const int first = row_count(step.targets) / 3;
+  const int blocks = first + static_cast<int>(step.supports.size());
+  fill_support_rows(body, kinematics, step.supports, index(first), workspace);
+  return fill_support_products(first, blocks, step.inverse_weights, settings.support_damping,
+                               workspace);
+}
+
 // Jᵀ y, y being the solution that stands in the residual
 template <class S>
 [[gnu::always_inline]] inline void pull_joints(int blocks, IkWorkspace<S>& workspace) {
@@ -330,22 +443,28 @@ template <class S>
 //   D = (ε + λ (lag / ℓ)²) · mean diag(J A Jᵀ),   over the rows of the goal,
 //
 // ε, λ and ℓ being IkSettings' damping, lag_damping and lag_scale; contacts have contact_damping
-// for the bracket. The step is scaled down as a whole where an angle would change by more than
-// settings.max_step. Scaling all weights changes nothing.
+// for the bracket, and supports, whose rows are those of their points less those of their places,
+// support_damping. The step is scaled down as
+// a whole where an angle would change by more than settings.max_step. Scaling all weights changes
+// nothing.
 //
 // At most kMaxIkRows rows in all. Returns Δq (dofs, rad), which stays in the workspace.
 template <class S>
 std::span<const S> weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
                                     const IkStep<S>& step, const IkSettings& settings,
                                     IkWorkspace<S>& workspace) {
-  const int rows = ik_detail::row_count(step.targets);
+  const int free = ik_detail::row_count(step.targets);
+  const int rows = free + 3 * static_cast<int>(step.supports.size());
   SHG_CHECK(rows <= kMaxIkRows, "too many goals for one motion");
   const int blocks = rows / 3;
   const std::span<const S> inverse_weights = step.inverse_weights;
   const std::span<const S> reference = step.reference;
   ik_detail::fill_rows(body, kinematics, step.targets, workspace);
-  ik_detail::fill_products(blocks, inverse_weights, workspace);
-  const S diagonal = ik_detail::add_damping(step.targets, settings, workspace);
+  ik_detail::fill_products(free / 3, inverse_weights, workspace);
+  S diagonal = ik_detail::add_damping(step.targets, settings, workspace);
+  if (!step.supports.empty()) {
+    diagonal = max(diagonal, ik_detail::add_supports(body, kinematics, step, settings, workspace));
+  }
   if (!reference.empty()) {
     ik_detail::take_off_reference(blocks, inverse_weights, reference, workspace);
   }

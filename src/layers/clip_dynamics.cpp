@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dynamics/contact_forces.hpp"
+#include "dynamics/hand_load.hpp"
 
 namespace shigusa {
 
@@ -14,7 +15,7 @@ ClipDynamics::ClipDynamics(const BodyModel& body)
       speeds_(body.dofs().size()),
       accelerations_(body.dofs().size()) {}
 
-Motion ClipDynamics::completed(Clip clip) {
+Motion ClipDynamics::completed(Clip clip, std::vector<RestingHand> resting) {
   const std::size_t dofs = speeds_.size();
   const double rate = 1.0 / clip.frame_time;
   Motion motion;
@@ -31,12 +32,14 @@ Motion ClipDynamics::completed(Clip clip) {
     forward_kinematics<double>(*body_, now, placed_);
     const std::span<double> torques =
         std::span(motion.torques).subspan(static_cast<std::size_t>(f) * dofs, dofs);
-    const Wrench<double> ground =
+    Wrench<double> ground =
         inverse_dynamics<double>(*body_, placed_, {speeds_, accelerations_}, work_, torques);
+    bear_on_hands(*body_, placed_, resting, static_cast<std::size_t>(f), ground, torques);
     bear_on_feet<double>(*body_, placed_, now, ground, torques);
     motion.centre_of_mass.push_back(centre_of_mass(*body_, work_));
   }
   motion.clip = std::move(clip);
+  motion.resting = std::move(resting);
   return motion;
 }
 

@@ -13,8 +13,8 @@ class ClipDynamics {
  public:
   explicit ClipDynamics(const BodyModel& body);
 
-  // The motion of the clip, without effectors.
-  [[nodiscard]] Motion completed(Clip clip);
+  // The motion of the clip, without effectors; `resting`: hands that rest on something meanwhile.
+  [[nodiscard]] Motion completed(Clip clip, std::vector<RestingHand> resting = {});
 
  private:
   const BodyModel* body_;

@@ -18,6 +18,7 @@ enum class ParameterKind {
   mode,         // rad, the value of a posture mode
   timing,       // a number of Timing
   switch_at,    // share of the duration about which the later phase begins
+  support,      // share of the body's weight that a resting hand presses with
 };
 
 // The facts about all parameters of one kind.
@@ -46,6 +47,10 @@ inline constexpr std::array kParameterKinds{
     ParameterKindInfo{ParameterKind::timing, "", "posture", false, false, 0.0, 0.0, ""},
     ParameterKindInfo{ParameterKind::switch_at, "", "posture", false, false, kSwitchMin, kSwitchMax,
                       "The second phase begins after this share of the duration."},
+    ParameterKindInfo{ParameterKind::support, "support", "resting hand", false, false,
+                      kSupportLeast, kSupportMost,
+                      "The hand presses on its place with this share of the body's weight; below 0 "
+                      "it stays free."},
 };
 [[nodiscard]] constexpr const ParameterKindInfo& info_of(ParameterKind kind) {
   return kParameterKinds[static_cast<std::size_t>(kind)];

@@ -46,6 +46,13 @@ void add_timing(Layer& layer) {
   }
 }
 
+void add_supports(std::span<const Support> supports, Layer& layer) {
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    layer.parameters.push_back(
+        ParameterInfo::named(ParameterKind::support, supports[k].effector, {static_cast<int>(k)}));
+  }
+}
+
 // How many values of each kind a plan has.
 struct Counts {
   std::size_t joints = 0;
@@ -54,6 +61,7 @@ struct Counts {
   std::size_t arms = 0;
   std::size_t swivels = 0;
   std::vector<double> finals{};  // rad, at the start
+  std::size_t supports = 0;
 };
 
 std::size_t count_of(const Layer& layer, ParameterKind kind) {
@@ -67,7 +75,8 @@ Counts counts_of(std::span<const Layer> plan) {
   const bool whole = moves_whole_body(plan);
   Counts counts{.joints = whole ? count_of(first, ParameterKind::weight) : first.body.dofs.size(),
                 .modes = count_of(first, ParameterKind::mode),
-                .contractions = first.body.limbs.size()};
+                .contractions = first.body.limbs.size(),
+                .supports = count_of(first, ParameterKind::support)};
   for (const Layer& layer : plan.subspan(1)) {
     if (searches(layer, ParameterKind::weight)) ++counts.arms;
     if (searches(layer, ParameterKind::swivel)) ++counts.swivels;
@@ -144,6 +153,9 @@ class Binder {
       case ParameterKind::switch_at:
         parameter.values = {&values_.later->switch_at};
         return true;
+      case ParameterKind::support:
+        parameter.values = {&values_.supports[first]};
+        return true;
     }
     return false;
   }
@@ -184,6 +196,9 @@ Result<void> check_counts(const Counts& counts, const Parameters& values) {
   }
   if (values.finals.size() != counts.finals.size()) {
     return wrong("final angles", values.finals.size(), counts.finals.size());
+  }
+  if (values.supports.size() != counts.supports) {
+    return wrong("supports", values.supports.size(), counts.supports);
   }
   return {};
 }
@@ -270,10 +285,11 @@ Result<Plan> layers_to_goals(const BodyModel& body, std::span<const Goal> goals,
   return layers;
 }
 
-Plan whole_body_plan(const BodyModel& body) {
+Plan whole_body_plan(const BodyModel& body, std::span<const Support> supports) {
   Layer layer{.name = "whole_body", .body = {}, .parameters = {}, .criteria = {}, .delegates = {}};
   add_phase(body, "", layer);
   add_timing(layer);
+  add_supports(supports, layer);
   add_phase(body, kLaterPrefix, layer);
   layer.parameters.push_back(
       ParameterInfo::named(ParameterKind::switch_at, std::string(kSwitchName), {}));
@@ -305,6 +321,7 @@ Parameters start_values(std::span<const Layer> plan) {
   values.arms.assign(counts.arms, {});
   values.swivels.assign(counts.swivels, 0.0);
   values.finals = counts.finals;
+  values.supports.assign(counts.supports, 0.0);
   return values;
 }
 
@@ -336,8 +353,8 @@ Result<void> check_parameters(std::span<const Layer> plan, const Parameters& val
   return {};
 }
 
-FixedParameters no_fixed_parameters(const BodyModel& body) {
-  const Plan plan = whole_body_plan(body);
+FixedParameters no_fixed_parameters(const BodyModel& body, std::span<const Support> supports) {
+  const Plan plan = whole_body_plan(body, supports);
   FixedParameters fixed{start_values(plan), {}};
   give_posture(plan, fixed.values);
   fixed.set.resize(parameters_of(plan, fixed.values).size());

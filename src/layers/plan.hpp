@@ -15,9 +15,10 @@ namespace shigusa {
 // moves all freedoms of the whole body at once; that layer has no reduced body.
 using Plan = std::vector<Layer>;
 
-// The plan of one layer. Its parameters are the weights of all freedoms, the posture modes and the
-// timing, then the weights and modes of a later phase, and when that begins.
-[[nodiscard]] Plan whole_body_plan(const BodyModel& body);
+// The plan of one layer. Its parameters are the weights of all freedoms, the posture modes, the
+// timing and what resting hands press with, then the weights and modes of a later phase, and when
+// that begins.
+[[nodiscard]] Plan whole_body_plan(const BodyModel& body, std::span<const Support> supports = {});
 // Whether a plan has that one layer.
 [[nodiscard]] bool moves_whole_body(std::span<const Layer> plan);
 
@@ -63,6 +64,7 @@ void give_posture(std::span<const Layer> plan, Parameters& values);
 [[nodiscard]] Result<void> check_parameters(std::span<const Layer> plan, const Parameters& values);
 
 // Values of a body of which none is fixed.
-[[nodiscard]] FixedParameters no_fixed_parameters(const BodyModel& body);
+[[nodiscard]] FixedParameters no_fixed_parameters(const BodyModel& body,
+                                                  std::span<const Support> supports = {});
 
 }  // namespace shigusa

@@ -23,6 +23,15 @@ template <class S>
   return tau + S(4) * haste * bump * bump;
 }
 
+// A profile from 0 to 1 for τ in [0, 1] (clamped) that begins and ends without jerk, for what would
+// jolt the body: 35τ⁴ - 84τ⁵ + 70τ⁶ - 20τ⁷.
+template <class S>
+[[nodiscard]] S minimum_snap(const S& tau) {
+  const S t = clamp(tau, S(0), S(1));
+  const S square = t * t;
+  return square * square * (S(35) - t * (S(84) - t * (S(70) - S(20) * t)));
+}
+
 // The share that a step makes of what was left of a change before it: `before` and `now` are the
 // shares of the whole change that are made before and after the step.
 [[nodiscard]] constexpr double share_of_rest(double before, double now) {

@@ -49,6 +49,9 @@ void BatchRollout::score(const MotionInputs& inputs, std::span<double> scores,
                  later.posture.size() == inputs.posture.size() &&
                  later.switch_at.size() == scores.size()),
             "the later phase of every motion, or of none");
+  SHG_CHECK(inputs.supports.empty() ||
+                inputs.supports.size() == scores.size() * problem_->supports.size(),
+            "one share of the body's weight per motion and support");
   SHG_CHECK(final_angles.empty() || final_angles.size() == scores.size() * dofs,
             "room for one angle per motion and dof");
   const auto lanes = static_cast<std::size_t>(simd_lanes(settings_.simd));

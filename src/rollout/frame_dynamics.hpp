@@ -5,6 +5,7 @@
 
 #include "criteria/motion_frame.hpp"
 #include "dynamics/contact_forces.hpp"
+#include "dynamics/hand_load.hpp"
 #include "rollout/reach_problem.hpp"
 
 namespace shigusa {
@@ -21,7 +22,20 @@ class FrameDynamics {
         work_(*problem.body),
         speeds_(problem.body->dofs().size()),
         accelerations_(speeds_),
-        torques_(speeds_) {}
+        torques_(speeds_),
+        hands_(problem.supports.size()) {
+    for (std::size_t k = 0; k < hands_.size(); ++k) {
+      hands_[k].link = problem.body->effector(problem.supports[k].effector).link;
+      hands_[k].carrier = problem.supports[k].carrier;
+    }
+  }
+
+  // Before the first frame of a motion with supports: the shares (supports) of the body's weight
+  // that the hands press with.
+  void begin(std::span<const S> shares) {
+    shares_ = shares;
+    frame_ = 0;
+  }
 
   // The frame angles[1], speeds by central differences between its neighbours angles[0] and
   // angles[2] (dofs, rad). `now`: the placement in it.
@@ -37,22 +51,45 @@ class FrameDynamics {
       speeds_[d] = (to_come + gone) * half_rate;
       accelerations_[d] = (to_come - gone) * square_rate;
     }
-    const Wrench<S> ground =
-        inverse_dynamics<S>(body, now, {speeds_, accelerations_}, work_, torques_);
+    Wrench<S> ground = inverse_dynamics<S>(body, now, {speeds_, accelerations_}, work_, torques_);
+    if (!hands_.empty()) ground = pressed(now, Wrench<S>(ground));
     bear_on_feet<S>(body, now, angles[1], ground, torques_);
     const Vec3<S> centre = centre_of_mass(body, work_);
     return {{angles[1], torques_, centre, speeds_, accelerations_, 1.0 / rate},
             now,
-            pressure(ground, S(floor_))};
+            pressure(ground, S(floor_)),
+            hands_};
   }
 
  private:
+  // puts the hands' forces of this frame where they are; the floor's wrench beside them
+  [[gnu::noinline]] Wrench<S> pressed(const Kinematics<S>& now, Wrench<S> ground) {
+    const BodyModel& body = *problem_->body;
+    const double weight = (body.mass() - body.load()) * kGravity;
+    const double tau = static_cast<double>(frame_++) / problem_->steps;
+    for (std::size_t k = 0; k < hands_.size(); ++k) {
+      const HandSupport& support = problem_->supports[k];
+      const Effector& hand = body.effector(support.effector);
+      HandLoad<S>& load = hands_[k];
+      load.at = now.point(hand.link, hand.point);
+      Vec3<S> normal = to_scalar<S>(support.normal);
+      if (load.carrier != kWorldCarrier) normal = now.link_rotation(load.carrier) * normal;
+      const Vec3<S> arm = now.origin[index(hand.limb_root)] - load.at;
+      load.force = leaning_direction(normal, arm) * (shares_[k] * S(weight * support.bears(tau)));
+      bear_on_hand<S>(body, now, load, ground, torques_);
+    }
+    return ground;
+  }
+
   const ReachProblem* problem_;
   double floor_;  // m
   DynamicsWorkspace<S> work_;
   std::vector<S> speeds_;         // (dofs) rad/s
   std::vector<S> accelerations_;  // (dofs) rad/s²
   std::vector<S> torques_;        // (dofs) N·m
+  std::vector<HandLoad<S>> hands_;
+  std::span<const S> shares_{};  // (supports)
+  int frame_ = 0;                // of a motion with supports
 };
 
 }  // namespace shigusa

@@ -22,6 +22,7 @@ class HeldInput {
   std::vector<double> later_weights_;  // empty without a later phase …
   std::vector<double> later_change_;   // … and without modes
   double switch_at_ = 0.0;
+  std::vector<double> supports_;
 };
 
 }  // namespace shigusa

@@ -26,6 +26,9 @@ struct MotionInput {
   std::span<const S> posture{};
   Timing<S> timing{};
   LaterInput<S> later{};
+  // (supports) the share of the body's weight that each resting hand presses with; below 0 it is
+  // free. Empty: all touch and none presses.
+  std::span<const S> supports{};
 
   // weights alone
   MotionInput(std::span<const S> weights) : inverse_weights(weights) {}     // NOLINT
@@ -50,6 +53,7 @@ struct MotionInputs {
   // (motions × kTimings), in the order of kTimingNumbers; empty as posture is
   std::span<const float> timing{};
   LaterInputs later{};
+  std::span<const float> supports{};  // (motions × supports) or empty, see MotionInput
 
   MotionInputs(std::span<const float> weights) : inverse_weights(weights) {}     // NOLINT
   MotionInputs(const std::vector<float>& weights) : inverse_weights(weights) {}  // NOLINT
@@ -63,6 +67,9 @@ struct MotionInputs {
       return all.empty() ? all : all.subspan(first * columns, count * columns);
     };
     MotionInputs some{rows(inverse_weights, dofs), rows(posture, dofs), rows(timing, kTimings)};
+    if (!supports.empty()) {
+      some.supports = rows(supports, supports.size() * dofs / inverse_weights.size());
+    }
     some.later = {rows(later.inverse_weights, dofs), rows(later.posture, dofs),
                   rows(later.switch_at, 1)};
     return some;

@@ -24,6 +24,7 @@ class PackScorer final : public LaneScorer {
         posture_(inverse_weights_),
         later_weights_(inverse_weights_),
         later_posture_(inverse_weights_),
+        supports_(problem.supports.size()),
         tolerance_(problem.tolerance),
         worst_(worst_score(criteria)) {}
 
@@ -41,6 +42,10 @@ class PackScorer final : public LaneScorer {
       input = {inverse_weights_, posture_, timing};
     }
     if (!inputs.later.inverse_weights.empty()) input.later = spread_later(inputs.later, motions);
+    if (!inputs.supports.empty()) {
+      spread(inputs.supports, motions, supports_);
+      input.supports = supports_;
+    }
     criteria_.reset();
     const auto outcome =
         rollout_.run(input, [this](const PlacedFrame<S>& frame) { criteria_.add(frame); });
@@ -83,6 +88,7 @@ class PackScorer final : public LaneScorer {
   S timing_[kTimings];              // in the order of kTimingNumbers
   std::vector<S> later_weights_;    // (dofs) of the later phase
   std::vector<S> later_posture_;    // (dofs)
+  std::vector<S> supports_;         // (supports)
   ReachTolerance tolerance_;
   double worst_;
 };

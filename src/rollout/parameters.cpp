@@ -58,7 +58,9 @@ std::vector<double> posture_change(const BodyModel& body, const PostureParameter
 }
 
 HeldInput::HeldInput(const BodyModel& body, const Parameters& parameters)
-    : weights_(inverse_weights(parameters)), posture_(parameters.posture) {
+    : weights_(inverse_weights(parameters)),
+      posture_(parameters.posture),
+      supports_(parameters.supports) {
   if (!posture_.modes.empty()) change_ = posture_change(body, posture_);
   if (!parameters.later) return;
   later_weights_ = inverse_weights({.joints = parameters.later->joints});
@@ -77,6 +79,7 @@ MotionInput<double> HeldInput::input() const {
     input = {weights_, change_, posture_.timing};
   }
   input.later = {later_weights_, later_change_, switch_at_};
+  input.supports = supports_;
   return input;
 }
 

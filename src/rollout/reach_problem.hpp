@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <shigusa/body_model.hpp>
+#include <string>
 #include <vector>
 
 #include "kinematics/weighted_ik.hpp"
@@ -70,10 +71,30 @@ enum class TimedPart { knees, hips, spine, arms };
 inline constexpr std::size_t kTimedParts = 4;
 using PartWindows = std::array<TimeWindow, kTimedParts>;
 
+// A hand that goes to a place and rests there. All of it is as seen from the place's carrier: a
+// thigh, with which it moves, or the world. In each frame the hand makes a share of what is left of
+// its way: where it is meanwhile, its arm and the trunk decide.
+struct HandSupport {
+  std::string name;             // of the effector, as the task has it
+  int effector = 0;             // see BodyModel::effector
+  int carrier = kWorldCarrier;  // link, or kWorldCarrier
+  Vec3d place{};                // m, where the hand's point rests
+  Vec3d normal{0, 1, 0};        // unit vector out of the surface
+  double arrives = 0.7;         // share of the duration after which the hand is there
+
+  // The share of the hand's way that is done at tau = time / duration.
+  [[nodiscard]] double done(double tau) const { return minimum_snap(tau / arrives); }
+  // How far the hand is off the line to its place then (m), along the normal.
+  [[nodiscard]] double lift(double tau) const;
+  // How much of its force the hand bears then, from 0 to 1.
+  [[nodiscard]] double bears(double tau) const;
+};
+
 // Everything that is the same for all motions of one search.
 struct ReachProblem {
   const BodyModel* body = nullptr;  // outlives the problem
   std::vector<ReachGoal> goals;
+  std::vector<HandSupport> supports{};
   double duration = 1.0;  // s
   int steps = kMotionSteps;
   ReachTolerance tolerance;
@@ -141,6 +162,9 @@ struct LegFlexions {
 };
 // Of the legs that have all three.
 [[nodiscard]] std::vector<LegFlexions> leg_flexions(const BodyModel& body);
+
+// The supports of weighted IK for a problem, at the places where the hands rest.
+[[nodiscard]] std::vector<IkSupport<double>> ik_supports(const ReachProblem& problem);
 
 // The targets of weighted IK for a problem: its goals, then each planted foot but the base, held
 // where it stands in the start posture.

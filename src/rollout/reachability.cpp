@@ -43,6 +43,7 @@ class Descent {
       : problem_(problem),
         body_(*problem.body),
         targets_(ik_targets(problem)),
+        supports_(ik_supports(problem)),
         weights_(body_.dofs().size(), 1.0),
         trial_(weights_),
         kinematics_(body_),
@@ -131,7 +132,7 @@ class Descent {
       offset = offset * (step / max(norm(offset), step));
       trial_ = angles;
       trial_kinematics_ = kinematics_;
-      advance(targets_, problem_.ik, change_of_plumb_line(body_, kinematics_, offset));
+      advance(targets_, problem_.ik, change_of_plumb_line(body_, kinematics_, offset), supports_);
       hold_contacts(problem_.ik);
       if (contact_error(trial_kinematics_) > kContactSlack) {
         step *= 0.5;
@@ -146,9 +147,12 @@ class Descent {
 
  private:
   [[nodiscard]] bool moves_target(int dof) const {
-    return std::any_of(targets_.begin(), targets_.end(), [&](const IkTarget<double>& target) {
-      return body_.moves(dof, target.link);
-    });
+    return std::any_of(
+               targets_.begin(), targets_.end(),
+               [&](const IkTarget<double>& target) { return body_.moves(dof, target.link); }) ||
+           std::any_of(supports_.begin(), supports_.end(), [&](const IkSupport<double>& support) {
+             return body_.moves(dof, support.link);
+           });
   }
 
   [[nodiscard]] std::span<const IkTarget<double>> contacts() const {
@@ -162,7 +166,9 @@ class Descent {
     for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
       targets_[g].position = problem_.goals[g].nearest(place(kinematics_, g), kBoxInset);
     }
-    advance(targets_, ik, {});
+    IkSettings with_supports = ik;
+    with_supports.support_damping = ik.damping;
+    advance(targets_, with_supports, {}, supports_);
     hold_contacts(ik);
   }
 
@@ -175,15 +181,16 @@ class Descent {
   }
 
   void advance(std::span<const IkTarget<double>> targets, const IkSettings& ik,
-               std::span<const double> reference) {
+               std::span<const double> reference,
+               std::span<const IkSupport<double>> supports = {}) {
     std::span<const double> weights = weights_;
     std::span<const double> drawn = reference;
     if (limits_) {
       weights = limits_->soften(weights_, trial_);
       if (!reference.empty()) drawn = limits_->allowed(reference);
     }
-    const auto step = weighted_ik_step<double>(body_, trial_kinematics_, {targets, weights, drawn},
-                                               ik, workspace_);
+    const auto step = weighted_ik_step<double>(body_, trial_kinematics_,
+                                               {targets, weights, drawn, supports}, ik, workspace_);
     for (std::size_t d = 0; d < step.size(); ++d) trial_[d] += step[d];
     if (limits_) {
       limits_->learn(weights_, workspace_.pull, reference);
@@ -201,6 +208,10 @@ class Descent {
       if (!targets_[g].turns()) continue;
       const Vec3d turn = turn_error(kinematics, targets_[g]) * kTurnLength;
       squares += dot(turn, turn);
+    }
+    for (const IkSupport<double>& support : supports_) {
+      const Vec3d miss = support_error(kinematics, support);
+      squares += dot(miss, miss);
     }
     return sqrt(squares);
   }
@@ -222,6 +233,7 @@ class Descent {
   const ReachProblem& problem_;
   const BodyModel& body_;
   std::vector<IkTarget<double>> targets_;  // the goals, then the contacts
+  std::vector<IkSupport<double>> supports_;
   std::vector<double> weights_;
   std::vector<double> trial_;
   Kinematics<double> kinematics_;

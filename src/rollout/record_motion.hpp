@@ -15,6 +15,10 @@ class MotionRecorder {
     motion.clip.frames = problem.steps + 1;
     motion.clip.frame_time = problem.duration / problem.steps;
     motion.effectors.resize(problem.goals.size());
+    for (const HandSupport& support : problem.supports) {
+      motion.resting.push_back({.effector = support.effector});
+      if (support.carrier != kWorldCarrier) motion.resting.back().thigh = support.carrier;
+    }
   }
 
   void operator()(const PlacedFrame<double>& frame) {
@@ -24,6 +28,10 @@ class MotionRecorder {
     for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
       const Effector& effector = problem_->body->effector(problem_->goals[g].effector);
       motion.effectors[g].push_back(frame.kinematics.point(effector.link, effector.point));
+    }
+    for (std::size_t k = 0; k < frame.hands.size(); ++k) {
+      motion.resting[k].places.push_back(frame.hands[k].at);
+      motion.resting[k].forces.push_back(frame.hands[k].force);
     }
   }
 

@@ -5,6 +5,19 @@
 
 namespace shigusa {
 
+namespace {
+
+// A hand on its way keeps this far (m) off the straight line to its place, half-way.
+constexpr double kSupportLift = 0.04;
+// The share of the duration within which a hand that has arrived comes to press.
+constexpr double kPressRises = 0.15;
+
+}  // namespace
+
+double HandSupport::lift(double tau) const { return kSupportLift * path_bow(done(tau), 0.0); }
+
+double HandSupport::bears(double tau) const { return minimum_snap((tau - arrives) / kPressRises); }
+
 Vec3d ReachGoal::nearest(const Vec3d& at, double inset) const {
   Vec3d place{};
   for (int k = 0; k < 3; ++k) {
@@ -66,6 +79,19 @@ std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {
                        .orientation = kinematics.link_rotation(foot.link)});
   }
   return targets;
+}
+
+std::vector<IkSupport<double>> ik_supports(const ReachProblem& problem) {
+  std::vector<IkSupport<double>> supports;
+  for (const HandSupport& support : problem.supports) {
+    const Effector& hand = problem.body->effector(support.effector);
+    supports.push_back({.link = hand.link,
+                        .point = hand.point,
+                        .carrier = support.carrier,
+                        .place = support.place,
+                        .holds = 1.0});
+  }
+  return supports;
 }
 
 RolledOut roll_out(const ReachProblem& problem, const Parameters& parameters) {

@@ -8,6 +8,7 @@
 
 #include "criteria/built_in_criteria.hpp"
 #include "rollout/frame_dynamics.hpp"
+#include "rollout/hand_supports.hpp"
 #include "rollout/limit_guard.hpp"
 #include "rollout/motion_input.hpp"
 #include "rollout/phase_blend.hpp"
@@ -46,7 +47,8 @@ class Rollout {
         reference_(unlocked_),
         blend_(unlocked_.size()),
         posture_draw_(problem),
-        law_(problem) {
+        law_(problem),
+        supports_(problem) {
     for (std::size_t d = 0; d < unlocked_.size(); ++d) {
       if (law_.bends_back(d)) backs_.push_back(d);
     }
@@ -92,6 +94,7 @@ class Rollout {
       unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
     }
     forward_kinematics<S>(body, angles_[1], now());
+    if (!supports_.empty()) dynamics_.begin(supports_.begin(input.supports));
     show([&](int frame) { follow(frame, input, outcome); }, visit);
     return outcome;
   }
@@ -109,6 +112,7 @@ class Rollout {
     std::copy_n(angles.begin(), dofs, angles_[0].begin());
     angles_[1] = angles_[0];
     forward_kinematics<S>(*problem_->body, angles_[1], now());
+    if (!supports_.empty()) dynamics_.begin(supports_.begin(input.supports));
     const auto next_frame = [&](int frame) {
       std::copy_n(angles.begin() + static_cast<std::ptrdiff_t>(index(frame) * dofs), dofs,
                   angles_[2].begin());
@@ -145,13 +149,14 @@ class Rollout {
     const bool last = frame == problem_->steps;
     const std::span<const S> inverse_weights = change_phase(frame, input);
     place_goals(frame, input);
+    if (!supports_.empty()) supports_.place(frame, now());
     const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
     const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
     const auto contacts = std::span<IkTarget<S>>(targets_).subspan(contacts_from_);
     draw_null_space(frame, input);
     step(targets, inverse_weights);
     const double turn_share = last ? 1.0 : kTurnOnWay;
-    BasicReachOutcome<S> missed = measure(targets, turn_share, true);
+    BasicReachOutcome<S> missed = measure(frame, targets, turn_share, true);
     const int corrections = last ? problem_->goal_corrections : problem_->corrections;
     const S slack(last ? problem_->goal_tolerance : problem_->path_slack);
     for (int k = 0; k < corrections; ++k) {
@@ -159,7 +164,7 @@ class Rollout {
       const auto off = (worst > slack) & (worst < S(problem_->rescue_limit)) & wanted(outcome);
       if (!any(off)) break;
       correct(targets, inverse_weights, off);
-      missed = measure(targets, turn_share, false);
+      missed = measure(frame, targets, turn_share, false);
     }
     // a goal out of reach, or weights that are far apart, do not take a planted foot along
     for (int k = 0; k < problem_->contact_corrections; ++k) {
@@ -168,7 +173,7 @@ class Rollout {
       const auto off = (worst > S(problem_->contact_slack)) & wanted(outcome);
       if (!any(off)) break;
       correct(contacts, unlocked_, off);
-      missed = measure(targets, turn_share, false);
+      missed = measure(frame, targets, turn_share, false);
     }
     add(missed, last, outcome);
   }
@@ -179,19 +184,20 @@ class Rollout {
     const std::span<const S> inverse_weights = change_phase(frame, input);
     place_goals(frame, input);
     forward_kinematics<S>(*problem_->body, angles_[2], next());
+    if (!supports_.empty()) supports_.keep(frame, next());
     const bool follows = problem_->follow_path && is_finite(problem_->tolerance.path);
     const auto targets =
         std::span<IkTarget<S>>(targets_).subspan(follows || last ? 0 : contacts_from_);
     for (IkTarget<S>& target : targets_) target.lead = target.tilt_lead = {};
     const double turn_share = last ? 1.0 : kTurnOnWay;
-    BasicReachOutcome<S> missed = measure(targets, turn_share, false);
+    BasicReachOutcome<S> missed = measure(frame, targets, turn_share, false);
     for (int k = 0; k < problem_->goal_corrections; ++k) {
       const auto off = max(missed.path_error, contact_error(missed)) > S(problem_->goal_tolerance);
       if (!any(off)) break;
       // what is missed is small, and no reason to hold back
       for (IkTarget<S>& target : targets_) target.lag = S(0);
       correct(targets, inverse_weights, off);
-      missed = measure(targets, turn_share, false);
+      missed = measure(frame, targets, turn_share, false);
     }
     add(missed, last, outcome);
   }
@@ -227,7 +233,8 @@ class Rollout {
         drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
     // a guide is within the limits, and so are all postures between
     const bool yields = limits_ && drawn_ && problem_->guide.empty();
-    const IkStep<S> wanted{targets, weights, yields ? limits_->allowed(reference) : reference};
+    const IkStep<S> wanted{targets, weights, yields ? limits_->allowed(reference) : reference,
+                           supports_.targets()};
     const std::span<const S> dq =
         weighted_ik_step<S>(*problem_->body, now(), wanted, problem_->ik, ik_);
     for (std::size_t d = 0; d < dq.size(); ++d) angles_[2][d] = angles_[1][d] + dq[d];
@@ -248,9 +255,12 @@ class Rollout {
       leads_.push_back({target.lead, target.tilt_lead});
       target.lead = target.tilt_lead = {};
     }
-    const IkStep<S> wanted{targets, within_limits(inverse_weights, angles_[2])};
+    if (!supports_.empty()) supports_.put_leads_aside();
+    const IkStep<S> wanted{
+        targets, within_limits(inverse_weights, angles_[2]), {}, supports_.targets()};
     const std::span<const S> dq =
         weighted_ik_step<S>(*problem_->body, next(), wanted, problem_->ik, ik_);
+    if (!supports_.empty()) supports_.put_leads_back();
     for (std::size_t i = 0; i < targets.size(); ++i) {
       targets[i].lead = leads_[i].position;
       targets[i].tilt_lead = leads_[i].tilt;
@@ -300,7 +310,9 @@ class Rollout {
     } else if (drawn_) {
       for (S& change : reference_) change = S(0);
     }
+    if (!supports_.empty()) supports_.keep_arms(reference_);
     if (!law_.empty()) law_.draw(frame, now(), angles_[1], guided, reference_);
+    if (!supports_.empty()) supports_.restore_arms(frame, reference_);
   }
 
   void draw_to_guide(int frame) {
@@ -332,7 +344,8 @@ class Rollout {
 
   // how far the targets are missed now, goals' turns by a share of theirs; `learn`: adds that to
   // the leads
-  BasicReachOutcome<S> measure(std::span<IkTarget<S>> targets, double turn_share, bool learn) {
+  BasicReachOutcome<S> measure(int frame, std::span<IkTarget<S>> targets, double turn_share,
+                               bool learn) {
     BasicReachOutcome<S> missed;
     const S limit(problem_->lead_limit);
     for (IkTarget<S>& target : targets) {
@@ -350,6 +363,10 @@ class Rollout {
       if (learn) target.tilt_lead = select(follows, target.tilt_lead + error_tilt, Vec3<S>{});
       missed.contact_slide = worse(missed.contact_slide, miss);
       missed.contact_tilt = worse(missed.contact_tilt, tilt(next(), target));
+    }
+    if (!supports_.empty()) {
+      const S off = supports_.miss(frame, next(), limit, learn);
+      missed.contact_slide = worse(missed.contact_slide, off);
     }
     return missed;
   }
@@ -397,6 +414,7 @@ class Rollout {
   PhaseBlend<S> blend_;                    // of a motion in two phases
   PostureDraw<S> posture_draw_;
   PostureLaw<S> law_;
+  HandSupports<S> supports_;
   std::vector<std::size_t> backs_;  // the dofs that it bends beside the posture
   std::optional<LimitGuard<S>> limits_;
 };

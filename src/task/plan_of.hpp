@@ -8,10 +8,10 @@
 
 namespace shigusa {
 
-// The plan that a preset has for a body's goals; `criteria` are those of its layers. Fails where a
-// preset of several layers does not know the body or a goal (layers_to_goals).
-[[nodiscard]] Result<Plan> plan_of(const BodyModel& body, std::span<const Goal> goals,
-                                   Preset preset, LayerReading reading,
+// The plan that a request's preset has for its goals on a body; `criteria` are those of its layers.
+// Fails where a preset of several layers does not know the body, a goal (layers_to_goals) or
+// supports.
+[[nodiscard]] Result<Plan> plan_of(const BodyModel& body, const Request& request,
                                    const CriteriaSettings& criteria = {});
 [[nodiscard]] Result<Plan> plan_of(const Task& task);
 

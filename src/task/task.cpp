@@ -12,6 +12,7 @@
 #include "task/natural_times.hpp"
 #include "task/plan_of.hpp"
 #include "task_goals.hpp"
+#include "task_supports.hpp"
 
 namespace shigusa {
 namespace {
@@ -133,11 +134,16 @@ Result<void> check_settings(const Task& task) {
 constexpr int kLimitCorrections = 2;
 constexpr double kPathSlack = 3e-4;  // m
 
+// Times as many motions are scored for a task with supports.
+constexpr int kTimesOfSupports = 3;
+
 }  // namespace
 
 int usual_evaluations(const Task& task) {
   if (task.generator == MotionGenerator::nlp_ik) return kNlpEvaluations;
-  return traits_of(task.preset).evaluations;
+  // an arm that takes part has weights of its own, and fewer motions have its hand where it rests
+  const int times = task.supports.empty() ? 1 : kTimesOfSupports;
+  return times * traits_of(task.preset).evaluations;
 }
 
 SearchMethod search_of(const Task& task) {
@@ -168,6 +174,7 @@ CriteriaSettings task_criteria(const Task& task) {
   if (task.look_at) criteria.head.gaze_target = task.look_at;
   if (!criteria.head.gaze_target) criteria.head.gaze_target = gaze_of(task.body, task.goals);
   criteria.collision.obstacles = task.obstacles;
+  criteria.collision.resting = resting_places(task);
   std::vector<int> effectors;
   for (const Goal& goal : task.goals) {
     if (const auto effector = task.body.find_effector(goal.effector))
@@ -204,6 +211,7 @@ Result<ReachProblem> make_problem(const Task& task) {
     problem.duration = max(problem.duration, duration);
     problem.goals.push_back(std::move(reach));
   }
+  SHG_TRY_ASSIGN(problem.supports, make_supports(task, kinematics));
   SHG_TRY(check_rows(problem));
   problem.duration *= load_factor(body.load());
   if (task.duration) problem.duration = *task.duration;
@@ -218,15 +226,14 @@ Result<ReachProblem> make_problem(const Task& task) {
   return problem;
 }
 
-Result<Plan> plan_of(const BodyModel& body, std::span<const Goal> goals, Preset preset,
-                     LayerReading reading, const CriteriaSettings& criteria) {
-  const std::optional<LayerStack> stack = traits_of(preset).layers;
-  if (!stack) return whole_body_plan(body);
-  return layers_to_goals(body, goals, {*stack, reading}, criteria);
+Result<Plan> plan_of(const BodyModel& body, const Request& request,
+                     const CriteriaSettings& criteria) {
+  SHG_TRY(check_supports(request));
+  const std::optional<LayerStack> stack = traits_of(request.preset).layers;
+  if (!stack) return whole_body_plan(body, request.supports);
+  return layers_to_goals(body, request.goals, {*stack, request.layer_reading}, criteria);
 }
 
-Result<Plan> plan_of(const Task& task) {
-  return plan_of(task.body, task.goals, task.preset, task.layer_reading, task_criteria(task));
-}
+Result<Plan> plan_of(const Task& task) { return plan_of(task.body, task, task_criteria(task)); }
 
 }  // namespace shigusa

@@ -251,13 +251,15 @@ double goal_duration(const BodyModel& body, const Kinematics<double>& start,
 Result<void> check_rows(const ReachProblem& problem) {
   int rows = 0;
   for (const IkTarget<double>& target : ik_targets(problem)) rows += row_count(target);
+  rows += 3 * static_cast<int>(problem.supports.size());
   if (rows <= kMaxIkRows) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("goals and contacts take {} rows of the IK; allowed are {}: 3 for a "
-                          "position, 3 for a rotation or an axis, 6 for a foot that is not the "
-                          "base",
-                          rows, kMaxIkRows),
-              "goals");
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("goals, contacts and supports take {} rows of the IK; allowed are {}: 3 for a "
+                  "position, 3 for a rotation or an axis, 6 for a foot that is not the "
+                  "base, 3 for a support",
+                  rows, kMaxIkRows),
+      "goals");
 }
 
 std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals) {

@@ -110,6 +110,11 @@ inline void any_value(const FieldTraits<Request, std::vector<Obstacle>>&,
   obstacles = {{"目", any_point(kGoalRange), {0.6, -0.0, 0.0, -0.8}, any_tolerance(), 0.5}};
 }
 
+inline void any_value(const FieldTraits<Request, std::vector<Support>>&,
+                      std::vector<Support>& supports) {
+  if (*rc::gen::arbitrary<bool>()) supports = {{"left_hand", "thigh"}, {"", "目"}};
+}
+
 inline void any_value(const FieldTraits<Request, CriteriaSettings>&, CriteriaSettings& criteria) {
   for_each_criterion([&](const auto& criterion) {
     criterion.weight(criteria) = any_number(0.0, 1e6);

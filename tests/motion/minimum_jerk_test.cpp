@@ -94,6 +94,30 @@ TEST(EffectorPath, LeadsStraightFromStartToGoal) {
   }
 }
 
+TEST(MinimumSnap, HasTheSpeedOfItsClosedForm) {
+  EXPECT_EQ(minimum_snap(0.0), 0.0);
+  EXPECT_NEAR(minimum_snap(0.5), 0.5, 1e-15);
+  EXPECT_NEAR(minimum_snap(1.0), 1.0, 1e-14);
+  constexpr double h = 1e-4;
+  for (double t = 0.05; t < 0.96; t += 0.05) {
+    const double expected = 140 * t * t * t * (1 - t) * (1 - t) * (1 - t);
+    // an error of h² / 6 times the third derivative, which is below 60
+    EXPECT_NEAR((minimum_snap(t + h) - minimum_snap(t - h)) / (2 * h), expected, 10 * h * h);
+  }
+}
+
+TEST(MinimumSnap, StaysPutOutsideOfItsTime) {
+  EXPECT_EQ(minimum_snap(-1.0), 0.0);
+  EXPECT_EQ(minimum_snap(2.0), minimum_snap(1.0));
+}
+
+TEST(MinimumSnap, BeginsAndEndsWithoutJerk) {
+  // s = 35 h⁴ near an end: over h³ it vanishes with h
+  constexpr double h = 1e-3;
+  EXPECT_NEAR(minimum_snap(h) / (h * h * h), 0.0, 36 * h);
+  EXPECT_NEAR((1 - minimum_snap(1 - h)) / (h * h * h), 0.0, 36 * h);
+}
+
 // When (of the duration) the minimum-jerk profile with such a haste is fastest, by its differences.
 double fastest_at(double haste) {
   constexpr double kStep = 1e-3;

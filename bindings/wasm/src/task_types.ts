@@ -149,6 +149,14 @@ export interface Obstacle {
   rotation_xyzw?: Quat;
 }
 
+/** A hand without a goal, and what it rests on. */
+export interface Support {
+  /** left_hand or right_hand. */
+  effector: string;
+  /** thigh: that of the hand's own side, a little above the knee; or the name of an obstacle. */
+  on: string;
+}
+
 /** Weights of the score, not all 0, and the scale at which each penalty is full (docs/criteria.md). Absent ones
  * are as in the preset's own mixture. */
 export interface Criteria {
@@ -241,6 +249,10 @@ export interface Task {
   /** Things that nothing of the body should pass through; the command line knows boxes, by their middle and size in
    * metres. */
   obstacles?: Obstacle[];
+  /** Of the preset flat: hands without a goal that rest on the thigh, or on an obstacle by its name. What they
+   * press with, from 0 to 0.25 of the body's weight, is a parameter, such as left_hand.support; below 0 the hand
+   * stays free. */
+  support?: Support[];
   /** Seconds of the motion; from the distance when not given. */
   duration_s?: number;
   /** paper, as published; flat, when not given: all parameters at once, within joint limits; layers: the paper's
