@@ -27,6 +27,22 @@ ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double sid
   return {hangs.flexion, hangs.abduction, rises.elevation, rises.protraction};
 }
 
+double scapula_share(const ReachProblem& problem, const ArmLinks& links) {
+  const BodyModel& body = *problem.body;
+  const Kinematics<double> standing = start_kinematics(body);
+  const Vec3d shoulder = standing.origin[index(links.upper)];
+  const auto height = [&](const Vec3d& point) {
+    return dot(normalized(point - shoulder), standing.link_rotation(links.chest).cy);
+  };
+  for (const ReachGoal& goal : problem.goals) {
+    const Effector& hand = body.effector(goal.effector);
+    if (!body.moves(links.upper, hand.link)) continue;
+    const Vec3d from = standing.point(hand.link, hand.point);
+    return height(goal.path.at(1.0)) < height(from) ? kScapulaLowers : 1.0;
+  }
+  return 1.0;
+}
+
 TrunkTurn trunk_turn(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
   const auto neck = body.find_dof("neck.flexion");

@@ -30,7 +30,7 @@ inline constexpr double kTrunkBegins = 0.05;
 inline constexpr double kTrunkArrives = 0.8;
 // The share of what is missing of it that a step makes.
 inline constexpr double kTrunkShare = 0.3;
-// Who reaches behind turns to the side of the hand, where it is this far to the other side or more.
+// The trunk turns to the side of the hand for a goal that is this far to the other side or more.
 inline constexpr double kBehind = radians(150);
 // How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
 inline constexpr double kArmHangs = 0.8;
@@ -39,10 +39,18 @@ inline constexpr double kArmHangs = 0.8;
 inline constexpr double kElbowBends = 0.6;
 // … and how far it stays bent at the least, hanging down (rad).
 inline constexpr double kElbowHangs = radians(10);
-// The clavicle's elevation with the arm straight up, and its protraction with the arm straight
-// ahead: a part of what the shoulder blade turns in raising an arm (V. Inman, J. Saunders and L.
-// Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
-inline constexpr double kClavicleRises = radians(36);
+// The clavicle's elevation, which stands for the shoulder blade's upward rotation, with the arm
+// raised by an angle e from where it hangs: c (kScapulaFirst + c kScapulaMore), c = (1 - cos e)
+// / 2. Of each part of e it is 5 % at 0 to 30 degrees, 19 and 38 % at 30 to 60 and to 90 and 53 %
+// at 90 to 120, where people's is 2.5, 21 to 38 and 53 % (J. Scibek and C. Carcia, World J.
+// Orthopedics 3 (2012) 87), and on the whole 1 to 2.3 of the shoulder's own joint …
+inline constexpr double kScapulaFirst = radians(20);
+inline constexpr double kScapulaMore = radians(35);
+// … and of an arm that is lowered 1 to 2.7 (J. Braman et al., J. Shoulder and Elbow Surgery 18
+// (2009) 960).
+inline constexpr double kScapulaLowers = (1.0 + 2.3) / (1.0 + 2.7);
+// The clavicle's protraction with the arm straight ahead: a part of what the shoulder blade turns
+// (V. Inman, J. Saunders and L. Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
 inline constexpr double kClavicleAhead = radians(14);
 
 // Of what clavicles and free arms are away from what the law wants, the share that a step makes,
@@ -68,7 +76,8 @@ struct Shrug {
 };
 template <class S>
 [[nodiscard]] Shrug<S> shrugged(const Vec3<S>& along) {
-  return {(S(1) + along.y) * S(0.5 * kClavicleRises), along.z * S(kClavicleAhead)};
+  const S raised = (S(1) + along.y) * S(0.5);
+  return {raised * (S(kScapulaFirst) + raised * S(kScapulaMore)), along.z * S(kClavicleAhead)};
 }
 
 // Flexion and abduction (rad) of a shoulder's link that hangs from one of that rotation; side: +1
@@ -99,6 +108,10 @@ struct ArmLinks {
   int upper = 0;
 };
 [[nodiscard]] ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side);
+
+// The share of Shrug::elevation that an arm's clavicle has in a motion: kScapulaLowers where its
+// hand is to be lower, seen from the shoulder in the frame of the chest, than it starts; else 1.
+[[nodiscard]] double scapula_share(const ReachProblem& problem, const ArmLinks& links);
 
 // The turn of the trunk that the law wants at the end of a motion, from its start.
 struct TrunkTurn {
@@ -163,7 +176,8 @@ class PostureLaw {
     int chest = 0;   // link that carries the clavicle
     int upper = 0;   // the upper arm's link
     bool has_elbow = false;
-    T lean{};  // rad: flexion that the start wants
+    T lean{};    // rad: flexion that the start wants
+    T rhythm{};  // of the clavicle's elevation, see scapula_share
     Freedom flexion, abduction, elevation, protraction, elbow;
   };
 
@@ -257,6 +271,8 @@ class PostureLaw {
       arm.elevation = freedom(body, *elevation);
       arm.protraction = freedom(body, *protraction);
     }
+    arm.rhythm = static_cast<T>(
+        arm.has_clavicle ? scapula_share(problem, {arm.parent, arm.chest, arm.upper}) : 1.0);
     begin_at_start(body, arm);
     arms_.push_back(arm);
   }
@@ -270,7 +286,7 @@ class PostureLaw {
     arm.abduction.start -= static_cast<T>(start.abduction);
     arm.lean = static_cast<T>(start.flexion);
     if (!arm.has_clavicle) return;
-    arm.elevation.start -= static_cast<T>(start.elevation);
+    arm.elevation.start -= static_cast<T>(start.elevation) * arm.rhythm;
     arm.protraction.start -= static_cast<T>(start.protraction);
   }
 
@@ -364,7 +380,7 @@ class PostureLaw {
              std::span<S> reference) const {
     const Shrug<S> wanted =
         shrugged(transpose_times(now.link_rotation(arm.chest), -now.link_rotation(arm.upper).cy));
-    draw_to(arm.elevation, wanted.elevation, S(kLawShare), angles, reference);
+    draw_to(arm.elevation, wanted.elevation * S(arm.rhythm), S(kLawShare), angles, reference);
     draw_to(arm.protraction, wanted.protraction, S(kLawShare), angles, reference);
   }
 
