@@ -49,8 +49,8 @@ struct PresetTraits {
   int evaluations;                   ///< scored by searches that do not converge by themselves
   std::optional<LayerStack> layers;  ///< that it goes by
   /// As people do: joints keep to their limits, eyes and free limbs go by PostureLaw, and
-  /// candidates differ by how they end. The paper knows none of these, and tells whole motions
-  /// apart.
+  /// candidates differ by how they end; fingers play. The paper knows none of these, and tells
+  /// whole motions apart.
   bool natural;
 };
 /// All presets, in the order of Preset.
@@ -254,7 +254,8 @@ inline constexpr FieldTable kFields<Request>{
         Field{
             "finger_play",
             &Request::finger_play,
-            "Of a character from a file with fingers: grip, when not given: a reaching hand opens "
+            "Of a character with fingers, by the presets flat and human: grip, when not given: a "
+            "reaching hand opens "
             "on the way and closes to a relaxed grip, the other is relaxed; or none: fingers stay "
             "as the file has them.",
             {.option = "--finger-play"}},

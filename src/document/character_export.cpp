@@ -130,7 +130,9 @@ class VrmSkeleton {
 }  // namespace
 
 HandPlay hand_play(const Task& task) {
-  HandPlay hands{task.finger_play == FingerPlay::grip, {}};
+  // the paper knows no fingers
+  const bool plays = task.finger_play == FingerPlay::grip && traits_of(task.preset).natural;
+  HandPlay hands{plays, {}};
   for (const Goal& goal : task.goals) {
     if (goal.effector == "left_hand") hands.reaches[0] = true;
     if (goal.effector == "right_hand") hands.reaches[1] = true;

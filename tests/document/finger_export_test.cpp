@@ -119,6 +119,10 @@ TEST_P(FingerExport, FingersStayWhereNothingIsAsked) {
   }
   EXPECT_EQ(written(FileFormat::vrma).find("IndexProximal"), std::string::npos);
   asked_.finger_play = FingerPlay::grip;
+  adopt_preset(asked_, Preset::paper);
+  EXPECT_EQ(written(FileFormat::vrma).find("IndexProximal"), std::string::npos);
+  adopt_preset(asked_, Preset::flat);
+  asked_.finger_play = FingerPlay::grip;
   EXPECT_NE(written(FileFormat::vrma).find("IndexProximal"), std::string::npos);
 }
 
