@@ -245,7 +245,8 @@ struct CharacterNode {
 /// m per unit of the nodes' translations.
 [[nodiscard]] double node_unit(const CharacterSpec& character);
 
-/// (frames × nodes) each node in its parent, as a character leaves in its own file.
+/// (frames × nodes) each node in its parent, as a character leaves in its own file, whose fingers
+/// stay as the file has them.
 [[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
                                                       const BodyModel& body, const Clip& clip);
 

@@ -61,6 +61,11 @@ struct FileSettings {
 /// effectors keep to their paths between the motion's own frames too.
 [[nodiscard]] Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate);
 
+/// (frames × nodes) each node in its parent, as node_motion of a body, with the fingers that the
+/// task asks for.
+[[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
+                                                      const Task& task, const Clip& clip);
+
 /// Parses {"fps": 24}.
 [[nodiscard]] Result<FileSettings> parse_file_settings(std::string_view text,
                                                        std::string_view name);

@@ -49,8 +49,8 @@ struct PresetTraits {
   int evaluations;                   ///< scored by searches that do not converge by themselves
   std::optional<LayerStack> layers;  ///< that it goes by
   /// As people do: joints keep to their limits, eyes and free limbs go by PostureLaw, and
-  /// candidates differ by how they end. The paper knows none of these, and tells whole motions
-  /// apart.
+  /// candidates differ by how they end; fingers play. The paper knows none of these, and tells
+  /// whole motions apart.
   bool natural;
 };
 /// All presets, in the order of Preset.
@@ -107,6 +107,19 @@ inline constexpr std::array kEnumWords<MotionGenerator>{
     EnumWord{MotionGenerator::nlp_ik, "nlp_ik"},
 };
 
+/// The play of a character's fingers, of which neither search nor criteria know.
+enum class FingerPlay {
+  grip,  ///< a reaching hand opens on the way and closes to a relaxed grip, the other is relaxed
+  none,  ///< they stay as the file has them
+};
+
+/// The words of FingerPlay.
+template <>
+inline constexpr std::array kEnumWords<FingerPlay>{
+    EnumWord{FingerPlay::grip, "grip"},
+    EnumWord{FingerPlay::none, "none"},
+};
+
 /// The plain data of a task: all that its file says beside the character. Its table of fields,
 /// below, says what each member is.
 struct Request {
@@ -132,6 +145,7 @@ struct Request {
   std::vector<std::string> fixed_assignments{};              ///< "squat_deg=60"
   MotionGenerator generator = MotionGenerator::weighted_ik;  ///< the other not of layered presets
   int phases = 1;  ///< 2: a LaterPhase is searched too, twice as many parameters
+  FingerPlay finger_play = FingerPlay::grip;  ///< of characters that have fingers
   /// The same seed gives the same motions.
   std::uint64_t seed = 0;
   /// The most candidates that are delivered.
@@ -250,6 +264,14 @@ inline constexpr FieldTable kFields<Request>{
               "Of the preset flat: with 2, weights and postures change once during the motion; 1 "
               "when not given.",
               {.low = 1, .high = kPhasesMax, .option = "--phases"}},
+        Field{
+            "finger_play",
+            &Request::finger_play,
+            "Of a character with fingers, by the presets flat and human: grip, when not given: a "
+            "reaching hand opens "
+            "on the way and closes to a relaxed grip, the other is relaxed; or none: fingers stay "
+            "as the file has them.",
+            {.option = "--finger-play"}},
         Field{"seed",
               &Request::seed,
               "Same seed, same bytes; 0 when not given.",

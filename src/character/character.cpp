@@ -12,6 +12,7 @@
 #include "character_places.hpp"
 #include "character_robot.hpp"
 #include "person/at_ease.hpp"
+#include "person/finger_bones.hpp"
 #include "person/landmark_points.hpp"
 
 namespace shigusa {
@@ -134,6 +135,10 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
   }
   CharacterRig rig = make_rig(std::move(file), found, *spec.landmarks);
   rig.rig.twists = find_twist_bones(rig.skeleton, world, found.map);
+  const std::vector<Transformd> posed = world_transforms(rig.skeleton, found.posed.clip(), 0);
+  rig.rig.fingers = find_finger_bones(rig.skeleton, posed, found.map, rig.vrm_bones,
+                                      rig.rig.placement.mirrored());
+  rig.rig.at_ease = found.eased;
   spec.rig = std::make_shared<const CharacterRig>(std::move(rig));
   if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
   return {};

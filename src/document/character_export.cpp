@@ -68,7 +68,7 @@ Rig unturned(const CharacterRig& character) {
 // The character's VRM bones as a skeleton of their own, parents first.
 class VrmSkeleton {
  public:
-  explicit VrmSkeleton(const CharacterRig& character) : character_(character) {
+  VrmSkeleton(const CharacterRig& character, bool fingers) : character_(character) {
     rig = character.rig;
     rig.nodes.clear();
     const std::vector<Vec3d> at = rest_origins(character.skeleton);
@@ -77,7 +77,7 @@ class VrmSkeleton {
     std::vector<int> ours(character.skeleton.nodes.size(), -1);
     // by the file's order: bones of a file may hang together otherwise than VRM wants them
     for (std::size_t i = 0; i < ours.size(); ++i) {
-      const std::string_view name = bone_at(static_cast<int>(i));
+      const std::string name = vrma_bone(character, static_cast<int>(i), fingers);
       if (name.empty()) continue;
       int above = character.skeleton.nodes[i].parent;
       while (above >= 0 && ours[static_cast<std::size_t>(above)] < 0) {
@@ -88,7 +88,7 @@ class VrmSkeleton {
       if (parent < 0 && !bones.empty()) continue;
       ours[i] = static_cast<int>(bones.size());
       const Vec3d offset = above < 0 ? at[i] : at[i] - at[static_cast<std::size_t>(above)];
-      bones.push_back({std::string(name), parent, facing_ahead(offset)});
+      bones.push_back({name, parent, facing_ahead(offset)});
       rest.push_back({bones.back().offset});
       const Transformd from = above < 0 ? Transformd{} : posed[static_cast<std::size_t>(above)];
       const Transformd local = inverse(from) * posed[i];
@@ -98,8 +98,15 @@ class VrmSkeleton {
     for (int& node : rig.bones.node) {
       if (node >= 0) node = ours[static_cast<std::size_t>(node)];
     }
-    rig.grips = {-1, -1};  // on fingers
-    rig.twists.clear();    // no bones of VRM
+    for (int& node : rig.grips) {
+      if (node >= 0) node = ours[static_cast<std::size_t>(node)];
+    }
+    for (FingerBone& finger : rig.fingers) {
+      finger.node = ours[static_cast<std::size_t>(finger.node)];
+      finger.axis = facing_ahead(finger.axis);
+    }
+    std::erase_if(rig.fingers, [](const FingerBone& finger) { return finger.node < 0; });
+    rig.twists.clear();  // no bones of VRM
     Placement& p = rig.placement;
     for (Vec3d* v : {&p.left, &p.up, &p.ahead, &p.origin}) *v = facing_ahead(*v);
   }
@@ -109,14 +116,6 @@ class VrmSkeleton {
   Rig rig;                      // of these bones, as they are posed
 
  private:
-  [[nodiscard]] std::string_view bone_at(int node) const {
-    for (const auto& [name, at] : character_.vrm_bones) {
-      const auto known = std::find(kVrmBones.begin(), kVrmBones.end(), name);
-      if (at == node && known != kVrmBones.end()) return *known;
-    }
-    return {};
-  }
-
   // VRM animations face +Z; characters of VRM 0.x face -Z.
   [[nodiscard]] Vec3d facing_ahead(const Vec3d& v) const {
     return character_.ahead.z < 0.0 ? Vec3d{-v.x, v.y, -v.z} : v;
@@ -129,6 +128,36 @@ class VrmSkeleton {
 };
 
 }  // namespace
+
+HandPlay hand_play(const Task& task) {
+  // the paper knows no fingers
+  const bool plays = task.finger_play == FingerPlay::grip && traits_of(task.preset).natural;
+  HandPlay hands{plays, {}};
+  for (const Goal& goal : task.goals) {
+    if (goal.effector == "left_hand") hands.reaches[0] = true;
+    if (goal.effector == "right_hand") hands.reaches[1] = true;
+  }
+  return hands;
+}
+
+std::vector<LocalTransform> node_motion(const CharacterSpec& character, const Task& task,
+                                        const Clip& clip) {
+  if (!character.rig) return node_motion(character, task.body, clip);
+  return rig_motion(task.body, clip, character.rig->rig, hand_play(task)).local;
+}
+
+std::string vrma_bone(const CharacterRig& character, int node, bool fingers) {
+  for (const auto& [name, at] : character.vrm_bones) {
+    const auto known = std::find(kVrmBones.begin(), kVrmBones.end(), name);
+    if (at == node && known != kVrmBones.end()) return name;
+  }
+  if (!fingers) return {};
+  for (const FingerBone& finger : character.rig.fingers) {
+    // of VRM 0.x too, whose thumbs have other names
+    if (finger.node == node) return vrm_finger_name(finger);
+  }
+  return {};
+}
 
 std::string candidate_animation(const CharacterSpec& character, std::size_t rank) {
   const std::string plain = fmt::format("shigusa candidate {}", rank);
@@ -144,7 +173,7 @@ std::string candidate_animation(const CharacterSpec& character, std::size_t rank
 std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) const {
   const bool own = character_.format == FileFormat::bvh;
   const Rig rig = own ? character_.rig : unturned(character_);
-  const RigMotion moved = rig_motion(body, clip, rig);
+  const RigMotion moved = rig_motion(body, clip, rig, hands_);
   const double unit = rig.placement.unit;
   SkeletonMotion motion{character_.skeleton, {moved.frame_time, moved.frames, moved.local}};
   for (SkeletonNode& node : motion.skeleton.nodes) node.offset = node.offset * unit;
@@ -155,8 +184,8 @@ std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) cons
 
 GltfAnimation CharacterExporter::animation(const BodyModel& body, const Clip& clip,
                                            const std::string& name) const {
-  GltfAnimation animation =
-      animation_of(character_.rig, character_.places, rig_motion(body, clip, character_.rig), name);
+  GltfAnimation animation = animation_of(character_.rig, character_.places,
+                                         rig_motion(body, clip, character_.rig, hands_), name);
   for (GltfTrack& track : animation.tracks) {
     track.node = character_.file_node[static_cast<std::size_t>(track.node)];
   }
@@ -169,8 +198,8 @@ Result<std::string> CharacterExporter::glb(std::span<const GltfAnimation> animat
 
 Result<std::string> CharacterExporter::vrma(const BodyModel& body, const Clip& clip,
                                             const std::string& name) const {
-  VrmSkeleton skeleton(character_);
-  const RigMotion motion = rig_motion(body, clip, skeleton.rig);
+  VrmSkeleton skeleton(character_, hands_.fingers);
+  const RigMotion motion = rig_motion(body, clip, skeleton.rig, hands_);
   GltfAnimation animation = animation_of(skeleton.rig, skeleton.rest, motion, name);
   // bones keep their lengths: of VRM's the hips alone move in their parent
   for (GltfTrack& track : animation.tracks) {

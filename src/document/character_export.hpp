@@ -3,17 +3,20 @@
 
 #include <shigusa/character.hpp>
 #include <shigusa/motion.hpp>
+#include <shigusa/task.hpp>
 #include <span>
 #include <string>
 
 #include "io/gltf_write.hpp"
+#include "kinematics/rig.hpp"
 
 namespace shigusa {
 
 // Motions of a body on its character's own skeleton. Borrows the rig.
 class CharacterExporter {
  public:
-  explicit CharacterExporter(const CharacterRig& character) : character_(character) {}
+  explicit CharacterExporter(const CharacterRig& character, const HandPlay& hands = {})
+      : character_(character), hands_(hands) {}
 
   // With the nodes of the file; of a BVH also with its channels and in its unit, else in
   // centimetres.
@@ -27,13 +30,21 @@ class CharacterExporter {
   // The character's glTF file with animations added.
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const;
 
-  // A VRM animation: the character's bones of VRM but for fingers, eyes and jaw, which stay.
+  // A VRM animation: the character's bones of VRM but for eyes and jaw, which stay, and fingers
+  // where they do.
   [[nodiscard]] Result<std::string> vrma(const BodyModel& body, const Clip& clip,
                                          const std::string& name) const;
 
  private:
   const CharacterRig& character_;
+  HandPlay hands_;
 };
+
+// The play of hands that a task asks for: those that have goals open and close.
+[[nodiscard]] HandPlay hand_play(const Task& task);
+
+// The bone of VRM 1.0 that a node is in a VRM animation; empty where it is none.
+[[nodiscard]] std::string vrma_bone(const CharacterRig& character, int node, bool fingers);
 
 // m per unit of the BVH that a character leaves in.
 [[nodiscard]] double bvh_unit(const CharacterSpec& spec);

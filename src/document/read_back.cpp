@@ -38,6 +38,15 @@ bool scaled_evenly(const Rig& rig, int node) {
   return true;
 }
 
+// The nearest node up from this one that is no finger's.
+int without_fingers(const Rig& rig, int node) {
+  const auto is_finger = [&](const FingerBone& finger) { return finger.node == node; };
+  while (std::any_of(rig.fingers.begin(), rig.fingers.end(), is_finger)) {
+    node = rig.nodes[static_cast<std::size_t>(node)].parent;
+  }
+  return node;
+}
+
 // Segments that share their twist with other bones do not turn as the body's.
 bool is_twist_segment(std::string_view body_node) {
   const auto& segments = twist_segments();
@@ -93,10 +102,12 @@ void ReadBackCheck::add_mark(const std::string& name, const std::string& body_no
   const auto found = std::find_if(nodes.begin(), nodes.end(),
                                   [&](const BodyNode& node) { return node.name == body_node; });
   if (found == nodes.end()) return;
-  Mark mark{name, foot, turns, static_cast<int>(found - nodes.begin()), found->link, found->point};
+  const int node = static_cast<int>(found - nodes.begin());
+  Mark mark{name, foot, turns, node, node, found->link, found->point};
   if (character_.rig) {
     mark.node = rig_node(character_, body_node);
     if (mark.node < 0) return;
+    mark.turned = without_fingers(character_.rig->rig, mark.node);
     mark.point = in_link(mark.link, start_[static_cast<std::size_t>(mark.node)]);
     // a goal is for the effector, whatever the file has there
     const auto effector = foot ? std::nullopt : body_.find_effector(name);
@@ -172,7 +183,7 @@ Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& a
     return in_world(world_transforms(motion.skeleton, motion.clip, frame), rig.rig.placement.unit);
   };
   std::vector<Mark> marks = marks_;
-  for (Mark& mark : marks) mark.turns = mark.turns && scaled_evenly(rig.rig, mark.node);
+  for (Mark& mark : marks) mark.turns = mark.turns && scaled_evenly(rig.rig, mark.turned);
   return compare(back, marks);
 }
 
@@ -183,8 +194,9 @@ Result<ReadBack> ReadBackCheck::vrma(std::string_view bytes) const {
   const CharacterRig& rig = *character_.rig;
   const SkeletonMotion& motion = file->motion;
   std::vector<int> bone_of(rig.skeleton.nodes.size(), -1);
-  for (const auto& [name, node] : rig.vrm_bones) {
-    bone_of[static_cast<std::size_t>(node)] = motion.skeleton.find(name);
+  for (std::size_t i = 0; i < bone_of.size(); ++i) {
+    const std::string name = vrma_bone(rig, static_cast<int>(i), true);
+    if (!name.empty()) bone_of[i] = motion.skeleton.find(name);
   }
   // the bones that the animation moves are compared: the one that carries a finger, not the finger
   std::vector<Mark> marks;
@@ -193,6 +205,7 @@ Result<ReadBack> ReadBackCheck::vrma(std::string_view bytes) const {
       mark.node = rig.skeleton.nodes[static_cast<std::size_t>(mark.node)].parent;
     }
     if (mark.node < 0) continue;
+    mark.turned = without_fingers(rig.rig, mark.node);
     mark.point = in_link(mark.link, start_[static_cast<std::size_t>(mark.node)]);
     marks.push_back(std::move(mark));
   }
@@ -233,7 +246,9 @@ Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
             fmt::format("{:.4f} mm off the motion; {:.4f} mm", 1e3 * off, 1e3 * allowed.length));
       }
       if (!mark.turns) continue;
-      const Mat3d of_file = places[at].rotation * transpose(first[at].rotation);
+      const auto turns =
+          static_cast<std::size_t>(file.node_of[static_cast<std::size_t>(mark.turned)]);
+      const Mat3d of_file = places[turns].rotation * transpose(first[turns].rotation);
       const Mat3d of_body =
           now.link_rotation(mark.link) * transpose(start.link_rotation(mark.link));
       const double turned = norm(rotation_vector(of_file * transpose(of_body)));

@@ -42,6 +42,7 @@ class ReadBackCheck {
     bool foot = false;
     bool turns = false;  // its rotation is compared too
     int node = -1;       // of the character's rig, or of the body's nodes
+    int turned = -1;     // the one whose rotation is compared: of a finger the hand
     int link = 0;
     Vec3d point{};  // m, link frame
   };

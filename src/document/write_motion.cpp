@@ -47,7 +47,7 @@ Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
   const BodyModel& body = request.task.body;
   const auto make = [&](const Clip& clip) -> Result<std::string> {
     if (!rig) return format_bvh(skeleton_motion(body, clip));
-    return CharacterExporter(*rig).bvh(body, clip);
+    return CharacterExporter(*rig, hand_play(request.task)).bvh(body, clip);
   };
   return checked_file(request, make, [](const ReadBackCheck& check, const std::string& bytes) {
     return check.bvh(bytes);
@@ -56,7 +56,7 @@ Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
 
 template <>
 Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
-  const CharacterExporter exporter(*request.character.rig);
+  const CharacterExporter exporter(*request.character.rig, hand_play(request.task));
   const std::string& name = request.settings.animation;
   const auto make = [&](const Clip& clip) {
     return exporter.glb(std::vector{exporter.animation(request.task.body, clip, name)});
@@ -68,7 +68,7 @@ Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
 
 template <>
 Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
-  const CharacterExporter exporter(*request.character.rig);
+  const CharacterExporter exporter(*request.character.rig, hand_play(request.task));
   const auto make = [&](const Clip& clip) {
     return exporter.vrma(request.task.body, clip, request.settings.animation);
   };
@@ -81,7 +81,7 @@ Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
                              const std::vector<Candidate>& candidates, double rate) {
   SHG_TRY(check_formats(character, {FileFormat::glb}));
   SHG_TRY(check_rate(rate, "rate"));
-  const CharacterExporter exporter(*character.rig);
+  const CharacterExporter exporter(*character.rig, hand_play(task));
   std::vector<GltfAnimation> animations;
   std::vector<Clip> clips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "kinematics/forward_kinematics.hpp"
 #include "math/linear_map.hpp"
 #include "rig_drivers.hpp"
+#include "rig_fingers.hpp"
 #include "rig_twist.hpp"
 
 namespace shigusa {
@@ -35,15 +36,17 @@ struct NodeDriver {
 
 class RigMover {
  public:
-  RigMover(const BodyModel& body, const Rig& rig)
-      : RigMover(body, rig, human_frames(rig.rest), human_frames(rig.start)) {}
+  RigMover(const BodyModel& body, const Rig& rig, const HandPlay& hands)
+      : RigMover(body, rig, hands, human_frames(rig.rest), human_frames(rig.start)) {}
 
-  RigMover(const BodyModel& body, const Rig& rig, const HumanFrames& rest, const HumanFrames& start)
+  RigMover(const BodyModel& body, const Rig& rig, const HandPlay& hands, const HumanFrames& rest,
+           const HumanFrames& start)
       : body_(body),
         rig_(rig),
         start_(start_kinematics(body)),
         now_(body),
         twists_(body, rig, rest, start, start_),
+        fingers_(rig, hands),
         driver_(rig.nodes.size(), -1) {
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const int node = rig.bones.node[index(b)];
@@ -80,6 +83,7 @@ class RigMover {
     for (int f = 0; f < clip.frames; ++f) {
       forward_kinematics<double>(body_, clip.frame(f), now_);
       twists_.show(now_);
+      share_ = clip.frames > 1 ? static_cast<double>(f) / (clip.frames - 1) : 0.0;
       for (std::size_t i = 0; i < nodes; ++i) motion.local.push_back(place(i, motion));
     }
     return motion;
@@ -140,6 +144,10 @@ class RigMover {
     const bool changes = driver_[i] >= 0 && (node.parent < 0 || driver_[i] != driver_[parent]);
     const std::optional<Mat3d> to_parent = changes ? inverse_of(above.rotation) : std::nullopt;
     if (to_parent) turn(i, above, *to_parent, local, motion);
+    if (fingers_.turns(i)) {
+      local.rotation = fingers_.turned(i, share_, local.rotation);
+      if (!same_rotation(local.rotation, node.rotation)) motion.turns[i] = true;
+    }
     const Mat3d r = to_matrix(local.rotation);
     placed_[i] = above * Affine{{r.cx * node.scale.x, r.cy * node.scale.y, r.cz * node.scale.z},
                                 local.translation};
@@ -178,6 +186,8 @@ class RigMover {
   Kinematics<double> start_;
   Kinematics<double> now_;
   LimbTwists twists_;
+  FingerMover fingers_;
+  double share_ = 0.0;  // of the motion's time
   std::vector<NodeDriver> drivers_;
   std::vector<int> driver_;     // (nodes) index in drivers_, or -1
   std::vector<Affine> rest_;    // (nodes) in the file's world
@@ -186,8 +196,9 @@ class RigMover {
 
 }  // namespace
 
-RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig) {
-  return RigMover(body, rig).play(clip);
+RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig,
+                     const HandPlay& hands) {
+  return RigMover(body, rig, hands).play(clip);
 }
 
 }  // namespace shigusa

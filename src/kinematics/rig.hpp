@@ -8,6 +8,7 @@
 #include <shigusa/skeleton.hpp>
 #include <vector>
 
+#include "person/finger_bones.hpp"
 #include "person/measure_person.hpp"
 #include "person/twist_bones.hpp"
 
@@ -25,12 +26,20 @@ struct RigNode {
 // The tie between a character's own skeleton and its body.
 struct Rig {
   std::vector<RigNode> nodes;
-  HumanoidMap bones;                 // index in `nodes`
-  std::array<int, 2> grips{-1, -1};  // left, right: the nodes that goals are given for
-  Placement placement;               // of the nodes at rest
-  Landmarks rest;                    // joints of the nodes at rest, in shigusa's world …
-  Landmarks start;                   // … and in the body's start posture
-  std::vector<TwistBone> twists{};   // of the nodes, in any order
+  HumanoidMap bones;                  // index in `nodes`
+  std::array<int, 2> grips{-1, -1};   // left, right: the nodes that goals are given for
+  Placement placement;                // of the nodes at rest
+  Landmarks rest;                     // joints of the nodes at rest, in shigusa's world …
+  Landmarks start;                    // … and in the body's start posture
+  std::vector<TwistBone> twists{};    // of the nodes, in any order
+  std::vector<FingerBone> fingers{};  // of the nodes, in any order; axes as the nodes stand at rest
+  bool at_ease = false;               // hands too are at ease in the start posture
+};
+
+// The play of hands beside the motion of the body.
+struct HandPlay {
+  bool fingers = false;           // they are laid in a posture, else they stay as the rig has them
+  std::array<bool, 2> reaches{};  // left, right: it opens on the way and closes at the end
 };
 
 // How a rig's nodes move.
@@ -58,6 +67,9 @@ struct RigMotion {
 //
 // Below a scale that is not the same along its axes a turned bone would be sheared, which no
 // rotation tells: joints and grips stand exactly all the same, as translations make up for it.
-[[nodiscard]] RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig);
+//
+// Fingers are turned on top of that, see rig_fingers.hpp: no goal and no criterion knows them.
+[[nodiscard]] RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig,
+                                   const HandPlay& hands = {});
 
 }  // namespace shigusa

@@ -83,28 +83,6 @@ BonePart part_of(std::string_view word) {
   return BonePart::none;
 }
 
-// The words of a name in lower case: split at separators, digits and capitals ("LHipJoint" is
-// l, hip, joint). The text before a colon or bar names the character.
-std::vector<std::string> words_of(std::string_view name) {
-  const std::size_t prefix = name.find_last_of(":|");
-  if (prefix != name.npos) name.remove_prefix(prefix + 1);
-  std::vector<std::string> words;
-  bool open = false;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const char c = name[i];
-    if (!is_letter(c)) {
-      open = false;
-      continue;
-    }
-    const bool after_lower = i > 0 && is_lower(name[i - 1]);
-    const bool before_lower = i + 1 < name.size() && is_lower(name[i + 1]);
-    if (!open || (is_upper(c) && (after_lower || before_lower))) words.emplace_back();
-    words.back() += lower(c);
-    open = true;
-  }
-  return words;
-}
-
 // The part named by the longest run of neighbouring words.
 BonePart longest_part(const std::vector<std::string>& words) {
   BonePart best = BonePart::none;
@@ -151,6 +129,26 @@ bool has_limb(const std::vector<std::string>& words) {
 constexpr std::string_view kNoTwist[] = {"ik", "fk", "mch", "pole", "target", "ctrl", "control"};
 
 }  // namespace
+
+std::vector<std::string> words_of(std::string_view name) {
+  const std::size_t prefix = name.find_last_of(":|");
+  if (prefix != name.npos) name.remove_prefix(prefix + 1);
+  std::vector<std::string> words;
+  bool open = false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (!is_letter(c)) {
+      open = false;
+      continue;
+    }
+    const bool after_lower = i > 0 && is_lower(name[i - 1]);
+    const bool before_lower = i + 1 < name.size() && is_lower(name[i + 1]);
+    if (!open || (is_upper(c) && (after_lower || before_lower))) words.emplace_back();
+    words.back() += lower(c);
+    open = true;
+  }
+  return words;
+}
 
 bool is_next_in_row(std::string_view name, std::string_view next) {
   const auto digits = [](std::string_view text) {

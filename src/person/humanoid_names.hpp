@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace shigusa {
 
@@ -43,6 +45,10 @@ struct BoneName {
 // "J_Bip_L_UpperLeg", "Bip01 L Calf", "leftUpperLeg", "左ひじ" and their like. Fingers, twist and
 // control joints and the like have no part.
 [[nodiscard]] BoneName read_bone_name(std::string_view name);
+
+// The words of a name in lower case: split at separators, digits and capitals ("LHipJoint" is
+// l, hip, joint). The text before a colon or bar names the character.
+[[nodiscard]] std::vector<std::string> words_of(std::string_view name);
 
 // Whether `next` goes on where `name` stands in a numbered row: "spine.004" after "spine.003".
 [[nodiscard]] bool is_next_in_row(std::string_view name, std::string_view next);

@@ -16,8 +16,22 @@ namespace shigusa {
 // The head has turned to the goal by this share of the duration: gaze gets there before the hand
 // does (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
 inline constexpr double kGazeArrives = 0.45;
-// The head's share of a turn of the gaze; eyes do the rest.
+// The head's share of a turn of the gaze; eyes do the rest, as far as they turn with ease (rad;
+// J. Stahl, Experimental Brain Research 126 (1999) 41-54: eyes stay within some 20 degrees).
 inline constexpr double kHeadOfGaze = 0.75;
+inline constexpr double kEyesEase = radians(20);
+// The trunk's turn (rad) for a goal that far to the side: of what is beyond kTrunkTurns its share,
+// and kTrunkMost at the most, as people's who keep their feet where they are. It ends with the
+// hand.
+inline constexpr double kTrunkTurns = radians(50);
+inline constexpr double kTrunkOfGaze = 0.6;
+inline constexpr double kTrunkMost = radians(65);
+inline constexpr double kTrunkBegins = 0.05;
+inline constexpr double kTrunkArrives = 0.8;
+// The share of what is missing of it that a step makes.
+inline constexpr double kTrunkShare = 0.3;
+// The trunk turns to the side of the hand for a goal that is this far to the other side or more.
+inline constexpr double kBehind = radians(150);
 // How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
 inline constexpr double kArmHangs = 0.8;
 // How far the elbow of a free arm bends for each angle by which its shoulder is turned forwards:
@@ -25,10 +39,18 @@ inline constexpr double kArmHangs = 0.8;
 inline constexpr double kElbowBends = 0.6;
 // … and how far it stays bent at the least, hanging down (rad).
 inline constexpr double kElbowHangs = radians(10);
-// The clavicle's elevation with the arm straight up, and its protraction with the arm straight
-// ahead: a part of what the shoulder blade turns in raising an arm (V. Inman, J. Saunders and L.
-// Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
-inline constexpr double kClavicleRises = radians(36);
+// The clavicle's elevation, which stands for the shoulder blade's upward rotation, with the arm
+// raised by an angle e from where it hangs: c (kScapulaFirst + c kScapulaMore), c = (1 - cos e)
+// / 2. Of each part of e it is 5 % at 0 to 30 degrees, 19 and 38 % at 30 to 60 and to 90 and 53 %
+// at 90 to 120, where people's is 2.5, 21 to 38 and 53 % (J. Scibek and C. Carcia, World J.
+// Orthopedics 3 (2012) 87), and on the whole 1 to 2.3 of the shoulder's own joint …
+inline constexpr double kScapulaFirst = radians(20);
+inline constexpr double kScapulaMore = radians(35);
+// … and of an arm that is lowered 1 to 2.7 (J. Braman et al., J. Shoulder and Elbow Surgery 18
+// (2009) 960).
+inline constexpr double kScapulaLowers = (1.0 + 2.3) / (1.0 + 2.7);
+// The clavicle's protraction with the arm straight ahead: a part of what the shoulder blade turns
+// (V. Inman, J. Saunders and L. Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
 inline constexpr double kClavicleAhead = radians(14);
 
 // Of what clavicles and free arms are away from what the law wants, the share that a step makes,
@@ -54,7 +76,8 @@ struct Shrug {
 };
 template <class S>
 [[nodiscard]] Shrug<S> shrugged(const Vec3<S>& along) {
-  return {(S(1) + along.y) * S(0.5 * kClavicleRises), along.z * S(kClavicleAhead)};
+  const S raised = (S(1) + along.y) * S(0.5);
+  return {raised * (S(kScapulaFirst) + raised * S(kScapulaMore)), along.z * S(kClavicleAhead)};
 }
 
 // Flexion and abduction (rad) of a shoulder's link that hangs from one of that rotation; side: +1
@@ -86,6 +109,17 @@ struct ArmLinks {
 };
 [[nodiscard]] ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side);
 
+// The share of Shrug::elevation that an arm's clavicle has in a motion: kScapulaLowers where its
+// hand is to be lower, seen from the shoulder in the frame of the chest, than it starts; else 1.
+[[nodiscard]] double scapula_share(const ReachProblem& problem, const ArmLinks& links);
+
+// The turn of the trunk that the law wants at the end of a motion, from its start.
+struct TrunkTurn {
+  double side = 0.0;           // +1 to the left, -1 to the right
+  std::vector<double> change;  // (dofs) rad; empty: what is looked at is in front, above or below
+};
+[[nodiscard]] TrunkTurn trunk_turn(const ReachProblem& problem);
+
 // How the parts of a whole human move that no goal moves, frame by frame: the head turns to the
 // goal, a free arm hangs and bends, clavicles go with their arms, the back bends with the pelvis.
 // The law says by how much the null space is drawn; goals, contacts and limits stay what they are.
@@ -98,6 +132,7 @@ class PostureLaw {
     if (!problem.posture_law || !body.find_dof("neck.flexion")) return;
     find_head(problem);
     find_back(body);
+    find_trunk(problem);
     for (const char* side : {"left_", "right_"}) find_arm(problem, side);
   }
 
@@ -110,6 +145,7 @@ class PostureLaw {
   void draw(int frame, const Kinematics<S>& now, std::span<const S> angles, bool guided,
             std::span<S> reference) const {
     if (!guided) bend_back(now, angles, reference);
+    if (!guided) turn_trunk(frame, angles, reference);
     if (looks_) look(gaze_share(frame), now, angles, reference);
     for (const Arm& arm : arms_) {
       if (arm.free) hang(arm, now, angles, reference);
@@ -140,7 +176,8 @@ class PostureLaw {
     int chest = 0;   // link that carries the clavicle
     int upper = 0;   // the upper arm's link
     bool has_elbow = false;
-    T lean{};  // rad: flexion that the start wants
+    T lean{};    // rad: flexion that the start wants
+    T rhythm{};  // of the clavicle's elevation, see scapula_share
     Freedom flexion, abduction, elevation, protraction, elbow;
   };
 
@@ -193,6 +230,15 @@ class PostureLaw {
     }
   }
 
+  void find_trunk(const ReachProblem& problem) {
+    const TrunkTurn turn = trunk_turn(problem);
+    side_ = static_cast<T>(turn.side);
+    for (std::size_t d = 0; d < turn.change.size(); ++d) {
+      if (turn.change[d] == 0.0) continue;
+      trunk_.push_back(freedom(*problem.body, static_cast<int>(d), turn.change[d]));
+    }
+  }
+
   void find_arm(const ReachProblem& problem, const std::string& side) {
     const BodyModel& body = *problem.body;
     const auto dof = [&](const char* name) { return body.find_dof(side + name); };
@@ -225,6 +271,8 @@ class PostureLaw {
       arm.elevation = freedom(body, *elevation);
       arm.protraction = freedom(body, *protraction);
     }
+    arm.rhythm = static_cast<T>(
+        arm.has_clavicle ? scapula_share(problem, {arm.parent, arm.chest, arm.upper}) : 1.0);
     begin_at_start(body, arm);
     arms_.push_back(arm);
   }
@@ -238,7 +286,7 @@ class PostureLaw {
     arm.abduction.start -= static_cast<T>(start.abduction);
     arm.lean = static_cast<T>(start.flexion);
     if (!arm.has_clavicle) return;
-    arm.elevation.start -= static_cast<T>(start.elevation);
+    arm.elevation.start -= static_cast<T>(start.elevation) * arm.rhythm;
     arm.protraction.start -= static_cast<T>(start.protraction);
   }
 
@@ -274,15 +322,47 @@ class PostureLaw {
     }
   }
 
+  // no less than the law wants; what else turns the trunk may turn it farther
+  void turn_trunk(int frame, std::span<const S> angles, std::span<S> reference) const {
+    if (trunk_.empty()) return;
+    const double tau = static_cast<double>(frame) / steps_;
+    const S done(minimum_snap((tau - kTrunkBegins) / (kTrunkArrives - kTrunkBegins)));
+    // what is missing in the end stays so: the motion ends at rest
+    const S share(kTrunkShare *
+                  (1.0 - minimum_snap((tau - kTrunkArrives) / (1.0 - kTrunkArrives))));
+    for (const Freedom& f : trunk_) {
+      const S wanted = clamp(S(f.start) + done * S(f.share), S(f.lower), S(f.upper));
+      const S missing = wanted - angles[f.dof] - reference[f.dof];
+      const S drawn = clamp(missing * share, S(-kLawStep), S(kLawStep));
+      const S more = f.share > T(0) ? max(drawn, S(0)) : min(drawn, S(0));
+      reference[f.dof] = reference[f.dof] + more;
+    }
+  }
+
+  // The turn of the head (rad) to what is there in the frame of the chest: sideways for what is
+  // behind, and from side to side without a jump …
+  static S side_of(const Vec3<S>& offset, const S& across) {
+    return atan2(offset.x, max(offset.z, across * S(0.2)));
+  }
+  // … or, with a trunk that turns, to its side all the way; the jump is 105 degrees to the other.
+  [[nodiscard]] S side_behind(const Vec3<S>& offset) const {
+    constexpr double kCos75 = 0.25881904510252;
+    constexpr double kSin75 = 0.96592582628907;
+    const S x = offset.x * S(side_);
+    const S turn =
+        atan2(x * S(kCos75) - offset.z * S(kSin75), offset.z * S(kCos75) + x * S(kSin75));
+    return (turn + S(radians(75.0))) * S(side_);
+  }
+
   void look(const S& share, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
     const Vec3<S> eye = now.origin[index(head_)];
     const Vec3<S> offset = transpose_times(now.link_rotation(chest_), target_ - eye);
     const S across = sqrt(offset.x * offset.x + offset.z * offset.z);
-    // the head looks sideways for what is behind it, and from side to side without a jump
-    const S turn = atan2(offset.x, max(offset.z, across * S(0.2)));
+    const S turn = trunk_.empty() ? side_of(offset, across) : side_behind(offset);
+    const S eyes = clamp(turn * S(1.0 - kHeadOfGaze), S(-kEyesEase), S(kEyesEase));
     const S nod = atan2(-offset.y, across);
-    for (const Freedom& f : turns_) draw_to(f, turn * S(kHeadOfGaze), share, angles, reference);
+    for (const Freedom& f : turns_) draw_to(f, turn - eyes, share, angles, reference);
     for (const Freedom& f : nods_) draw_to(f, nod * S(kHeadOfGaze), share, angles, reference);
   }
 
@@ -300,7 +380,7 @@ class PostureLaw {
              std::span<S> reference) const {
     const Shrug<S> wanted =
         shrugged(transpose_times(now.link_rotation(arm.chest), -now.link_rotation(arm.upper).cy));
-    draw_to(arm.elevation, wanted.elevation, S(kLawShare), angles, reference);
+    draw_to(arm.elevation, wanted.elevation * S(arm.rhythm), S(kLawShare), angles, reference);
     draw_to(arm.protraction, wanted.protraction, S(kLawShare), angles, reference);
   }
 
@@ -312,8 +392,10 @@ class PostureLaw {
   std::vector<Freedom> nods_;
   std::vector<Freedom> turns_;
   std::vector<Freedom> back_;
-  int pelvis_ = 0;  // link that carries the back
-  T back_bend_{};   // rad, see kBackBend
+  std::vector<Freedom> trunk_;  // share: rad, the turn at the end
+  T side_{};                    // +1 it turns to the left, -1 to the right
+  int pelvis_ = 0;              // link that carries the back
+  T back_bend_{};               // rad, see kBackBend
   std::vector<Arm> arms_;
 };
 

@@ -119,9 +119,98 @@ TEST(PostureLaw, ARaisedArmTakesItsClavicleAlong) {
   EXPECT_LT(std::fabs(degrees(angle("left_clavicle.elevation"))), 4.0);
 }
 
+// Of an arm in the frontal plane: the part of each step of its elevation that the clavicle makes.
+TEST(Shrug, HasTheRhythmOfTheScapula) {
+  const auto elevation = [](double raised) {
+    const SinCos<double> arm = sin_cos(radians(raised));
+    return degrees(shrugged(Vec3d{arm.sin, -arm.cos, 0.0}).elevation);
+  };
+  const auto share = [&](double from, double to) {
+    return (elevation(to) - elevation(from)) / (to - from);
+  };
+  EXPECT_EQ(elevation(0.0), 0.0);
+  EXPECT_LT(share(0.0, 30.0), 0.06);  // 2.5 %
+  EXPECT_NEAR(share(30.0, 60.0), 0.21, 0.03);
+  EXPECT_NEAR(share(60.0, 90.0), 0.38, 0.03);
+  EXPECT_NEAR(share(90.0, 120.0), 0.53, 0.03);
+  // 2.3 and 2.7 to 1 over the whole arc
+  EXPECT_NEAR((180.0 - elevation(180.0)) / elevation(180.0), 2.3, 0.1);
+  const double lowered = kScapulaLowers * elevation(180.0);
+  EXPECT_NEAR((180.0 - lowered) / lowered, 2.7, 0.1);
+}
+
+TEST(Shrug, IsLessOfAnArmThatIsLowered) {
+  const BodyModel body = human_body();
+  const ArmLinks links{body.dof(body.find_dof("right_shoulder.flexion").value()).parent,
+                       body.dof(body.find_dof("right_clavicle.elevation").value()).parent,
+                       body.find_dof("right_shoulder.rotation").value()};
+  EXPECT_EQ(scapula_share(lawful_reach(body, kHigh), links), 1.0);
+  Landmarks person = standing_landmarks(1.7, 0.0);
+  point_arm(person.right_arm, {-0.3, 0.9, 0.2}, {-0.3, 0.9, 0.2});
+  const BodyModel raised = build_human(person, {.extent = BodyExtent::human, .stature = 1.7});
+  EXPECT_EQ(scapula_share(lawful_reach(raised, {-0.3, 0.8, 0.2}), links), kScapulaLowers);
+}
+
+// The turn of the trunk to the left (degrees) that the law wants for a goal of a hand.
+double wanted_turn(const Vec3d& goal, const char* hand = "right_hand") {
+  const BodyModel body = human_body();
+  ReachProblem problem = reach_with(body, hand, goal);
+  problem.posture_law = true;
+  problem.gaze = goal;
+  const TrunkTurn turn = trunk_turn(problem);
+  if (turn.change.empty()) return 0.0;
+  double sum = 0.0;
+  for (const char* joint : {"spine.rotation", "chest.rotation", "upper_chest.rotation"}) {
+    sum += degrees(turn.change[static_cast<std::size_t>(body.find_dof(joint).value())]);
+  }
+  const double hip =
+      degrees(turn.change[static_cast<std::size_t>(body.find_dof("right_hip.rotation").value())]);
+  EXPECT_EQ(turn.side, sum > 0.0 ? 1.0 : -1.0);
+  EXPECT_NEAR(hip, sum * 0.4 / 0.6, 1e-9);
+  return sum + hip;
+}
+
+TEST(TrunkTurn, IsForWhatIsAtTheSideAndBehind) {
+  EXPECT_EQ(wanted_turn({-0.2, 1.3, 0.5}), 0.0);
+  EXPECT_EQ(wanted_turn({-0.35, 1.3, 0.4}), 0.0);
+  const double side = wanted_turn({-0.5, 1.4, 0.0});
+  // the neck stands some centimetres ahead of the ankles
+  EXPECT_NEAR(side, -(90.0 - 50.0) * 0.6, 3.0);
+  EXPECT_LT(wanted_turn({-0.4, 1.4, -0.3}), side - 10.0);
+  EXPECT_GT(wanted_turn({0.4, 1.4, -0.3}), 30.0);
+  // no more than hips and spine turn
+  EXPECT_NEAR(wanted_turn({-0.1, 1.4, -0.5}), -65.0, 1e-9);
+  // what is far below is hardly behind
+  EXPECT_LT(std::fabs(wanted_turn({-0.2, 0.1, -0.1})), 20.0);
+}
+
+TEST(TrunkTurn, IsToTheHandsSideForWhatIsRightBehind) {
+  const double behind = 0.02;
+  for (const double x : {-behind, behind}) {
+    EXPECT_LT(wanted_turn({x, 1.3, -0.5}), -50.0);
+    EXPECT_GT(wanted_turn({x, 1.3, -0.5}, "left_hand"), 50.0);
+  }
+}
+
+TEST(PostureLaw, TheTrunkTurnsUntilEyesAreOnWhatIsBehind) {
+  const BodyModel body = human_body();
+  const Vec3d goal{-0.35, 1.3, -0.35};
+  const Clip clip = roll_out(lawful_reach(body, goal), uniform_parameters(body)).motion.clip;
+  const int chest = body.dof(body.find_dof("neck.flexion").value()).parent;
+  const auto chest_turned = [&](int frame) {
+    const Vec3d faces = placed(body, clip.frame(frame)).link_rotation(chest).cz;
+    return degrees(std::atan2(-faces.x, faces.z));
+  };
+  EXPECT_GT(chest_turned(60), 35.0);
+  constexpr double kEyes = 35.0;
+  EXPECT_LT(gaze_off(body, clip.frame(60), goal), kEyes + 15.0);
+  // eyes, then head, then trunk and hand: at 0.45 of the time the trunk has half of its turn to go
+  EXPECT_LT(chest_turned(24), 0.6 * chest_turned(60));
+}
+
 TEST(PostureLaw, GoalsFeetAndLimitsStayWhatTheyAre) {
   const BodyModel body = human_body();
-  for (const Vec3d& goal : {kAtTheFeet, kHigh, Vec3d{-0.6, 1.2, -0.1}}) {
+  for (const Vec3d& goal : {kAtTheFeet, kHigh, Vec3d{-0.6, 1.2, -0.1}, Vec3d{-0.35, 1.2, -0.35}}) {
     ReachProblem problem = lawful_reach(body, goal);
     problem.corrections = 2;
     const RolledOut rolled = roll_out(problem, uniform_parameters(body));
@@ -138,10 +227,10 @@ TEST(PostureLaw, GoalsFeetAndLimitsStayWhatTheyAre) {
 }
 
 // The law goes through its own arctangent in lanes.
-TEST(PostureLaw, IsTheSameInLanes) {
+void expect_same_in_lanes(const Vec3d& goal) {
   using Lanes = Pack<float, 4>;
   const BodyModel body = human_body();
-  const ReachProblem problem = lawful_reach(body, kAtTheFeet);
+  const ReachProblem problem = lawful_reach(body, goal);
   const std::vector<double> weights = inverse_weights(uniform_parameters(body));
   std::vector<Lanes> in_lanes;
   for (const double weight : weights) in_lanes.emplace_back(static_cast<float>(weight));
@@ -154,6 +243,11 @@ TEST(PostureLaw, IsTheSameInLanes) {
     EXPECT_NEAR(static_cast<double>(together.final_angles()[d][0]), alone.final_angles()[d], 2e-4)
         << body.dof(static_cast<int>(d)).name;
   }
+}
+
+TEST(PostureLaw, IsTheSameInLanes) {
+  expect_same_in_lanes(kAtTheFeet);
+  expect_same_in_lanes({-0.4, 1.3, -0.2});
 }
 
 TEST(PostureLaw, BodiesWithoutANeckHaveNone) {

@@ -18,7 +18,7 @@ void add_times(const Clip& clip, std::vector<double>& table) {
 
 void add_nodes(const shigusa_result& result, const Clip& clip, shigusa_series series,
                std::vector<double>& table) {
-  for (const LocalTransform& local : node_motion(result.file.character, result.task.body, clip)) {
+  for (const LocalTransform& local : node_motion(result.file.character, result.task, clip)) {
     if (series == SHIGUSA_NODE_TRANSLATIONS) {
       add(local.translation, table);
     } else {

@@ -278,6 +278,9 @@ export interface Task {
   generator?: 'weighted_ik' | 'nlp_ik';
   /** Of the preset flat: with 2, weights and postures change once during the motion; 1 when not given. */
   phases?: number;
+  /** Of a character with fingers, by the presets flat and human: grip, when not given: a reaching hand opens on the
+   * way and closes to a relaxed grip, the other is relaxed; or none: fingers stay as the file has them. */
+  finger_play?: 'grip' | 'none';
   /** Same seed, same bytes; 0 when not given. */
   seed?: number;
   /** Candidates to deliver, at most; the preset's own number when not given. */

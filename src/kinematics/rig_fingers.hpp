@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "kinematics/rig.hpp"
+#include "person/finger_bones.hpp"
+
+namespace shigusa {
+
+// The two postures that hands have.
+enum class HandPosture {
+  open,     // as wide as a hand is on its way
+  relaxed,  // the grip about a thing of some 4 cm: the functional position
+};
+
+// By how much a joint is bent (rad), 0 with the finger straight; the thumb's joint at the wrist
+// from where the character has it.
+//
+// Relaxed: knuckles 45, the next joints 30, the last 20 degrees, as splints hold a hand in its
+// functional position (Stedman's Medical Dictionary, "functional hand position"), on the mean of
+// four fingers, which are "more and more flexed from index to little finger" (Taylor and Schwarz
+// 1955, "The anatomy and mechanics of the human hand"); the thumb is opposed. Open: a fifth of it.
+[[nodiscard]] double flexion(HandPosture posture, Finger finger, int joint);
+
+// The share of the open posture in a reaching hand, the rest of which is the relaxed one, at a
+// share of the motion's time: 0 at both ends and 1 at kWidestAt, by two curves of minimum jerk, so
+// that its second derivative has no jump. Source: M. Jeannerod, "The timing of natural prehension
+// movements", 1984: the aperture is widest at 60 to 70 % of the transport.
+inline constexpr double kWidestAt = 0.65;
+[[nodiscard]] double openness(double share);
+
+// How the fingers of a rig are turned, frame by frame.
+class FingerMover {
+ public:
+  // Fingers that carry the node of a hand's grip stay, as the goal is for that node.
+  FingerMover(const Rig& rig, const HandPlay& hands);
+
+  // The rotation of a node in its parent at a share of the motion's time; `rotation` is that
+  // without a finger's turn.
+  [[nodiscard]] Quatd turned(std::size_t node, double share, const Quatd& rotation) const;
+  [[nodiscard]] bool turns(std::size_t node) const { return !bones_.empty() && bone_[node] >= 0; }
+
+ private:
+  struct Bone {
+    Vec3d axis{};       // unit, the node's own axes
+    double open = 0.0;  // rad, from where the rig has it
+    double relaxed = 0.0;
+    double start = 0.0;  // in the first frame
+    bool reaches = false;
+  };
+
+  std::vector<Bone> bones_;
+  std::vector<int> bone_;  // (nodes) index in bones_, or -1
+};
+
+}  // namespace shigusa

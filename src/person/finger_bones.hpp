@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body_model.hpp>
+#include <shigusa/skeleton.hpp>
+#include <shigusa/transform.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace shigusa {
+
+enum class Finger { thumb, index, middle, ring, little };
+inline constexpr int kFingerCount = 5;
+// A finger's joints from the palm on: 1 is the knuckle (metacarpophalangeal joint), 2 and 3 those
+// between phalanges; of the thumb 1 is the joint at the wrist (carpometacarpal).
+inline constexpr int kFingerJoints = 3;
+
+// A finger's bone: the node at its proximal joint, about which it bends.
+struct FingerBone {
+  int node = -1;
+  Side side = Side::left;
+  Finger finger = Finger::index;
+  int joint = 1;      // 1..kFingerJoints
+  Vec3d axis{};       // unit, file's world: a turn about it by a positive angle bends to the palm
+  double bent = 0.0;  // rad, by which the joint is bent in the posture given
+};
+
+// "leftIndexProximal", "leftThumbMetacarpal": the bone as VRM 1.0 names it.
+[[nodiscard]] std::string vrm_finger_name(const FingerBone& bone);
+
+// The bones of a skeleton's fingers, with the axes that they bend about, in the posture `world`
+// (nodes, in the file's axes, in any unit). `mirrored`: left and right are changed about in them.
+//
+// A hand has fingers where two or more beside the thumb hang below its node and are called so
+// (index, pinky, "Finger11", "左人指"); `named` (VRM) goes before names. Metacarpals stay.
+//
+// The palm is the plane through the wrist and the knuckles, and of its two sides the palm's is told
+// by hand and by the thumb's side (from the little finger to the index), so that a bone's own axes
+// say nothing. A finger bends about the axis in that plane square to itself. The thumb bends about
+// the axis that takes it to a point before the first knuckles, half a palm's length from them
+// (opposition).
+[[nodiscard]] std::vector<FingerBone> find_finger_bones(
+    const Skeleton& skeleton, const std::vector<Transformd>& world, const HumanoidMap& map,
+    const std::vector<std::pair<std::string, int>>& named, bool mirrored);
+
+}  // namespace shigusa

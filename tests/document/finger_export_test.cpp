@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Fingers of other people's characters, by what the written files say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/task_file.hpp>
+
+#include "character/character_rig.hpp"
+#include "person/finger_bones.hpp"
+#include "support/exported_glb.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+constexpr double kFloats = 2e-6;  // numbers of a GLB are floats
+
+class FingerExport : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    const std::string shared = SHIGUSA_SHARED_DIR;
+    const auto path = std::filesystem::path(shared) / "characters" / GetParam();
+    if (shared.empty() || !std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+    asked_.character.source = path.string();
+    ASSERT_TRUE(measure_character(asked_.character, {}));
+    asked_.goals = {{"right_hand", Vec3d{-0.12, 0.6, 0.25} * *asked_.character.stature}};
+  }
+
+  // The reach with all weights 1, as a file.
+  [[nodiscard]] std::string written(FileFormat format) {
+    const Task task = make_task(asked_, {}).value();
+    const Candidate best = regenerate(task, uniform_parameters(task.body)).value().candidates[0];
+    const auto made = export_candidate(asked_.character, task, best, format, {});
+    EXPECT_TRUE(made) << made.error().to_string();
+    return made.value_or("");
+  }
+
+  [[nodiscard]] const CharacterRig& rig() const { return *asked_.character.rig; }
+  [[nodiscard]] int file_node(int node) const {
+    return rig().file_node[static_cast<std::size_t>(node)];
+  }
+
+  TaskFile asked_;
+};
+
+// Both files stand in a T at rest, palms down.
+TEST_P(FingerExport, ReachingHandsOpenAndCloseAndOthersAreRelaxed) {
+  const ExportedGlb glb(written(FileFormat::glb));
+  const std::string animation = "shigusa";
+  const int last = glb.frames(animation) - 1;
+  int tips = 0;
+  for (const FingerBone& bone : rig().rig.fingers) {
+    if (bone.joint != kFingerJoints) continue;
+    ++tips;
+    const bool left = bone.side == Side::left;
+    const int hand =
+        file_node(rig().rig.bones[left ? HumanoidBone::left_hand : HumanoidBone::right_hand]);
+    int root = file_node(bone.node);
+    while (glb.parent(root) != hand) root = glb.parent(root);
+    const int tip = file_node(bone.node);
+    // the last joint from the first one, in the hand as it stands at rest: far out of the palm
+    const Transformd rest = glb.place(hand);
+    struct Place {
+      double out;   // of the palm (m)
+      double from;  // the wrist
+    };
+    const auto in_hand = [&](const std::string& of, int frame) {
+      const Transformd now = glb.place(hand, of, frame);
+      const Vec3d from_root = glb.at(tip, of, frame) - glb.at(root, of, frame);
+      return Place{-(rest.rotation * transpose_times(now.rotation, from_root)).y,
+                   norm(glb.at(tip, of, frame) - now.translation)};
+    };
+    const Place flat = in_hand({}, 0);
+    const Place closed = in_hand(animation, last);
+    EXPECT_GT(closed.out, flat.out + 0.005) << bone.node;
+    EXPECT_LT(closed.from, flat.from) << bone.node;
+    double widest = 0.0;
+    int widest_at = 0;
+    for (int f = 0; f <= last; ++f) {
+      const Place now = in_hand(animation, f);
+      EXPECT_GT(now.out, flat.out - kFloats) << "frame " << f;
+      if (!left && now.from > widest + kFloats) {
+        widest = now.from;
+        widest_at = f;
+      }
+      if (left) {
+        EXPECT_NEAR(now.out, closed.out, kFloats) << "frame " << f;
+      }
+    }
+    if (left) continue;
+    EXPECT_GT(widest, closed.from + 0.002);
+    EXPECT_NEAR(static_cast<double>(widest_at) / last, 0.65, 0.05);
+    EXPECT_NEAR(in_hand(animation, 0).out, closed.out, kFloats);
+  }
+  EXPECT_EQ(tips, 10);
+}
+
+// A hand whose goal turns it is compared by the hand, and not by the finger that the goal is at.
+TEST_P(FingerExport, FilesAreReadBackWithGoalsThatTurn) {
+  asked_.goals[0].rotation = Quatd{0, 0, 0, 1};
+  asked_.finger_play = FingerPlay::grip;
+  for (const FileFormat format : {FileFormat::glb, FileFormat::vrma, FileFormat::bvh}) {
+    EXPECT_FALSE(written(format).empty());
+  }
+}
+
+TEST_P(FingerExport, FingersStayWhereNothingIsAsked) {
+  asked_.finger_play = FingerPlay::none;
+  const ExportedGlb glb(written(FileFormat::glb));
+  for (const FingerBone& bone : rig().rig.fingers) {
+    const int node = file_node(bone.node);
+    for (const auto& channel : glb.json().at("animations").back().at("channels")) {
+      EXPECT_NE(channel.at("target").at("node"), node);
+    }
+  }
+  EXPECT_EQ(written(FileFormat::vrma).find("IndexProximal"), std::string::npos);
+  asked_.finger_play = FingerPlay::grip;
+  adopt_preset(asked_, Preset::paper);
+  EXPECT_EQ(written(FileFormat::vrma).find("IndexProximal"), std::string::npos);
+  adopt_preset(asked_, Preset::flat);
+  asked_.finger_play = FingerPlay::grip;
+  EXPECT_NE(written(FileFormat::vrma).find("IndexProximal"), std::string::npos);
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& info) {
+  return info.index == 0 ? "BasicArmature" : "DebugRobot";
+}
+
+INSTANTIATE_TEST_SUITE_P(Characters, FingerExport,
+                         testing::Values("VRM-Addon-for-Blender__basic_armature.vrm",
+                                         "VRM-Addon-for-Blender__debug_robot.vrm"),
+                         name_of);
+
+}  // namespace
+}  // namespace shigusa
