@@ -27,9 +27,9 @@ constexpr const char* kUsage =
     "sections: paper searches layers styles nlp parameters criteria limits best query, and "
     "remarks,\n"
     "which measures nothing and puts docs/experiments_remarks.md in anew\n";
-constexpr std::string_view kSections[] = {"paper", "searches",   "layers",   "styles",
-                                          "nlp",   "parameters", "criteria", "limits",
-                                          "best",  "query",      "remarks"};
+constexpr std::string_view kSections[] = {"paper",  "searches",   "layers",   "styles",
+                                          "nlp",    "parameters", "criteria", "cost",
+                                          "limits", "best",       "query",    "remarks"};
 
 struct Arguments {
   std::filesystem::path docs;
@@ -124,8 +124,10 @@ int write_page(const Arguments& arguments, const std::filesystem::path& programs
       {"styles", "Stoop and squat", [&] { return stoop_and_squat(plan, subjects); }},
       {"nlp", "NLP-IK against weighted IK", [&] { return against_nlp(plan, subjects); }},
       {"parameters", "What earns its place", [&] { return what_earns_its_place(plan, subjects); }},
-      {"criteria", "What each criterion costs and buys",
+      {"criteria", "What each criterion buys",
        [&] { return what_criteria_buy(plan, (programs / "shigusa").string(), shared_folder()); }},
+      {"cost", "What each criterion costs",
+       [&] { return what_criteria_cost(plan, (programs / "shigusa").string()); }},
       {"limits", "Limits, and goals that are met", [&] { return limits_and_goals(plan); }},
       {"best", "Near the best", [&] { return near_the_best(plan); }},
       {"query", "A default query",
@@ -136,7 +138,7 @@ int write_page(const Arguments& arguments, const std::filesystem::path& programs
   std::string page = introduction(plan);
   for (const Section& section : sections) {
     const bool asked = arguments.only.empty() || arguments.only == section.name;
-    if (!asked && plan.quick) continue;
+    if (!asked && (plan.quick || part_of(before, section.title).empty())) continue;
     page += fmt::format("\n## {}\n\n", section.title);
     const auto begin = std::chrono::steady_clock::now();
     page += asked ? section.measure() : part_of(before, section.title);

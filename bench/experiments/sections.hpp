@@ -34,6 +34,8 @@ struct Picture {
 // recorded people are looked for in `shared`.
 [[nodiscard]] std::string what_criteria_buy(const Plan& plan, const std::string& program,
                                             const std::string& shared);
+// The instructions that a motion takes with each of these; `program` is shigusa.
+[[nodiscard]] std::string what_criteria_cost(const Plan& plan, const std::string& program);
 // Limits, and goals that are met, over many random goals.
 [[nodiscard]] std::string limits_and_goals(const Plan& plan);
 // The best score at the default budget against the best that is known.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -93,18 +94,18 @@ void apply(const Variant& variant, Task& task) {
   }
 }
 
-// Options by which `shigusa reach` does the same; its criteria are in a file of that folder.
+// Options by which `shigusa reach` does the same; its preset and criteria are in a file of that
+// folder, as a preset among the options would bring its own criteria.
 std::string options_of(const Variant& variant, const std::filesystem::path& folder) {
-  std::string options = fmt::format("--preset {}", word_of(variant.preset));
-  if (variant.mixture) options += fmt::format(" --criteria {}", variant.mixture->name);
-  if (variant.by_default) options += " --criteria default";
+  nlohmann::json task{{"preset", std::string(word_of(variant.preset))}};
+  if (variant.mixture) task["criteria"] = variant.mixture->name;
+  if (variant.by_default) task["criteria"] = "default";
+  for (const std::string& name : variant.left_out) task["criteria"][name]["weight"] = 0.0;
+  const std::filesystem::path file = folder / "task.json";
+  std::ofstream(file) << task.dump();
+  std::string options = file.string();
   for (const std::string& assignment : variant.fixed) options += " --fix " + assignment;
-  if (variant.left_out.empty()) return options;
-  nlohmann::json criteria;
-  for (const std::string& name : variant.left_out) criteria[name]["weight"] = 0.0;
-  const std::filesystem::path file = folder / "criteria.json";
-  std::ofstream(file) << nlohmann::json{{"criteria", criteria}}.dump();
-  return options + " " + file.string();
+  return options;
 }
 
 // The regularities that hold, by the tests of the shared folder.
@@ -206,7 +207,8 @@ std::optional<double> instructions(const std::string& program, const std::string
                                    int evaluations, const std::filesystem::path& folder) {
   const std::string command = fmt::format(
       "valgrind --tool=callgrind --callgrind-out-file=/dev/null '{}' reach --character human "
-      "--goal right_hand=-0.15,0.2,0.4 --simd avx2 --threads 1 --evaluations {} --formats csv "
+      "--goal right_hand=-0.15,0.2,0.4 --simd avx2 --threads 1 --search random --evaluations {} "
+      "--formats csv "
       "--out '{}' {} 2>&1",
       program, evaluations, (folder / "out").string(), options);
   FILE* pipe = popen(command.c_str(), "r");
@@ -222,7 +224,7 @@ std::optional<double> instructions(const std::string& program, const std::string
   return counted;
 }
 
-// Of a motion in a search of the body human: what a thousand more of them take, by callgrind.
+// Of a motion of the body human: what more random ones take, which are the same for all criteria.
 std::optional<double> instructions_a_motion(const std::string& program, const std::string& options,
                                             const std::filesystem::path& folder) {
   const auto few = instructions(program, options, 1000, folder);
@@ -231,18 +233,30 @@ std::optional<double> instructions_a_motion(const std::string& program, const st
   return (*more - *few) / 2000.0;
 }
 
+// A folder that is there as long as this.
+class Scratch {
+ public:
+  Scratch() { std::filesystem::create_directories(path_); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_ =
+      std::filesystem::temp_directory_path() / fmt::format("shigusa_criteria_{}", ::getpid());
+};
+
 }  // namespace
 
 std::string what_criteria_buy(const Plan& plan, const std::string& program,
                               const std::string& shared) {
-  const auto folder = std::filesystem::temp_directory_path() / "shigusa_criteria";
-  std::filesystem::create_directories(folder);
+  const Scratch scratch;
+  const std::filesystem::path& folder = scratch.path();
   const std::vector<Recorded> man = recorded_man_of(shared);
   Table table({"", "regularities that hold", "beside the first", "from the man, cm",
-               "nine angles, °", "uneven pairs", "worst, °", "first choices that jolt",
-               "instructions a motion, thousands", "beside the first"});
+               "nine angles, °", "uneven pairs", "worst, °", "first choices that jolt"});
   std::optional<Regularities> usual;
-  std::optional<double> usual_cost;
   for (const Variant& variant : variants(plan)) {
     std::fprintf(stderr, "%s\n", variant.name.c_str());
     const std::string options = options_of(variant, folder);
@@ -257,13 +271,8 @@ std::string what_criteria_buy(const Plan& plan, const std::string& program,
     cells.push_back(even.pairs == 0 ? "–" : percent(even.uneven, even.pairs));
     cells.push_back(fmt::format("{:.0f}", degrees(even.worst)));
     cells.push_back(jolting(plan, variant));
-    const auto cost = instructions_a_motion(program, options, folder);
-    if (!usual_cost) usual_cost = cost;
-    cells.push_back(cost ? fmt::format("{:.0f}", 1e-3 * *cost) : "–");
-    cells.push_back(cost && usual_cost ? fmt::format("{:.2f}", *cost / *usual_cost) : "–");
     table.add(cells);
   }
-  std::filesystem::remove_all(folder);
   return fmt::format(
              "Each criterion of the default mixture left out, the others at their weights; the way "
              "made straight; and what the layered preset `human` is made of: its criteria, and "
@@ -272,10 +281,27 @@ std::string what_criteria_buy(const Plan& plan, const std::string& program,
              "seeds), and those that hold otherwise than in the first row. *From the man*: how far "
              "the best-scored ends from the recorded man, and its nine angles (medians over {} "
              "reaches, as in `docs/people.md`). *Uneven pairs*: of goals 4 cm apart, those whose "
-             "knees end more than 20° apart. *Jolt*: first choices of {} random tasks of hands. "
-             "*Instructions*: what one more motion takes in a search (callgrind, avx2, the goal 20 "
-             "cm high and 40 ahead), with the share of the replays.\n\n",
+             "knees end more than 20° apart. *Jolt*: first choices of {} random tasks of "
+             "hands.\n\n",
              man.size(), plan.quick ? 5 : kJoltTasks) +
+         table.text();
+}
+
+std::string what_criteria_cost(const Plan& plan, const std::string& program) {
+  const Scratch scratch;
+  Table table({"", "instructions a motion, thousands", "beside the first"});
+  std::optional<double> usual;
+  for (const Variant& variant : variants(plan)) {
+    if (variant.preset == Preset::layers) continue;  // a library is searched anew each time
+    const auto cost =
+        instructions_a_motion(program, options_of(variant, scratch.path()), scratch.path());
+    if (!usual) usual = cost;
+    table.add({variant.name, cost ? fmt::format("{:.0f}", 1e-3 * *cost) : "–",
+               cost && usual ? fmt::format("{:.3f}", *cost / *usual) : "–"});
+  }
+  return "The same ways to choose: what one more motion of the body `human` takes, by valgrind's "
+         "callgrind in AVX2 lanes, for a goal 20 cm high and 40 ahead. The motions are random ones "
+         "(`--search random`), the same whatever the criteria are.\n\n" +
          table.text();
 }
 
