@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -23,10 +24,12 @@ using namespace shigusa::bench;
 
 constexpr const char* kUsage =
     "usage: shigusa_experiments DOCS_FOLDER [--quick] [--goal-seed N] [--only SECTION]\n"
-    "sections: paper searches layers styles nlp parameters limits best query, and remarks, which\n"
-    "measures nothing and puts docs/experiments_remarks.md in anew\n";
-constexpr std::string_view kSections[] = {"paper",      "searches", "layers", "styles", "nlp",
-                                          "parameters", "limits",   "best",   "query",  "remarks"};
+    "sections: paper searches layers styles nlp parameters criteria limits best query, and "
+    "remarks,\n"
+    "which measures nothing and puts docs/experiments_remarks.md in anew\n";
+constexpr std::string_view kSections[] = {"paper",  "searches",   "layers",   "styles",
+                                          "nlp",    "parameters", "criteria", "cost",
+                                          "limits", "best",       "query",    "remarks"};
 
 struct Arguments {
   std::filesystem::path docs;
@@ -60,6 +63,12 @@ std::optional<Arguments> read(const std::vector<std::string>& words) {
     }
   }
   return arguments.docs.empty() ? std::nullopt : std::optional(arguments);
+}
+
+// Where recorded people are, if anywhere.
+std::string shared_folder() {
+  const char* given = std::getenv("SHIGUSA_SHARED_DIR");
+  return given != nullptr ? given : "../shared";
 }
 
 std::string introduction(const Plan& plan) {
@@ -101,7 +110,7 @@ std::string part_of(const std::string& page, const std::string& title) {
 }
 
 // Measures, or, where one section alone is asked for, takes the others from the page there is.
-int write_page(const Arguments& arguments, const std::string& query_program) {
+int write_page(const Arguments& arguments, const std::filesystem::path& programs) {
   const Plan& plan = arguments.plan;
   const std::vector<Subject> subjects = make_subjects(plan);
   std::vector<Picture> pictures;
@@ -115,16 +124,21 @@ int write_page(const Arguments& arguments, const std::string& query_program) {
       {"styles", "Stoop and squat", [&] { return stoop_and_squat(plan, subjects); }},
       {"nlp", "NLP-IK against weighted IK", [&] { return against_nlp(plan, subjects); }},
       {"parameters", "What earns its place", [&] { return what_earns_its_place(plan, subjects); }},
+      {"criteria", "What each criterion buys",
+       [&] { return what_criteria_buy(plan, (programs / "shigusa").string(), shared_folder()); }},
+      {"cost", "What each criterion costs",
+       [&] { return what_criteria_cost(plan, (programs / "shigusa").string()); }},
       {"limits", "Limits, and goals that are met", [&] { return limits_and_goals(plan); }},
       {"best", "Near the best", [&] { return near_the_best(plan); }},
-      {"query", "A default query", [&] { return one_query(plan, query_program); }},
+      {"query", "A default query",
+       [&] { return one_query(plan, (programs / "shigusa_query").string()); }},
   };
   const std::filesystem::path file = arguments.docs / "experiments.md";
   const std::string before = file_text(file);
   std::string page = introduction(plan);
   for (const Section& section : sections) {
     const bool asked = arguments.only.empty() || arguments.only == section.name;
-    if (!asked && plan.quick) continue;
+    if (!asked && (plan.quick || part_of(before, section.title).empty())) continue;
     page += fmt::format("\n## {}\n\n", section.title);
     const auto begin = std::chrono::steady_clock::now();
     page += asked ? section.measure() : part_of(before, section.title);
@@ -157,7 +171,6 @@ int main(int argc, char** argv) {
     std::cerr << kUsage;
     return 2;
   }
-  // the program beside this one
-  const auto query = std::filesystem::path(argv[0]).parent_path() / "shigusa_query";
-  return write_page(*arguments, query.string());
+  // those beside this one
+  return write_page(*arguments, std::filesystem::path(argv[0]).parent_path());
 }

@@ -30,6 +30,12 @@ struct Picture {
 [[nodiscard]] std::string against_nlp(const Plan& plan, std::span<const Subject> subjects);
 // Steps of a motion, and each parameter beside the weights left out.
 [[nodiscard]] std::string what_earns_its_place(const Plan& plan, std::span<const Subject> subjects);
+// Criteria, presets and parameters left out, each beside what people do; `program` is shigusa, and
+// recorded people are looked for in `shared`.
+[[nodiscard]] std::string what_criteria_buy(const Plan& plan, const std::string& program,
+                                            const std::string& shared);
+// The instructions that a motion takes with each of these; `program` is shigusa.
+[[nodiscard]] std::string what_criteria_cost(const Plan& plan, const std::string& program);
 // Limits, and goals that are met, over many random goals.
 [[nodiscard]] std::string limits_and_goals(const Plan& plan);
 // The best score at the default budget against the best that is known.

@@ -33,9 +33,10 @@ struct Ended {
   double trunk = 0.0;  // rad
 };
 
-Ended ended(const BodyModel& body, const Vec3d& goal) {
+Ended ended(const BodyModel& body, const Vec3d& goal, const std::function<void(Task&)>& change) {
   Task task(body);
   task.goals = {{"right_hand", goal}};
+  change(task);
   task.batch.threads = 1;
   const GenerateResult generation = generate(task).value();
   const Looks looks = looks_of(joints_track(body, generation.candidates.front().motion.clip));
@@ -47,7 +48,7 @@ std::size_t at(int x, int y, int z) {
   return static_cast<std::size_t>((x * kGrid[1] + y) * kGrid[2] + z);
 }
 
-std::vector<Ended> all_ended() {
+std::vector<Ended> all_ended(const std::function<void(Task&)>& change) {
   const BodyModel body = human_body();
   std::vector<Ended> ends(kGoals);
   parallel_for(kGoals, 0, [&](int i, int) {
@@ -55,7 +56,7 @@ std::vector<Ended> all_ended() {
     const int y = i / kGrid[2] % kGrid[1];
     const int x = i / (kGrid[2] * kGrid[1]);
     const Vec3d off{kStep * x, kStep * y, kStep * z};
-    ends[static_cast<std::size_t>(i)] = ended(body, kCorner + off);
+    ends[static_cast<std::size_t>(i)] = ended(body, kCorner + off, change);
   });
   return ends;
 }
@@ -104,8 +105,19 @@ std::string largest(std::vector<Pair> pairs) {
 
 }  // namespace
 
+Evenness evenness_of(const std::function<void(Task&)>& change) {
+  const std::vector<Ended> ends = all_ended(change);
+  Evenness evenness;
+  for (const Pair& pair : neighbours(ends)) {
+    ++evenness.pairs;
+    if (pair.jump() > kUneven) ++evenness.uneven;
+    evenness.worst = std::fmax(evenness.worst, pair.jump());
+  }
+  return evenness;
+}
+
 std::string evenness_section() {
-  const std::vector<Ended> ends = all_ended();
+  const std::vector<Ended> ends = all_ended([](Task&) {});
   const std::vector<Pair> pairs = neighbours(ends);
   const auto beyond = [&](double angle) {
     return std::count_if(pairs.begin(), pairs.end(),

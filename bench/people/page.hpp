@@ -40,4 +40,15 @@ struct NamedPicture {
 [[nodiscard]] Result<std::vector<NamedPicture>> people_pictures(
     const std::vector<Compared>& compared);
 
+// A part of the page and the pictures that it shows.
+struct Drawn {
+  std::string text;
+  std::vector<NamedPicture> pictures{};
+};
+
+// A motion of the reach's body as a strip. From the side it is seen exactly from the right.
+enum class Seen { from_ahead_right, from_the_side };
+[[nodiscard]] Result<std::string> reach_strip(const Recorded& reach, const Track& track,
+                                              Seen seen = Seen::from_ahead_right);
+
 }  // namespace shigusa::bench

@@ -23,17 +23,21 @@ Result<std::string> recorded_strip(const Recorded& reach) {
   return draw_strip(reach.motion, {}, settings, FigureFormat::svg);
 }
 
-Result<std::string> generated_strip(const Recorded& reach, const Track& track) {
+}  // namespace
+
+Result<std::string> reach_strip(const Recorded& reach, const Track& track, Seen seen) {
   StripOverlay overlay;
   overlay.goals = {reach.track.joints.back()[right_grip]};
   for (const Joints& joints : track.joints) overlay.hand_path.push_back(joints[right_grip]);
   StripSettings settings;
   settings.poses = kPoses;
+  if (seen == Seen::from_the_side) {
+    settings.azimuth_deg = 90.0;
+    settings.elevation_deg = 0.0;
+  }
   return draw_strip(skeleton_motion(reach.body, track.angles), overlay, settings,
                     FigureFormat::svg);
 }
-
-}  // namespace
 
 Result<std::vector<NamedPicture>> people_pictures(const std::vector<Compared>& compared) {
   std::vector<NamedPicture> pictures;
@@ -50,11 +54,11 @@ Result<std::vector<NamedPicture>> people_pictures(const std::vector<Compared>& c
     }
     SHG_TRY(add("recorded", recorded_strip(c.reach)));
     for (const auto& [what, track] : drawn) {
-      SHG_TRY(add(what, generated_strip(c.reach, *track)));
+      SHG_TRY(add(what, reach_strip(c.reach, *track)));
     }
     if (c.fitted.back().clip.angles.empty()) continue;
     const Track fitted = track_of(c.reach, c.fitted.back().clip);
-    SHG_TRY(add("fitted", generated_strip(c.reach, fitted)));
+    SHG_TRY(add("fitted", reach_strip(c.reach, fitted)));
   }
   return pictures;
 }

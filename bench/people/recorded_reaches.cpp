@@ -5,7 +5,6 @@
 #include <cmath>
 #include <shigusa/file.hpp>
 #include <shigusa/scalar.hpp>
-#include <shigusa/words.hpp>
 
 #include "tab_table.hpp"
 
@@ -22,34 +21,13 @@ constexpr double kUpright = 15.0;    // degrees
 constexpr double kStraight = 35.0;   // degrees
 constexpr double kInFront = 0.10;    // m
 
-// Reads the cells of a row by the names of their columns.
-class Row {
- public:
-  Row(const std::vector<std::string_view>& head, std::vector<std::string_view> cells)
-      : head_(&head), cells_(std::move(cells)) {}
-
-  [[nodiscard]] std::string_view text(std::string_view column) const {
-    const auto found = std::find(head_->begin(), head_->end(), column);
-    const auto at = static_cast<std::size_t>(found - head_->begin());
-    return at < cells_.size() ? cells_[at] : std::string_view{};
-  }
-  // NaN where there is none
-  [[nodiscard]] double number(std::string_view column) const {
-    return parse_number(text(column)).value_or(std::nan(""));
-  }
-
- private:
-  const std::vector<std::string_view>* head_;
-  std::vector<std::string_view> cells_;
-};
-
-bool can_be_set_up(const Row& row) {
+bool can_be_set_up(const TabRow& row) {
   const double from = row.number("h0");
   return from >= kHangsFrom && from <= kHangsTo && std::fabs(row.number("tr0")) <= kUpright &&
          row.number("kn0") <= kStraight && row.number("f1") >= kInFront && row.number("dur") > 0.0;
 }
 
-RecordedReach reach_of(const Row& row) {
+RecordedReach reach_of(const TabRow& row) {
   const auto change = [&](const char* from, const char* to) {
     return radians(row.number(to) - row.number(from));
   };
@@ -76,14 +54,13 @@ Result<std::vector<RecordedReach>> read_recorded_reaches(const std::filesystem::
   SHG_TRY_ASSIGN(const std::string text, read_text_file(table, kTableMaxBytes));
   const auto lines = split(text, '\n');
   const auto head = split(lines.front(), '\t');
-  for (const char* column : {"person", "action", "hand", "dur", "D", "h0", "h1", "f1", "pdy", "pfw",
-                             "bowf", "pf", "tr0", "tr1", "kn0", "kn1"}) {
-    if (std::find(head.begin(), head.end(), column) != head.end()) continue;
-    return fail(ErrorCode::parse, std::string("has no column ") + column, table.string());
-  }
+  SHG_TRY(expect_columns(head,
+                         {"person", "action", "hand", "dur", "D", "h0", "h1", "f1", "pdy", "pfw",
+                          "bowf", "pf", "tr0", "tr1", "kn0", "kn1"},
+                         table));
   std::vector<RecordedReach> reaches;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    const Row row(head, split(lines[i], '\t'));
+    const TabRow row(head, split(lines[i], '\t'));
     if (can_be_set_up(row)) reaches.push_back(reach_of(row));
   }
   if (reaches.empty()) return fail(ErrorCode::parse, "has no reach to set up", table.string());

@@ -18,6 +18,7 @@ struct FinalPosture {
   /// above 90 a full stoop (after S. Schmid et al., European Spine Journal 31 (2022)); none where
   /// the shoulders come down by less than a tenth of the stature
   std::optional<double> stoop_squat_index;
+  double trunk_lean = 0.0;  ///< rad, of the line from hips to shoulders, forwards is > 0
   double trunk_turn = 0.0;  ///< rad, of the line of the shoulders about the vertical, left is > 0
   /// rad, of the elbow about the line from shoulder to hand: 0 hangs down, > 0 points outwards; of
   /// the first goal's arm, 0 for a hand that is no arm's or an arm that is straight
@@ -29,7 +30,8 @@ inline constexpr double kSquatIndex = 40.0;
 /// A stoop-squat index above this is called a stoop.
 inline constexpr double kStoopIndex = 80.0;
 
-/// "stoop", "squat, turned left", "upright, elbow out": what tells it from others in a few words.
+/// "stoop, straight knees", "squat, turned left", "upright, elbow out": what tells it from others
+/// in a few words.
 [[nodiscard]] std::string posture_words(const FinalPosture& posture);
 
 /// Whether the body could make a motion.

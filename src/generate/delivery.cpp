@@ -22,6 +22,7 @@ struct Policy {
   bool asks_free = false;  // motions that pass through something, or jolt, do not count
   bool near_copies = false;
   bool styles = false;
+  bool as_people = false;                 // no strange ends beside a first that is not
   std::vector<double> spare_distances{};  // rad
   int tries = 0;                          // of spare motions at each distance
 };
@@ -37,6 +38,7 @@ Policy policy_of(const Task& task) {
   return {.by_end = true,
           .asks_free = true,
           .styles = true,
+          .as_people = true,
           .spare_distances = {kDistinctEnd, kNearEnd},
           .tries = kTries};
 }
@@ -195,11 +197,21 @@ class Delivery {
   void take_spare(const Archived& spare, double apart) {
     std::optional<Replayed> replayed = replayed_of(play(planner_.expand(spare.point)), apart, true);
     if (!replayed || replayed->copy || !is_free(replayed->candidate)) return;
+    const std::size_t before = all().size();
     add(std::move(*replayed), spare.score);
-    ++taken_;
+    if (all().size() > before) ++taken_;
+  }
+
+  [[nodiscard]] bool is_odd(const Candidate& candidate) const {
+    return policy_.as_people && !all().empty() && is_strange(candidate.final_posture) &&
+           !is_strange(all().front().final_posture);
   }
 
   void add(Replayed replayed, double searched_score) {
+    if (is_odd(replayed.candidate)) {
+      ++generation_.strange;
+      return;
+    }
     if (replayed.as_searched) {
       // what is smoother than what was searched is no worse
       const double difference = replayed.candidate.score.total - searched_score;
@@ -269,6 +281,7 @@ void drop_jolts(std::vector<Candidate>& all) {
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         GenerateResult& generation) {
   generation.missed = generation.over_limit = generation.replay_differs = 0;
+  generation.strange = 0;
   generation.replay_difference = 0.0;
   Selection& selection = found.selection;
   Delivery delivery(task, planner, approach, selection, generation);

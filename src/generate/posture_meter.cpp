@@ -6,8 +6,14 @@ namespace {
 
 constexpr double kLeastDrop = 0.1;  // of the stature
 // Where words begin.
+constexpr double kLeaning = radians(15.0);
+constexpr double kKneesGive = radians(12.0);
 constexpr double kTurned = radians(20.0);
 constexpr double kElbowOut = radians(50.0);
+// Where nobody ends who can end otherwise.
+constexpr double kFolded = radians(110.0);
+constexpr double kBentKnees = radians(25.0);
+constexpr double kElbowIn = radians(-60.0);
 constexpr double kStraightArm = 0.05;  // of its length: how far a bent elbow leaves the line
 
 constexpr std::array kPlaceNames{"left_upper_leg",  "right_upper_leg", "left_upper_arm",
@@ -59,6 +65,14 @@ std::optional<double> PostureMeter::index_now() const {
   return 100.0 * (1.0 - (hip_height_ - between(kLeftHip).y) / down);
 }
 
+double PostureMeter::trunk_lean() const {
+  const bool hips = known(kLeftHip) || known(kRightHip);
+  const bool shoulders = known(kLeftShoulder) || known(kRightShoulder);
+  if (!hips || !shoulders) return 0.0;
+  const Vec3d trunk = between(kLeftShoulder) - between(kLeftHip);
+  return atan2(trunk.z, trunk.y);
+}
+
 // of the line from the right shoulder to the left, seen from above; 0 faces +Z
 double PostureMeter::heading() const {
   if (!known(kLeftShoulder) || !known(kRightShoulder)) return 0.0;
@@ -99,10 +113,17 @@ FinalPosture PostureMeter::measure(std::span<const double> angles, int effector)
   FinalPosture posture;
   posture.knee_flexion = mean_knee(body_, angles);
   posture.stoop_squat_index = index_now();
+  posture.trunk_lean = trunk_lean();
   const double turn = heading() - heading_;
   posture.trunk_turn = turn > kPi ? turn - kTwoPi : turn < -kPi ? turn + kTwoPi : turn;
   posture.elbow_swivel = elbow_swivel(effector);
   return posture;
+}
+
+bool is_strange(const FinalPosture& posture) {
+  const bool folded = posture.trunk_lean >= kFolded && posture.knee_flexion < kBentKnees;
+  const bool crouches = !posture.stoop_squat_index && posture.knee_flexion > kBentKnees;
+  return folded || crouches || posture.elbow_swivel < kElbowIn;
 }
 
 std::string posture_words(const FinalPosture& posture) {
@@ -110,6 +131,9 @@ std::string posture_words(const FinalPosture& posture) {
   if (const std::optional<double> index = posture.stoop_squat_index) {
     words = *index < kSquatIndex ? "squat" : *index > kStoopIndex ? "stoop" : "half squat";
   }
+  if (!posture.stoop_squat_index && posture.trunk_lean > kLeaning) words += ", leaning";
+  if (!posture.stoop_squat_index && posture.knee_flexion > kKneesGive) words += ", knees bent";
+  if (words == "stoop" && posture.knee_flexion < kBentKnees) words += ", straight knees";
   if (posture.trunk_turn > kTurned) words += ", turned left";
   if (posture.trunk_turn < -kTurned) words += ", turned right";
   if (posture.elbow_swivel > kElbowOut) words += ", elbow out";

@@ -29,6 +29,7 @@ class PostureMeter {
   [[nodiscard]] Vec3d at(std::size_t place) const;
   [[nodiscard]] Vec3d between(std::size_t left) const;  // that place and the next, or one of them
   [[nodiscard]] std::optional<double> index_now() const;
+  [[nodiscard]] double trunk_lean() const;
   [[nodiscard]] double heading() const;
   [[nodiscard]] double elbow_swivel(int effector) const;
 
@@ -39,5 +40,9 @@ class PostureMeter {
   double shoulder_height_ = 0.0;  // m …
   double heading_ = 0.0;          // rad
 };
+
+// Whether people end so only where they cannot otherwise: folded over straight knees, with bent
+// knees below shoulders that stay up, or with an elbow that points inwards.
+[[nodiscard]] bool is_strange(const FinalPosture& posture);
 
 }  // namespace shigusa

@@ -60,7 +60,8 @@ TEST_P(FinalPostures, HipsThatStayAtTheirHeightAreAStoop) {
   }
   const FinalPosture posture = of(angles);
   EXPECT_NEAR(posture.stoop_squat_index.value(), 100.0, 1e-9);
-  EXPECT_EQ(posture_words(posture), "stoop");
+  EXPECT_GT(posture.trunk_lean, radians(60.0));
+  EXPECT_EQ(posture_words(posture), "stoop, straight knees");
 }
 
 TEST_P(FinalPostures, HipsThatSinkWithTheShouldersAreASquat) {
@@ -90,6 +91,22 @@ TEST_P(FinalPostures, ElbowThatPointsAwayFromTheTrunkIsOut) {
 
 INSTANTIATE_TEST_SUITE_P(Body, FinalPostures, testing::Values("half_body", "full_body"),
                          [](const auto& of) { return std::string(of.param); });
+
+TEST(FinalPosture, StrangeIsWhatNobodyDoesWhoNeedNot) {
+  EXPECT_FALSE(is_strange({}));
+  FinalPosture folded;
+  folded.stoop_squat_index = 100.0;
+  folded.trunk_lean = radians(112.0);
+  EXPECT_TRUE(is_strange(folded));
+  folded.knee_flexion = radians(40.0);
+  EXPECT_FALSE(is_strange(folded));
+  FinalPosture crouched;  // with shoulders that stay up
+  crouched.knee_flexion = radians(30.0);
+  EXPECT_TRUE(is_strange(crouched));
+  FinalPosture turned_in;
+  turned_in.elbow_swivel = radians(-80.0);
+  EXPECT_TRUE(is_strange(turned_in));
+}
 
 TEST(FinalPosture, TurnToTheLeftIsPositive) {
   const BodyModel body = full_body();

@@ -139,7 +139,7 @@ TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndEndApart) {
   task.duration = 2.0;  // in haste, what strength allows is less varied
   const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
-  ASSERT_GE(generation.candidates.size(), 4U);
+  ASSERT_GE(generation.candidates.size(), 2U);  // elbows that point inwards are left out
   const ReachProblem problem = make_problem(task).value();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     const Candidate& candidate = generation.candidates[i];

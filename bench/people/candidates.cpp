@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "candidates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/parallel.hpp>
+
+#include "../experiments/report.hpp"
+#include "measures.hpp"
+
+namespace shigusa::bench {
+namespace {
+
+constexpr double kUsualStature = 1.741;  // m, of the goals below
+constexpr std::array kCandidates{5, 8};
+
+// Goals of this height and above are met upright, with straight knees (m of the usual stature).
+constexpr double kTable = 0.90;
+constexpr double kAboveTheChest = 1.30;
+// For goals below it people neither stoop nor squat fully.
+constexpr double kLow = 0.50;
+constexpr double kStraightKnee = radians(25.0);
+constexpr double kFolded = radians(110.0);
+constexpr double kUpright = radians(30.0);
+constexpr double kElbowIn = radians(-60.0);
+constexpr double kPureSquat = 30.0;  // stoop-squat index
+constexpr double kPureStoop = 90.0;
+
+// A goal, on the body's right, and what the hands hold there.
+struct Place {
+  const char* name;
+  Vec3d at;
+  bool both = false;  // hands
+  double load = 0.0;  // kg, of each hand
+};
+constexpr std::array kPlaces{
+    Place{"floor", {-0.15, 0.05, 0.35}},
+    Place{"floor, beside", {-0.50, 0.06, 0.15}},
+    Place{"floor, both hands", {-0.165, 0.10, 0.35}, true},
+    Place{"20 cm", {-0.15, 0.20, 0.40}},
+    Place{"20 cm, both hands, 10 kg", {-0.165, 0.20, 0.40}, true, 5.0},
+    Place{"40 cm", {-0.15, 0.40, 0.45}},
+    Place{"40 cm, both hands", {-0.165, 0.40, 0.40}, true},
+    Place{"76 cm, both hands", {-0.165, 0.76, 0.40}, true},
+    Place{"table", {-0.20, 0.95, 0.45}},
+    Place{"chest", {-0.20, 1.25, 0.55}},
+    Place{"to the side", {-0.75, 1.15, 0.05}},
+    Place{"shelf of 1.50 m", {-0.20, 1.50, 0.55}},
+    Place{"shelf of 1.50 m, 3 kg", {-0.20, 1.50, 0.45}, false, 3.0},
+    Place{"shelf of 1.55 m, both hands", {-0.165, 1.55, 0.45}, true},
+    Place{"shelf of 1.80 m", {-0.20, 1.80, 0.45}},
+};
+
+struct Build {
+  const char* name;
+  double stature;
+  Sex sex = Sex::male;
+};
+constexpr std::array kBuilds{Build{"`human`", kUsualStature}, Build{"female", 1.62, Sex::female},
+                             Build{"1.55 m", 1.55, Sex::female}, Build{"1.88 m", 1.88}};
+
+BodyModel body_of(const Build& build) {
+  return human_body(
+      {.stature = build.stature, .mass = default_mass(build.stature, build.sex), .sex = build.sex});
+}
+
+// One query and what came of it.
+struct Asked {
+  const Place* place;
+  bool met = false;
+  std::vector<Candidate> candidates{};
+  std::vector<double> trunks{};  // rad, of them at the end
+};
+
+Asked asked(const Place& place, const BodyModel& body, int candidates) {
+  const double scale = body.stature() / kUsualStature;
+  Task task(body);
+  const Vec3d at = scale * place.at;
+  task.goals = {{"right_hand", at}};
+  if (place.both) task.goals.push_back({"left_hand", {-at.x, at.y, at.z}});
+  for (Goal& goal : task.goals) goal.load = place.load;
+  task.candidates = candidates;
+  task.batch.threads = 1;
+  GenerateResult generation = generate(task).value();
+  Asked result{.place = &place, .met = generation.meets_goals()};
+  for (Candidate& candidate : generation.candidates) {
+    const Track track = joints_track(body, candidate.motion.clip);
+    result.trunks.push_back(trunk_lean(track.joints.back()));
+    result.candidates.push_back(std::move(candidate));
+  }
+  return result;
+}
+
+// A thing that people do not do; of a candidate of a query, by its place among them.
+struct Rule {
+  const char* name;
+  bool (*concerns)(const Asked&, std::size_t);
+  bool (*broken)(const Asked&, std::size_t);
+};
+
+bool always(const Asked&, std::size_t) { return true; }
+double knee(const Asked& of, std::size_t c) { return of.candidates[c].final_posture.knee_flexion; }
+bool impossible(const Candidate& candidate) {
+  return candidate.judgement.verdict == Verdict::impossible;
+}
+std::string words(const Asked& of, std::size_t c) {
+  return posture_words(of.candidates[c].final_posture);
+}
+
+constexpr std::array kRules{
+    Rule{"first not as people",
+         [](const Asked& of, std::size_t c) {
+           return c == 0 && (of.place->at.y < kLow || of.place->at.y >= kTable);
+         },
+         [](const Asked& of, std::size_t c) {
+           if (of.place->at.y >= kTable) {
+             return knee(of, c) > kStraightKnee || of.trunks[c] > kUpright;
+           }
+           const auto index = of.candidates[c].final_posture.stoop_squat_index;
+           return !index || *index < kPureSquat || *index > kPureStoop;
+         }},
+    Rule{"bent knees for a shelf",
+         [](const Asked& of, std::size_t) { return of.place->at.y >= kAboveTheChest; },
+         [](const Asked& of, std::size_t c) { return knee(of, c) > kStraightKnee; }},
+    Rule{"folded on straight knees", always,
+         [](const Asked& of, std::size_t c) {
+           return of.trunks[c] >= kFolded && knee(of, c) < kStraightKnee;
+         }},
+    Rule{"elbow inwards", always,
+         [](const Asked& of, std::size_t c) {
+           return of.candidates[c].final_posture.elbow_swivel < kElbowIn;
+         }},
+    Rule{"impossible beside possible", always,
+         [](const Asked& of, std::size_t c) {
+           return impossible(of.candidates[c]) && !impossible(of.candidates[0]);
+         }},
+    Rule{"words of a better one", always,
+         [](const Asked& of, std::size_t c) {
+           for (std::size_t before = 0; before < c; ++before) {
+             if (words(of, before) == words(of, c)) return true;
+           }
+           return false;
+         }},
+};
+
+// How many candidates each rule is about, and how many break it.
+struct Counts {
+  int candidates = 0;
+  std::array<int, kRules.size()> about{};
+  std::array<int, kRules.size()> broken{};
+
+  void add(const Asked& of) {
+    for (std::size_t c = 0; c < of.candidates.size(); ++c) {
+      ++candidates;
+      for (std::size_t r = 0; r < kRules.size(); ++r) {
+        if (!kRules[r].concerns(of, c)) continue;
+        ++about[r];
+        if (kRules[r].broken(of, c)) ++broken[r];
+      }
+    }
+  }
+  [[nodiscard]] std::vector<std::string> cells() const {
+    std::vector<std::string> cells{std::to_string(candidates)};
+    for (std::size_t r = 0; r < kRules.size(); ++r) {
+      cells.push_back(about[r] == 0 ? "–" : fmt::format("{} of {}", broken[r], about[r]));
+    }
+    return cells;
+  }
+};
+
+// Whether there is a squat (0), a half squat or a stoop (2) among them.
+bool offers_style(const Asked& of, std::size_t style) {
+  return std::any_of(of.candidates.begin(), of.candidates.end(), [style](const Candidate& c) {
+    const auto index = c.final_posture.stoop_squat_index;
+    return index && (*index < kSquatIndex ? 0U : *index > kStoopIndex ? 2U : 1U) == style;
+  });
+}
+
+// "half squat (63, 78); stoop (10, 95)": knee and trunk of each.
+std::string listed(const Asked& of) {
+  std::string text;
+  for (std::size_t c = 0; c < of.candidates.size(); ++c) {
+    text += fmt::format("{}{} ({:.0f}, {:.0f})", c == 0 ? "" : "; ", words(of, c),
+                        degrees(knee(of, c)), degrees(of.trunks[c]));
+  }
+  return of.met ? text : text + " (missed)";
+}
+
+}  // namespace
+
+std::string candidates_section() {
+  std::vector<BodyModel> bodies;
+  for (const Build& build : kBuilds) bodies.push_back(body_of(build));
+  constexpr std::size_t kPerBuild = kPlaces.size() * kCandidates.size();
+  std::vector<Asked> all(kBuilds.size() * kPerBuild);
+  parallel_for(static_cast<int>(all.size()), 0, [&](int index, int) {
+    const auto i = static_cast<std::size_t>(index);
+    all[i] = asked(kPlaces[i % kPlaces.size()], bodies[i / kPerBuild],
+                   kCandidates[i / kPlaces.size() % kCandidates.size()]);
+  });
+  std::vector<std::string> head{"", "candidates"};
+  for (const Rule& rule : kRules) head.emplace_back(rule.name);
+  Table sums(head);
+  Table places(head);
+  const auto row = [&all](Table& table, const std::string& name, const auto& counted) {
+    Counts counts;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (counted(i)) counts.add(all[i]);
+    }
+    std::vector<std::string> cells{name};
+    const auto more = counts.cells();
+    cells.insert(cells.end(), more.begin(), more.end());
+    table.add(cells);
+  };
+  const auto number_of = [](std::size_t i) { return i / kPlaces.size() % kCandidates.size(); };
+  for (std::size_t n = 0; n < kCandidates.size(); ++n) {
+    row(sums, fmt::format("{} asked for", kCandidates[n]),
+        [&](std::size_t i) { return number_of(i) == n; });
+  }
+  for (std::size_t b = 0; b < kBuilds.size(); ++b) {
+    row(sums, kBuilds[b].name, [&](std::size_t i) { return i / kPerBuild == b; });
+  }
+  for (std::size_t p = 0; p < kPlaces.size(); ++p) {
+    row(places, kPlaces[p].name, [&](std::size_t i) { return i % kPlaces.size() == p; });
+  }
+  Table offers({"of goals below 0.50 m", "squat", "half squat", "stoop"});
+  for (std::size_t n = 0; n < kCandidates.size(); ++n) {
+    int queries = 0;
+    std::array<int, 3> with{};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (number_of(i) != n || all[i].place->at.y >= kLow) continue;
+      ++queries;
+      for (std::size_t s = 0; s < with.size(); ++s) with[s] += offers_style(all[i], s) ? 1 : 0;
+    }
+    std::vector<std::string> cells{fmt::format("{} asked for", kCandidates[n])};
+    for (const int count : with) cells.push_back(fmt::format("{} of {}", count, queries));
+    offers.add(cells);
+  }
+  Table styles({"goal", "of the 5 for `human`: words (knee, trunk, °)"});
+  for (std::size_t p = 0; p < kPlaces.size(); ++p) {
+    styles.add({kPlaces[p].name, listed(all[p])});
+  }
+  return fmt::format(
+             "## Candidates\n\nWhether what is offered are styles that people use: {} goals for "
+             "`human`, a woman of 1.62 m and people of 1.55 and 1.88 m, places by their stature; "
+             "{} and {} candidates of the default preset. *First not as people*: the first for a "
+             "goal below {:.2f} m is a full squat or a full stoop (an index below {:.0f} or above "
+             "{:.0f}), or for one from {:.2f} m on bends a knee by more than {:.0f}° or the trunk "
+             "by more than {:.0f}°. *Bent knees for a shelf*: by more than {:.0f}°, above {:.2f} "
+             "m. *Folded on straight knees*: a trunk at {:.0f}° or more above knees below {:.0f}°. "
+             "*Elbow inwards*: it points more to the other side than down. *Impossible beside "
+             "possible*: nobody could, where the first can be done. *Words of a "
+             "better one*: named as a better candidate is.\n\n",
+             kPlaces.size(), kCandidates[0], kCandidates[1], kLow, kPureSquat, kPureStoop, kTable,
+             degrees(kStraightKnee), degrees(kUpright), degrees(kStraightKnee), kAboveTheChest,
+             degrees(kFolded), degrees(kStraightKnee)) +
+         sums.text() + "\n" + offers.text() + "\n" + places.text() + "\n" + styles.text();
+}
+
+}  // namespace shigusa::bench
