@@ -195,6 +195,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   ReachProblem problem;
   problem.body = &body;
   problem.duration = 0.0;
+  std::vector<double> owns;  // (goals) s, that each takes by itself
   for (const Goal& goal : task.goals) {
     SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
     const bool hand = body.effector(reach.effector).part.limb == LimbKind::arm;
@@ -207,14 +208,19 @@ Result<ReachProblem> make_problem(const Task& task) {
       return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
     }
     // the hand takes as long as it does without a late start
-    const double duration = goal_duration(body, kinematics, reach) / (1.0 - reach.path.begin);
-    problem.duration = max(problem.duration, duration);
+    const double own = goal_duration(body, kinematics, reach) * load_factor(body.load());
+    problem.duration = max(problem.duration, own / (1.0 - reach.path.begin));
+    owns.push_back(own);
     problem.goals.push_back(std::move(reach));
   }
   SHG_TRY_ASSIGN(problem.supports, make_supports(task, kinematics));
   SHG_TRY(check_rows(problem));
-  problem.duration *= load_factor(body.load());
   if (task.duration) problem.duration = *task.duration;
+  // in haste it leaves earlier
+  for (std::size_t g = 0; g < owns.size(); ++g) {
+    double& begin = problem.goals[g].path.begin;
+    begin = min(begin, max(1.0 - owns[g] / problem.duration, 0.0));
+  }
   problem.hold_limits = problem.posture_law = natural;
   if (natural) problem.windows = natural_windows(problem.goals);
   problem.gaze = task_criteria(task).head.gaze_target;
