@@ -165,7 +165,7 @@ inline constexpr double kStyleSpread = 1.5;
 /// Searches score in single precision; every candidate is played again in double and scored anew.
 /// Scores may differ by this without being counted: feasibility and jolts take the worst moment of
 /// accelerations, which single precision puts off by some 2e-3 rad/s².
-inline constexpr double kReplayTolerance = 0.02;
+inline constexpr double kReplayTolerance = 0.05;
 /// How near (m) a candidate must come to the closest point where the goal is out of reach.
 inline constexpr double kEdgeTolerance = 5e-3;
 

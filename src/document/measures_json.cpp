@@ -69,8 +69,7 @@ void add_measures(const BodyModel& body, const MotionMeasures& measures, const F
                          {"time_s", collides.time}};
   }
   json["sudden"] = {{"pressure_mm", sudden.pressure * kMillimetres},
-                    {"torque_share", sudden.torque},
-                    {"jolts", sudden.jolts()}};
+                    {"torque_share", sudden.torque}};
   json["final_posture"] = posture_to_json(ends);
 }
 

@@ -18,8 +18,9 @@ constexpr int kTries = 12;
 
 // Which steps of the delivery a preset has.
 struct Policy {
-  bool by_end = false;     // motions are told apart by how they end, not by all of their frames
-  bool asks_free = false;  // motions that pass through something, or jolt, do not count
+  bool by_end = false;       // motions are told apart by how they end, not by all of their frames
+  bool asks_free = false;    // motions that pass through something do not count
+  bool asks_smooth = false;  // nor do those that jolt
   bool near_copies = false;
   bool styles = false;
   bool as_people = false;                 // no strange ends beside a first that is not
@@ -37,6 +38,7 @@ Policy policy_of(const Task& task) {
   }
   return {.by_end = true,
           .asks_free = true,
+          .asks_smooth = minds_jolts(task),
           .styles = true,
           .as_people = true,
           .spare_distances = {kDistinctEnd, kNearEnd},
@@ -124,8 +126,8 @@ class Delivery {
  private:
   [[nodiscard]] std::vector<Candidate>& all() const { return generation_.candidates; }
   [[nodiscard]] bool is_free(const Candidate& candidate) const {
-    return !policy_.asks_free || (candidate.measures.collides.depth <= kCollisionDepth &&
-                                  !candidate.measures.sudden.jolts());
+    if (policy_.asks_smooth && candidate.measures.sudden.jolts()) return false;
+    return !policy_.asks_free || candidate.measures.collides.depth <= kCollisionDepth;
   }
   [[nodiscard]] bool has_free(Style style) const {
     return std::any_of(all().begin(), all().end(), [&](const Candidate& candidate) {
@@ -270,6 +272,11 @@ void keep_most(std::size_t most, std::vector<Candidate>& all) {
 
 }  // namespace
 
+bool minds_jolts(const Task& task) {
+  const PresetTraits& traits = traits_of(task.preset);
+  return traits.natural && !traits.layers && task.criteria.jolts_weight > 0.0;
+}
+
 void drop_jolts(std::vector<Candidate>& all) {
   const auto jolts = [](const Candidate& c) { return c.measures.sudden.jolts(); };
   const bool some = std::any_of(all.begin(), all.end(), [&](const Candidate& c) {
@@ -292,7 +299,7 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
   if (traits_of(task.preset).natural) {
     traits_of(task.preset).layers ? keep_within_limits(generation) : drop_collisions(generation);
-    if (!traits_of(task.preset).layers) drop_jolts(generation.candidates);
+    if (minds_jolts(task)) drop_jolts(generation.candidates);
   }
   selection.similar = count_similar(selection, generation.candidates, delivery.taken());
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);

@@ -20,6 +20,8 @@ namespace shigusa {
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         GenerateResult& generation);
 
+// Whether a task's motions are not to jolt: by criteria that give jolts a weight.
+[[nodiscard]] bool minds_jolts(const Task& task);
 // Where some possible candidate does not jolt, those that do are left out.
 void drop_jolts(std::vector<Candidate>& all);
 

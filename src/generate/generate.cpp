@@ -339,7 +339,7 @@ Result<GenerateResult> generate(const Task& task, const Progress& progress) {
   if (natural) {
     try_slower(ready, joint, found);
     try_longer(ready, joint, found);
-    if (!traits_of(ready.preset).layers) try_gentler(ready, found);
+    if (minds_jolts(ready)) try_gentler(ready, found);
   }
   return found;
 }

@@ -104,7 +104,9 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
     return;
   }
   const std::span<const double> posture = input.has_later() ? blend_.posture() : input.posture;
-  posture_draw_.draw(frame, posture, input.timing.delay, reference_);
+  const std::span<const double> weights =
+      input.has_later() ? blend_.inverse_weights() : input.inverse_weights;
+  posture_draw_.draw(frame, posture, weights, input.timing.delay, reference_);
 }
 
 void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome) {

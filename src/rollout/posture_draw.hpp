@@ -22,7 +22,9 @@ class PostureDraw {
 
   // Sets the reference (dofs, rad) to what the step to this frame makes of the change `posture`
   // (dofs, rad), which begins after the share `delay` of each part's time.
-  void draw(int frame, std::span<const S> posture, const S& delay, std::span<S> reference) const {
+  // A locked knee (of inverse weight 0) takes nothing of hips and ankles along.
+  void draw(int frame, std::span<const S> posture, std::span<const S> inverse_weights,
+            const S& delay, std::span<S> reference) const {
     std::array<S, kTimedParts> shares;
     for (std::size_t p = 0; p < kTimedParts; ++p) {
       const auto part = static_cast<TimedPart>(p);
@@ -36,7 +38,8 @@ class PostureDraw {
     const S& squats = shares[static_cast<std::size_t>(TimedPart::knees)];
     const S& leans = shares[static_cast<std::size_t>(TimedPart::hips)];
     for (const LegFlexions& leg : legs_) {
-      const S part = posture[leg.knee] * S(kOfKnee);
+      const S knee = select(inverse_weights[leg.knee] > S(0), posture[leg.knee], S(0));
+      const S part = knee * S(kOfKnee);
       for (const std::size_t d : {leg.hip, leg.ankle}) {
         reference[d] = part * squats + (posture[d] - part) * leans;
       }

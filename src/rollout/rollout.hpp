@@ -183,6 +183,7 @@ class Rollout {
     const bool last = frame == problem_->steps;
     const std::span<const S> inverse_weights = change_phase(frame, input);
     place_goals(frame, input);
+    if (limits_) limits_->hold(angles_[2]);
     forward_kinematics<S>(*problem_->body, angles_[2], next());
     if (!supports_.empty()) supports_.keep(frame, next());
     const bool follows = problem_->follow_path && is_finite(problem_->tolerance.path);
@@ -304,7 +305,9 @@ class Rollout {
       draw_to_guide(frame);
     } else if (!input.posture.empty()) {
       const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
-      posture_draw_.draw(frame, posture, input.timing.delay, reference_);
+      const std::span<const S> weights =
+          input.has_later() ? blend_.inverse_weights() : input.inverse_weights;
+      posture_draw_.draw(frame, posture, weights, input.timing.delay, reference_);
       const S bent = posture_draw_.made(TimedPart::spine, frame, input.timing.delay);
       for (const std::size_t d : backs_) reference_[d] = posture[d] * bent;
     } else if (drawn_) {

@@ -87,6 +87,10 @@ void smooth_frames(std::size_t dofs, std::vector<double>& angles) {
   if (frames < 3) return;
   const LeastJerk row(frames);
   for (std::size_t d = 0; d < dofs; ++d) {
+    bool moves = false;
+    for (int f = 1; f < frames; ++f) moves = moves || angles[index(f) * dofs + d] != angles[d];
+    // what is locked stays where it is to the last bit
+    if (!moves) continue;
     row.smooth([&](int frame) -> double& { return angles[index(frame) * dofs + d]; });
   }
 }

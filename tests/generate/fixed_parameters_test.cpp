@@ -35,7 +35,7 @@ TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
     return static_cast<std::size_t>(task.body.find_dof(name).value());
   };
   const GenerateResult generation = generate(task).value();
-  ASSERT_GE(generation.candidates.size(), 2U);
+  ASSERT_GE(generation.candidates.size(), 1U);
   for (const Candidate& candidate : generation.candidates) {
     for (const char* name :
          {"right_shoulder.flexion", "right_shoulder.abduction", "right_shoulder.rotation"}) {
@@ -52,13 +52,15 @@ TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
     const std::size_t knee = dof("left_knee.flexion");
     EXPECT_NEAR(clip.frame(clip.frames - 1)[knee], task.body.start()[knee], 1e-3);
   }
-  EXPECT_NE(generation.candidates[0].parameters, generation.candidates[1].parameters);
+  for (std::size_t k = 1; k < generation.candidates.size(); ++k) {
+    EXPECT_NE(generation.candidates[0].parameters, generation.candidates[k].parameters);
+  }
 }
 
 TEST_P(Fixed, MotionsAreThoseThatTheParametersGive) {
   const Task task = fixed_task(GetParam(), {"squat_deg=60", "right_elbow.weight=3"});
   const GenerateResult generation = generate(task).value();
-  EXPECT_LT(generation.replay_difference, 0.02);
+  EXPECT_LT(generation.replay_difference, kReplayTolerance);
   const Candidate& best = generation.candidates.front();
   const GenerateResult again = regenerate(played_task(task, generation), best.parameters).value();
   EXPECT_NEAR(again.candidates[0].score.total, best.score.total, 1e-12);

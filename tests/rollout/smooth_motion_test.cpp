@@ -67,8 +67,7 @@ TEST(SmoothFrames, TakesShortClipsAsTheyAre) {
 
 TEST(SmoothedMotion, KeepsItsPathAndItsFeetAndIsLessSudden) {
   const BodyModel body = human_body({});
-  Task task{.body = body};
-  task.goals = {{.effector = "right_hand", .position = Vec3d{-0.15, 0.15, 0.35}}};
+  const Task task(body, {.goals = {{"right_hand", {-0.15, 0.15, 0.35}}}});
   const ReachProblem problem = make_problem(task).value();
   for (const double squat : {20.0, 100.0}) {
     Parameters parameters = uniform_parameters(body);
@@ -87,8 +86,7 @@ TEST(SmoothedMotion, KeepsItsPathAndItsFeetAndIsLessSudden) {
 
 TEST(SmoothedMotion, IsTheRoughOneWhereThatMisses) {
   const BodyModel body = human_body({});
-  Task task{.body = body};
-  task.goals = {{.effector = "right_hand", .position = Vec3d{-0.15, 1.0, 3.0}}};
+  const Task task(body, {.goals = {{"right_hand", {-0.15, 1.0, 3.0}}}});
   const ReachProblem problem = make_problem(task).value();
   const RolledOut rough = roll_out(problem, uniform_parameters(body));
   ASSERT_FALSE(rough.outcome.met(problem.tolerance));
