@@ -5,12 +5,9 @@
 #include <shigusa/body_model.hpp>
 #include <shigusa/motion.hpp>
 
-namespace shigusa::bench {
+#include "criteria/jolts.hpp"
 
-// From one of a motion's 60 frames to the next, the floor's pressure moves by more than this (m),
-// or a torque by more than this share of the joint's strength both ways, in a jolt.
-inline constexpr double kPressureMoves = 0.03;
-inline constexpr double kTorqueMoves = 0.30;
+namespace shigusa::bench {
 
 // The joints around a jolt, by the first of these that is so.
 enum class JoltEvent {
@@ -36,8 +33,8 @@ struct Jolts {
   Jolt pressure;
   Jolt torque;
 
-  [[nodiscard]] bool pressure_jolts() const { return pressure.size > kPressureMoves; }
-  [[nodiscard]] bool torque_jolts() const { return torque.size > kTorqueMoves; }
+  [[nodiscard]] bool pressure_jolts() const { return pressure.size > kPressureJolt; }
+  [[nodiscard]] bool torque_jolts() const { return torque.size > kTorqueJolt; }
   [[nodiscard]] bool any() const { return pressure_jolts() || torque_jolts(); }
 };
 [[nodiscard]] Jolts jolts_of(const BodyModel& body, const Motion& motion);

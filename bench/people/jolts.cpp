@@ -156,7 +156,7 @@ std::string jolts_section() {
       "to 2.00 m, both sexes), {} of which meet their goals. A motion jolts where from one of its "
       "60 frames to the next the floor's centre of pressure moves by more than {:.0f} cm, or a "
       "torque by more than {:.0f} % of its joint's strength both ways together.\n\n",
-      kTasks, met, 100.0 * kPressureMoves, 100.0 * kTorqueMoves);
+      kTasks, met, 100.0 * kPressureJolt, 100.0 * kTorqueJolt);
   text += shares(tasks);
   text +=
       "\nThe greatest change of each motion that jolts, with the number of motions. *Joint that "

@@ -130,6 +130,7 @@ struct GenerateResult {
   int near_copies = 0;   ///< distinct genomes that move nearly as a better one
   int missed = 0;        ///< final genomes that missed a goal, left the path or moved a foot
   int collided = 0;      ///< left out as others pass through nothing
+  int jolting = 0;       ///< left out as others do not jolt, see Suddenness
   int strange = 0;       ///< left out as they end as nobody does who need not
   int over_limit = 0;    ///< of layers that hold limits: left out as others are within them
   /// candidates whose score in the search was off by over kReplayTolerance

@@ -152,8 +152,8 @@ struct FixedParameters {
 };
 
 /// The most that a hand presses with, as a share of the body's weight: a weak man (5th percentile)
-/// pushes 187 N with his left arm straight (MIL-STD-1472, arm strength), a quarter of the weight of
-/// 73 kg.
+/// pushes 187 N with his left arm straight (MIL-STD-1472, arm strength; quoted from memory), a
+/// quarter of the weight of 73 kg.
 inline constexpr double kSupportMost = 0.25;
 /// The least value of a support's parameter; all below 0 leave the hand free.
 inline constexpr double kSupportLeast = -0.05;

@@ -19,7 +19,8 @@ struct HandLoad {
 };
 
 // How far a hand's force leans from the surface's normal at the most, as a quotient: dry skin on
-// cloth holds about that (Derler and Gerhardt, Tribology Letters 45 (2012) 1-27: 0.3 to 0.7).
+// cloth holds about that (Derler and Gerhardt, Tribology Letters 45 (2012) 1-27: 0.3 to 0.7, quoted
+// from memory).
 inline constexpr double kHandFriction = 0.5;
 // … and the least share of the force that goes along the normal, where the shoulder is beside or
 // behind the surface.

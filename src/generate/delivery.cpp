@@ -277,18 +277,19 @@ bool minds_jolts(const Task& task) {
   return traits.natural && !traits.layers && task.criteria.jolts_weight > 0.0;
 }
 
-void drop_jolts(std::vector<Candidate>& all) {
+void drop_jolts(GenerateResult& generation) {
+  std::vector<Candidate>& all = generation.candidates;
   const auto jolts = [](const Candidate& c) { return c.measures.sudden.jolts(); };
   const bool some = std::any_of(all.begin(), all.end(), [&](const Candidate& c) {
     return !jolts(c) && c.judgement.verdict != Verdict::impossible;
   });
-  if (some) std::erase_if(all, jolts);
+  if (some) generation.jolting += static_cast<int>(std::erase_if(all, jolts));
 }
 
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         GenerateResult& generation) {
   generation.missed = generation.over_limit = generation.replay_differs = 0;
-  generation.strange = 0;
+  generation.strange = generation.jolting = 0;
   generation.replay_difference = 0.0;
   Selection& selection = found.selection;
   Delivery delivery(task, planner, approach, selection, generation);
@@ -299,7 +300,7 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
   if (traits_of(task.preset).natural) {
     traits_of(task.preset).layers ? keep_within_limits(generation) : drop_collisions(generation);
-    if (minds_jolts(task)) drop_jolts(generation.candidates);
+    if (minds_jolts(task)) drop_jolts(generation);
   }
   selection.similar = count_similar(selection, generation.candidates, delivery.taken());
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);

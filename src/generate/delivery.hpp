@@ -22,7 +22,7 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
 
 // Whether a task's motions are not to jolt: by criteria that give jolts a weight.
 [[nodiscard]] bool minds_jolts(const Task& task);
-// Where some possible candidate does not jolt, those that do are left out.
-void drop_jolts(std::vector<Candidate>& all);
+// Where some possible candidate does not jolt, those that do are left out, and counted.
+void drop_jolts(GenerateResult& generation);
 
 }  // namespace shigusa

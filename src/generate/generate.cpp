@@ -299,7 +299,12 @@ void try_gentler(const PreparedTask& task, GenerateResult& found) {
     Result<GenerateResult> again = played_anew(gentler, found);
     if (!again || first_jolts(*again) || again->status != found.status) continue;
     found = std::move(*again);
-    drop_jolts(found.candidates);
+    drop_jolts(found);
+    const auto left = static_cast<int>(found.candidates.size());
+    if (found.fewer.empty() && left < task.candidates) {
+      found.fewer =
+          fmt::format("{} of {} candidates: {} jolt", left, task.candidates, found.jolting);
+    }
     found.gentled = true;
   }
 }

@@ -72,6 +72,7 @@ std::string why_fewer(const Task& task, const GenerateResult& generation,
   add(by_end ? selection.similar : generation.near_copies,
       by_end ? "end within 5° of a better one" : "move as a better one does");
   add(selection.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
+  add(generation.jolting, "jolt");
   add(generation.strange, "end as nobody does who need not");
   add(generation.over_limit, "pass a joint's limit");
   add(generation.collided, "pass deeper through the body, an obstacle or the floor");

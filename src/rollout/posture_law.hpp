@@ -21,8 +21,8 @@ inline constexpr double kGazeArrives = 0.45;
 inline constexpr double kHeadOfGaze = 0.75;
 inline constexpr double kEyesEase = radians(20);
 // The trunk's turn (rad) for a goal that far to the side: of what is beyond kTrunkTurns its share,
-// and kTrunkMost at the most, as people's who keep their feet where they are. It ends with the
-// hand.
+// and kTrunkMost at the most, as of who keeps the feet where they are. Chosen so that goals
+// behind are in sight (docs/people.md, Gaze); no published figure was found. It ends with the hand.
 inline constexpr double kTrunkTurns = radians(50);
 inline constexpr double kTrunkOfGaze = 0.6;
 inline constexpr double kTrunkMost = radians(65);
