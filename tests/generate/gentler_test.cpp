@@ -16,8 +16,7 @@ constexpr int kTasks = 200;
 // The first random task that takes longer so as not to jolt.
 std::optional<Task> hasty_task() {
   for (int k = 0; k < kTasks; ++k) {
-    if (kTaskKinds[index(k % static_cast<int>(kTaskKinds.size()))] != TaskKind::both_hands)
-      continue;
+    if (task_kind(static_cast<std::uint64_t>(k)) != TaskKind::both_hands) continue;
     TaskFile file = random_task(static_cast<std::uint64_t>(k));
     file.character.source = "human";
     adopt_preset(file, Preset::flat);
