@@ -2,6 +2,7 @@
 // window.shigusa: the page's state to read, for tests and for the curious.
 import type { Facts, Vec3 } from '../../bindings/wasm/src/types';
 import { type Language, untranslated } from './i18n';
+import type { Look } from './kept/work';
 import type { Document, State } from './state/model';
 import type { Studio } from './state/studio';
 import { taskOf } from './state/task';
@@ -25,6 +26,8 @@ export interface Inspection {
   hand(effector?: string): Vec3 | null;
   /** Where an effector's node is drawn now, m. */
   drawn(effector: string): Vec3 | null;
+  /** From where the picture is seen. */
+  look(): Look;
   /** Where a handle is in the page, px. */
   handle(effector: string): [number, number] | null;
 }
@@ -61,6 +64,7 @@ export function expose(studio: Studio, view: View): void {
       return studio.clock.time;
     },
     memory: () => studio.engine.memory(),
+    look: () => view.look(),
     drawn: (effector) => view.drawn(effector),
     handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {

@@ -5,6 +5,8 @@ import './styles/panels.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
 import { preferredLanguage, setLanguage, t } from './i18n';
 import { expose } from './inspect';
+import { workOfLink } from './kept/link';
+import { openWork } from './kept/pack';
 import { Page } from './page';
 import { h } from './panels/dom';
 import { openCharacter, openTask } from './state/files';
@@ -16,17 +18,23 @@ function refuse(root: HTMLElement, text: string): void {
   root.replaceChildren(h('div', { class: 'refused', role: 'alert' }, h('h1', {}, t('title')), h('p', {}, text)));
 }
 
-async function firstTask(studio: Studio): Promise<void> {
+/** Opens the work or the task of the page's address. Where there is none, or a damaged one, all stays as it is. */
+async function openAddress(studio: Studio): Promise<void> {
+  const openFirst = async (): Promise<void> => {
+    if (!studio.document) await openCharacter(studio, { source: 'human' });
+  };
   try {
+    const work = await workOfLink(location.hash);
+    if (work) return await openWork(studio, work);
     const task = taskOfLink(location.hash);
     if (task) return await openTask(studio, task);
   } catch (error) {
-    await openCharacter(studio, { source: 'human' });
+    await openFirst();
     if (error instanceof SyntaxError) studio.tell({ kind: 'text', key: 'badLink' });
-    else studio.fail(error);
+    else studio.fail(error, t('theLink'));
     return;
   }
-  await openCharacter(studio, { source: 'human' });
+  await openFirst();
 }
 
 async function start(): Promise<void> {
@@ -43,8 +51,8 @@ async function start(): Promise<void> {
     waiting.remove();
     const page = new Page(studio, root);
     expose(studio, page.view);
-    window.addEventListener('hashchange', () => void firstTask(studio));
-    await firstTask(studio);
+    window.addEventListener('hashchange', () => void openAddress(studio));
+    await openAddress(studio);
   } catch (error) {
     refuse(root, `${t('engineFailed')} ${failureOf(error)?.message ?? ''}`);
   }

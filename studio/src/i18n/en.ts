@@ -61,10 +61,11 @@ export const en = {
   // take away
   takeIntro: 'Of the chosen motion, unless something else is said.', animation: 'Animation', figure: 'Figure', again: 'To go on later',
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
+  largeLink: 'This is too much for a link. Save the result instead: it opens to the same.', theLink: 'The link',
   fps: 'Frames a second', fpsOf: 'of {formats}; the others have the motion’s own frames', saved: '{name} is saved.', onlyFor: 'for characters from {formats} files',
   // failures
   badSeed: 'A seed is a whole number from 0 to {most}, not “{value}”.',
-  failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged: its task cannot be read.',
+  failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged and cannot be read.',
   changedFile: '{name} is not the file that the result describes: it was changed, or is another result’s. Leave it out to open the result without it.',
   unknownFile: '{name}: only characters in {formats} and results in JSON can be opened.',
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',

@@ -62,7 +62,11 @@ export class TakePanel implements Panel {
   }
 
   private async copyLink(): Promise<void> {
-    const text = link(this.studio);
+    const text = await link(this.studio);
+    if (text === null) {
+      this.studio.tell({ kind: 'text', key: 'largeLink' });
+      return fill(this.shown, button(engineWord('formats', 'result'), () => void this.take('result')));
+    }
     try {
       await navigator.clipboard.writeText(text);
       this.studio.tell({ kind: 'text', key: 'linkCopied' });

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Files and links that come in: characters, results, tasks.
-import type { Character, CharacterSpec, Facts, Generated, Summary, Task } from '../../../bindings/wasm/src/types';
-import { weightsOf } from './criteria';
+import type { CharacterSpec, Generated, Summary, Task } from '../../../bindings/wasm/src/types';
+import { digestOf } from '../kept/digest';
+import { workOfResult } from '../kept/in_result';
+import { openWork } from '../kept/pack';
 import { characterFormat, characterFormats, endingOf } from './formats';
-import type { Document, SearchSettings } from './model';
+import type { Document } from './model';
+import { checkedDocumentOf, documentOf } from './of_task';
 import { newDocument } from './start';
 import type { Studio } from './studio';
-import { moreOf } from './task';
 
 const kJson = '.json';
 const kMostJsonBytes = 200e6;
@@ -66,21 +68,21 @@ async function openJson(studio: Studio, text: string, beside: readonly File[]): 
 
 /** The name of a file that came with a result and is not the one that it describes. */
 async function changedFile(summary: Summary, beside: readonly File[]): Promise<string | undefined> {
-  // pages that came over an open network have no digests
-  if (globalThis.crypto.subtle === undefined) return undefined;
   for (const { files, sha256 } of summary.candidates) {
     for (const [format, name] of Object.entries(files ?? {})) {
       const file = beside.find((other) => other.name === name);
       const told = sha256?.[format];
       if (file === undefined || told === undefined) continue;
-      const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', await file.arrayBuffer()));
-      if ([...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('') !== told) return name;
+      const digest = await digestOf(new Uint8Array(await file.arrayBuffer()));
+      if (digest !== '' && digest !== told) return name;
     }
   }
   return undefined;
 }
 
 export async function openResult(studio: Studio, summary: Summary, beside: readonly File[] = []): Promise<void> {
+  const work = workOfResult(summary);
+  if (work) return openWork(studio, work, beside);
   const task = summary['task'] as Task;
   const character = (await characterBeside(studio, task.character, beside)) ?? (await characterOf(studio, task.character));
   const result: Generated = await studio.restore(character, summary);
@@ -89,7 +91,7 @@ export async function openResult(studio: Studio, summary: Summary, beside: reado
 
 export async function openTask(studio: Studio, task: Task): Promise<void> {
   const character = await characterOf(studio, task.character);
-  await studio.begin(documentOf(studio.facts, character, task));
+  await studio.begin(await checkedDocumentOf(studio, character, task));
 }
 
 /** The character of a result by its own file, where that came with it. */
@@ -111,16 +113,4 @@ async function characterOf(studio: Studio, named: CharacterSpec | string | undef
   if (now?.bytes && now.spec.source === spec.source) return now;
   if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && studio.facts.bodies.some(({ name }) => name === spec.source)) return now;
   return studio.open(spec);
-}
-
-function documentOf(facts: Facts, character: Character, task: Task): Document {
-  const settings: SearchSettings = {
-    preset: task.preset ?? facts.default_preset,
-    seed: task.seed ?? 0,
-    evaluations: task.evaluations ?? null,
-    duration_s: task.duration_s ?? null,
-    more: moreOf(task),
-  };
-  const goals = structuredClone(task.goals ?? []);
-  return { ...newDocument(facts, character, goals), settings, weights: weightsOf(facts, task), fixed: task.fixed ?? [] };
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Files and links that go out.
 import type { Character, Facts, FormatFacts } from '../../../bindings/wasm/src/types';
+import { studioField } from '../kept/in_result';
+import { linkOf } from '../kept/link';
+import { workOf } from '../kept/pack';
 import { hasNeeded } from './formats';
 import type { Studio } from './studio';
-import { completeTask, linkOf } from './task';
+import { completeTask } from './task';
 
 /** A format by its name; or what the page itself makes, beside what the engine writes. */
 export type Taken = string;
@@ -51,7 +54,7 @@ export async function takeAway(studio: Studio, format: Taken): Promise<TakenFile
   if (format === 'task') {
     return { name: `shigusa-${body}-task.json`, bytes: encode(completeTask(studio.facts, document)), type: kJsonType };
   }
-  if (format === 'result') return { name: `shigusa-${body}-result.json`, bytes: encode(resultOf(studio)), type: kJsonType };
+  if (format === 'result') return { name: `shigusa-${body}-result.json`, bytes: encode(await resultOf(studio)), type: kJsonType };
   const facts = formatOf(studio, format)!;
   const bytes = facts.written && hasNeeded(studio.facts, facts, document.character)
     ? await studio.exported(format)
@@ -66,15 +69,15 @@ async function made(studio: Studio, character: Character, format: Taken): Promis
   return drawnGlb(character, await studio.sampledNodes());
 }
 
-/** The result with what was edited in the place of what was found. */
-function resultOf(studio: Studio): unknown {
+/** The result with edited motions in the place of those that were found, and with the page's work. */
+async function resultOf(studio: Studio): Promise<unknown> {
   const document = studio.document!;
   const { summary } = document.result!;
   const candidates = summary.candidates.map((candidate, index) => {
     const edited = document.edits[index]?.generated.summary.candidates[0];
     return edited ? { ...edited, rank: index + 1 } : candidate;
   });
-  return { ...summary, candidates };
+  return { ...summary, candidates, studio: studioField(await workOf(studio, document)) };
 }
 
 const kPngWidth = 1600; // px
@@ -106,6 +109,7 @@ export function save({ name, bytes, type }: TakenFile): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-export function link(studio: Studio): string {
-  return linkOf(studio.facts, studio.document!, location.href);
+/** Null where the work is too much for a link. */
+export async function link(studio: Studio): Promise<string | null> {
+  return linkOf(await workOf(studio, studio.document!), location.href);
 }

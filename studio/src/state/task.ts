@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A document as a task file, and the link that carries one.
+// A document as a task file, and links of earlier versions, which carry one.
 import type { Facts, Task } from '../../../bindings/wasm/src/types';
 import { ownMixture, sameWeights } from './criteria';
 import type { Document, SearchSettings } from './model';
@@ -49,14 +49,6 @@ export function completeTask(facts: Facts, document: Document): Record<string, u
 }
 
 const kFragment = '#task=';
-
-export function linkOf(facts: Facts, document: Document, page: string): string {
-  const bytes = new TextEncoder().encode(JSON.stringify(completeTask(facts, document)));
-  let text = '';
-  for (const byte of bytes) text += String.fromCharCode(byte);
-  const base64 = btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
-  return page.split('#')[0] + kFragment + base64;
-}
 
 /** The task of a link; null where there is none. Throws a SyntaxError where it is damaged. */
 export function taskOfLink(fragment: string): Task | null {

@@ -2,14 +2,22 @@
 // The document on the table: its steps, what is shown of it and when, and what is told about it.
 import type { Candidate, Character, Engine, Facts } from '../../../bindings/wasm/src/types';
 import { failureOf } from '../engine/connect';
+import type { Look } from '../kept/work';
 import { Clock } from './clock';
 import { History } from './history';
 import { candidateAt, chosenCandidate, type Document, goalOf, initialState, type Notice, type State } from './model';
 import { Store } from './store';
 
+/** The view, to those who keep or bring back from where it is seen. */
+export interface Eye {
+  look(): Look;
+  lookFrom(look: Look): void;
+}
+
 export class Workbench {
   readonly store = new Store<State>(initialState);
   readonly clock = new Clock();
+  eye: Eye | null = null;
   protected history: History<Document> | null = null;
   private characters = new Set<Character>();
 

@@ -4,6 +4,7 @@ import {
   DirectionalLight, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Look } from '../kept/work';
 import { Floor } from './floor';
 import { type Palette, palettes } from './palette';
 import { type Quality, QualityControl } from './quality';
@@ -73,6 +74,17 @@ export class Stage {
     const away = new Vector3(-0.62, 0.3, 1).normalize().multiplyScalar(2.2 * stature);
     this.orbit.target.copy(middle);
     this.camera.position.copy(middle).add(away);
+    this.orbit.update();
+    this.invalidate();
+  }
+
+  look(): Look {
+    return { position_m: this.camera.position.toArray(), target_m: this.orbit.target.toArray() };
+  }
+
+  lookFrom({ position_m, target_m }: Look): void {
+    this.orbit.target.set(...target_m);
+    this.camera.position.set(...position_m);
     this.orbit.update();
     this.invalidate();
   }

@@ -2,6 +2,7 @@
 // The picture in three dimensions: shows what the state holds, and tells what a person drags.
 import { Vector3 } from 'three';
 import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
+import type { Look } from '../kept/work';
 import { candidateAt, type State } from '../state/model';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -31,6 +32,8 @@ export class View {
   private figure: Figure | null = null;
   private other: Figure | null = null;
   private nodeOf = new Map<string, number>(); // by effector
+  private framed: Character | null = null; // whose figure is in the picture
+  private sought: Look | null = null; // until it is
   private listeners = new Set<(figure: Figure | null) => void>();
   private readonly ends: (() => void)[] = [];
   /** Rings instead of arrows at a goal that has a rotation. */
@@ -50,6 +53,7 @@ export class View {
     this.stage.scene.add(this.obstacles.object, this.overlays.object, this.otherOverlays.object, this.handles.object);
     this.stage.onFrame = (seconds) => this.advance(seconds);
     this.stage.onDraw = () => this.pose();
+    studio.eye = this;
     this.ends.push(
       studio.store.subscribe((state, previous) => this.changed(state, previous)),
       studio.clock.subscribe(() => this.stage.invalidate()),
@@ -85,6 +89,15 @@ export class View {
       }
     }
     this.stage.invalidate();
+  }
+
+  look(): Look {
+    return this.sought ?? this.stage.look();
+  }
+
+  lookFrom(look: Look): void {
+    if (this.framed === this.character) this.stage.lookFrom(look);
+    else this.sought = look;
   }
 
   onFigure(listener: (figure: Figure | null) => void): void {
@@ -130,6 +143,7 @@ export class View {
 
   private async setCharacter(character: Character | null): Promise<void> {
     this.character = character;
+    this.sought = null;
     const figure = character ? await makeFigure(character) : null;
     if (this.character !== character) {
       if (figure) disposeFigure(figure);
@@ -146,7 +160,10 @@ export class View {
       this.overlays.setSupport(character.description);
       this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
       this.stage.frame(figure.height);
+      if (this.sought) this.stage.lookFrom(this.sought);
     }
+    this.framed = character;
+    this.sought = null;
     await this.setOther();
     this.colour();
     for (const listener of this.listeners) listener(figure);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Turns the document on the table into a work, and a work into the document again.
+import type { Character, Facts, Generated, Summary } from '../../../bindings/wasm/src/types';
+import type { Document, Edit } from '../state/model';
+import { checkedDocumentOf } from '../state/of_task';
+import type { Studio } from '../state/studio';
+import { taskOf } from '../state/task';
+import { digestOf } from './digest';
+import type { StoredEdit, StoredMotions, Work } from './work';
+
+/** Other calls of the page may take the place of a replay that waits. */
+const kTries = 20;
+
+function storedMotions({ task, candidates }: Summary): StoredMotions {
+  const parameters = candidates.map((candidate) => ({ parameters: candidate['parameters'] as object }));
+  return { version: 1, task: task as StoredMotions['task'], candidates: parameters };
+}
+
+function storedEdit({ base, assignments }: Edit, found: Summary): StoredEdit {
+  if (base.summary === found) return { assignments };
+  const { task, candidates } = storedMotions(base.summary);
+  return { assignments, base: { version: 1, task, candidates: candidates.slice(base.candidate - 1, base.candidate) } };
+}
+
+/** The document as a work, with the picture of it. */
+export async function workOf(studio: Studio, document: Document): Promise<Work> {
+  const { spec, bytes } = document.character;
+  const { state } = studio.store;
+  const summary = document.result?.summary;
+  const edits = summary ? Object.entries(document.edits).map(([index, edit]) => [index, storedEdit(edit, summary)] as const) : [];
+  return {
+    version: 1,
+    character: bytes ? { spec, sha256: await digestOf(bytes) } : { spec },
+    task: taskOf(studio.facts, document),
+    ...(summary && { found: storedMotions(summary) }),
+    ...(summary?.fewer !== undefined && { fewer: summary.fewer }),
+    ...(state.search && { searching: true }),
+    chosen: document.chosen,
+    compared: document.compared,
+    edits: Object.fromEntries(edits),
+    picture: {
+      ...(studio.eye && { look: studio.eye.look() }),
+      tab: state.tab, selected: state.selected, compareMode: state.compareMode, overlays: state.overlays,
+      speed: state.speed, playing: state.playing, time_s: studio.clock.time, fps: state.fps,
+    },
+  };
+}
+
+/** Puts a work on the table. `files`: those that came with it, of which one may be its character's. */
+export async function openWork(studio: Studio, work: Work, files: readonly File[] = []): Promise<void> {
+  const character = await characterOf(studio, work, files);
+  const asked = await askedFor(studio, character, work);
+  const result = work.found ? await restored(studio, character, work.found, work.fewer) : null;
+  const edits: Record<number, Edit> = {};
+  if (result) {
+    for (const [index, edit] of Object.entries(work.edits)) edits[Number(index)] = await editOf(studio, character, edit, result, Number(index));
+  }
+  const { chosen, compared, picture } = work;
+  const begun = studio.begin({ ...asked, result, edits, chosen, compared: compared === chosen ? null : compared });
+  show(studio, picture);
+  // a search that had not come to its end begins anew
+  if (result && work.searching) void studio.search();
+  await begun;
+}
+
+/** The work's own task; where the engine refuses that, the one that its motions were found for. */
+async function askedFor(studio: Studio, character: Character, { task, found }: Work): Promise<Document> {
+  if (!found) return checkedDocumentOf(studio, character, task);
+  return checkedDocumentOf(studio, character, task).catch(() => checkedDocumentOf(studio, character, found.task));
+}
+
+async function restored(studio: Studio, character: Character, motions: StoredMotions, fewer?: string): Promise<Generated> {
+  const generated = await studio.restore(character, motions as unknown as Summary);
+  return fewer === undefined ? generated : { ...generated, summary: { ...generated.summary, fewer } };
+}
+
+async function editOf(studio: Studio, character: Character, { assignments, base }: StoredEdit, found: Generated, index: number): Promise<Edit> {
+  const start = base ? await restored(studio, character, base) : found;
+  const from = { summary: start.summary, candidate: base ? 1 : index + 1 };
+  const list = Object.entries(assignments).map(([name, value]) => `${name}=${value}`);
+  if (base && list.length === 0) return { base: from, assignments, generated: start };
+  for (let tries = 0; tries < kTries; ++tries) {
+    const generated = await studio.engine.replay(character, from.summary, from.candidate, list);
+    if (generated) return { base: from, assignments, generated };
+  }
+  throw new Error('the edits could not be played, as others were');
+}
+
+function show(studio: Studio, { look, tab, selected, compareMode, overlays, speed, playing, time_s, fps }: Work['picture']): void {
+  const known = studio.document?.goals.some((goal) => goal.effector === selected);
+  studio.store.set({ tab, compareMode, overlays, speed, playing, fps, ...(known && { selected }) });
+  studio.clock.time = time_s;
+  if (look) studio.eye?.lookFrom(look);
+}
+
+function isBuiltIn(facts: Facts, source: string): boolean {
+  return facts.bodies.some(({ name }) => name === source);
+}
+
+/** By its own file where that is at hand, else as it was measured. */
+async function characterOf(studio: Studio, { character: { spec, sha256 }, found }: Work, files: readonly File[]): Promise<Character> {
+  const now = studio.document?.character;
+  if (sha256 === undefined) {
+    const same = now && !now.bytes && isBuiltIn(studio.facts, spec.source) && JSON.stringify(now.spec) === JSON.stringify(spec);
+    return same ? now : studio.open(spec);
+  }
+  const isIt = async (name: string, bytes: Uint8Array): Promise<boolean> => (sha256 === '' ? name === spec.source : (await digestOf(bytes)) === sha256);
+  if (now?.bytes && await isIt(now.spec.source, now.bytes)) {
+    return JSON.stringify(now.spec) === JSON.stringify(spec) ? now : studio.open(spec, now.bytes);
+  }
+  for (const file of files) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    if (await isIt(file.name, bytes)) return studio.open(spec, bytes);
+  }
+  return studio.open(found?.task.character as typeof spec | undefined ?? spec);
+}

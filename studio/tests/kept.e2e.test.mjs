@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Links and results carry the choice, every edit and the picture.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { deflateRawSync, inflateRawSync } from 'node:zlib';
+import { kept, work } from './kept.mjs';
+import { drop, openStudio, settled, state, take, visit } from './support.mjs';
+
+const { site, browser } = await visit();
+
+const kBegin = `${site.url}#work=1.`;
+const packed = (text) => kBegin + deflateRawSync(text).toString('base64url');
+const unpacked = (link) => JSON.parse(inflateRawSync(Buffer.from(link.slice(kBegin.length), 'base64url')));
+
+async function copyLink(page) {
+  await page.click('#tab-take');
+  await page.click('[data-format="link"]');
+  await page.waitForFunction(() => window.shigusa.state.notice?.key === 'linkCopied');
+  return page.evaluate(() => navigator.clipboard.readText());
+}
+
+const open = () => openStudio(browser, site.url, { permissions: ['clipboard-read', 'clipboard-write'] });
+
+test('a link brings back the choice, the edits, the marks and the picture', { timeout: 180_000 }, async () => {
+  const { page, context, errors } = await open();
+  await settled(page);
+  await work(page);
+  const link = await copyLink(page);
+  const before = await kept(page);
+  assert.ok(link.startsWith(kBegin), link.slice(0, 80));
+  assert.ok(link.length < 12_000, `${link.length} letters`);
+
+  const other = await context.newPage();
+  other.on('pageerror', (error) => errors.push(String(error)));
+  await other.goto(link);
+  await settled(other);
+  assert.equal(await kept(other), before);
+  assert.equal((await state(other)).edits, 1);
+  assert.equal((await state(other)).compared !== null, true);
+
+  // the search's values are marked, and come back
+  await other.click('#tab-adjust');
+  assert.equal(await other.locator('.card.chosen em').innerText(), 'edited');
+  await other.getByRole('button', { name: 'Reset' }).click();
+  assert.equal((await state(other)).edits, 0);
+  const values = () => {
+    const { document: d } = window.shigusa;
+    return { found: d.result.candidates[d.chosen].parameters.find(({ name }) => name === 'squat_deg').value, shown: Number(document.querySelector('[data-parameter="squat_deg"]').closest('.slider').querySelector('.number').value) };
+  };
+  const { found, shown } = await other.evaluate(values);
+  assert.equal(shown, Math.round(found));
+  await other.keyboard.press('Control+z');
+  assert.equal((await state(other)).edits, 1);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a result that is dropped back brings the same, mirrored and edited again too', { timeout: 180_000 }, async () => {
+  const { page, context, errors } = await open();
+  await settled(page);
+  await work(page);
+  await page.keyboard.press('m');
+  await page.waitForFunction(() => window.shigusa.document.goals[0].effector === 'left_hand');
+  const assigned = () => page.evaluate(() => Object.values(window.shigusa.document.edits).map((edit) => Object.keys(edit.assignments)));
+  assert.deepEqual(await assigned(), [[]], 'the mirrored edit is where the next one begins');
+  const mirrored = await take(page, 'result');
+  const first = await kept(page);
+  await page.click('#tab-adjust');
+  await page.locator('[data-parameter="squat_deg"]').press('ArrowRight');
+  await page.waitForFunction(() => Object.values(window.shigusa.document.edits)[0].assignments.squat_deg !== undefined);
+  const edited = await take(page, 'result');
+  const second = await kept(page);
+  assert.notEqual(first, second);
+
+  const { candidates, studio } = JSON.parse(edited);
+  assert.deepEqual(Object.keys(studio.edits), ['2']);
+  assert.notDeepEqual(candidates[2].parameters, studio.edits[2].found.parameters, 'others read the edited motion');
+
+  await page.goto('about:blank');
+  for (const [bytes, before] of [[mirrored, first], [edited, second]]) {
+    await page.goto(site.url);
+    await settled(page);
+    await drop(page, 'result.json', bytes);
+    await page.waitForFunction(() => window.shigusa.document.goals[0].effector === 'left_hand');
+    await settled(page);
+    assert.equal(await kept(page), before);
+  }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a search that was going on begins again', { timeout: 180_000 }, async () => {
+  const { page, context, errors } = await open();
+  await settled(page);
+  const task = { goals: [{ effector: 'right_hand', position_m: [0.2, 0.6, 0.5] }], character: 'human', evaluations: 1_000_000 };
+  await drop(page, 'task.json', JSON.stringify(task));
+  await page.waitForFunction(() => window.shigusa.state.search?.fraction > 0 && window.shigusa.document.settings.evaluations === 1_000_000);
+  const link = await copyLink(page);
+  const other = await context.newPage();
+  await other.goto(link);
+  await other.waitForFunction(() => window.shigusa?.state.search?.fraction > 0 && window.shigusa.document?.goals[0].position_m[0] === 0.2);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a damaged or hostile link is told of, and the page opens as usual', { timeout: 300_000 }, async () => {
+  const { page, context, errors } = await open();
+  await settled(page);
+  const link = await copyLink(page);
+  const good = unpacked(link);
+  const with_ = (change) => packed(JSON.stringify({ ...good, ...change }));
+  const bad = {
+    letters: `${kBegin}%%%`,
+    cut: link.slice(0, link.length / 2),
+    'not deflated': kBegin + Buffer.from(JSON.stringify(good)).toString('base64url'),
+    'too large': packed(' '.repeat(5_000_000)),
+    deep: packed(`${'['.repeat(100_000)}${']'.repeat(100_000)}`),
+    'deep within': packed(JSON.stringify(good).replace('"version":1', `"version":1,"more":${'['.repeat(500)}${']'.repeat(500)}`)),
+    'no work': packed('[]'),
+    version: with_({ version: 2 }),
+    choice: with_({ chosen: 99 }),
+    'no task': with_({ task: { goals: 1 } }),
+    edits: with_({ edits: { 0: { assignments: { squat_deg: 3 } } } }),
+    tab: with_({ picture: { ...good.picture, tab: 'x' } }),
+    look: with_({ picture: { ...good.picture, look: { position_m: [0, 1, 1e9], target_m: [0, 0, 0] } } }),
+    character: with_({ character: { spec: { source: 'nobody' } } }),
+    'goals and motions': with_({ found: undefined, task: { goals: [{ effector: 'right_hand', position_m: 'here' }] } }),
+    motions: with_({ found: { ...good.found, candidates: [{ parameters: { weights: 1 } }] } }),
+    assignment: with_({ edits: { 0: { assignments: { nothing: '3' } } } }),
+  };
+  for (const [name, hash] of Object.entries(bad)) {
+    await page.goto('about:blank');
+    await page.goto(hash);
+    await settled(page);
+    const text = await page.locator('.message').innerText();
+    assert.match(text, /link/i, `${name}: ${text}`);
+    const now = await state(page);
+    assert.equal(now.character, 'human', name);
+    assert.equal(now.status, 'reached', name);
+  }
+  // a task that the engine refuses gives way to the one of the motions
+  await page.goto('about:blank');
+  await page.goto(with_({ task: { ...good.task, goals: [{ effector: 'right_hand', position_m: [0, 'up', 0] }] } }));
+  await settled(page);
+  assert.deepEqual((await state(page)).goals, good.task.goals);
+  // over what is there already, nothing is lost
+  await page.keyboard.press('Digit2');
+  const before = await kept(page);
+  await page.evaluate(() => {
+    location.hash = '#work=1.%%%';
+  });
+  await page.waitForFunction(() => window.shigusa.state.notice?.key === 'badLink');
+  assert.equal(await kept(page), before);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a work that is too much for a link is offered as a file', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await open();
+  await settled(page);
+  const most = await page.evaluate(() => window.shigusa.facts.ranges.obstacles[1]);
+  let seed = 1;
+  const letters = () => Array.from({ length: 1000 }, () => String.fromCharCode(97 + ((seed = (seed * 16807) % 2147483647) % 26))).join('');
+  const obstacles = Array.from({ length: most }, (_, k) => ({ name: letters(), position_m: [0.1 * k, 0.1, -3], size_m: [0.1, 0.1, 0.1] }));
+  const task = { character: 'human', goals: [{ effector: 'right_hand', position_m: [-0.15, 0.9, 0.45] }], obstacles };
+  await drop(page, 'task.json', JSON.stringify(task));
+  await page.waitForFunction(() => window.shigusa.document.goals[0].position_m[1] === 0.9);
+  await settled(page);
+  await page.click('#tab-take');
+  await page.click('[data-format="link"]');
+  await page.waitForFunction(() => window.shigusa.state.notice?.key === 'largeLink');
+  assert.match(await page.locator('.message').innerText(), /Save the result/);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#panel-take').getByRole('button', { name: 'Result' }).last().click()]);
+  assert.match(download.suggestedFilename(), /result\.json$/);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
