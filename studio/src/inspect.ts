@@ -28,6 +28,8 @@ export interface Inspection {
   drawn(effector: string): Vec3 | null;
   /** From where the picture is seen. */
   look(): Look;
+  /** Joints that are red on the figure. */
+  readonly strained: readonly string[];
   /** Where a handle is in the page, px. */
   handle(effector: string): [number, number] | null;
 }
@@ -62,6 +64,9 @@ export function expose(studio: Studio, view: View): void {
     },
     get time() {
       return studio.clock.time;
+    },
+    get strained() {
+      return view.strainedNames;
     },
     memory: () => studio.engine.memory(),
     look: () => view.look(),

@@ -15,6 +15,7 @@ import { Tabs } from './panels/tabs';
 import { TakePanel } from './panels/take';
 import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
+import { VerdictLine } from './panels/verdict';
 import { openFiles } from './state/files';
 import { characterFormats } from './state/formats';
 import type { Studio } from './state/studio';
@@ -68,6 +69,7 @@ export class Page {
     const dialog = helpDialog();
     const openHelp = (): void => dialog.showModal();
     const gallery = new Gallery(studio, this.thumbnails);
+    const verdict = new VerdictLine(studio);
     const timeline = new Timeline(studio);
     const notices = new Notices(studio);
     const tabs = new Tabs(studio, {
@@ -75,10 +77,10 @@ export class Page {
       body: new BodyPanel(studio), plots: new PlotsPanel(studio), take: new TakePanel(studio),
     });
     const top = new TopBar(studio, openHelp);
-    this.panels = [gallery, timeline, notices, tabs, top];
+    this.panels = [gallery, verdict, timeline, notices, tabs, top];
     this.canvas.setAttribute('aria-label', t('viewLabel'));
     this.stage.replaceChildren(this.canvas, this.label, notices.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
-    const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, timeline.element), tabs.element);
+    const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, verdict.element, timeline.element), tabs.element);
     this.root.replaceChildren(top.element, main, dialog);
     this.keyboard = new Keyboard(studio, this.canvas, openHelp);
   }

@@ -66,6 +66,11 @@ export async function openStudio(browser, url, options = {}) {
   return { page, context, errors };
 }
 
+/** The address at which the page opens a task. */
+export function linkTo(site, task) {
+  return `${site.url}#task=${Buffer.from(JSON.stringify(task)).toString('base64url')}`;
+}
+
 export async function settled(page) {
   await page.waitForFunction(() => {
     const { state } = window.shigusa ?? {};

@@ -29,6 +29,7 @@ export const englishBody: BodyWords = {
     ankle: 'ankle', knee: 'knee', hip: 'hip', hips: 'hips', spine: 'lower back', chest: 'middle back', upper_chest: 'upper back', neck: 'neck', head: 'head',
     clavicle: 'collarbone', shoulder: 'shoulder', elbow: 'elbow', wrist: 'wrist', hand: 'hand', foot: 'foot', toes: 'toes', trunk: 'trunk',
     upper_arm: 'upper arm', lower_arm: 'forearm', upper_leg: 'thigh', lower_leg: 'shank', arm: 'arm', leg: 'leg', legs: 'legs', arms: 'arms',
+    thigh: 'thigh', shank: 'shank', forearm: 'forearm', pelvis: 'pelvis', jaw: 'jaw', floor: 'floor',
   },
   axes: {
     flexion: 'flexion', abduction: 'abduction', rotation: 'rotation', inversion: 'inversion', lateral: 'side bend',
@@ -61,6 +62,7 @@ export const japaneseBody: BodyWords = {
     ankle: '足首', knee: '膝', hip: '股関節', hips: '腰', spine: '腰椎', chest: '胸椎', upper_chest: '上部胸椎', neck: '首', head: '頭',
     clavicle: '鎖骨', shoulder: '肩', elbow: '肘', wrist: '手首', hand: '手', foot: '足', toes: 'つま先', trunk: '体幹',
     upper_arm: '上腕', lower_arm: '前腕', upper_leg: '大腿', lower_leg: '下腿', arm: '腕', leg: '脚', legs: '両脚', arms: '両腕',
+    thigh: '大腿', shank: '下腿', forearm: '前腕', pelvis: '骨盤', jaw: '顎', floor: '床',
   },
   axes: {
     flexion: '屈曲', abduction: '外転', rotation: '回旋', inversion: '内がえし', lateral: '側屈',

@@ -14,9 +14,8 @@ export const en = {
   searching: 'Searching …', cancel: 'Cancel', searchAgain: 'Search again', best: 'best {score}',
   cancelled: 'The search was stopped.',
   unreachable: 'Out of reach: the closest motion ends {cm} cm short of the goal.',
-  unsteady: 'The goal is met, but by no motion that this body could make: {reason}.',
-  chosenImpossible: 'No body could make this motion: {reason}.',
-  couldIn: 'In {s} s it could.',
+  unsteady: 'No motion was found that this body could make: {reason}.',
+  couldIn: 'It could in {s} s.',
   editMisses: 'With these values the motion ends {cm} cm short of the goal.',
   previewMisses: '{cm} cm out of reach',
   // gallery
@@ -24,9 +23,13 @@ export const en = {
   compare: 'Compare', compareWith: 'Compare with motion {n}', comparing: 'compared',
   beside: 'side by side', over: 'overlaid', strip: 'Poses of motion {n} from its beginning to its end',
   fewer: 'Other motions are nearly the same, or much worse.', edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
-  strains: 'strains', impossible: 'impossible',
-  needsStrength: '{joint} needs {percent} % of its strength', pressesOutside: 'the floor would have to press {cm} cm outside the feet',
-  isIn: '{limb} is {cm} cm in {other}', isBeyond: '{joint} is {deg}° beyond its range',
+  // verdict
+  possible: 'can be done', strains: 'hard to do', impossible: 'not possible', because: '{verdict}: {reason}', ofFreedom: '{words} ({freedom})', why: 'Why', andMore: '{n} more', takeTime: 'Take {s} s',
+  needsStrength: '{joint} at {percent} % of its strength', fallsForward: 'would fall forward: a step is needed', fallsBack: 'would fall backward: a step is needed',
+  fallsLeft: 'would fall to the left: a step is needed', fallsRight: 'would fall to the right: a step is needed',
+  fallsOver: 'would fall over: the weight is not above the foot that stands', losesBalance: 'would lose its balance: the weight presses {cm} cm outside the feet',
+  barelyStands: 'barely keeps its balance: the weight presses {cm} cm outside the feet',
+  isIn: '{limb} goes {cm} cm into the {other}', isBeyond: '{joint} goes {deg}° beyond its range', metHard: 'met, but hard to do', showMoment: 'Show the moment',
   knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
   // timeline
   play: 'Play', pause: 'Pause', time: 'Time', speed: 'Speed', loop: 'Loop', overlays: 'Paths and balance', seconds: '{t} s',

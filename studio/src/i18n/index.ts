@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The language that the page speaks.
 import { type BodyWords, englishBody, japaneseBody, type TableWords, tableWords } from './body_words';
-import type { Facts, Reason } from '../../../bindings/wasm/src/types';
+import type { Facts } from '../../../bindings/wasm/src/types';
 import { en, type Key } from './en';
 import { ja } from './ja';
 
@@ -41,26 +41,19 @@ export function jointName(name: string): string {
   return capital(table.join(match ? (table.sides[match[1]!] ?? '') : '', joint));
 }
 
+/** "flexion" */
+export function axisName(axis: string): string {
+  return words().axes[axis] ?? axis.replaceAll('_', ' ');
+}
+
 /** "right_knee.flexion" */
 export function freedomName(name: string): string {
   const [joint = '', axis = ''] = name.split('.');
-  const spoken = words().axes[axis] ?? axis.replaceAll('_', ' ');
-  return `${jointName(joint)} ${spoken}`.trim();
+  return `${jointName(joint)} ${axisName(axis)}`.trim();
 }
 
-/** What keeps a motion from being possible. */
-export function reasonWords(reason: Reason): string {
-  switch (reason.kind) {
-    case 'strength':
-      return t('needsStrength', { joint: freedomName(reason.joint ?? ''), percent: Math.round(100 * (reason.share ?? 0)) });
-    case 'pressure':
-      return t('pressesOutside', { cm: Math.round((reason.outside_mm ?? 0) / 10) });
-    case 'collision':
-      return t('isIn', { limb: jointName(reason.limb ?? ''), other: jointName(reason.other ?? ''), cm: ((reason.depth_mm ?? 0) / 10).toFixed(1) });
-    case 'limit':
-      return t('isBeyond', { joint: freedomName(reason.joint ?? ''), deg: Math.round(reason.excess_deg ?? 0) });
-  }
-}
+/** A name as it stands within a sentence. */
+export const inSentence = (name: string): string => name.charAt(0).toLowerCase() + name.slice(1);
 
 /** "squat_deg", "right_knee.flexion.weight", "right_arm.swivel_deg", "bow". */
 export function parameterName(name: string): string {

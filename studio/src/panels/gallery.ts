@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The candidates as cards: a moving picture, the word that tells one from the others, its strip, a bar for each criterion.
 import type { Candidate } from '../../../bindings/wasm/src/types';
-import { engineWord, postureWords, reasonWords, t } from '../i18n';
+import { engineWord, postureWords, t } from '../i18n';
+import { reasonsWords, verdictWords } from '../i18n/verdict_words';
 import { ranking, scoreOf } from '../state/criteria';
 import { candidateAt, type Document } from '../state/model';
 import type { Studio } from '../state/studio';
 import type { Thumbnails } from '../view/thumbnails';
 import { fill, h, iconButton, type Panel, round } from './dom';
+import { verdictClass } from './verdict';
 
 interface Card {
   element: HTMLElement;
@@ -36,12 +38,6 @@ function differenceOf(document: Document, index: number): string {
   const ways = [[spread(knees), t('knees', { deg: Math.round(knees(index)) })], [spread(turn), t('turned', { deg: Math.round(Math.abs(turn(index))) })],
     [spread(swivel), t('elbow', { deg: Math.round(swivel(index)) })]] as const;
   return `${words} · ${[...ways].sort((a, b) => b[0] - a[0])[0]![1]}`;
-}
-
-/** Whether the body could make the motion, and the worst of what keeps it from that. */
-function verdictOf({ summary }: Candidate): string {
-  const [worst] = summary.reasons;
-  return summary.verdict === 'possible' || !worst ? '' : `${t(summary.verdict)}: ${reasonWords(worst)}`;
 }
 
 export class Gallery implements Panel {
@@ -141,10 +137,11 @@ export class Gallery implements Panel {
       bar.style.setProperty('--share', String(Math.max(penalty / highest, 0.04)));
       return bar;
     }));
-    card.warning.textContent = verdictOf(candidate);
-    card.warning.title = candidate.summary.reasons.map(reasonWords).join('\n');
-    card.warning.classList.toggle('impossible', candidate.summary.verdict === 'impossible');
-    card.warning.hidden = card.warning.textContent === '';
+    const judged = verdictClass(candidate);
+    card.warning.hidden = judged === 'good';
+    card.warning.className = `warning ${judged}`;
+    card.warning.textContent = verdictWords(document, candidate);
+    card.warning.title = reasonsWords(document, candidate).join('\n');
     void this.drawStrip(card, candidate, index);
   }
 

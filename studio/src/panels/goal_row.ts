@@ -5,6 +5,7 @@ import type { Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import { jointName, t } from '../i18n';
 import { chosenCandidate, type Document, goalOf } from '../state/model';
 import type { Studio } from '../state/studio';
+import { isMet } from '../state/verdict';
 import { kFarthest, kLowest } from '../view/handles';
 import type { View } from '../view/view';
 import { fill, h, iconButton, round } from './dom';
@@ -82,11 +83,14 @@ export class GoalRow {
   }
 
   private showReached(document: Document): void {
-    const reached = chosenCandidate(document)?.summary.reached.find((r) => r.effector === this.effector);
-    if (!reached) return;
-    const good = reached.error_mm <= 1;
-    this.reached.className = good ? 'good' : 'bad';
-    fill(this.reached, good ? t('reachedBy') : t('short', { cm: round(reached.error_mm / 10, 1) }));
+    const candidate = chosenCandidate(document);
+    const reached = candidate?.summary.reached.find((r) => r.effector === this.effector);
+    if (!candidate || !reached) return;
+    const { verdict } = candidate.summary;
+    const met = isMet(reached.error_mm);
+    this.reached.className = !met || verdict === 'impossible' ? 'bad' : verdict === 'strains' ? 'hard' : 'good';
+    const words = verdict === 'impossible' ? t('impossible') : t(verdict === 'strains' ? 'metHard' : 'reachedBy');
+    fill(this.reached, met ? words : t('short', { cm: round(reached.error_mm / 10, 1) }));
   }
 
   private place(input: HTMLInputElement, index: number): void {

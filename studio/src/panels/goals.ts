@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The goals as numbers, and how motions for them are searched.
 import { engineWord, t } from '../i18n';
-import type { Document, SearchSettings } from '../state/model';
+import { chosenCandidate, type Document, type SearchSettings } from '../state/model';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
 import { withPreset } from '../state/task';
 import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
+import { VerdictBox } from './verdict';
 
 /** How many times as many motions a search scores as the preset would by itself. */
 const kEfforts = { effortQuick: 1 / 3, effortNormal: 1, effortThorough: 10 / 3 } as const;
@@ -17,6 +18,7 @@ const efforts = Object.keys(kEfforts) as Effort[];
 export class GoalsPanel implements Panel {
   readonly element: HTMLElement;
   private readonly list = h('div', { class: 'goal-list' });
+  private readonly verdict: VerdictBox;
   private readonly duration: HTMLInputElement;
   private readonly method: HTMLSelectElement;
   private readonly effort: HTMLSelectElement;
@@ -38,7 +40,8 @@ export class GoalsPanel implements Panel {
     this.effort = select(t('effort'), efforts.map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
       this.change({ evaluations: this.evaluations(this.method.value, key) }));
     this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.list,
+    this.verdict = new VerdictBox(studio);
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element, this.list,
       h('div', { class: 'fields' },
         h('label', {}, h('span', {}, t('duration')), this.duration, t('s')),
         h('label', {}, h('span', {}, t('method')), this.method),
@@ -92,6 +95,7 @@ export class GoalsPanel implements Panel {
       this.rows = effectorsOf(document.character).map((effector) => new GoalRow(this.studio, this.view, effector));
       fill(this.list, ...this.rows.map((row) => row.element));
     }
+    this.verdict.update(document, chosenCandidate(document));
     for (const row of this.rows) row.update(document, this.studio.store.state.selected);
     const { settings } = document;
     this.duration.value = settings.duration_s === null ? '' : String(settings.duration_s);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Notices over the view: the sentence that says what to drag, the search's progress, messages.
-import { type Key, reasonWords, t } from '../i18n';
+import { type Key, t } from '../i18n';
+import { reasonWords } from '../i18n/verdict_words';
 import { candidateAt, type Document, type Notice } from '../state/model';
 import type { Studio } from '../state/studio';
+import { reasonsOf } from '../state/verdict';
 import { button, fill, h, iconButton, type Panel, round } from './dom';
 
 export function noticeText(notice: Notice): string {
@@ -12,14 +14,15 @@ export function noticeText(notice: Notice): string {
   return `${first} ${message}`;
 }
 
-/** That the chosen motion is impossible, why, and in what time it would not be. */
+/** That no motion is possible, why the chosen one is not, and in what time it would be; of a single one the timeline's head tells. */
 function impossibleText(document: Document | null): string {
-  const chosen = document && candidateAt(document, document.chosen)?.summary;
-  const worst = chosen?.reasons[0];
-  if (!chosen || chosen.verdict !== 'impossible' || !worst) return '';
-  const none = document.result?.summary.status === 'unsteady';
-  const why = t(none ? 'unsteady' : 'chosenImpossible', { reason: reasonWords(worst) });
-  return chosen.possible_in_s === undefined ? why : `${why} ${t('couldIn', { s: chosen.possible_in_s.toFixed(1) })}`;
+  const candidate = document && candidateAt(document, document.chosen);
+  if (!candidate || document.result?.summary.status !== 'unsteady' || candidate.summary.verdict !== 'impossible') return '';
+  const [worst] = reasonsOf(document, candidate);
+  if (!worst) return '';
+  const why = t('unsteady', { reason: reasonWords(document, candidate, worst) });
+  const { possible_in_s: seconds } = candidate.summary;
+  return seconds === undefined ? why : `${why} ${t('couldIn', { s: seconds.toFixed(1) })}`;
 }
 
 export class Notices implements Panel {

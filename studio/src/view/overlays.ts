@@ -70,13 +70,16 @@ export class Overlays {
     this.palette = palette;
     for (const track of this.tracks) track.line.material.color = palette.path;
     this.massTrack.line.material.color = palette.mass;
-    this.mass.material.color = palette.mass;
-    this.plumb.material.color = palette.mass;
-    this.foot.material.color = palette.mass;
-    this.supportFill.color = palette.support;
-    this.supportEdge.color = palette.support;
+    this.colourBalance(palette);
     this.missing.material.color = palette.missing;
     this.missingEnd.material.color = palette.missing;
+  }
+
+  /** Red where the motion would leave what the body stands on. */
+  private colourBalance(palette: Palette): void {
+    const falls = this.candidate?.summary.reasons.some(({ kind }) => kind === 'pressure') === true;
+    for (const material of [this.mass.material, this.plumb.material, this.foot.material]) material.color = falls ? palette.missing : palette.mass;
+    for (const material of [this.supportFill, this.supportEdge]) material.color = falls ? palette.missing : palette.support;
   }
 
   setSupport(description: CharacterDescription): void {
@@ -99,6 +102,7 @@ export class Overlays {
     this.candidate = candidate;
     this.object.visible = candidate !== null;
     if (!candidate) return;
+    if (this.palette) this.colourBalance(this.palette);
     const { effectors, centre_of_mass: mass } = candidate.series;
     const count = Math.floor(effectors.columns / 3);
     while (this.tracks.length > count) {

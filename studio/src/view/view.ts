@@ -13,6 +13,7 @@ import { Overlays } from './overlays';
 import { shownTheme } from './palette';
 import { poseNodes } from './pose';
 import { Stage } from './stage';
+import { StrainedJoints } from './strained';
 
 const kBeside = 0.55; // shares of the stature between two that are compared
 
@@ -28,6 +29,7 @@ export class View {
   private readonly obstacles = new Obstacles();
   private readonly overlays = new Overlays();
   private readonly otherOverlays = new Overlays();
+  private readonly strained = new StrainedJoints();
   private character: Character | null = null;
   private figure: Figure | null = null;
   private other: Figure | null = null;
@@ -50,7 +52,7 @@ export class View {
       drop: (effector, position, rotation) => void studio.dropGoal(effector, position, rotation),
       hover: onHover,
     });
-    this.stage.scene.add(this.obstacles.object, this.overlays.object, this.otherOverlays.object, this.handles.object);
+    this.stage.scene.add(this.obstacles.object, this.overlays.object, this.otherOverlays.object, this.strained.object, this.handles.object);
     this.stage.onFrame = (seconds) => this.advance(seconds);
     this.stage.onDraw = () => this.pose();
     studio.eye = this;
@@ -68,6 +70,7 @@ export class View {
     this.stage.paint(shownTheme(theme));
     this.overlays.paint(this.stage.palette);
     this.otherOverlays.paint({ ...this.stage.palette, path: this.stage.palette.comparedPath });
+    this.strained.paint(this.stage.palette);
     this.handles.paint(this.stage.palette);
     this.obstacles.paint(this.stage.palette);
     this.colour();
@@ -133,6 +136,7 @@ export class View {
     this.overlays.show(this.studio.shown(), goals);
     this.obstacles.show(state.document?.settings.more.obstacles);
     this.otherOverlays.show(this.compared(), []);
+    this.strained.show(this.studio.shown(), state.document?.character.description);
   }
 
   private compared(): Candidate | null {
@@ -203,6 +207,7 @@ export class View {
     this.figure.object.updateMatrixWorld(true);
     this.overlays.pose(time, state.overlays && !state.dragging);
     this.otherOverlays.pose(time, state.overlays && !state.dragging);
+    this.strained.pose(time, (joint) => this.place(joint.replace(/_ankle$/, '_foot')));
     this.handles.object.position.x = apart / 2;
     this.handles.object.visible = apart === 0; // what is dragged is where the engine has it
     this.handles.update(document.goals, state.selected, this.rotate, (effector) => this.place(effector));
@@ -221,6 +226,11 @@ export class View {
     const file = reached['gltf_node' as keyof typeof reached] as unknown as number | undefined;
     const index = this.character.description.nodes.findIndex((node) => (file === undefined ? node.name === reached.joint : node.file_node === file));
     return this.figure.nodes[index]?.getWorldPosition(new Vector3()).toArray() ?? null;
+  }
+
+  /** Joints that are marked as strained; for tests. */
+  get strainedNames(): string[] {
+    return this.strained.names;
   }
 
   /** Where a handle is in the page, px; for tests. */
