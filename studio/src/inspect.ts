@@ -25,6 +25,8 @@ export interface Inspection {
   hand(effector?: string): Vec3 | null;
   /** Where an effector's node is drawn now, m. */
   drawn(effector: string): Vec3 | null;
+  /** Where the ghosts have an effector's node, m. */
+  ghosts(effector: string): Vec3[];
   /** Where a handle is in the page, px. */
   handle(effector: string): [number, number] | null;
 }
@@ -62,6 +64,7 @@ export function expose(studio: Studio, view: View): void {
     },
     memory: () => studio.engine.memory(),
     drawn: (effector) => view.drawn(effector),
+    ghosts: (effector) => view.ghostsOf(effector),
     handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {
       const candidate = studio.chosen();
