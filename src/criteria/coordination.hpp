@@ -10,14 +10,14 @@
 
 namespace shigusa {
 
-// Of a knee's bend, what goes with a trunk that leans far, for a hand that ends as far ahead as
-// people like it (kHandAhead, in statures) …
-inline constexpr double kKneeOfTrunk = 1.2;
+// Of a knee's bend, what goes with a trunk that leans far, for a hand that ends as far from the
+// ankles over the floor as people like it (kHandAhead, in statures) …
+inline constexpr double kKneeOfTrunk = 1.7;
 // … the lean (rad) about which knees begin to go along …
 inline constexpr double kKneesBegin = radians(10);
 // … and how much less they go along for a hand that ends nearer to the ankles: all of it at
 // kHandAhead and beyond, this share of it at none.
-inline constexpr double kHandAhead = 0.23;
+inline constexpr double kHandAhead = 0.32;
 inline constexpr double kKneesNear = 0.5;
 // A load (kg) in the hand bends them more, by this share of it: stoops are of light loads only
 // (Burgess-Limerick and Abernethy, of 39 persons with light and heavier loads).
@@ -53,10 +53,12 @@ class Coordination {
     const Vec3<S> hips = PosturePoints::middle(points_.hips, frame.kinematics);
     const Vec3<S> line = PosturePoints::middle(points_.shoulders, frame.kinematics) - hips;
     const S lean = max(atan2(line.z, line.y), S(0));
-    S ahead(0);
-    for (const GoalHand& goal : hands_) ahead = ahead + goal.hand.in(frame.kinematics).z;
-    if (!hands_.empty()) ahead = ahead * S(1.0 / static_cast<double>(hands_.size()));
-    const S far = clamp((ahead - S(points_.ankles.z)) * S(per_ahead_), S(0), S(1));
+    Vec3<S> hand{};
+    for (const GoalHand& goal : hands_) hand += goal.hand.in(frame.kinematics);
+    if (!hands_.empty()) hand = hand * S(1.0 / static_cast<double>(hands_.size()));
+    const S x = hand.x - S(points_.ankles.x);
+    const S z = hand.z - S(points_.ankles.z);
+    const S far = min(sqrt(x * x + z * z) * S(per_ahead_), S(1));
     const S share = S(of_trunk_) * (S(kKneesNear) + S(1.0 - kKneesNear) * far);
     const S knees = share * lean * lean / (lean + S(kKneesBegin));
     S bent(0);

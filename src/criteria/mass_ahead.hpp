@@ -16,7 +16,7 @@ inline constexpr double kMassLevel = 0.08;
 // … and in a reach down by kLowReach of the stature or more. There recorded people's goes by 5 to
 // 14 cm, 23 to 61 % of the foot from near goals to far ones (Pozzo, Stapley and Papaxanthis, Exp.
 // Brain Res. 144 (2002) 343): by this share of what the hands end ahead of kMassNear (m).
-inline constexpr double kMassLow = 0.36;
+inline constexpr double kMassLow = 0.34;
 inline constexpr double kMassNear = 0.18;
 inline constexpr double kLowReach = 0.3;
 

@@ -90,6 +90,7 @@ void Island::begin() {
     cma_es_.emplace(searched_,
                     CmaEsSettings{.evaluations = left,
                                   .step = plan_.step,
+                                  .scales = scales_,
                                   .mirrored = everywhere,
                                   .diagonal_until = everywhere ? kScalesAlone * searched_.genes : 0,
                                   .seed = task_.seed,
@@ -106,6 +107,7 @@ void Island::begin() {
 // that begins upright finds its way down by chance.
 void Island::begin_bent() {
   std::vector<double> points = nearest_starts(problem_, space_, kNearestStarts);
+  scales_ = start_scales(points, space_.genes());
   const std::vector<double> bent = bent_starts(space_);
   points.insert(points.end(), bent.begin(), bent.end());
   bring_in(points);

@@ -83,6 +83,7 @@ class Island {
   SearchProblem searched_;
   Progress progress_;  // of what comes after the starts
   std::vector<double> moved_;
+  std::vector<double> scales_;   // of what its first steps are, by gene; none: all alike
   SearchResult found_;           // but for what CMA-ES has found
   std::optional<CmaEs> cma_es_;  // once it has begun
   bool begun_ = false;

@@ -2,6 +2,7 @@
 #include "generate/start_table.hpp"
 
 #include <algorithm>
+#include <shigusa/scalar.hpp>
 #include <string>
 
 #include "core/index.hpp"
@@ -152,6 +153,28 @@ std::vector<double> nearest_starts(const ReachProblem& problem, const ParameterS
     sums[k] = counts[gene] > 0.0 ? sums[k] / counts[gene] : plain[gene];
   }
   return sums;
+}
+
+std::vector<double> start_scales(std::span<const double> points, int genes) {
+  const std::size_t n = index(genes);
+  const std::size_t count = points.size() / n;
+  if (count < 2) return {};
+  std::vector<double> scales(n, 0.0);  // first the variances
+  double sum = 0.0;
+  for (std::size_t g = 0; g < n; ++g) {
+    double mean = 0.0;
+    for (std::size_t k = 0; k < count; ++k) mean += points[k * n + g];
+    mean /= static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double off = points[k * n + g] - mean;
+      scales[g] += off * off;
+    }
+    sum += scales[g];
+  }
+  if (!(sum > 0.0)) return {};
+  const double mean = sum / static_cast<double>(n);
+  for (double& scale : scales) scale = max(sqrt(scale / mean), kLeastScale);
+  return scales;
 }
 
 }  // namespace shigusa

@@ -45,7 +45,7 @@ struct StartTable {
 // How many rows of a table a search looks at: two batches of 16 with the bent postures.
 inline constexpr int kNearestStarts = 16;
 // Standard deviation that a search begins with where it knows such places.
-inline constexpr double kSearchStep = 0.1;
+inline constexpr double kSearchStep = 0.07;
 
 // The points (points × genes) that are upright but for each lean of the trunk with each bend of the
 // knees: weights alone do not bend a knee.
@@ -57,5 +57,11 @@ inline constexpr double kSearchStep = 0.1;
 // is the mean of theirs. No points where no goal is a hand's or no table serves the space.
 [[nodiscard]] std::vector<double> nearest_starts(const ReachProblem& problem,
                                                  const ParameterSpace& space, int most);
+
+// How far a search steps along each gene (genes), beside kSearchStep: by how much the points
+// (points × genes) of nearest_starts() differ in it, as what leads to goals near by does. Their mean
+// square is 1 but for those that differ in nothing, which are kLeastScale. None for no points.
+[[nodiscard]] std::vector<double> start_scales(std::span<const double> points, int genes);
+inline constexpr double kLeastScale = 0.3;
 
 }  // namespace shigusa

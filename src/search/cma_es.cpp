@@ -28,6 +28,12 @@ void check(const SearchProblem& problem, const CmaEsSettings& s) {
   SHG_CHECK(s.step >= 1e-6 && s.step <= 1.0, fmt::format("step is {}, allowed: 1e-6..1", s.step));
   SHG_CHECK(s.polish_step >= 1e-6 && s.polish_step <= 1.0,
             fmt::format("polish_step is {}, allowed: 1e-6..1", s.polish_step));
+  SHG_CHECK(s.scales.empty() || static_cast<int>(s.scales.size()) == problem.genes,
+            fmt::format("{} scales for {} genes", s.scales.size(), problem.genes));
+  for (const double scale : s.scales) {
+    SHG_CHECK(scale >= 1e-6 && scale <= 1e6,
+              fmt::format("a scale is {}, allowed: 1e-6..1e6", scale));
+  }
   SHG_CHECK(s.diagonal_until >= 0,
             fmt::format("diagonal_until is {}, allowed: 0 and more", s.diagonal_until));
   SHG_CHECK(s.precision >= 0.0 && is_finite(s.precision),
@@ -90,8 +96,10 @@ void CmaEs::begin_descent() {
     for (int k = 0; k < scorer_.genes(); ++k) mean.push_back(random_.uniform());
   }
   const double step = polishes ? settings_.polish_step : settings_.step;
+  CmaRun run(std::move(mean), step, settings_.population, CmaShape::diagonal);
+  if (first && !settings_.scales.empty()) run.scale(settings_.scales);
   descent_.emplace(
-      Descent{.run = CmaRun(std::move(mean), step, settings_.population, CmaShape::diagonal),
+      Descent{.run = std::move(run),
               .standstill =
                   Standstill(settings_.precision, 10 + 12 * scorer_.genes() / settings_.population),
               .begun_at = spent,

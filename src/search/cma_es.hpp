@@ -20,6 +20,7 @@ struct CmaEsSettings {
   int population = 0;        // 4..10000; 0: the least multiple of 16 from 4 + 3 ln(genes) on
   double step = 0.3;         // standard deviation that a run begins with, 1e-6..1
   double polish_step = 0.1;  // the same for a run from the best, 1e-6..1
+  std::vector<double> scales{};  // (genes) of the first run's deviations, in `step`; none: all 1
   double precision = 1e-9;   // a fall of the best score that counts as none, ≥ 0
   bool mirrored = false;     // the second half of a generation mirrors the first
   int diagonal_until = 0;    // evaluations after which more than C's diagonal is learnt

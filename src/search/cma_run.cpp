@@ -70,6 +70,13 @@ CmaRun::CmaRun(std::vector<double> mean, double step, int population, CmaShape s
   factor_ = covariance_;
 }
 
+void CmaRun::scale(std::span<const double> scales) {
+  for (std::size_t i = 0; i < n_; ++i) {
+    covariance_[i * n_ + i] = scales[i] * scales[i];
+    factor_[i * n_ + i] = scales[i];
+  }
+}
+
 void CmaRun::learn_whole() {
   if (shape_ == CmaShape::whole) return;
   shape_ = CmaShape::whole;

@@ -35,6 +35,10 @@ class CmaRun {
   // mean (genes) in [0, 1]; step > 0; population ≥ 4.
   CmaRun(std::vector<double> mean, double step, int population, CmaShape shape = CmaShape::whole);
 
+  // Makes the deviation along each coordinate so many times as large, before the first sample.
+  // scales (genes) > 0.
+  void scale(std::span<const double> scales);
+
   // The next generation, (population × genes) in [0, 1]. `mirrored`: its second half lies on the
   // other side of the mean, point by point.
   [[nodiscard]] const std::vector<double>& sample(Random& random, bool mirrored = false);

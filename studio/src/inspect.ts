@@ -30,6 +30,8 @@ export interface Inspection {
   look(): Look;
   /** Joints that are red on the figure. */
   readonly strained: readonly string[];
+  /** Where the ghosts have an effector's node, m. */
+  ghosts(effector: string): Vec3[];
   /** Where a handle is in the page, px. */
   handle(effector: string): [number, number] | null;
 }
@@ -71,6 +73,7 @@ export function expose(studio: Studio, view: View): void {
     memory: () => studio.engine.memory(),
     look: () => view.look(),
     drawn: (effector) => view.drawn(effector),
+    ghosts: (effector) => view.ghostsOf(effector),
     handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {
       const candidate = studio.chosen();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keys for everything that a pointer does. Letters typed into a field stay there.
 import type { Vec3 } from '../../bindings/wasm/src/types';
+import { viewKey } from './panels/view_menu';
 import { ranking } from './state/criteria';
 import { goalOf } from './state/model';
 import type { Studio } from './state/studio';
@@ -49,6 +50,8 @@ export class Keyboard {
       return this.done(event, () => this.studio.scrub(this.studio.clock.time + (event.key === '.' ? kFrame : -kFrame)));
     }
     if (event.key.toLowerCase() === 'm') return this.done(event, () => void this.studio.mirror());
+    const view = viewKey(this.studio, event);
+    if (view) return this.done(event, view);
     if (event.key === '?') return this.done(event, this.openHelp);
   }
 

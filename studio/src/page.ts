@@ -11,11 +11,13 @@ import { GoalsPanel } from './panels/goals';
 import { helpDialog } from './panels/help';
 import { Notices } from './panels/notices';
 import { PlotsPanel } from './panels/plots';
+import { SpeedLegend } from './panels/speed_legend';
 import { Tabs } from './panels/tabs';
 import { TakePanel } from './panels/take';
 import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
 import { VerdictLine } from './panels/verdict';
+import { ViewMenu } from './panels/view_menu';
 import { openFiles } from './state/files';
 import { characterFormats } from './state/formats';
 import type { Studio } from './state/studio';
@@ -77,9 +79,11 @@ export class Page {
       body: new BodyPanel(studio), plots: new PlotsPanel(studio), take: new TakePanel(studio),
     });
     const top = new TopBar(studio, openHelp);
-    this.panels = [gallery, verdict, timeline, notices, tabs, top];
+    const legend = new SpeedLegend(studio);
+    const menu = new ViewMenu(studio);
+    this.panels = [gallery, verdict, timeline, notices, tabs, top, legend, menu];
     this.canvas.setAttribute('aria-label', t('viewLabel'));
-    this.stage.replaceChildren(this.canvas, this.label, notices.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
+    this.stage.replaceChildren(this.canvas, this.label, notices.element, legend.element, menu.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
     const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, verdict.element, timeline.element), tabs.element);
     this.root.replaceChildren(top.element, main, dialog);
     this.keyboard = new Keyboard(studio, this.canvas, openHelp);

@@ -16,8 +16,7 @@ using namespace testing_support;
 constexpr double kLean = radians(50);
 constexpr double kOff = 0.1;  // rad
 
-// People's flexion of the knees (rad) at a lean, for hands so far ahead of the ankles (of
-// kHandAhead).
+// People's flexion of the knees (rad) at a lean, for hands so far from the ankles (of kHandAhead).
 double peoples_knees(double lean, double far) {
   return kKneeOfTrunk * (kKneesNear + (1.0 - kKneesNear) * far) * lean * lean /
          (lean + kKneesBegin);
@@ -89,15 +88,25 @@ TEST(Coordination, KneesBendLessForANearHand) {
   }
 }
 
-TEST(Coordination, FartherThanPeopleLikeItAndBehindTheAnklesChangeNothing) {
+TEST(Coordination, FartherThanPeopleLikeItChangesNothing) {
   Pose pose = peoples(kLean, 1.0);
   pose.left.hand.z += 0.5;
   pose.right.hand.z += 0.5;
   EXPECT_NEAR(penalty_of(pose), 0.0, 1e-12);
-  pose = peoples(kLean, 0.0);
-  pose.left.hand.z -= 0.5;
-  pose.right.hand.z -= 0.5;
-  EXPECT_NEAR(penalty_of(pose), 0.0, 1e-12);
+}
+
+TEST(Coordination, HandsBesideOrBehindAreAsFarAsThoseAhead) {
+  constexpr double kFar = 0.4;
+  const double way = kFar * kHandAhead * kPosedStature;
+  for (const Vec3d& to : {Vec3d{way, 0, 0}, Vec3d{-way, 0, 0}, Vec3d{0, 0, -way},
+                          Vec3d{0.6 * way, 0, 0.8 * way}}) {
+    Pose pose = peoples(kLean, kFar);
+    for (Vec3d* hand : {&pose.left.hand, &pose.right.hand}) {
+      hand->x = kPosedAnkles.x + to.x;
+      hand->z = kPosedAnkles.z + to.z;
+    }
+    EXPECT_NEAR(penalty_of(pose), 0.0, 1e-12);
+  }
 }
 
 TEST(Coordination, LooksAtTheHandsOfTheGoals) {

@@ -33,6 +33,9 @@ export const en = {
   knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
   // timeline
   play: 'Play', pause: 'Pause', time: 'Time', speed: 'Speed', loop: 'Loop', overlays: 'Paths and balance', seconds: '{t} s',
+  // the View menu
+  view: 'View', viewMotion: 'Motion in space', viewGhosts: 'Ghosts', viewGhostsTitle: 'Pale figures at even steps of the motion’s time',
+  viewPath: 'Hand’s path by speed', viewSpeed: 'Speed, m/s', viewSpeedLabel: 'Colours of speed: from 0 to {most} metres a second',
   // tabs
   goals: 'Goals', adjust: 'Adjust', criteria: 'Criteria', body: 'Body', plots: 'Plots', take: 'Save',
   panels: 'Panels',
@@ -83,7 +86,7 @@ export const en = {
   help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',
   keys: 'Keys',
   keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal, in the view', keyBrackets: 'next goal, in the view',
-  keyUndo: 'undo, redo', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keyHelp: 'this page',
+  keyUndo: 'undo, redo', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
 };
 
 export type Key = keyof typeof en;

@@ -35,6 +35,7 @@ const kIcons = {
   compare: 'M4 5h7v14H4zM13 5h7v14h-7z',
   close: 'M6 6l12 12M18 6 6 18',
   file: 'M6 3h8l4 4v14H6zM14 3v4h4',
+  eye: 'M2 12c3-5 6.500-7 10-7s7 2 10 7c-3 5-6.500 7-10 7s-7-2-10-7zM12 9a3 3 0 1 0 .1 0z',
   path: 'M4 18c4 0 4-10 8-10s4 6 8 6M4 18v.1M20 14v.1',
 } as const;
 export type Icon = keyof typeof kIcons;

@@ -3,6 +3,7 @@
 // mass within the feet, the speed of the hand.
 import type { Candidate, JointDescription, Series } from '../../../bindings/wasm/src/types';
 import { freedomName, jointName, t } from '../i18n';
+import { effectorPaths } from '../state/speed';
 import type { Studio } from '../state/studio';
 import { fill, h, type Panel, select } from './dom';
 import { type Curve, Plot } from './plot';
@@ -103,11 +104,7 @@ export class PlotsPanel implements Panel {
   }
 
   private showSpeed(candidate: Candidate, times: Float64Array): void {
-    const { effectors } = candidate.series;
-    const curves = Array.from({ length: Math.floor(effectors.columns / 3) }, (_, k) => ({
-      label: jointName(candidate.summary.reached[k]?.effector ?? ''),
-      values: speedOf(times, [0, 1, 2].map((axis) => column(effectors, 3 * k + axis))),
-    }));
+    const curves = effectorPaths(candidate).map(({ speeds }, k) => ({ label: jointName(candidate.summary.reached[k]?.effector ?? ''), values: speeds }));
     const high = Math.max(0.1, ...curves.flatMap((curve) => [...curve.values])) * 1.1;
     const level = Math.floor(high * 2) / 2 || Math.floor(high * 10) / 10;
     this.speed.show({ times, low: 0, high, curves, unit: ' m/s', levels: [{ value: level, label: String(level) }] });
@@ -122,14 +119,4 @@ export class PlotsPanel implements Panel {
   dispose(): void {
     for (const end of this.ends) end();
   }
-}
-
-/** Distance between the neighbouring frames over the time between them, for the eye alone. */
-function speedOf(times: Float64Array, axes: readonly Float64Array[]): Float64Array {
-  return times.map((_, f) => {
-    const a = Math.max(f - 1, 0);
-    const b = Math.min(f + 1, times.length - 1);
-    const between = times[b]! - times[a]!;
-    return between > 0 ? Math.hypot(...axes.map((axis) => axis[b]! - axis[a]!)) / between : 0;
-  });
 }

@@ -2,6 +2,7 @@
 // The page's state. A document is what undo goes back over; it is never changed, only replaced. A session is
 // the rest: what is shown and what is going on.
 import type { Candidate, Character, EngineFailure, Generated, Goal, PresetName, Summary, Task } from '../../../bindings/wasm/src/types';
+import { initialView, type ViewSettings } from './view_settings';
 
 /** What a person changed of a candidate, and the motion that came of it. */
 export interface Edit {
@@ -57,6 +58,7 @@ export interface State {
   readonly tab: Tab;
   readonly compareMode: CompareMode;
   readonly overlays: boolean; // paths, centre of mass, support
+  readonly view: ViewSettings;
   readonly fps: number; // of files that are saved
   readonly language: 'en' | 'ja';
   readonly theme: 'auto' | 'light' | 'dark';
@@ -80,6 +82,7 @@ export const initialState: State = {
   tab: 'goals',
   compareMode: 'beside',
   overlays: true,
+  view: initialView,
   fps: 60,
   language: 'en',
   theme: 'auto',

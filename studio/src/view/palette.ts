@@ -24,6 +24,9 @@ export interface Palette {
   mass: Color;
   support: Color;
   missing: Color;
+  ghost: Color;
+  /** From slow to fast, in even steps of lightness: who cannot tell the hues apart goes by that. */
+  speed: readonly Color[];
   light: number; // of the key light
   ambient: number;
 }
@@ -45,6 +48,8 @@ export const palettes: Record<'light' | 'dark', Palette> = {
     mass: new Color('#2f8f6b'),
     support: new Color('#2f8f6b'),
     missing: new Color('#c62d42'),
+    ghost: new Color('#4f7f9e'),
+    speed: ['#63bfe1', '#7193df', '#955dbc', '#a02262', '#790d14'].map((colour) => new Color(colour)),
     light: 2.3,
     ambient: 1.35,
   },
@@ -64,6 +69,8 @@ export const palettes: Record<'light' | 'dark', Palette> = {
     mass: new Color('#58c79b'),
     support: new Color('#58c79b'),
     missing: new Color('#ff6b7d'),
+    ghost: new Color('#8fb9d6'),
+    speed: ['#385db8', '#a55bc5', '#f46a86', '#ffa167', '#f0e765'].map((colour) => new Color(colour)),
     light: 2.0,
     ambient: 0.85,
   },

@@ -4,13 +4,16 @@ import { Vector3 } from 'three';
 import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
 import { candidateAt, type State } from '../state/model';
+import { speedScale } from '../state/speed';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
 import { disposeFigure, type Figure, makeFigure } from './figures';
+import { Ghosts } from './ghosts';
 import { Handles } from './handles';
 import { Obstacles } from './obstacles';
 import { Overlays } from './overlays';
 import { shownTheme } from './palette';
+import { SpeedPath } from './path';
 import { poseNodes } from './pose';
 import { Stage } from './stage';
 import { StrainedJoints } from './strained';
@@ -30,6 +33,9 @@ export class View {
   private readonly overlays = new Overlays();
   private readonly otherOverlays = new Overlays();
   private readonly strained = new StrainedJoints();
+  private readonly ghosts = new Ghosts();
+  private readonly speeds = new SpeedPath();
+  private readonly otherSpeeds = new SpeedPath();
   private character: Character | null = null;
   private figure: Figure | null = null;
   private other: Figure | null = null;
@@ -52,7 +58,7 @@ export class View {
       drop: (effector, position, rotation) => void studio.dropGoal(effector, position, rotation),
       hover: onHover,
     });
-    this.stage.scene.add(this.obstacles.object, this.overlays.object, this.otherOverlays.object, this.strained.object, this.handles.object);
+    this.stage.scene.add(this.obstacles.object, this.overlays.object, this.otherOverlays.object, this.strained.object, this.handles.object, this.ghosts.object, this.speeds.object, this.otherSpeeds.object);
     this.stage.onFrame = (seconds) => this.advance(seconds);
     this.stage.onDraw = () => this.pose();
     studio.eye = this;
@@ -73,6 +79,8 @@ export class View {
     this.strained.paint(this.stage.palette);
     this.handles.paint(this.stage.palette);
     this.obstacles.paint(this.stage.palette);
+    this.ghosts.paint(this.stage.palette);
+    this.showMotion(this.studio.store.state);
     this.colour();
   }
 
@@ -128,6 +136,7 @@ export class View {
       this.stage.include(document.goals.map((goal) => new Vector3(...goal.position_m)));
     }
     this.showOverlays(state);
+    this.showMotion(state);
     this.stage.invalidate();
   }
 
@@ -139,6 +148,17 @@ export class View {
     this.strained.show(this.studio.shown(), state.document?.character.description);
   }
 
+  /** The whole motion in space. A drag has other things to draw. */
+  private showMotion({ view, dragging, preview }: State): void {
+    const chosen = dragging || preview ? null : this.studio.chosen();
+    const compared = this.compared();
+    this.ghosts.show(chosen, view.ghosts);
+    const shown = [chosen, compared].filter((candidate) => candidate !== null);
+    const most = view.path ? speedScale(shown) : 1;
+    this.speeds.show(view.path ? chosen : null, most, this.stage.palette.speed);
+    this.otherSpeeds.show(view.path ? compared : null, most, this.stage.palette.speed);
+  }
+
   private compared(): Candidate | null {
     const { document, dragging, preview } = this.studio.store.state;
     if (!document || document.compared === null || dragging || preview) return null;
@@ -148,11 +168,13 @@ export class View {
   private async setCharacter(character: Character | null): Promise<void> {
     this.character = character;
     this.sought = null;
+    this.ghosts.setFigure(null); // the motion is soon another body's
     const figure = character ? await makeFigure(character) : null;
     if (this.character !== character) {
       if (figure) disposeFigure(figure);
       return;
     }
+    this.ghosts.setFigure(figure);
     if (this.figure) disposeFigure(this.figure);
     this.figure = figure;
     if (figure && character) {
@@ -169,6 +191,7 @@ export class View {
     this.framed = character;
     this.sought = null;
     await this.setOther();
+    this.showMotion(this.studio.store.state);
     this.colour();
     for (const listener of this.listeners) listener(figure);
   }
@@ -197,11 +220,11 @@ export class View {
     const compared = this.compared();
     const apart = compared && state.compareMode === 'beside' ? kBeside * document.character.description.stature_m : 0;
     this.figure.object.position.x = apart / 2;
-    this.overlays.object.position.x = apart / 2;
+    for (const item of [this.overlays, this.ghosts, this.speeds]) item.object.position.x = apart / 2;
     if (this.other) {
       this.other.object.visible = compared !== null;
       this.other.object.position.x = -apart / 2;
-      this.otherOverlays.object.position.x = -apart / 2;
+      for (const item of [this.otherOverlays, this.otherSpeeds]) item.object.position.x = -apart / 2;
       if (compared) poseNodes(this.other.nodes, compared, (time / this.studio.clock.duration) * compared.summary.duration_s);
     }
     this.figure.object.updateMatrixWorld(true);
@@ -231,6 +254,11 @@ export class View {
   /** Joints that are marked as strained; for tests. */
   get strainedNames(): string[] {
     return this.strained.names;
+  }
+
+  /** Where the ghosts have an effector's node, m; for tests. */
+  ghostsOf(effector: string): Vec3[] {
+    return this.ghosts.placesOf(this.nodeOf.get(effector) ?? -1);
   }
 
   /** Where a handle is in the page, px; for tests. */
