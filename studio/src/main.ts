@@ -2,6 +2,7 @@
 import './styles/theme.css';
 import './styles/page.css';
 import './styles/panels.css';
+import './styles/characters.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
 import { preferredLanguage, setLanguage, t } from './i18n';
 import { expose } from './inspect';

@@ -2,7 +2,7 @@
 // Files and links that come in: characters, results, tasks.
 import type { Character, CharacterSpec, Facts, Generated, Summary, Task } from '../../../bindings/wasm/src/types';
 import { weightsOf } from './criteria';
-import { characterFormat, characterFormats, endingOf } from './formats';
+import { characterFormat, characterFormats, endingOf, isBuiltIn } from './formats';
 import type { Document, SearchSettings } from './model';
 import { newDocument } from './start';
 import type { Studio } from './studio';
@@ -109,7 +109,7 @@ async function characterOf(studio: Studio, named: CharacterSpec | string | undef
   const spec: CharacterSpec = typeof named === 'string' ? { source: named } : (named ?? { source: studio.facts.default_body });
   const now = studio.document?.character;
   if (now?.bytes && now.spec.source === spec.source) return now;
-  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && studio.facts.bodies.some(({ name }) => name === spec.source)) return now;
+  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && isBuiltIn(studio.facts, spec)) return now;
   return studio.open(spec);
 }
 
