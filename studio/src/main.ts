@@ -4,6 +4,7 @@ import './styles/page.css';
 import './styles/panels.css';
 import './styles/verdict.css';
 import './styles/scene.css';
+import './styles/characters.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
 import { preferredLanguage, setLanguage, t } from './i18n';
 import { expose } from './inspect';

@@ -76,7 +76,7 @@ export class Page {
     const notices = new Notices(studio);
     const tabs = new Tabs(studio, {
       goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
-      body: new BodyPanel(studio), plots: new PlotsPanel(studio), take: new TakePanel(studio),
+      body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio),
     });
     const top = new TopBar(studio, openHelp);
     const legend = new SpeedLegend(studio);

@@ -49,7 +49,7 @@ export const englishBody: BodyWords = {
     coordination: 'Coordination', hand_curve: 'Curve of the hand', trunk_travel: 'Still trunk', mass_ahead: 'Weight goes along', jolts: 'No jolts',
   },
   presets: { flat: 'all at once', human: 'in layers', paper: 'as published', layers: 'the paper’s layers' },
-  bodies: { human: 'person', full_body: 'person', half_body: 'one arm and leg' },
+  bodies: { human: 'Person', full_body: 'Person, simple', half_body: 'One arm and one leg' },
   sexes: { male: 'a man', female: 'a woman' },
   formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: 'Strip, SVG', png: 'Strip, PNG', pdf: 'Strip, PDF', task: 'Task, JSON', result: 'Result, JSON' },
   posture: {},
@@ -81,7 +81,7 @@ export const japaneseBody: BodyWords = {
     coordination: '全身の連動', hand_curve: '手の軌道の弧', trunk_travel: '体幹の安定', mass_ahead: '重心の移動', jolts: '急変のなさ',
   },
   presets: { flat: '一度に', human: '階層的に', paper: '論文の方法', layers: '論文の階層' },
-  bodies: { human: '人', full_body: '人', half_body: '片腕片脚' },
+  bodies: { human: '人', full_body: '人（簡略）', half_body: '片腕片脚' },
   sexes: { male: '男性', female: '女性' },
   formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: '連続図 SVG', png: '連続図 PNG', pdf: '連続図 PDF', task: '課題 JSON', result: '結果 JSON' },
   posture: {

@@ -55,9 +55,10 @@ export const en = {
   penalty: 'penalty {value}', notScored: 'not scored yet: search again', resetWeights: 'As at first',
   // body
   bodyIntro: 'A built-in body, or drop a character’s file onto the page ({formats}).', builtIn: 'Built-in body',
-  freedoms: '{body}, {dof} freedoms',
+  characters: 'Characters', statureAndMass: '{cm} cm, {kg} kg', noMesh: 'Its file has no mesh: a mannequin of its size is drawn.',
+  moves: 'Moves at {joints} joints, in {ways} ways.',
   stature: 'Stature', mass: 'Mass', sex: 'Strength of', heels: 'Heels may lift', m: 'm',
-  openFile: 'Open a file …', understood: 'What was understood', facts: '{stature} m, {mass} kg, {dof} freedoms',
+  openFile: 'Open a file …', understood: 'What was understood',
   doubts: 'Guessed', boneMap: 'Bones', bone: 'Bone', node: 'Node of the file', nothing: '—', apply: 'Apply',
   opening: 'Reading {name} …', dropHere: 'Drop a character’s file ({formats}) or a result',
   // plots

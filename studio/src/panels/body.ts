@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: MIT
 // Whose body: a built-in one of any size, or a file's; what was understood of it, and mending the bone map.
-import type { CharacterSpec } from '../../../bindings/wasm/src/types';
+import type { CharacterDescription, CharacterSpec } from '../../../bindings/wasm/src/types';
 import { engineWord, jointName, t } from '../i18n';
 import { openCharacter, openFile } from '../state/files';
-import { characterEndings, characterFormats } from '../state/formats';
+import { characterEndings, characterFormats, isBuiltIn } from '../state/formats';
 import type { Document } from '../state/model';
 import { isRobot } from '../state/start';
 import type { Studio } from '../state/studio';
-import { button, fill, h, type Panel, round, select } from './dom';
+import type { Portraits } from '../view/portraits';
+import { CharacterList } from './character_list';
+import { button, fill, h, type Panel, select } from './dom';
+
+/** "moves at 19 joints, in 35 ways" */
+function movesText({ joints }: CharacterDescription): string {
+  const places = new Set(joints.map(({ name }) => name.split('.')[0]));
+  return t('moves', { joints: places.size, ways: joints.length });
+}
 
 export class BodyPanel implements Panel {
   readonly element: HTMLElement;
   private readonly content = h('div');
+  private readonly characters: CharacterList;
   private readonly end: () => void;
   private shown: Document['character'] | null = null;
   private mapOpen = false;
 
-  constructor(private readonly studio: Studio) {
+  constructor(private readonly studio: Studio, portraits: Portraits) {
+    this.characters = new CharacterList(studio, portraits);
     const input = h('input', {
       type: 'file', accept: [...characterEndings(studio.facts), '.json'].join(), hidden: true,
       onChange: () => {
@@ -26,7 +36,7 @@ export class BodyPanel implements Panel {
       },
     });
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('bodyIntro', { formats: characterFormats(studio.facts) })),
-      h('div', { class: 'buttons' }, button(t('openFile'), () => input.click()), input), this.content);
+      h('div', { class: 'buttons' }, button(t('openFile'), () => input.click()), input), this.characters.element, this.content);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document?.character !== previous.document?.character) this.update();
     });
@@ -48,20 +58,23 @@ export class BodyPanel implements Panel {
     if (!character || character === this.shown) return;
     this.shown = character;
     const { spec, description } = character;
-    const facts = t('facts', { stature: round(description.stature_m, 2), mass: round(description.mass_kg, 0), dof: description.dof });
     fill(this.content,
       this.builtIn(spec), this.measures(character),
-      h('h3', {}, t('understood')), h('p', {}, h('b', {}, description.name), ` — ${facts}`),
+      h('h3', {}, t('understood')), h('p', {}, movesText(description)),
       description.doubts.length > 0 ? h('div', {}, h('h4', {}, t('doubts')), h('ul', {}, ...description.doubts.map((doubt) => h('li', {}, doubt)))) : null,
       character.bytes ? this.boneMap(character) : null);
   }
 
+  /** Opens a built-in body, as it was left where it was open before. */
   private builtIn(spec: CharacterSpec): HTMLElement {
-    const names = this.studio.facts.bodies.map(({ name, dof }) => [name, t('freedoms', { body: engineWord('bodies', name), dof })] as const);
-    const own = names.some(([name]) => name === spec.source);
-    const options = own ? names : ([['', spec.source], ...names] as const);
+    const names = this.studio.facts.bodies.map(({ name }) => [name, engineWord('bodies', name)] as const);
+    const own = isBuiltIn(this.studio.facts, spec);
+    const options = own ? names : ([['', t('nothing')], ...names] as const);
     const choice = select(t('builtIn'), options, own ? spec.source : '', (source) => {
-      if (source !== '') openCharacter(this.studio, { source }).catch((error: unknown) => this.studio.fail(error));
+      if (source === '') return;
+      const before = this.studio.store.state.shelf.find(({ character }) => character.spec.source === source);
+      const opened = before ? this.studio.begin(before) : openCharacter(this.studio, { source });
+      opened.catch((error: unknown) => this.studio.fail(error));
     });
     return h('div', { class: 'fields' }, h('label', {}, h('span', {}, t('builtIn')), choice));
   }
@@ -109,5 +122,6 @@ export class BodyPanel implements Panel {
 
   dispose(): void {
     this.end();
+    this.characters.dispose();
   }
 }

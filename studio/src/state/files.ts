@@ -4,7 +4,7 @@ import type { CharacterSpec, Generated, Summary, Task } from '../../../bindings/
 import { digestOf } from '../kept/digest';
 import { workOfResult } from '../kept/in_result';
 import { openWork } from '../kept/pack';
-import { characterFormat, characterFormats, endingOf } from './formats';
+import { characterFormat, characterFormats, endingOf, isBuiltIn } from './formats';
 import type { Document } from './model';
 import { checkedDocumentOf, documentOf } from './of_task';
 import { newDocument } from './start';
@@ -111,6 +111,6 @@ async function characterOf(studio: Studio, named: CharacterSpec | string | undef
   const spec: CharacterSpec = typeof named === 'string' ? { source: named } : (named ?? { source: studio.facts.default_body });
   const now = studio.document?.character;
   if (now?.bytes && now.spec.source === spec.source) return now;
-  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && studio.facts.bodies.some(({ name }) => name === spec.source)) return now;
+  if (now && JSON.stringify(now.spec) === JSON.stringify(spec) && isBuiltIn(studio.facts, spec)) return now;
   return studio.open(spec);
 }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The page reads the engine's table of file formats here.
-import type { Character, Facts, FormatFacts } from '../../../bindings/wasm/src/types';
+import type { Character, CharacterSpec, Facts, FormatFacts } from '../../../bindings/wasm/src/types';
 
 export const endingOf = (name: string): string => `.${name.toLowerCase().split('.').pop() ?? ''}`;
 
 const isCharacters = (format: FormatFacts): boolean => format.person || format.robot;
+
+/** Whether a character needs no file. */
+export function isBuiltIn(facts: Facts, spec: CharacterSpec): boolean {
+  return facts.bodies.some(({ name }) => name === spec.source);
+}
 
 /** The format of a character's file by its name; undefined where characters are read from no such file. */
 export function characterFormat(facts: Facts, name: string): FormatFacts | undefined {

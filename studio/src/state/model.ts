@@ -41,6 +41,7 @@ export type CompareMode = 'beside' | 'over';
 
 export interface State {
   readonly document: Document | null;
+  readonly shelf: readonly Document[]; // of each character that was opened the last one
   readonly canUndo: boolean;
   readonly canRedo: boolean;
   /** What a drag's quick search found; shown in place of the candidate while it lasts. */
@@ -66,6 +67,7 @@ export interface State {
 
 export const initialState: State = {
   document: null,
+  shelf: [],
   canUndo: false,
   canRedo: false,
   preview: null,

@@ -6,6 +6,7 @@ import type { Look } from '../kept/work';
 import { Clock } from './clock';
 import { History } from './history';
 import { candidateAt, chosenCandidate, type Document, goalOf, initialState, type Notice, type State } from './model';
+import { shelved } from './shelf';
 import { Store } from './store';
 
 /** The view, to those who keep or bring back from where it is seen. */
@@ -34,8 +35,8 @@ export class Workbench {
   commit(document: Document, key?: string): void {
     if (this.history === null) this.history = new History(document);
     else this.history.push(document, key);
-    this.forget(document.character);
     this.publish(document);
+    this.forget();
   }
 
   /** What came of the last step. */
@@ -50,6 +51,7 @@ export class Workbench {
     const { selected } = this.store.state;
     this.store.set({
       document,
+      shelf: shelved(this.store.state.shelf, document),
       selected: goalOf(document, selected) ? selected : (document.goals[0]?.effector ?? selected),
       canUndo: this.history?.canUndo ?? false,
       canRedo: this.history?.canRedo ?? false,
@@ -57,11 +59,17 @@ export class Workbench {
     });
   }
 
-  /** Lets go of characters that no step has any more. */
-  private forget(now: Character): void {
-    if (this.characters.has(now)) return;
-    this.characters.add(now);
-    const needed = new Set(this.history!.all().map((document) => document.character));
+  /** Takes a character off the shelf; the one at hand stays. */
+  takeOff(document: Document): void {
+    if (document.character === this.document?.character) return;
+    this.store.set({ shelf: this.store.state.shelf.filter((other) => other !== document) });
+    this.forget();
+  }
+
+  /** Lets go of characters that no step and no place of the shelf has any more. */
+  private forget(): void {
+    const needed = new Set([...this.history!.all(), ...this.store.state.shelf].map((document) => document.character));
+    for (const character of needed) this.characters.add(character);
     for (const character of this.characters) {
       if (needed.has(character)) continue;
       this.characters.delete(character);

@@ -8,12 +8,21 @@ import { makeSticks } from './sticks';
 
 export type { Figure } from './mannequin';
 
+const ownMeshes = new WeakSet<Figure>();
+
+/** Whether a figure is the mesh of its character's own file. */
+export function isOwnMesh(figure: Figure): boolean {
+  return ownMeshes.has(figure);
+}
+
 export async function makeFigure(character: Character): Promise<Figure> {
   const { description } = character;
   if (character.bytes && description.nodes.some((node) => node.file_node !== undefined)) {
     try {
       const { makeGltfFigure } = await import('./gltf_figure');
-      return await makeGltfFigure(character);
+      const figure = await makeGltfFigure(character);
+      ownMeshes.add(figure);
+      return figure;
     } catch {
       // a file without a mesh, or one that three cannot read: its joints can be drawn all the same
     }

@@ -7,6 +7,7 @@ import { candidateAt } from '../state/model';
 import type { Studio } from '../state/studio';
 import { disposeFigure, type Figure, makeFigure } from './figures';
 import type { Palette } from './palette';
+import { Portraits } from './portraits';
 import { poseNodes } from './pose';
 
 const kPictures = 16; // of a film
@@ -34,6 +35,7 @@ export class Thumbnails {
   private drawnAt = 0;
   private playedAt = 0;
   private palette: Palette | null = null;
+  readonly portraits = new Portraits();
   /** The last picture alone, for those who want nothing to move. */
   still = false;
 
@@ -68,12 +70,13 @@ export class Thumbnails {
 
   private async setCharacter(character: Character | null): Promise<void> {
     this.character = character;
+    if (this.figure) disposeFigure(this.figure);
+    this.figure = null; // nothing is drawn until this one's is there
     const figure = character ? await makeFigure(character) : null;
     if (this.character !== character) {
       if (figure) disposeFigure(figure);
       return;
     }
-    if (this.figure) disposeFigure(this.figure);
     this.figure = figure;
     if (!figure || !character) return;
     this.scene.add(figure.object);
@@ -97,6 +100,7 @@ export class Thumbnails {
   private readonly tick = (now: number): void => {
     requestAnimationFrame(this.tick);
     if (!this.figure || document.hidden || this.studio.store.state.dragging) return;
+    this.drawPortrait();
     if (now - this.drawnAt >= 1000 / this.pace()) {
       for (let tries = 0; tries < this.canvases.length; ++tries) {
         this.next = (this.next + 1) % this.canvases.length;
@@ -109,6 +113,13 @@ export class Thumbnails {
     this.playedAt = now;
     this.canvases.forEach((_, index) => this.play(index, now / 1000));
   };
+
+  private drawPortrait(): void {
+    const { figure, character } = this;
+    const { document } = this.studio;
+    const candidate = document && document.character === character ? candidateAt(document, document.chosen) : null;
+    if (figure && character && candidate) this.portraits.draw(character, figure, candidate, this.renderer, this.scene, this.camera);
+  }
 
   /** The film of a candidate in the size that its canvas has now. */
   private film(index: number): Film | null {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The characters that were opened stay, each with what was last done with it. The file is the page's own body, taken away as BVH.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { seriousFindings } from './axe.mjs';
+import { drop, openStudio, settled, state, take, visit } from './support.mjs';
+
+const { site, browser } = await visit();
+
+const shelf = (page) => page.evaluate(() => window.shigusa.state.shelf.map(({ character }) => character.spec.source));
+const source = (page) => page.evaluate(() => window.shigusa.document.character.spec.source);
+
+async function dropped(page, name, bytes) {
+  await drop(page, name, bytes);
+  await page.waitForFunction((file) => window.shigusa.document.character.spec.source === file, name, { timeout: 60_000 });
+  await settled(page);
+}
+
+/** Whether the picture of a row shows anything. */
+const isDrawn = (page, row) => page.waitForFunction((n) => {
+  const canvas = document.querySelectorAll('.characters .portrait')[n];
+  if (!canvas || canvas.width === 0) return false;
+  return canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0);
+}, row, { timeout: 30_000 });
+
+test('characters are kept with what was done with them, and switched', { timeout: 240_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const bvh = await take(page, 'bvh');
+  await dropped(page, 'person.bvh', bvh);
+  await dropped(page, 'small.bvh', bvh);
+  assert.deepEqual(await shelf(page), ['human', 'person.bvh', 'small.bvh']);
+  await page.keyboard.press('Digit2');
+  const left = await state(page);
+  await page.click('#tab-body');
+  const rows = page.locator('.characters li');
+  assert.equal(await rows.count(), 3);
+  assert.match(await rows.nth(0).innerText(), /Person\s+1\d\d cm, \d+ kg/);
+  assert.match(await rows.nth(2).innerText(), /small\.bvh[^]*no mesh/);
+  await isDrawn(page, 2);
+  assert.deepEqual(await seriousFindings(page, '.side'), []);
+
+  await rows.nth(0).locator('.pick-character').click();
+  await page.waitForFunction(() => window.shigusa.document.character.spec.source === 'human');
+  await settled(page);
+  assert.equal(await rows.nth(0).locator('.pick-character').getAttribute('aria-pressed'), 'true');
+  await rows.nth(2).locator('.pick-character').click();
+  await page.waitForFunction(() => window.shigusa.document.character.spec.source === 'small.bvh');
+  await settled(page);
+  const back = await state(page);
+  assert.deepEqual([back.words, back.chosen, back.goals], [left.words, left.chosen, left.goals], 'as it was left');
+  assert.equal(back.search, null, 'nothing is searched again');
+
+  // a slider still works on a character that came back
+  await page.click('#tab-adjust');
+  await page.locator('.slider .number').first().fill('30');
+  await page.locator('.slider .number').first().press('Enter');
+  await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
+
+  // the same file again has no second place; another of its name has one
+  await dropped(page, 'person.bvh', bvh);
+  assert.deepEqual(await shelf(page), ['human', 'person.bvh', 'small.bvh']);
+  await drop(page, 'person.bvh', `${bvh}\n`);
+  await page.waitForFunction(() => window.shigusa.state.shelf.length === 4);
+  await settled(page);
+
+  await page.click('#tab-body');
+  await rows.nth(1).locator('.icon-button').click();
+  assert.equal(await rows.count(), 3);
+  assert.equal(await rows.nth(2).locator('.icon-button').count(), 0, 'the one at hand stays');
+  await page.getByLabel('Built-in body').selectOption('half_body');
+  await page.waitForFunction(() => window.shigusa.document.character.spec.source === 'half_body');
+  await settled(page);
+  assert.deepEqual(await shelf(page), ['human', 'small.bvh', 'person.bvh', 'half_body']);
+  await page.keyboard.press('Control+z');
+  await page.waitForFunction(() => window.shigusa.document.character.spec.source === 'person.bvh');
+  assert.equal(await source(page), 'person.bvh');
+  assert.deepEqual(errors, []);
+  await context.close();
+});
