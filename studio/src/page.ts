@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: bars, view and panels put together. Made anew where the language changes.
 import { jointName, setLanguage, t } from './i18n';
+import { WantedBanner } from './kept/wanted_banner';
 import { Keyboard } from './keyboard';
 import { AdjustPanel } from './panels/adjust';
 import { BodyPanel } from './panels/body';
@@ -70,12 +71,14 @@ export class Page {
     const gallery = new Gallery(studio, this.thumbnails);
     const timeline = new Timeline(studio);
     const notices = new Notices(studio);
+    const wanted = new WantedBanner(studio);
+    notices.element.append(wanted.element);
     const tabs = new Tabs(studio, {
       goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
       body: new BodyPanel(studio), plots: new PlotsPanel(studio), take: new TakePanel(studio),
     });
     const top = new TopBar(studio, openHelp);
-    this.panels = [gallery, timeline, notices, tabs, top];
+    this.panels = [gallery, timeline, notices, wanted, tabs, top];
     this.canvas.setAttribute('aria-label', t('viewLabel'));
     this.stage.replaceChildren(this.canvas, this.label, notices.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
     const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, timeline.element), tabs.element);
