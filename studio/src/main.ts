@@ -28,9 +28,9 @@ async function openAddress(studio: Studio): Promise<void> {
   };
   try {
     const work = await workOfLink(location.hash);
-    if (work) return await openWork(studio, work);
-    const task = taskOfLink(location.hash);
-    if (task) return await openTask(studio, task);
+    const task = work ? null : taskOfLink(location.hash);
+    if (work) await openWork(studio, work);
+    else if (task) await openTask(studio, task);
   } catch (error) {
     await openFirst();
     if (error instanceof SyntaxError) studio.tell({ kind: 'text', key: 'badLink' });

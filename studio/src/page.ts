@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: bars, view and panels put together. Made anew where the language changes.
 import { jointName, setLanguage, t } from './i18n';
+import { WantedBanner } from './kept/wanted_banner';
 import { Keyboard } from './keyboard';
 import { AdjustPanel } from './panels/adjust';
 import { BodyPanel } from './panels/body';
@@ -74,6 +75,8 @@ export class Page {
     const verdict = new VerdictLine(studio);
     const timeline = new Timeline(studio);
     const notices = new Notices(studio);
+    const wanted = new WantedBanner(studio);
+    notices.element.append(wanted.element);
     const tabs = new Tabs(studio, {
       goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
       body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio),
@@ -81,7 +84,7 @@ export class Page {
     const top = new TopBar(studio, openHelp);
     const legend = new SpeedLegend(studio);
     const menu = new ViewMenu(studio);
-    this.panels = [gallery, verdict, timeline, notices, tabs, top, legend, menu];
+    this.panels = [gallery, verdict, timeline, notices, wanted, tabs, top, legend, menu];
     this.canvas.setAttribute('aria-label', t('viewLabel'));
     this.stage.replaceChildren(this.canvas, this.label, notices.element, legend.element, menu.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
     const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, verdict.element, timeline.element), tabs.element);

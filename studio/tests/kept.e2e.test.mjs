@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Links and results carry the choice, every edit and the picture.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import { deflateRawSync, inflateRawSync } from 'node:zlib';
 import { kept, work } from './kept.mjs';
-import { drop, openStudio, settled, state, take, visit } from './support.mjs';
+import { drop, dropAll, openStudio, settled, state, take, visit } from './support.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 const { site, browser } = await visit();
 
@@ -174,4 +178,71 @@ test('a work that is too much for a link is offered as a file', { timeout: 120_0
   assert.match(download.suggestedFilename(), /result\.json$/);
   assert.deepEqual(errors, []);
   await context.close();
+});
+
+test('a character is named in a link, and its file asked for', { timeout: 300_000 }, async () => {
+  const { page, context, errors } = await open();
+  await settled(page);
+  const bvh = await take(page, 'bvh');
+  const ofFile = (where) => where.waitForFunction(() => window.shigusa.document?.character.bytes !== undefined);
+  await drop(page, 'walker.bvh', bvh);
+  await ofFile(page);
+  await settled(page);
+  await work(page);
+  const result = await take(page, 'result');
+  const link = await copyLink(page);
+  const before = await kept(page);
+  const { character, found } = unpacked(link);
+  assert.equal(character.spec.source, 'walker.bvh');
+  assert.match(character.sha256, /^[0-9a-f]{64}$/);
+  await context.close();
+
+  // elsewhere a body of its measures moves until the file comes
+  const there = await openStudio(browser, link, { bypassCSP: true, permissions: ['clipboard-read', 'clipboard-write'] });
+  const { page: other } = there;
+  await settled(other);
+  const banner = other.locator('.wanted');
+  assert.match(await banner.innerText(), /walker\.bvh/);
+  assert.equal(await kept(other), before);
+  assert.equal(await other.evaluate(() => window.shigusa.document.character.bytes), undefined);
+  await other.addScriptTag({ content: axe });
+  const serious = await other.evaluate(async () => (await window.axe.run()).violations.filter((v) => ['serious', 'critical'].includes(v.impact)).map((v) => v.id));
+  assert.deepEqual(serious, []);
+  await other.locator('.wanted input').setInputFiles({ name: 'walker.bvh', mimeType: 'text/plain', buffer: Buffer.concat([bvh, Buffer.from('\n')]) });
+  await other.waitForFunction(() => window.shigusa.state.notice?.key === 'unknownWanted');
+  assert.equal(await kept(other), before);
+  // a link made meanwhile names it too, and what is done meanwhile goes along
+  await other.keyboard.press('Digit4');
+  const changed = await kept(other);
+  assert.notEqual(changed, before);
+  const again = unpacked(await copyLink(other));
+  assert.deepEqual(again.character, character);
+  await dropAll(other, [['another name.bvh', bvh]]);
+  await ofFile(other);
+  await settled(other);
+  assert.equal(await kept(other), changed);
+  assert.equal(await banner.isVisible(), false);
+
+  // a work that has no measures yet waits for the file
+  await other.goto('about:blank');
+  await other.goto(packed(JSON.stringify({ ...unpacked(link), found: undefined, chosen: 0, compared: null, edits: {} })));
+  await settled(other);
+  assert.equal((await state(other)).character, 'human');
+  assert.match(await banner.innerText(), /to go on/);
+  await drop(other, 'walker.bvh', bvh);
+  await ofFile(other);
+  await settled(other);
+  assert.equal(JSON.stringify((await state(other)).goals), JSON.stringify(found.task.goals));
+
+  // with a result the file may come at once
+  await other.goto('about:blank');
+  await other.goto(site.url);
+  await settled(other);
+  await dropAll(other, [['result.json', result], ['walker.bvh', bvh]]);
+  await ofFile(other);
+  await settled(other);
+  assert.equal(await kept(other), before);
+  assert.equal(await banner.isVisible(), false);
+  assert.deepEqual([...errors, ...there.errors], []);
+  await there.context.close();
 });

@@ -70,6 +70,9 @@ export const en = {
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
   largeLink: 'This is too much for a link. Save the result instead: it opens to the same.', theLink: 'The link',
   fps: 'Frames a second', fpsOf: 'of {formats}; the others have the motion’s own frames', saved: '{name} is saved.', onlyFor: 'for characters from {formats} files',
+  wanted: 'This is a work of “{name}”, whose file is not here. Choose it, or drop it onto the page; until then a body of its measures moves.',
+  wantedFirst: 'This is a work of “{name}”, whose file is not here. Choose it, or drop it onto the page, to go on.',
+  chooseFile: 'Choose the file …', unknownWanted: '“{file}” is not “{name}” as the work has it.',
   // failures
   badSeed: 'A seed is a whole number from 0 to {most}, not “{value}”.',
   failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged and cannot be read.',

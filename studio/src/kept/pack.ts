@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Turns the document on the table into a work, and a work into the document again.
-import type { Character, Facts, Generated, Summary } from '../../../bindings/wasm/src/types';
+import type { Character, CharacterSpec, Facts, Generated, Summary } from '../../../bindings/wasm/src/types';
 import type { Document, Edit } from '../state/model';
 import { checkedDocumentOf } from '../state/of_task';
 import type { Studio } from '../state/studio';
@@ -30,7 +30,8 @@ export async function workOf(studio: Studio, document: Document): Promise<Work> 
   const edits = summary ? Object.entries(document.edits).map(([index, edit]) => [index, storedEdit(edit, summary)] as const) : [];
   return {
     version: 1,
-    character: bytes ? { spec, sha256: await digestOf(bytes) } : { spec },
+    character: state.wanted?.character === document.character ? state.wanted.work.character
+      : bytes ? { spec, sha256: await digestOf(bytes) } : { spec },
     task: taskOf(studio.facts, document),
     ...(summary && { found: storedMotions(summary) }),
     ...(summary?.fewer !== undefined && { fewer: summary.fewer }),
@@ -48,7 +49,9 @@ export async function workOf(studio: Studio, document: Document): Promise<Work> 
 
 /** Puts a work on the table. `files`: those that came with it, of which one may be its character's. */
 export async function openWork(studio: Studio, work: Work, files: readonly File[] = []): Promise<void> {
-  const character = await characterOf(studio, work, files);
+  const own = await characterOf(studio, work, files);
+  if (!own && !isMeasured(work)) return studio.store.set({ wanted: { work, character: null } });
+  const character = own ?? (await studio.open(work.found!.task.character as CharacterSpec));
   const asked = await askedFor(studio, character, work);
   const result = work.found ? await restored(studio, character, work.found, work.fewer) : null;
   const edits: Record<number, Edit> = {};
@@ -58,6 +61,7 @@ export async function openWork(studio: Studio, work: Work, files: readonly File[
   const { chosen, compared, picture } = work;
   const begun = studio.begin({ ...asked, result, edits, chosen, compared: compared === chosen ? null : compared });
   show(studio, picture);
+  studio.store.set({ wanted: own ? null : { work, character } });
   // a search that had not come to its end begins anew
   if (result && work.searching) void studio.search();
   await begun;
@@ -97,8 +101,14 @@ function isBuiltIn(facts: Facts, source: string): boolean {
   return facts.bodies.some(({ name }) => name === source);
 }
 
-/** By its own file where that is at hand, else as it was measured. */
-async function characterOf(studio: Studio, { character: { spec, sha256 }, found }: Work, files: readonly File[]): Promise<Character> {
+/** Whether the person can stand there without their file. */
+function isMeasured({ found }: Work): boolean {
+  const character = found?.task.character;
+  return typeof character === 'object' && (character.landmarks_m !== undefined || character.urdf !== undefined);
+}
+
+/** A work's character; null where its file is not at hand. */
+async function characterOf(studio: Studio, { character: { spec, sha256 } }: Work, files: readonly File[]): Promise<Character | null> {
   const now = studio.document?.character;
   if (sha256 === undefined) {
     const same = now && !now.bytes && isBuiltIn(studio.facts, spec.source) && JSON.stringify(now.spec) === JSON.stringify(spec);
@@ -112,5 +122,5 @@ async function characterOf(studio: Studio, { character: { spec, sha256 }, found 
     const bytes = new Uint8Array(await file.arrayBuffer());
     if (await isIt(file.name, bytes)) return studio.open(spec, bytes);
   }
-  return studio.open(found?.task.character as typeof spec | undefined ?? spec);
+  return null;
 }

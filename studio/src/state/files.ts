@@ -4,6 +4,7 @@ import type { CharacterSpec, Generated, Summary, Task } from '../../../bindings/
 import { digestOf } from '../kept/digest';
 import { workOfResult } from '../kept/in_result';
 import { openWork } from '../kept/pack';
+import { takeWanted } from '../kept/wanted';
 import { characterFormat, characterFormats, endingOf, isBuiltIn } from './formats';
 import type { Document } from './model';
 import { checkedDocumentOf, documentOf } from './of_task';
@@ -17,6 +18,7 @@ const kOfTheFile = new Set(['source', 'frame', 'animation', 'seat_m', 'heels', '
 /** Opens what was dropped or picked: the result among several files, which must be those that it describes, else the
  *  first. */
 export async function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
+  if (await takeWanted(studio, files)) return;
   const result = files.find((file) => file.name === 'summary.json') ?? files.find((file) => endingOf(file.name) === kJson);
   const file = files.length > 1 && result ? result : files[0];
   if (file) await openFile(studio, file, files.filter((other) => other !== file));

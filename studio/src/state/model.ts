@@ -2,6 +2,7 @@
 // The page's state. A document is what undo goes back over; it is never changed, only replaced. A session is
 // the rest: what is shown and what is going on.
 import type { Candidate, Character, EngineFailure, Generated, Goal, PresetName, Summary, Task } from '../../../bindings/wasm/src/types';
+import type { Work } from '../kept/work';
 import { initialView, type ViewSettings } from './view_settings';
 
 /** What a person changed of a candidate, and the motion that came of it. */
@@ -36,6 +37,12 @@ export type Notice =
   | { kind: 'failure'; failure: EngineFailure; about?: string }
   | { kind: 'text'; key: string; values?: Record<string, string | number> };
 
+/** A work whose character's file is not at hand. */
+export interface Wanted {
+  readonly work: Work;
+  readonly character: Character | null; // as measured, in place of the file's; null: such a one is not known either
+}
+
 export type Tab = 'goals' | 'adjust' | 'criteria' | 'body' | 'plots' | 'take';
 export type CompareMode = 'beside' | 'over';
 
@@ -50,6 +57,7 @@ export interface State {
   readonly dragging: boolean;
   readonly search: { fraction: number; best: number } | null;
   readonly opening: string | null; // a file's name
+  readonly wanted: Wanted | null;
   readonly notice: Notice | null;
   readonly selected: string; // effector
   readonly hint: boolean; // the sentence that says what to drag
@@ -75,6 +83,7 @@ export const initialState: State = {
   dragging: false,
   search: null,
   opening: null,
+  wanted: null,
   notice: null,
   selected: 'right_hand',
   hint: true,

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The file of a work's character, where the work came without it. As measured, the person moves without the file;
+// their own skeleton and mesh come with it.
+import { characterFormat } from '../state/formats';
+import type { State, Wanted } from '../state/model';
+import type { Studio } from '../state/studio';
+import { digestOf } from './digest';
+import { openWork, workOf } from './pack';
+import type { Work } from './work';
+
+/** The file that is wanted of what is on the table now. */
+export function wantedNow({ wanted, document }: State): Wanted | null {
+  return wanted && (wanted.character === null || wanted.character === document?.character) ? wanted : null;
+}
+
+async function isWanted({ character: { spec, sha256 } }: Work, file: File): Promise<boolean> {
+  if (!sha256) return file.name === spec.source;
+  return (await digestOf(new Uint8Array(await file.arrayBuffer()))) === sha256;
+}
+
+/** Brings in the file that is wanted, where it is among these; false where it is not. */
+export async function takeWanted(studio: Studio, files: readonly File[]): Promise<boolean> {
+  const wanted = wantedNow(studio.store.state);
+  if (!wanted) return false;
+  for (const file of files) {
+    const format = characterFormat(studio.facts, file.name);
+    if (!format || file.size > format.max_bytes || !(await isWanted(wanted.work, file))) continue;
+    studio.store.set({ opening: file.name, notice: null });
+    try {
+      const { document } = studio;
+      const work = document && wanted.character ? await workOf(studio, document) : wanted.work;
+      await openWork(studio, work, [file]);
+    } catch (error) {
+      studio.fail(error, file.name);
+    } finally {
+      studio.store.set({ opening: null });
+    }
+    return true;
+  }
+  return false;
+}
