@@ -59,8 +59,8 @@ inline constexpr double kSearchStep = 0.07;
                                                  const ParameterSpace& space, int most);
 
 // How far a search steps along each gene (genes), beside kSearchStep: by how much the points
-// (points × genes) of nearest_starts() differ in it, as what leads to goals near by does. Their mean
-// square is 1 but for those that differ in nothing, which are kLeastScale. None for no points.
+// (points × genes) of nearest_starts() differ in it, as what leads to goals near by does. Their
+// mean square is 1 but for those that differ in nothing, which are kLeastScale. None for no points.
 [[nodiscard]] std::vector<double> start_scales(std::span<const double> points, int genes);
 inline constexpr double kLeastScale = 0.3;
 

@@ -16,14 +16,14 @@ namespace shigusa {
 inline constexpr int kCmaMaxGenes = 500;
 
 struct CmaEsSettings {
-  int evaluations = 1000;    // ≥ 1
-  int population = 0;        // 4..10000; 0: the least multiple of 16 from 4 + 3 ln(genes) on
-  double step = 0.3;         // standard deviation that a run begins with, 1e-6..1
-  double polish_step = 0.1;  // the same for a run from the best, 1e-6..1
+  int evaluations = 1000;        // ≥ 1
+  int population = 0;            // 4..10000; 0: the least multiple of 16 from 4 + 3 ln(genes) on
+  double step = 0.3;             // standard deviation that a run begins with, 1e-6..1
+  double polish_step = 0.1;      // the same for a run from the best, 1e-6..1
   std::vector<double> scales{};  // (genes) of the first run's deviations, in `step`; none: all 1
-  double precision = 1e-9;   // a fall of the best score that counts as none, ≥ 0
-  bool mirrored = false;     // the second half of a generation mirrors the first
-  int diagonal_until = 0;    // evaluations after which more than C's diagonal is learnt
+  double precision = 1e-9;       // a fall of the best score that counts as none, ≥ 0
+  bool mirrored = false;         // the second half of a generation mirrors the first
+  int diagonal_until = 0;        // evaluations after which more than C's diagonal is learnt
   std::uint64_t seed = 0;
   std::uint64_t stream = 0;  // other random numbers for the same seed
 };

@@ -35,7 +35,7 @@ class CmaRun {
   // mean (genes) in [0, 1]; step > 0; population ≥ 4.
   CmaRun(std::vector<double> mean, double step, int population, CmaShape shape = CmaShape::whole);
 
-  // Makes the deviation along each coordinate so many times as large, before the first sample.
+  // Multiplies the deviation along each coordinate by its scale, before the first sample.
   // scales (genes) > 0.
   void scale(std::span<const double> scales);
 

@@ -44,7 +44,8 @@ TEST_F(HeelsApp, TiptoeKeepsTheToesAndTellsHowFarHeelsLift) {
 }
 
 TEST_F(HeelsApp, EditAndMirrorKeepTheHeels) {
-  ASSERT_EQ(reach({"--character", "human", "--goal", "right_hand=-0.25,2.3,0.15"}).exit_code, 0);
+  const ProgramRun begun = reach({"--character", "human", "--goal", "right_hand=-0.25,2.3,0.15"});
+  ASSERT_THAT(begun.exit_code, delivered()) << begun.err;
   for (const Words& call :
        {Words{"edit", "out", "--set", "right_elbow.weight=2"}, Words{"mirror", "out"}}) {
     Words words = call;

@@ -98,8 +98,8 @@ TEST(Coordination, FartherThanPeopleLikeItChangesNothing) {
 TEST(Coordination, HandsBesideOrBehindAreAsFarAsThoseAhead) {
   constexpr double kFar = 0.4;
   const double way = kFar * kHandAhead * kPosedStature;
-  for (const Vec3d& to : {Vec3d{way, 0, 0}, Vec3d{-way, 0, 0}, Vec3d{0, 0, -way},
-                          Vec3d{0.6 * way, 0, 0.8 * way}}) {
+  for (const Vec3d& to :
+       {Vec3d{way, 0, 0}, Vec3d{-way, 0, 0}, Vec3d{0, 0, -way}, Vec3d{0.6 * way, 0, 0.8 * way}}) {
     Pose pose = peoples(kLean, kFar);
     for (Vec3d* hand : {&pose.left.hand, &pose.right.hand}) {
       hand->x = kPosedAnkles.x + to.x;

@@ -123,5 +123,21 @@ TEST(NearestStarts, OfWhatIsNoHandAreNone) {
   EXPECT_THAT(Begun(human_body(), {{"head", {0.0, 1.5, 0.2}}}).starts(), IsEmpty());
 }
 
+TEST(StartScales, AreByHowMuchThePointsDiffer) {
+  // the first gene differs by 3 times as much as the second, the third not at all
+  const std::vector<double> points{0.2, 0.5, 0.7, 0.8, 0.7, 0.7};
+  const std::vector<double> scales = start_scales(points, 3);
+  ASSERT_THAT(scales, SizeIs(3));
+  EXPECT_NEAR(scales[0], 3.0 * scales[1], 1e-12);
+  EXPECT_NEAR(scales[0] * scales[0] + scales[1] * scales[1], 3.0, 1e-12);
+  EXPECT_EQ(scales[2], kLeastScale);
+}
+
+TEST(StartScales, OfOnePointOrEqualOnesAreNone) {
+  EXPECT_THAT(start_scales({}, 3), IsEmpty());
+  EXPECT_THAT(start_scales(std::vector<double>{0.1, 0.2, 0.3}, 3), IsEmpty());
+  EXPECT_THAT(start_scales(std::vector<double>{0.1, 0.2, 0.1, 0.2}, 2), IsEmpty());
+}
+
 }  // namespace
 }  // namespace shigusa

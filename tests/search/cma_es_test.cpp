@@ -131,6 +131,35 @@ TEST(CmaEs, LearnsScalesSoonerAlone) {
   EXPECT_LT(best_after(2000), 0.1 * best_after(0));
 }
 
+TEST(CmaEs, KnownScalesSaveItTheLearning) {
+  // an ellipsoid along the axes, which the start in the middle misses by a fifth of each axis
+  constexpr int kGenes = 27;
+  std::vector<double> scales;
+  for (int i = 0; i < kGenes; ++i) scales.push_back(std::pow(10.0, -2.0 * i / (kGenes - 1.0)));
+  const Function narrow = [&scales](std::span<const double> x) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      sum += std::pow((x[i] - 0.5) / scales[i] - 0.2, 2.0);
+    }
+    return sum;
+  };
+  const auto best_after = [&narrow](const std::vector<double>& known) {
+    return median_best(kGenes, narrow, [&](const SearchProblem& problem, auto seed) {
+      return cma_es_search(problem, {.evaluations = 1000, .scales = known, .seed = seed});
+    });
+  };
+  EXPECT_LT(best_after(scales), 0.1 * best_after({}));
+}
+
+TEST(CmaEs, EqualScalesOfOneChangeNothing) {
+  const auto best = [](std::vector<double> scales) {
+    return cma_es_search(problem_of(5, rosenbrock),
+                         {.evaluations = 500, .scales = std::move(scales), .seed = 3})
+        .best_seen.point;
+  };
+  EXPECT_EQ(best(std::vector<double>(5, 1.0)), best({}));
+}
+
 TEST(CmaEs, FinalPopulationBeginsWithTheBestOfEachRun) {
   // flat: a run ends when it has stood still for 10 + 12 · 4 / 16 generations, the first of all
   // after one more, in which its best was first known
@@ -159,6 +188,10 @@ TEST(CmaEs, RefusesSettingsOutOfRangeAndNamesThem) {
   }
   for (const double precision : {-1e-9, nan}) {
     EXPECT_THAT(refusal(3, {.precision = precision}), HasSubstr("precision is"));
+  }
+  EXPECT_THAT(refusal(3, {.scales = {1.0, 1.0}}), HasSubstr("2 scales for 3 genes"));
+  for (const double scale : {0.0, -1.0, 1e7, nan}) {
+    EXPECT_THAT(refusal(3, {.scales = {1.0, scale, 1.0}}), HasSubstr("a scale is"));
   }
   EXPECT_THAT(refusal(3, {.diagonal_until = -1}), HasSubstr("diagonal_until is"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the colours of the paths stand for.
+// The legend of the paths' colours, m/s.
 import { t } from '../i18n';
 import { candidateAt } from '../state/model';
 import { speedScale } from '../state/speed';

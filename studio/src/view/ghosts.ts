@@ -69,7 +69,7 @@ export class Ghosts {
     });
   }
 
-  /** Lets go of all but the first `count`. */
+  /** Only the first `count` stay. */
   private keep(count: number): void {
     for (const ghost of this.ghosts.splice(count)) {
       ghost.object.removeFromParent();
