@@ -2,6 +2,7 @@
 // Keys for everything that a pointer does. Letters typed into a field stay there.
 import type { Vec3 } from '../../bindings/wasm/src/types';
 import { ranking } from './state/criteria';
+import { leastHeight } from './state/floor';
 import { goalOf } from './state/model';
 import type { Studio } from './state/studio';
 
@@ -93,7 +94,7 @@ export class Keyboard {
     event.preventDefault();
     const from = this.target?.effector === goal.effector ? this.target.position : goal.position_m;
     const step = event.shiftKey ? kLongStep : kStep;
-    const position: Vec3 = [from[0] + way[0] * step, Math.max(from[1] + way[1] * step, kStep), from[2] + way[2] * step];
+    const position: Vec3 = [from[0] + way[0] * step, Math.max(from[1] + way[1] * step, leastHeight(document.character, goal.effector, goal.rotation_xyzw)), from[2] + way[2] * step];
     this.target = { effector: goal.effector, position };
     void this.studio.dragGoal(goal.effector, position);
     window.clearTimeout(this.timer);
