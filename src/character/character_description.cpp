@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/character.hpp>
 
+#include "body/sole.hpp"
 #include "character/character_rig.hpp"
 #include "core/index.hpp"
 #include "criteria/support_zone.hpp"
@@ -81,6 +82,28 @@ Json places_to_json(const BodyModel& body) {
   return list;
 }
 
+// The soles, for goals of feet: their corners from the effector in its own frame, and how high the
+// effector is where the sole lies as at the start.
+Json feet_to_json(const BodyModel& body) {
+  const Kinematics<double> start = start_kinematics(body);
+  Json list = Json::array();
+  for (const Foot& foot : body.feet()) {
+    const BodyNode* node = body.find_node(foot.node);
+    const auto effector = body.find_effector(foot.node);
+    if (node == nullptr) continue;
+    const Transformd place{start.link_rotation(foot.link), start.link_origin(foot.link)};
+    const Sole sole =
+        sole_under(foot, effector ? body.effector(*effector).point : node->point, place);
+    Json corners = Json::array();
+    for (const Vec3d& corner : sole.corners) corners.push_back(to_json(corner));
+    list.push_back({{"effector", foot.name},
+                    {"sole_m", std::move(corners)},
+                    {"floor_m", sole.floor},
+                    {"least_m", sole.least_height(place.rotation)}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::vector<Vec3d> start_places(const BodyModel& body) {
@@ -126,6 +149,7 @@ std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
   json["effectors"] = Json::array();
   for (const Effector& effector : body.effectors()) json["effectors"].push_back(effector.name);
   json["places"] = places_to_json(body);
+  json["feet"] = feet_to_json(body);
   json["humanoid"] = Json::object();
   for (const auto& [bone, node] : spec.humanoid) json["humanoid"][bone] = node;
   json["twist_bones"] = Json::array();

@@ -72,7 +72,8 @@ struct GltfCharacter {
 //
 // - Nodes are the joints of all skins and the bones of VRM, all that these hang on, and the leaves
 //   on them that carry no mesh: tips of fingers and toes. A file without joints and bones gives
-//   all nodes.
+//   all nodes. Where the joints of skins make no person, whose limbs may be rigid parts, and all
+//   nodes but those that only show meshes do, the skeleton is of these, with a doubt.
 // - Scales go into the offsets, mirroring ones too. Bones below a scale that is not the same along
 //   its axes keep the lengths that they have in the rest pose; the doubts name such nodes.
 // - Names are made unique as parse_bvh does; a node without a name is "node 17" by its index.

@@ -12,6 +12,7 @@
 #include "gltf_vrm.hpp"
 #include "io/gltf.hpp"
 #include "node_names.hpp"
+#include "person/find_humanoid.hpp"
 #include "person/landmark_points.hpp"
 
 namespace shigusa {
@@ -48,7 +49,7 @@ class GltfReader {
   Result<GltfCharacter> read() {
     if (!version() || !nodes() || !parents() || !joints()) return tl::unexpected<Error>(error_);
     mark_needed();
-    if (!build()) return tl::unexpected<Error>(error_);
+    if (!build() || !complete()) return tl::unexpected<Error>(error_);
     take_meshes();
     take_vrm();
     tell_uneven();
@@ -239,7 +240,43 @@ class GltfReader {
     }
   }
 
+  // Rigid limbs may hang on the joints of a skin that binds the trunk alone. Where the joints make
+  // no person and all nodes do, these are the skeleton.
+  bool complete() {
+    if (result_.skins.empty() || !vrm_.all.empty() || is_person()) return true;
+    const std::size_t joints = result_.file_node.size();
+    const std::vector<FileNode> before = nodes_;
+    mark_all();
+    if (!build()) return false;
+    if (is_person()) {
+      result_.doubts.push_back(fmt::format(
+          "the skins bind {} of {} nodes, which make no whole person: limbs are taken from nodes "
+          "that show their meshes as rigid parts",
+          joints, result_.file_node.size()));
+      return true;
+    }
+    nodes_ = before;
+    return build();
+  }
+
+  bool is_person() {
+    const SkeletonMotion& rest = result_.rest;
+    return find_humanoid(rest.skeleton, world_transforms(rest.skeleton, rest.clip, 0)).has_value();
+  }
+
+  // All nodes but those that only show meshes.
+  void mark_all() {
+    for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
+      FileNode& each = node(*i);
+      each.needed = !each.mesh;
+      for (const int child : each.children) each.needed = each.needed || node(child).needed;
+    }
+  }
+
   bool build() {
+    result_.file_node.clear();
+    result_.places.clear();
+    result_.rest = {};
     std::vector<Transformd> world(nodes_.size());  // with scales, by the file's own index
     std::vector<int> place(nodes_.size(), -1);     // in the skeleton
     NodeNames names;
@@ -290,7 +327,7 @@ class GltfReader {
 
   void take_vrm() {
     result_.vrm = vrm_.version;
-    result_.doubts = vrm_.doubts;
+    result_.doubts.insert(result_.doubts.end(), vrm_.doubts.begin(), vrm_.doubts.end());
     for (auto& [name, i] : vrm_.all) {
       result_.vrm_bones.emplace_back(std::move(name), place_[index(i)]);
     }

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <shigusa/goal.hpp>
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "body/sole.hpp"
 #include "body/stance.hpp"
 
 namespace shigusa {
@@ -136,6 +138,33 @@ void name_soles(Task& task) {
   }
 }
 
+// A sole may end this far below the floor (m): goals are met to that.
+constexpr double kSoleSlack = kReachTolerance;
+
+// Fails where a goal would have a foot end below the floor.
+Result<void> check_soles(const Task& task, const Kinematics<double>& start) {
+  for (const Goal& goal : task.goals) {
+    const auto index = task.body.find_effector(goal.effector);
+    if (!index) continue;
+    const Effector& effector = task.body.effector(*index);
+    for (const Foot& foot : task.body.feet()) {
+      if (effector.link != foot.link) continue;
+      const Sole sole = sole_under(foot, effector.point,
+                                   {start.link_rotation(foot.link), start.link_origin(foot.link)});
+      const EffectorTurn turn = goal_turn(task.body, goal, *index, start);
+      const double least = turn.kind == Turning::axis ? sole.least_height(turn.axis, turn.direction)
+                                                      : sole.least_height(turn.goal);
+      if (goal.position.y >= least - kSoleSlack) continue;
+      return wrong_goal(goal,
+                        fmt::format("is {:.3f} m high, and its sole would end {:.0f} mm below "
+                                    "the floor; allowed are {:.3f} m and more, as it is turned",
+                                    goal.position.y, 1000.0 * (least - goal.position.y),
+                                    std::ceil(1000.0 * least) / 1000.0));
+    }
+  }
+  return {};
+}
+
 Result<void> check_contacts(const Task& task) {
   std::vector<std::string> feet;
   for (const Foot& foot : task.body.feet()) feet.push_back(foot.name);
@@ -164,8 +193,9 @@ bool needs_preparing(const Task& task) {
 // Frees the feet that do not stand.
 Result<void> stand(Task& task) {
   if (task.contacts) SHG_TRY(check_contacts(task));
-  name_soles(task);
   const Kinematics<double> start = start_kinematics(task.body);
+  SHG_TRY(check_soles(task, start));
+  name_soles(task);
   std::vector<std::string> standing;
   std::vector<Goal> lifts;
   for (const Foot& foot : task.body.feet()) {

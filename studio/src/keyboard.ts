@@ -3,6 +3,7 @@
 import type { Vec3 } from '../../bindings/wasm/src/types';
 import { viewKey } from './panels/view_menu';
 import { ranking } from './state/criteria';
+import { leastHeight } from './state/floor';
 import { goalOf } from './state/model';
 import type { Studio } from './state/studio';
 
@@ -96,7 +97,7 @@ export class Keyboard {
     event.preventDefault();
     const from = this.target?.effector === goal.effector ? this.target.position : goal.position_m;
     const step = event.shiftKey ? kLongStep : kStep;
-    const position: Vec3 = [from[0] + way[0] * step, Math.max(from[1] + way[1] * step, kStep), from[2] + way[2] * step];
+    const position: Vec3 = [from[0] + way[0] * step, Math.max(from[1] + way[1] * step, leastHeight(document.character, goal.effector, goal.rotation_xyzw)), from[2] + way[2] * step];
     this.target = { effector: goal.effector, position };
     void this.studio.dragGoal(goal.effector, position);
     window.clearTimeout(this.timer);

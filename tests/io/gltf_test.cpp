@@ -124,6 +124,44 @@ TEST(Gltf, OnlyJointsAndWhatTheyHangOnAreTaken) {
   EXPECT_THAT(names(c), ElementsAre("rig", "hand", "fingertip"));
 }
 
+// The person with a skin over the trunk, as mannequins are: on each limb hangs a part of it, whose
+// own origin is somewhere else.
+nlohmann::json person_with_rigid_limbs() {
+  nlohmann::json file = person_gltf();
+  nlohmann::json& nodes = file["nodes"];
+  nlohmann::json joints = nlohmann::json::array();
+  const std::size_t count = nodes.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = nodes[i].value("name", "");
+    if (name == "hips" || name == "spine" || name == "chest" || name == "neck") joints.push_back(i);
+    if (!name.starts_with("left_") && !name.starts_with("right_") && name != "head") continue;
+    nodes[i]["children"].push_back(nodes.size());
+    nodes.push_back({{"mesh", 0}, {"translation", {-0.3, -1.4, 0.2}}});
+  }
+  file["skins"] = {{{"joints", joints}}};
+  return file;
+}
+
+TEST(Gltf, LimbsOfRigidPartsAreBones) {
+  const GltfCharacter whole = read(person_gltf().dump());
+  const GltfCharacter c = read(person_with_rigid_limbs().dump());
+  EXPECT_EQ(names(c), names(whole));
+  for (const std::string& name : names(whole)) EXPECT_EQ(place(c, name), place(whole, name));
+  ASSERT_EQ(c.doubts.size(), 1u);
+  EXPECT_THAT(c.doubts[0], HasSubstr("make no whole person"));
+  EXPECT_EQ(c.meshes.size(), person_with_rigid_limbs()["nodes"].size() - names(whole).size());
+  for (const GltfMeshNode& mesh : c.meshes) EXPECT_GE(mesh.node, 0);
+}
+
+TEST(Gltf, JointsOfAPersonAreTakenAlone) {
+  nlohmann::json file = person_with_rigid_limbs();
+  nlohmann::json joints = nlohmann::json::array();
+  for (std::size_t i = 0; i < person_gltf()["nodes"].size(); ++i) joints.push_back(i);
+  file["skins"] = {{{"joints", joints}}};
+  file["nodes"].push_back({{"name", "lamp"}});
+  EXPECT_EQ(names(read(file.dump())), names(read(person_gltf().dump())));
+}
+
 TEST(Gltf, GlbIsReadAsItsJson) {
   const std::string json = person_gltf().dump();
   const GltfCharacter text = read(json);

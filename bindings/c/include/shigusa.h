@@ -90,7 +90,10 @@ SHIGUSA_API void shigusa_character_free(shigusa_character* character); /* null i
 /* The character as it was understood: the object that `shigusa body --json` prints, with the nodes
  * that SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS move: "nodes": [{"name", "parent" (index or -1),
  * "offset" [x, y, z], "file_node" (of glTF: index in the file)}], "node_unit_m" (metres per unit of
- * their translations), and "support_polygon" [[x, z], …] (m, what the feet stand on). */
+ * their translations), "support_polygon" [[x, z], …] (m, what the feet stand on), and "feet":
+ * [{"effector", "sole_m" [[x, y, z], …] (its corners from the effector, in the effector's frame),
+ * "floor_m" (no corner may end below), "least_m" (the effector's height with the sole as it is at
+ * the start)}]. */
 SHIGUSA_API shigusa_status shigusa_character_describe(const shigusa_character* character,
                                                       shigusa_bytes** json);
 

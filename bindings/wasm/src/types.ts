@@ -38,6 +38,9 @@ export interface CharacterDescription {
   joints: JointDescription[];
   effectors: string[];
   places: { effector: string; node: string; start_m: Vec3 }[];
+  /** The soles' corners from the effector, in its own frame; the floor that they may not end below, and the
+   *  effector's least height where the sole lies as at the start. */
+  feet: { effector: string; sole_m: Vec3[]; floor_m: number; least_m: number }[];
   humanoid: Record<string, string>;
   doubts: string[];
   nodes: NodeDescription[];

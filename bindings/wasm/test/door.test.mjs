@@ -42,6 +42,8 @@ test('a character tells its joints, places and nodes', () => {
   assert.ok(said.nodes.length > 15);
   for (const [i, node] of said.nodes.entries()) assert.ok(node.parent < i, node.name);
   assert.ok(said.support_polygon.length >= 3);
+  assert.deepEqual(said.feet.map(({ effector }) => effector).sort(), ['left_foot', 'right_foot']);
+  for (const { sole_m, floor_m, least_m } of said.feet) assert.ok(Math.abs(Math.min(...sole_m.map(([, y]) => y)) + least_m - floor_m) < 1e-9);
 });
 
 test('stature is as it was asked for', () => {

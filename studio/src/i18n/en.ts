@@ -44,6 +44,7 @@ export const en = {
   left: 'left', up: 'up', ahead: 'ahead', load: 'Load', kg: 'kg', turn: 'Give a rotation', rings: 'Turn by rings',
   reachedBy: 'met', short: '{cm} cm short', duration: 'Duration', auto: 'by distance', s: 's',
   method: 'Search', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
+  onFloor: '{name} stops at the floor: as it is turned, {m} m is the lowest it can be.',
   remove: 'Remove', seed: 'Other random numbers', seedNumber: 'Seed',
   // adjust
   adjustIntro: 'How the body gets there. The goal stays met while you change it; the mark is what the search found.',

@@ -38,6 +38,7 @@ export const ja: Record<Key, string> = {
   left: '左', up: '上', ahead: '前', load: '荷物', kg: 'kg', turn: '向きを指定', rings: '輪で回す',
   reachedBy: '到達', short: 'あと {cm} cm', duration: '所要時間', auto: '距離から', s: '秒',
   method: '探索方法', effort: '探索量', effortQuick: '少なめ', effortNormal: '普通', effortThorough: '入念',
+  onFloor: '{name}は床で止まります。この向きでは高さ {m} m が下限です。',
   remove: '外す', seed: '別の乱数で探す', seedNumber: '乱数の種',
   adjustIntro: '目標までの動き方です。変えても手は目標に届いたままです。印は探索が見つけた値です。',
   weightsIntro: '関節の硬さ：大きいほど、ほかの関節に比べて動きません。',

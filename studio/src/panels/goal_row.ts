@@ -3,10 +3,11 @@
 // that a click that begins by leaving a field ends on what it began on.
 import type { Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import { jointName, t } from '../i18n';
+import { leastHeight } from '../state/floor';
 import { chosenCandidate, type Document, goalOf } from '../state/model';
 import type { Studio } from '../state/studio';
 import { isMet } from '../state/verdict';
-import { kFarthest, kLowest } from '../view/handles';
+import { kFarthest } from '../view/handles';
 import type { View } from '../view/view';
 import { fill, h, iconButton, round } from './dom';
 
@@ -98,8 +99,11 @@ export class GoalRow {
     if (!goal) return;
     const position: Vec3 = [...goal.position_m];
     if (input.value === '') return show(input, round(position[index]!), true);
-    position[index] = Math.min(Math.max(Number(input.value), index === 1 ? kLowest : -kFarthest), kFarthest);
+    position[index] = Math.min(Math.max(Number(input.value), -kFarthest), kFarthest);
     void this.studio.dropGoal(this.effector, position);
+    const { document } = this.studio;
+    const least = document === null ? 0 : leastHeight(document.character, this.effector, goal.rotation_xyzw);
+    if (position[1] < least) this.studio.tell({ kind: 'text', key: 'onFloor', values: { name: jointName(this.effector), m: least.toFixed(3) } });
   }
 
   private hold(): void {

@@ -3,6 +3,7 @@
 import type { Candidate, Character, Generated, Goal, Quat, Series, Summary, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import type { History } from './history';
 import { ranking } from './criteria';
+import { aboveFloor } from './floor';
 import { candidateAt, type Document, goalOf } from './model';
 import { startOf } from './start';
 import { moreOf, previewTask, taskOf } from './task';
@@ -38,7 +39,8 @@ export class Studio extends Workbench {
     this.store.set({ selected: effector });
   }
 
-  private withGoal(document: Document, goal: Goal): Document {
+  private withGoal(document: Document, asked: Goal): Document {
+    const goal = aboveFloor(document.character, asked);
     const others = document.goals.filter((other) => other.effector !== goal.effector);
     const index = document.goals.findIndex((other) => other.effector === goal.effector);
     const goals = index < 0 ? [...others, goal] : document.goals.map((old, i) => (i === index ? goal : old));

@@ -10,7 +10,6 @@ import type { Palette } from './palette';
 import type { Stage } from './stage';
 
 const kGrab = 20; // px about a handle's middle
-export const kLowest = 0.01; // m: goals stay above the floor
 export const kFarthest = 3; // m from the middle
 
 export interface HandleEvents {
@@ -18,6 +17,8 @@ export interface HandleEvents {
   drag(effector: string, position: Vec3, rotation?: Quat): void;
   drop(effector: string, position: Vec3, rotation?: Quat): void;
   hover(effector: string | null, x: number, y: number): void;
+  /** How high a goal must be, m. */
+  least(effector: string, rotation?: Quat): number;
 }
 
 interface Handle {
@@ -109,10 +110,10 @@ export class Handles {
   private gizmoMoved(end: boolean): void {
     const handle = this.handles.find((h) => h.sprite.material === this.materials.selected);
     if (!handle) return;
-    clampPlace(this.anchor.position);
+    const rotation = this.rotates ? this.anchor.quaternion.toArray() : undefined;
+    clampPlace(this.anchor.position, this.events.least(handle.effector, rotation));
     this.held.copy(this.anchor.position);
     handle.sprite.position.copy(this.held);
-    const rotation = this.rotates ? this.anchor.quaternion.toArray() : undefined;
     if (end) this.events.drop(handle.effector, this.held.toArray(), rotation);
     else this.events.drag(handle.effector, this.held.toArray(), rotation);
   }
@@ -174,7 +175,7 @@ export class Handles {
     this.aim(event);
     const hit = this.ray.ray.intersectPlane(drag.plane, new Vector3());
     if (!hit) return;
-    const place = clampPlace(hit.add(drag.grip));
+    const place = clampPlace(hit.add(drag.grip), this.events.least(drag.handle.effector));
     if (!drag.moved && place.distanceTo(drag.handle.sprite.position) < 0.002) return;
     drag.moved = true;
     drag.handle.sprite.position.copy(place);
@@ -198,9 +199,10 @@ export class Handles {
   }
 }
 
-export function clampPlace(place: Vector3): Vector3 {
-  place.y = Math.max(place.y, kLowest);
-  return place.clampLength(0, kFarthest);
+function clampPlace(place: Vector3, least: number): Vector3 {
+  place.clampLength(0, kFarthest);
+  place.y = Math.max(place.y, least);
+  return place;
 }
 
 function disc(): SpriteMaterial {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The picture in three dimensions: shows what the state holds, and tells what a person drags.
 import { Vector3 } from 'three';
-import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
-import { candidateAt, type State } from '../state/model';
+import { leastHeight } from '../state/floor';
+import { candidateAt, goalOf, type State } from '../state/model';
 import { speedScale } from '../state/speed';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -57,6 +58,7 @@ export class View {
       drag: (effector, position, rotation) => void studio.dragGoal(effector, position, rotation),
       drop: (effector, position, rotation) => void studio.dropGoal(effector, position, rotation),
       hover: onHover,
+      least: (effector, rotation) => this.leastHeight(effector, rotation),
     });
     this.stage.scene.add(this.obstacles.object, this.overlays.object, this.otherOverlays.object, this.strained.object, this.handles.object, this.ghosts.object, this.speeds.object, this.otherSpeeds.object);
     this.stage.onFrame = (seconds) => this.advance(seconds);
@@ -114,6 +116,12 @@ export class View {
   onFigure(listener: (figure: Figure | null) => void): void {
     this.listeners.add(listener);
     listener(this.figure);
+  }
+
+  /** How high a goal must be, m, with the rotation that it has where none is given. */
+  private leastHeight(effector: string, rotation?: Quat): number {
+    const { document } = this.studio;
+    return document === null ? 0 : leastHeight(document.character, effector, rotation ?? goalOf(document, effector)?.rotation_xyzw);
   }
 
   private advance(seconds: number): boolean {
