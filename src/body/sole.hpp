@@ -6,7 +6,7 @@
 
 namespace shigusa {
 
-// What a foot has under a point of its link: where goals for the foot may be.
+// The sole under a point of a foot's link: it says where goals for the foot may be.
 struct Sole {
   std::vector<Vec3d> corners;  // m, from the point, in the link's axes; of a heel that lifts, the
                                // forefoot's
