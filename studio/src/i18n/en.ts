@@ -65,7 +65,8 @@ export const en = {
   // plots
   plotsIntro: 'Point at a plot to move the time.', angles: 'Joint angles, share of the range', torques: 'Torques, share of the strength',
   margin: 'Centre of mass inside the feet, cm', handSpeed: 'Speed of the goal’s hand, m/s', mostUsed: 'most used',
-  limit: 'limit', noSupport: 'This body has no feet to stand on.', com: 'centre of mass', cop: 'pressure',
+  limit: 'limit', noSupport: 'This body has no feet to stand on.', com: 'centre of mass', cop: 'pressure', sideRight: 'Right', sideLeft: 'Left', sideMiddle: 'Middle',
+  plotPicture: 'Save as {format}', plotTable: 'All numbers as {format}',
   // take away
   takeIntro: 'Of the chosen motion, unless something else is said.', animation: 'Animation', figure: 'Figure', again: 'To go on later',
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',

@@ -47,9 +47,14 @@ export interface TakenFile {
   type: string;
 }
 
+/** The character's name as it stands in names of files. */
+export function bodyName(character: Character): string {
+  return character.spec.source.replace(/\.[^.]*$/, '').replace(/[^\p{L}\p{N}_-]+/gu, '-');
+}
+
 export async function takeAway(studio: Studio, format: Taken): Promise<TakenFile> {
   const document = studio.document!;
-  const body = document.character.spec.source.replace(/\.[^.]*$/, '').replace(/[^\p{L}\p{N}_-]+/gu, '-');
+  const body = bodyName(document.character);
   const encode = (value: unknown): Uint8Array => new TextEncoder().encode(`${JSON.stringify(value, null, 2)}\n`);
   if (format === 'task') {
     return { name: `shigusa-${body}-task.json`, bytes: encode(completeTask(studio.facts, document)), type: kJsonType };
@@ -82,7 +87,8 @@ async function resultOf(studio: Studio): Promise<unknown> {
 
 const kPngWidth = 1600; // px
 
-async function pngOf(svg: Uint8Array): Promise<Uint8Array> {
+/** A picture of a figure in SVG. */
+export async function pngOf(svg: Uint8Array): Promise<Uint8Array> {
   const url = URL.createObjectURL(new Blob([svg as BlobPart], { type: 'image/svg+xml' }));
   try {
     const image = new Image();
