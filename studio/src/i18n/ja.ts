@@ -8,6 +8,8 @@ export const ja: Record<Key, string> = {
   hint: 'オレンジの玉をドラッグすると、体がそこへ手を伸ばします。',
   hintMore: '小さな青い玉で、もう一方の手・頭・足も動かせます。',
   gotIt: '閉じる',
+  start: 'はじめる', startWith: 'はじめの一歩', start_pick: '床から拾う', start_shelf: '棚に置く', start_box: '箱を持つ', start_seated: '座って取る',
+  start_vrm: '自分のキャラクター', start_overhead: '頭上に伸ばす',
   viewLabel: '三次元の表示。矢印キーで選んだ目標を左右・上下に、Page Up と Page Down で前後に動かします。Shift で大きく動きます。',
   undo: '元に戻す', redo: 'やり直す', mirror: '左右反転', help: 'ヘルプ', close: '閉じる',
   language: '言語', theme: '配色', themeAuto: '配色：自動', themeLight: '配色：明', themeDark: '配色：暗',
