@@ -6,6 +6,7 @@ import './styles/verdict.css';
 import './styles/scene.css';
 import './styles/characters.css';
 import './styles/start.css';
+import './styles/tip.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
 import { preferredLanguage, setLanguage, t } from './i18n';
 import { expose } from './inspect';

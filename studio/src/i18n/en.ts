@@ -55,6 +55,7 @@ export const en = {
   // criteria
   criteriaIntro: 'What counts. Motions are ranked anew at once; search again to find others.',
   penalty: 'penalty {value}', notScored: 'not scored yet: search again', resetWeights: 'As at first',
+  paysLeast: 'pays least', paysMost: 'pays most',
   // body
   bodyIntro: 'A built-in body, or drop a character’s file onto the page ({formats}).', builtIn: 'Built-in body',
   characters: 'Characters', statureAndMass: '{cm} cm, {kg} kg', noMesh: 'Its file has no mesh: a mannequin of its size is drawn.',

@@ -47,6 +47,7 @@ export const ja: Record<Key, string> = {
   lock: '{name} を固定', noMotion: 'まだ動作がありません。', value: '{name} の値', searchValue: '探索の値：{value}',
   criteriaIntro: '何を重んじるか。順位はすぐに変わります。別の動作はもう一度探してください。',
   penalty: '減点 {value}', notScored: '未評価：もう一度探してください', resetWeights: '初期値に戻す',
+  paysLeast: '減点が最小', paysMost: '減点が最大',
   bodyIntro: '内蔵の体を選ぶか、キャラクターのファイル（{formats}）をページに落としてください。', builtIn: '内蔵の体',
   characters: 'キャラクター', statureAndMass: '{cm} cm、{kg} kg', noMesh: 'ファイルにメッシュがないため、同じ体格のマネキンで表示しています。',
   moves: '関節 {joints} か所が、合わせて {ways} 方向に動きます。',
