@@ -2,6 +2,7 @@
 // window.shigusa: the page's state to read, for tests and for the curious.
 import type { Facts, Vec3 } from '../../bindings/wasm/src/types';
 import { type Language, untranslated } from './i18n';
+import { criterionTip, parameterTip } from './i18n/tips';
 import type { Look } from './kept/work';
 import type { Document, State } from './state/model';
 import type { Studio } from './state/studio';
@@ -24,6 +25,8 @@ export interface Inspection {
   memory(): Promise<{ search: number; quick: number }>;
   /** Where a goal's effector is at the end of the chosen motion, by the engine's own series, m. */
   hand(effector?: string): Vec3 | null;
+  /** What a slider's tip says; "" where nobody has written it down. */
+  tip(kind: 'parameter' | 'criterion', name: string): string;
   /** Where an effector's node is drawn now, m. */
   drawn(effector: string): Vec3 | null;
   /** From where the picture is seen. */
@@ -72,6 +75,7 @@ export function expose(studio: Studio, view: View): void {
     },
     memory: () => studio.engine.memory(),
     look: () => view.look(),
+    tip: (kind, name) => (kind === 'parameter' ? parameterTip(name) : criterionTip(name)),
     drawn: (effector) => view.drawn(effector),
     ghosts: (effector) => view.ghostsOf(effector),
     handle: (effector) => view.handleOnScreen(effector),

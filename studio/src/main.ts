@@ -5,6 +5,8 @@ import './styles/panels.css';
 import './styles/verdict.css';
 import './styles/scene.css';
 import './styles/characters.css';
+import './styles/start.css';
+import './styles/tip.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
 import { preferredLanguage, setLanguage, t } from './i18n';
 import { expose } from './inspect';
@@ -12,6 +14,7 @@ import { workOfLink } from './kept/link';
 import { openWork } from './kept/pack';
 import { Page } from './page';
 import { h } from './panels/dom';
+import { startsWithCards } from './panels/start_cards';
 import { openCharacter, openTask } from './state/files';
 import { Studio } from './state/studio';
 import { taskOfLink } from './state/task';
@@ -50,7 +53,7 @@ async function start(): Promise<void> {
   try {
     const studio = new Studio(await connect());
     const theme = localStorage.getItem('shigusa.theme');
-    studio.store.set({ language: preferredLanguage(), theme: theme === 'light' || theme === 'dark' ? theme : 'auto' });
+    studio.store.set({ language: preferredLanguage(), theme: theme === 'light' || theme === 'dark' ? theme : 'auto', start: startsWithCards() && location.hash === '' });
     waiting.remove();
     const page = new Page(studio, root);
     expose(studio, page.view);

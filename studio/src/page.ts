@@ -13,6 +13,7 @@ import { helpDialog } from './panels/help';
 import { Notices } from './panels/notices';
 import { PlotsPanel } from './panels/plots';
 import { SpeedLegend } from './panels/speed_legend';
+import { StartCards } from './panels/start_cards';
 import { Tabs } from './panels/tabs';
 import { TakePanel } from './panels/take';
 import { Timeline } from './panels/timeline';
@@ -74,6 +75,7 @@ export class Page {
     const gallery = new Gallery(studio, this.thumbnails);
     const verdict = new VerdictLine(studio);
     const timeline = new Timeline(studio);
+    const start = new StartCards(studio);
     const notices = new Notices(studio);
     const wanted = new WantedBanner(studio);
     notices.element.append(wanted.element);
@@ -84,10 +86,10 @@ export class Page {
     const top = new TopBar(studio, openHelp);
     const legend = new SpeedLegend(studio);
     const menu = new ViewMenu(studio);
-    this.panels = [gallery, verdict, timeline, notices, wanted, tabs, top, legend, menu];
+    this.panels = [gallery, verdict, timeline, start, notices, wanted, tabs, top, legend, menu];
     this.canvas.setAttribute('aria-label', t('viewLabel'));
     this.stage.replaceChildren(this.canvas, this.label, notices.element, legend.element, menu.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
-    const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, verdict.element, timeline.element), tabs.element);
+    const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, verdict.element, start.element, timeline.element), tabs.element);
     this.root.replaceChildren(top.element, main, dialog);
     this.keyboard = new Keyboard(studio, this.canvas, openHelp);
   }

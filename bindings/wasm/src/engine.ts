@@ -121,10 +121,10 @@ class WorkerEngine implements Engine {
   }
 
   replay(
-    character: Character, summary: Summary, candidate: number, assignments: string[],
+    character: Character, summary: Summary, candidate: number, assignments: string[], slot = 'replay',
   ): Promise<Generated | undefined> {
     return this.quick.run({
-      call: { kind: 'replay', character: character.id, summary, candidate, assignments }, character, slot: 'replay',
+      call: { kind: 'replay', character: character.id, summary, candidate, assignments }, character, slot,
     });
   }
 

@@ -249,8 +249,11 @@ export interface Engine {
   /** A quick search for a goal that is being dragged; of calls that wait the newest alone is answered, the
    *  others resolve to undefined. */
   preview(character: Character, task: Task): Promise<Generated | undefined>;
-  /** A candidate (from 1) anew, with changed parameters; like preview, the newest call alone is answered. */
-  replay(character: Character, summary: Summary, candidate: number, assignments: string[]): Promise<Generated | undefined>;
+  /** A candidate (from 1) anew, with changed parameters; like preview, of the calls of one `slot` that wait the newest alone
+   *  is answered. */
+  replay(
+    character: Character, summary: Summary, candidate: number, assignments: string[], slot?: string,
+  ): Promise<Generated | undefined>;
   /** All candidates of a result anew, from its JSON. An abort ends it at once. */
   restore(character: Character, summary: Summary, options?: GenerateOptions): Promise<Generated>;
   mirror(character: Character, summary: Summary): Promise<Generated>;

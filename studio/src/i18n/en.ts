@@ -7,6 +7,8 @@ export const en = {
   hint: 'Drag the orange ball: the body reaches for it.',
   hintMore: 'Or drag a small blue one: the other hand, the head, a foot.',
   gotIt: 'Got it',
+  start: 'Start', startWith: 'To begin with', start_pick: 'Pick up', start_shelf: 'Onto a shelf', start_box: 'Lift a box', start_seated: 'Reach seated',
+  start_vrm: 'Your character', start_overhead: 'Overhead',
   viewLabel: 'Three-dimensional view. Arrow keys move the selected goal sideways and up, Page Up and Page Down ahead and back, with Shift further.',
   undo: 'Undo', redo: 'Redo', mirror: 'Mirror', help: 'Help', close: 'Close',
   language: 'Language', theme: 'Theme', themeAuto: 'Theme: auto', themeLight: 'Theme: light', themeDark: 'Theme: dark',
@@ -54,6 +56,7 @@ export const en = {
   // criteria
   criteriaIntro: 'What counts. Motions are ranked anew at once; search again to find others.',
   penalty: 'penalty {value}', notScored: 'not scored yet: search again', resetWeights: 'As at first',
+  paysLeast: 'pays least', paysMost: 'pays most',
   // body
   bodyIntro: 'A built-in body, or drop a character’s file onto the page ({formats}).', builtIn: 'Built-in body',
   characters: 'Characters', statureAndMass: '{cm} cm, {kg} kg', noMesh: 'Its file has no mesh: a mannequin of its size is drawn.',

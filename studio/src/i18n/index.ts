@@ -15,6 +15,10 @@ export function setLanguage(next: Language): void {
   document.documentElement.lang = next;
 }
 
+export function spokenLanguage(): Language {
+  return language;
+}
+
 export function preferredLanguage(): Language {
   const kept = localStorage.getItem('shigusa.language');
   if (kept === 'en' || kept === 'ja') return kept;

@@ -6,6 +6,8 @@ import { chosenCandidate, type Document } from '../state/model';
 import type { Studio } from '../state/studio';
 import { button, fill, h, icon, type Panel, round } from './dom';
 import { Slider } from './slider';
+import { tipOfParameter } from './slider_tips';
+import { giveTip } from './tooltip';
 
 const kJointOf = (name: string): string => name.replace(/\.weight$/, '');
 
@@ -124,7 +126,10 @@ export class AdjustPanel implements Panel {
       lock = press;
     }
     this.rows.set(parameter.name, { slider, lock });
-    return h('div', { class: 'row' }, h('div', { class: 'row-head' }, h('span', { class: 'row-name' }, label), lock), slider.element);
+    const name = h('span', { class: 'row-name' }, label);
+    const row = h('div', { class: 'row' }, h('div', { class: 'row-head' }, name, lock), slider.element);
+    giveTip(row, name, slider.range, () => tipOfParameter(this.studio, parameter));
+    return row;
   }
 
   dispose(): void {

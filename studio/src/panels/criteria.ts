@@ -6,6 +6,8 @@ import { chosenCandidate } from '../state/model';
 import type { Studio } from '../state/studio';
 import { button, fill, h, type Panel, round } from './dom';
 import { Slider } from './slider';
+import { tipOfCriterion } from './slider_tips';
+import { giveTip } from './tooltip';
 
 export class CriteriaPanel implements Panel {
   readonly element: HTMLElement;
@@ -45,7 +47,10 @@ export class CriteriaPanel implements Panel {
     const paid = h('span', { class: 'paid' });
     const bar = h('span', { class: 'meter', 'aria-hidden': 'true' });
     this.rows.set(name, { slider, paid, bar });
-    return h('div', { class: 'row' }, h('div', { class: 'row-head' }, h('span', { class: 'row-name' }, engineWord('criteria', name)), paid, bar), slider.element);
+    const label = h('span', { class: 'row-name' }, engineWord('criteria', name));
+    const row = h('div', { class: 'row' }, h('div', { class: 'row-head' }, label, paid, bar), slider.element);
+    giveTip(row, label, slider.range, () => tipOfCriterion(this.studio, name));
+    return row;
   }
 
   private update(): void {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { t } from '../i18n';
 import type { Studio } from '../state/studio';
-import { h, iconButton, type Panel, select } from './dom';
+import { button, h, iconButton, type Panel, select } from './dom';
 
 export class TopBar implements Panel {
   readonly element: HTMLElement;
@@ -9,6 +9,7 @@ export class TopBar implements Panel {
 
   constructor(studio: Studio, openHelp: () => void) {
     const { store } = studio;
+    const start = button(t('start'), () => store.set({ start: !store.state.start }), { class: 'quiet-button' });
     const undo = iconButton('undo', t('undo'), () => studio.undo());
     const redo = iconButton('redo', t('redo'), () => studio.redo());
     const mirror = iconButton('mirror', t('mirror'), () => void studio.mirror());
@@ -18,9 +19,10 @@ export class TopBar implements Panel {
       store.set({ theme: value }));
     this.element = h('header', { class: 'topbar' },
       h('h1', {}, h('img', { src: './favicon.svg', alt: '' }), h('span', {}, 'shigusa'), h('small', {}, t('tagline'))),
-      h('div', { class: 'tools' }, undo, redo, mirror),
+      h('div', { class: 'tools' }, start, undo, redo, mirror),
       h('div', { class: 'tools' }, theme, language, iconButton('help', t('help'), openHelp)));
     const update = (): void => {
+      start.setAttribute('aria-pressed', String(store.state.start));
       undo.disabled = !store.state.canUndo;
       redo.disabled = !store.state.canRedo;
       mirror.disabled = !store.state.document?.result;

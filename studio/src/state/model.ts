@@ -60,6 +60,7 @@ export interface State {
   readonly wanted: Wanted | null;
   readonly notice: Notice | null;
   readonly selected: string; // effector
+  readonly start: boolean; // the cards to begin with
   readonly hint: boolean; // the sentence that says what to drag
   readonly playing: boolean;
   readonly loop: boolean;
@@ -86,6 +87,7 @@ export const initialState: State = {
   wanted: null,
   notice: null,
   selected: 'right_hand',
+  start: false,
   hint: true,
   playing: true,
   loop: true,

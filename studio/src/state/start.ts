@@ -6,7 +6,7 @@ import type { Document } from './model';
 
 /** A low reach across the body, of an average person: one that people do in several ways. */
 const kFirstReach: Vec3 = [0.25, 0.55, 0.5];
-const kFirstStature = 1.741;
+export const kAverageStature = 1.741; // m
 
 /** Effectors with a handle, where a body has them. */
 export const handleEffectors = ['right_hand', 'left_hand', 'head', 'right_foot', 'left_foot'] as const;
@@ -34,7 +34,7 @@ export function startOf(character: Character, effector: string): Vec3 {
 
 function firstGoal(character: Character): Goal {
   const effector = effectorsOf(character)[0] ?? 'right_hand';
-  const scale = character.description.stature_m / kFirstStature;
+  const scale = character.description.stature_m / kAverageStature;
   const side = effector.startsWith('left') ? -1 : 1;
   if (!effector.endsWith('hand')) {
     const [x, y, z] = startOf(character, effector);

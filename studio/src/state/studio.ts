@@ -7,6 +7,7 @@ import { aboveFloor } from './floor';
 import { candidateAt, type Document, goalOf } from './model';
 import { startOf } from './start';
 import { moreOf, previewTask, taskOf } from './task';
+import { assigned, listed } from './trial';
 import { Timings } from './timings';
 import { Workbench } from './workbench';
 
@@ -218,12 +219,9 @@ export class Studio extends Workbench {
     if (!document?.result) return;
     const since = performance.now();
     const index = document.chosen;
-    const old = document.edits[index];
-    const base = old?.base ?? { summary: document.result.summary, candidate: index + 1 };
-    const all = { ...old?.assignments, ...assignments };
-    const list = Object.entries(all).map(([name, value]) => `${name}=${value}`);
+    const { base, all } = assigned(document, assignments);
     try {
-      const generated = await this.engine.replay(document.character, base.summary, base.candidate, list);
+      const generated = await this.engine.replay(document.character, base.summary, base.candidate, listed(all));
       const now = this.document;
       if (!generated || !now || now.result !== document.result) return;
       const edits = { ...now.edits, [index]: { base, assignments: all, generated } };
