@@ -7,7 +7,7 @@ import type { Document, State } from './state/model';
 import type { Studio } from './state/studio';
 import { taskOf } from './state/task';
 import type { Timings } from './state/timings';
-import type { View } from './view/view';
+import type { DrawnFigure, View } from './view/view';
 
 export interface Inspection {
   readonly state: Readonly<State>;
@@ -32,6 +32,8 @@ export interface Inspection {
   readonly strained: readonly string[];
   /** Where the ghosts have an effector's node, m. */
   ghosts(effector: string): Vec3[];
+  /** How the figure is drawn now. */
+  figure(): DrawnFigure | null;
   /** Where a handle is in the page, px. */
   handle(effector: string): [number, number] | null;
 }
@@ -74,6 +76,7 @@ export function expose(studio: Studio, view: View): void {
     look: () => view.look(),
     drawn: (effector) => view.drawn(effector),
     ghosts: (effector) => view.ghostsOf(effector),
+    figure: () => view.drawnFigure(),
     handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {
       const candidate = studio.chosen();
