@@ -8,7 +8,7 @@ import type { Document, State } from './state/model';
 import type { Studio } from './state/studio';
 import { taskOf } from './state/task';
 import type { Timings } from './state/timings';
-import type { View } from './view/view';
+import type { DrawnFigure, View } from './view/view';
 
 export interface Inspection {
   readonly state: Readonly<State>;
@@ -35,6 +35,8 @@ export interface Inspection {
   readonly strained: readonly string[];
   /** Where the ghosts have an effector's node, m. */
   ghosts(effector: string): Vec3[];
+  /** How the figure is drawn now. */
+  figure(): DrawnFigure | null;
   /** Where a handle is in the page, px. */
   handle(effector: string): [number, number] | null;
 }
@@ -78,6 +80,7 @@ export function expose(studio: Studio, view: View): void {
     tip: (kind, name) => (kind === 'parameter' ? parameterTip(name) : criterionTip(name)),
     drawn: (effector) => view.drawn(effector),
     ghosts: (effector) => view.ghostsOf(effector),
+    figure: () => view.drawnFigure(),
     handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {
       const candidate = studio.chosen();

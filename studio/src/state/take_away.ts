@@ -71,7 +71,7 @@ export async function takeAway(studio: Studio, format: Taken): Promise<TakenFile
 async function made(studio: Studio, character: Character, format: Taken): Promise<Uint8Array> {
   if (format === 'png') return pngOf(await studio.exported('svg'));
   const { drawnGlb } = await import('../view/drawn_glb');
-  return drawnGlb(character, await studio.sampledNodes());
+  return drawnGlb(character, studio.chosen()!, await studio.sampledNodes());
 }
 
 /** The result with edited motions in the place of those that were found, and with the page's work. */

@@ -4,8 +4,9 @@ import {
   AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, Scene, Vector3, VectorKeyframeTrack,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
-import type { Character, Series } from '../../../bindings/wasm/src/types';
-import { disposeFigure, makeFigure } from './figures';
+import type { Candidate, Character, Series } from '../../../bindings/wasm/src/types';
+import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
+import { paintByPicture } from './mannequin_material';
 import { palettes } from './palette';
 
 /** glTF wants normals of length 1 even where no triangle uses them. */
@@ -19,9 +20,21 @@ function normalize(geometry: BufferGeometry): void {
   }
 }
 
-export async function drawnGlb(
-  character: Character, series: Record<'time' | 'node_translations' | 'node_rotations', Series>,
-): Promise<Uint8Array> {
+type NodeSeries = Record<'time' | 'node_translations' | 'node_rotations', Series>;
+
+/** How what moves beside the nodes moves. */
+function otherTracks(figure: Figure, candidate: Candidate, series: NodeSeries, times: readonly number[]): KeyframeTrack[] {
+  const others = figure.others ?? [];
+  const turns = others.map((): number[] => []);
+  const moving: Candidate = { ...candidate, series: { ...candidate.series, ...series } };
+  for (const time of times) {
+    poseFigure(figure, moving, time);
+    others.forEach((bone, k) => turns[k]!.push(...bone.quaternion.toArray()));
+  }
+  return others.map((bone, k) => new QuaternionKeyframeTrack(`${bone.uuid}.quaternion`, [...times], turns[k]!));
+}
+
+export async function drawnGlb(character: Character, candidate: Candidate, series: NodeSeries): Promise<Uint8Array> {
   const figure = await makeFigure(character);
   try {
     figure.skin.color = palettes.light.skin;
@@ -39,6 +52,7 @@ export async function drawnGlb(
       if (!(item instanceof Mesh)) return;
       normalize(item.geometry as BufferGeometry);
       (item.geometry as BufferGeometry).deleteAttribute('uv'); // nothing is painted on
+      if ((item.geometry as BufferGeometry).hasAttribute('paint')) paintByPicture(item.geometry as BufferGeometry, figure.skin, palettes.light);
     });
     const tracks: KeyframeTrack[] = [];
     figure.nodes.forEach((node, n) => {
@@ -49,6 +63,7 @@ export async function drawnGlb(
         new QuaternionKeyframeTrack(`${node.uuid}.quaternion`, times, column(turns.values, turns.columns, 4 * n, 4)),
       );
     });
+    tracks.push(...otherTracks(figure, candidate, series, times));
     const clip = new AnimationClip('shigusa', times[times.length - 1] ?? 0, tracks);
     // a skin's mesh stands beside the bones in the scene, under nothing that could move it
     const scene = new Scene();

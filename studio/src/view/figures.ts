@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which figure a character is drawn as, and letting go of one.
 import { Mesh, type Object3D, SkinnedMesh, type Texture } from 'three';
-import type { Character } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character } from '../../../bindings/wasm/src/types';
 import { isRobot } from '../state/start';
 import { type Figure, makeMannequin } from './mannequin';
+import { loadMannequin, type Shape } from './mannequin_file';
+import { poseNodes } from './pose';
 import { makeSticks } from './sticks';
 
 export type { Figure } from './mannequin';
@@ -27,7 +29,26 @@ export async function makeFigure(character: Character): Promise<Figure> {
       // a file without a mesh, or one that three cannot read: its joints can be drawn all the same
     }
   }
-  return (isRobot(description) ? null : makeMannequin(description)) ?? makeSticks(description);
+  return (isRobot(description) ? null : await mannequin(character)) ?? makeSticks(description);
+}
+
+/** kg/m², of which an average man's and woman's mass is. */
+const kMeanMass = { male: 24.084, female: 20.563 };
+
+function shapeOf({ spec, description }: Character): Shape {
+  const sex = spec.sex ?? 'male';
+  return { female: sex === 'female' ? 1 : 0, mass: description.mass_kg / (kMeanMass[sex] * description.stature_m ** 2) };
+}
+
+async function mannequin(character: Character): Promise<Figure | null> {
+  const mesh = await loadMannequin().catch(() => null); // offline, say
+  return mesh && makeMannequin(character.description, mesh, shapeOf(character));
+}
+
+/** Puts a figure where a candidate is at a time. */
+export function poseFigure(figure: Figure, candidate: Candidate, seconds: number): void {
+  poseNodes(figure.nodes, candidate, seconds);
+  figure.follow?.(candidate, seconds);
 }
 
 export function disposeFigure(figure: Figure): void {

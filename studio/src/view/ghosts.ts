@@ -4,9 +4,8 @@
 import { Group, LessEqualDepth, type Material, Mesh, MeshLambertMaterial, type MeshStandardMaterial, type Object3D, SkinnedMesh } from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import type { Candidate } from '../../../bindings/wasm/src/types';
-import type { Figure } from './figures';
+import { type Figure, poseFigure } from './figures';
 import type { Palette } from './palette';
-import { poseNodes } from './pose';
 
 const kFaintest = 0.16; // opacity of the first
 const kStrongest = 0.44; // and of the last
@@ -19,6 +18,7 @@ const kColourOrder = 2;
 interface Ghost {
   object: Object3D;
   nodes: (Object3D | undefined)[];
+  pairs: [from: Object3D, to: Object3D][]; // of the figure's bones
   materials: MeshLambertMaterial[]; // seen
   hidden: MeshLambertMaterial[]; // of depth alone
 }
@@ -48,13 +48,18 @@ export class Ghosts {
 
   show(candidate: Candidate | null, count: number): void {
     this.object.visible = candidate !== null;
-    if (!candidate || !this.figure) return this.keep(0);
+    const { figure } = this;
+    if (!candidate || !figure) return this.keep(0);
     if (this.posed === candidate && this.ghosts.length === count) return;
     this.keep(count);
-    while (this.ghosts.length < count) this.ghosts.push(this.makeGhost(this.figure));
+    while (this.ghosts.length < count) this.ghosts.push(this.makeGhost(figure));
     momentsOf(count).forEach((share, k) => {
       const ghost = this.ghosts[k]!;
-      poseNodes(ghost.nodes, candidate, share * candidate.summary.duration_s);
+      poseFigure(figure, candidate, share * candidate.summary.duration_s);
+      for (const [from, to] of ghost.pairs) {
+        to.position.copy(from.position);
+        to.quaternion.copy(from.quaternion);
+      }
       for (const material of ghost.materials) material.opacity = kFaintest + (kStrongest - kFaintest) * (count > 1 ? share : 1);
     });
     this.posed = candidate;
@@ -87,7 +92,8 @@ export class Ghosts {
     object.visible = true;
     const copies = new Map<Object3D, Object3D>();
     pair(figure.object, object, copies);
-    const ghost: Ghost = { object, nodes: figure.nodes.map((node) => node && copies.get(node)), materials: [], hidden: [] };
+    const pairs = [...figure.nodes, ...(figure.others ?? [])].flatMap((from): Ghost['pairs'] => (from ? [[from, copies.get(from)!]] : []));
+    const ghost: Ghost = { object, nodes: figure.nodes.map((node) => node && copies.get(node)), pairs, materials: [], hidden: [] };
     const meshes: Mesh[] = [];
     object.traverse((item) => {
       if (item instanceof Mesh) meshes.push(item);

@@ -33,8 +33,8 @@ export interface Palette {
 
 export const palettes: Record<'light' | 'dark', Palette> = {
   light: {
-    skin: new Color('#d8d0c4'),
-    joints: new Color('#a99d8d'),
+    skin: new Color('#dedad3'),
+    joints: new Color('#7b858e'),
     compared: new Color('#7fa8c9'),
     floor: new Color('#e9ecee'),
     grid: new Color('#9aa5ad'),
@@ -54,8 +54,8 @@ export const palettes: Record<'light' | 'dark', Palette> = {
     ambient: 1.35,
   },
   dark: {
-    skin: new Color('#cfc6b8'),
-    joints: new Color('#968a7a'),
+    skin: new Color('#cfcbc4'),
+    joints: new Color('#6d7780'),
     compared: new Color('#6f9cc2'),
     floor: new Color('#20262b'),
     grid: new Color('#66727c'),

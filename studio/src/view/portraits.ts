@@ -2,8 +2,7 @@
 // A still picture of each character, as it stands before its first motion. Drawn once, by the renderer of the small pictures.
 import { type PerspectiveCamera, type Scene, Vector3, type WebGLRenderer } from 'three';
 import type { Candidate, Character } from '../../../bindings/wasm/src/types';
-import { type Figure, isOwnMesh } from './figures';
-import { poseNodes } from './pose';
+import { type Figure, isOwnMesh, poseFigure } from './figures';
 
 const kWidth = 120; // px
 const kHeight = 160;
@@ -25,7 +24,7 @@ export class Portraits {
   /** Draws a character that has none yet, as a candidate begins. */
   draw(character: Character, figure: Figure, candidate: Candidate, renderer: WebGLRenderer, scene: Scene, camera: PerspectiveCamera): void {
     if (this.drawn.has(character)) return;
-    poseNodes(figure.nodes, candidate, 0);
+    poseFigure(figure, candidate, 0);
     const middle = new Vector3(0, 0.5 * figure.height, 0);
     camera.position.copy(middle).add(new Vector3(-0.42, 0.12, 1).normalize().multiplyScalar(2.2 * figure.height));
     camera.lookAt(middle);

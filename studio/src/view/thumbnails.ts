@@ -5,10 +5,9 @@ import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, W
 import type { Candidate, Character } from '../../../bindings/wasm/src/types';
 import { candidateAt } from '../state/model';
 import type { Studio } from '../state/studio';
-import { disposeFigure, type Figure, makeFigure } from './figures';
+import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import type { Palette } from './palette';
 import { Portraits } from './portraits';
-import { poseNodes } from './pose';
 
 const kPictures = 16; // of a film
 const kPlayed = 60; // ms between changes of what is shown
@@ -148,7 +147,7 @@ export class Thumbnails {
     const picture = film.left === kPictures ? kPictures - 1 : kPictures - 1 - film.left;
     const width = film.pictures.width / kPictures;
     const { height } = film.pictures;
-    poseNodes(this.figure.nodes, film.candidate, (film.candidate.summary.duration_s * picture) / (kPictures - 1));
+    poseFigure(this.figure, film.candidate, (film.candidate.summary.duration_s * picture) / (kPictures - 1));
     this.renderer.setSize(width, height, false);
     this.aim(film.candidate);
     this.camera.aspect = width / height;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The picture in three dimensions: shows what the state holds, and tells what a person drags.
-import { Vector3 } from 'three';
+import { Box3, Vector3 } from 'three';
 import type { Candidate, Character, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
 import { leastHeight } from '../state/floor';
@@ -8,14 +8,13 @@ import { candidateAt, goalOf, type State } from '../state/model';
 import { speedScale } from '../state/speed';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
-import { disposeFigure, type Figure, makeFigure } from './figures';
+import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import { Ghosts } from './ghosts';
 import { Handles } from './handles';
 import { Obstacles } from './obstacles';
 import { Overlays } from './overlays';
 import { shownTheme } from './palette';
 import { SpeedPath } from './path';
-import { poseNodes } from './pose';
 import { Stage } from './stage';
 import { StrainedJoints } from './strained';
 
@@ -25,6 +24,12 @@ const kBeside = 0.55; // shares of the stature between two that are compared
 function nodeOfBone({ description }: Character, bone: string): number {
   const named = description.humanoid[bone] ?? description.humanoid[bone.replace(/_grip$/, '')] ?? bone;
   return description.nodes.findIndex((node) => node.name === named);
+}
+
+export interface DrawnFigure {
+  low: number;
+  high: number;
+  closed: Record<'left' | 'right', number> | null; // -1 open, 0 relaxed, 1 in a grip; of the mannequin
 }
 
 export class View {
@@ -224,7 +229,7 @@ export class View {
     const time = state.dragging && shown ? shown.summary.duration_s : this.studio.clock.time;
     // unturned, a file's bones may stand anywhere
     this.figure.object.visible = shown !== null || !document.character.bytes;
-    if (shown) poseNodes(this.figure.nodes, shown, time);
+    if (shown) poseFigure(this.figure, shown, time);
     const compared = this.compared();
     const apart = compared && state.compareMode === 'beside' ? kBeside * document.character.description.stature_m : 0;
     this.figure.object.position.x = apart / 2;
@@ -233,7 +238,7 @@ export class View {
       this.other.object.visible = compared !== null;
       this.other.object.position.x = -apart / 2;
       for (const item of [this.otherOverlays, this.otherSpeeds]) item.object.position.x = -apart / 2;
-      if (compared) poseNodes(this.other.nodes, compared, (time / this.studio.clock.duration) * compared.summary.duration_s);
+      if (compared) poseFigure(this.other, compared, (time / this.studio.clock.duration) * compared.summary.duration_s);
     }
     this.figure.object.updateMatrixWorld(true);
     this.overlays.pose(time, state.overlays && !state.dragging);
@@ -267,6 +272,14 @@ export class View {
   /** Where the ghosts have an effector's node, m; for tests. */
   ghostsOf(effector: string): Vec3[] {
     return this.ghosts.placesOf(this.nodeOf.get(effector) ?? -1);
+  }
+
+  /** How high the figure is drawn above the floor, m, and how closed its hands are; for tests. */
+  drawnFigure(): DrawnFigure | null {
+    if (!this.figure) return null;
+    const { min, max } = new Box3().setFromObject(this.figure.object, true);
+    const { closed } = this.figure;
+    return { low: min.y, high: max.y, closed: closed ? { left: closed('left'), right: closed('right') } : null };
   }
 
   /** Where a handle is in the page, px; for tests. */
