@@ -49,6 +49,6 @@ export async function openStartTask(studio: Studio, name: StartTaskName): Promis
   const character = stays ? now : await studio.open(asked, isPerson ? now.bytes : undefined);
   const scaled = (place: Vec3): Vec3 => [scale * place[0], scale * place[1], scale * place[2]];
   const goals = task.goals.map((goal) => ({ ...goal, position_m: scaled(goal.position_m) }));
-  const obstacles = task.obstacles?.map((thing): Obstacle => ({ ...thing, position_m: scaled(thing.position_m), size_m: scaled(thing.size_m!) }));
+  const obstacles = task.obstacles?.map((thing): Obstacle => Object.assign(structuredClone(thing), { position_m: scaled(thing.position_m), size_m: scaled(thing.size_m!) }));
   await studio.begin(documentOf(studio.facts, character, obstacles ? { goals, obstacles } : { goals }));
 }
