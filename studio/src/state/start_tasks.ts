@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tasks to begin with, each a thing that people do. They are those of an average person and are scaled to the one at hand.
-import type { CharacterSpec, Goal, Obstacle, Task, Vec3 } from '../../../bindings/wasm/src/types';
+import type { CharacterSpec, Goal, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import { documentOf } from './of_task';
 import { isRobot, kAverageStature } from './start';
 import type { Studio } from './studio';
@@ -48,7 +48,11 @@ export async function openStartTask(studio: Studio, name: StartTaskName): Promis
   const stays = isPerson && now.spec.seat_m === asked.seat_m;
   const character = stays ? now : await studio.open(asked, isPerson ? now.bytes : undefined);
   const scaled = (place: Vec3): Vec3 => [scale * place[0], scale * place[1], scale * place[2]];
-  const goals = task.goals.map((goal) => ({ ...goal, position_m: scaled(goal.position_m) }));
-  const obstacles = task.obstacles?.map((thing): Obstacle => Object.assign(structuredClone(thing), { position_m: scaled(thing.position_m), size_m: scaled(thing.size_m!) }));
+  const { goals, obstacles }: StartTask = structuredClone(task);
+  for (const goal of goals) goal.position_m = scaled(goal.position_m);
+  for (const thing of obstacles ?? []) {
+    thing.position_m = scaled(thing.position_m);
+    thing.size_m = scaled(thing.size_m!);
+  }
   await studio.begin(documentOf(studio.facts, character, obstacles ? { goals, obstacles } : { goals }));
 }
