@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each slider does, in one sentence.
+// Sentences on what sliders do, one for each.
 import { freedomName, jointName, spokenLanguage } from './index';
 
 /** {place}: the limb or the joint that the parameter is of. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a slider does, in a sentence and a small picture: shown where the pointer rests on it, where it has the focus of the
+// The sentence and the small picture that tell what a slider does: shown where the pointer rests on it, where it has the focus of the
 // keyboard, and by a tap on its name. Escape closes it.
 import { h } from './dom';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the chosen candidate comes to with other values of its parameters.
+// Trials: the chosen candidate with other values of its parameters.
 import type { Candidate } from '../../../bindings/wasm/src/types';
 import type { Document, Edit } from './model';
 import type { Studio } from './studio';
