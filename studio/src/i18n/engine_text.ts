@@ -11,6 +11,8 @@ interface Known {
 
 /** How deep a value of a message may hold another one. */
 const kDeepest = 3;
+/** Letters of a text that is looked up; longer ones hold a file's own names, and take long to match. */
+const kLongest = 600;
 const kHole = /\{[^{}]*\}/g;
 
 const escaped = (text: string): string => text.replace(/[$()*+.?[\\\]^{|}]/g, String.raw`\$&`);
@@ -32,6 +34,7 @@ export class EngineTexts {
 
   /** The sentence in Japanese; undefined where no message is known by it. */
   japanese(text: string, deep = 0): string | undefined {
+    if (text.length > kLongest) return undefined;
     for (const { key, pattern } of this.known) {
       const match = pattern.exec(text);
       const words = japaneseMessages[key];
