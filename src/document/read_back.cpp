@@ -123,7 +123,9 @@ ReadBackCheck::Mark ReadBackCheck::hips() const {
     return character_.rig && node.name == humanoid_bone_name(HumanoidBone::hips);
   });
   const BodyNode& node = named == nodes.end() ? nodes.front() : *named;
-  Mark mark{.link = node.link, .point = node.point};
+  Mark mark;
+  mark.link = node.link;
+  mark.point = node.point;
   if (character_.rig) {
     const int bone = character_.rig->rig.bones[HumanoidBone::hips];
     mark.point = in_link(mark.link, start_[static_cast<std::size_t>(bone)]);
