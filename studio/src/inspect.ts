@@ -39,6 +39,10 @@ export interface Inspection {
   ghosts(effector: string): Vec3[];
   /** How the figure is drawn now. */
   figure(): DrawnFigure | null;
+  /** Whether a place is in the picture. */
+  sees(place: Vec3): boolean;
+  /** How far the head is drawn above its joint, m. */
+  readonly headHeight: number;
   /** Where a handle is in the page, px. */
   handle(effector: string): [number, number] | null;
 }
@@ -80,6 +84,10 @@ export function expose(studio: Studio, view: View): void {
     get strained() {
       return view.strainedNames;
     },
+    get headHeight() {
+      return view.headHeight;
+    },
+    sees: (place) => view.sees(place),
     memory: () => studio.engine.memory(),
     look: () => view.look(),
     tip: (kind, name) => (kind === 'parameter' ? parameterTip(name) : criterionTip(name)),

@@ -237,8 +237,8 @@ test('a task that asks for a front is ranked by its mixture', { timeout: 240_000
   });
   assert.deepEqual(weights, facts.mixtures[facts.pareto_mixture]);
   assert.equal(told, undefined, 'the engine has it by itself');
-  const shown = await page.locator('.score').allInnerTexts();
-  assert.deepEqual(shown.map((text) => Number(text.match(/[\d.]+/)[0])), scores.map((score) => Number(score.toFixed(3))), 'as the engine scored them');
+  const shown = await page.locator('.score').evaluateAll((all) => all.map((element) => Number(element.dataset.score)));
+  assert.deepEqual(shown, scores.map((score) => Number(score.toFixed(3))), 'as the engine scored them');
   assert.deepEqual(errors, []);
   await context.close();
 });

@@ -55,7 +55,7 @@ test('a seed is a whole number below 2^53', { timeout: 120_000 }, async () => {
   await settled(page);
   assert.equal((await state(page)).status, 'reached');
   assert.equal(await page.evaluate(() => window.shigusa.document.result.summary.task.seed), Number.MAX_SAFE_INTEGER, 'the engine had it whole');
-  await page.getByRole('button', { name: 'Other random numbers' }).click();
+  await page.getByRole('button', { name: 'Search with a new seed' }).click();
   await page.waitForFunction(() => window.shigusa.document.settings.seed === 0);
   await settled(page);
   assert.deepEqual(errors, []);

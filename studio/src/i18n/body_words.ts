@@ -37,20 +37,20 @@ export const englishBody: BodyWords = {
   },
   parameters: {
     squat: 'Squat', lean: 'Lean', round: 'Round back', twist: 'Twist', elbow: 'Elbow', swivel: 'Elbow out', wrist: 'Wrist',
-    delay: 'Delay', bow: 'Bow up', skew: 'Skew', sway: 'Sway sideways', contraction: 'Bend', final: 'Final angle', side: 'Side bend', switch: 'Change at', turn: 'Turn',
+    delay: 'Start later', bow: 'Arc upwards', skew: 'Fast early or late', sway: 'Arc sideways', contraction: 'Bend', final: 'Final angle', side: 'Side bend', switch: 'Change at', turn: 'Turn',
   },
   groups: {
     posture: 'Posture', path: 'Path of the hand', trunk: 'Trunk', legs: 'Legs', arms: 'Arms', right_leg: 'Right leg', left_leg: 'Left leg',
     right_arm: 'Right arm', left_arm: 'Left arm', head: 'Head',
   },
   criteria: {
-    joint_range: 'Joint limits', balance: 'Upright balance', torque: 'Joint torque', balance_zone: 'Balance', discomfort: 'Comfort',
-    joint_acceleration: 'Smoothness', work: 'Work', low_back: 'Lower back', head: 'Head and gaze', collision: 'Collision', centre_of_pressure: 'Stays standing', feasibility: 'Within strength',
+    joint_range: 'Joint limits', balance: 'Upright posture', torque: 'Joint torque', balance_zone: 'Weight above the feet', discomfort: 'Comfort',
+    joint_acceleration: 'Smoothness', work: 'Work', low_back: 'Lower back', head: 'Head and gaze', collision: 'Collision', centre_of_pressure: 'Pressure within the feet', feasibility: 'Within strength',
     coordination: 'Coordination', hand_curve: 'Curve of the hand', trunk_travel: 'Still trunk', mass_ahead: 'Weight goes along', jolts: 'No jolts',
   },
   presets: { flat: 'all at once', human: 'in layers', paper: 'as published', layers: 'the paper’s layers' },
   bodies: { human: 'Person', full_body: 'Person, simple', half_body: 'One arm and one leg' },
-  sexes: { male: 'a man', female: 'a woman' },
+  sexes: { male: 'male', female: 'female' },
   formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: 'Strip, SVG', png: 'Strip, PNG', pdf: 'Strip, PDF', task: 'Task, JSON', result: 'Result, JSON' },
   timing: {
     ease: 'Right: quick to begin and gentle to end. Left: slow to begin.', gaze_lead: 'How much earlier the head turns to the goal than people’s does, as a share of the time.',
@@ -74,20 +74,20 @@ export const japaneseBody: BodyWords = {
   },
   parameters: {
     squat: 'しゃがみ', lean: '前傾', round: '背中の丸め', twist: 'ひねり', elbow: '肘', swivel: '肘の張り', wrist: '手首',
-    delay: '遅れ', bow: '上への弧', skew: '速さの偏り', sway: '横への弧', contraction: '曲げ', final: '最終角', side: '側屈', switch: '切り替え', turn: '回転',
+    delay: '開始の遅れ', bow: '軌道のふくらみ（上）', skew: '速さの偏り', sway: '軌道のふくらみ（横）', contraction: '曲げ', final: '最終角', side: '側屈', switch: '切り替え', turn: '回転',
   },
   groups: {
     posture: '姿勢', path: '手の軌道', trunk: '体幹', legs: '脚', arms: '腕', right_leg: '右脚', left_leg: '左脚', right_arm: '右腕', left_arm: '左腕', head: '頭',
   },
   criteria: {
-    joint_range: '関節の限界', balance: '直立の釣り合い', torque: '関節トルク', balance_zone: '釣り合い', discomfort: '楽さ',
-    joint_acceleration: '滑らかさ', work: '仕事量', low_back: '腰の負担', head: '頭と視線', collision: '衝突', centre_of_pressure: '立っていられる', feasibility: '力の範囲',
+    joint_range: '関節の限界', balance: '直立バランス', torque: '関節トルク', balance_zone: 'バランス', discomfort: '快適さ',
+    joint_acceleration: '滑らかさ', work: '仕事量', low_back: '腰の負担', head: '頭と視線', collision: '衝突', centre_of_pressure: '姿勢の安定（立位維持）', feasibility: '力の範囲',
     coordination: '全身の連動', hand_curve: '手の軌道の弧', trunk_travel: '体幹の安定', mass_ahead: '重心の移動', jolts: '急変のなさ',
   },
   presets: { flat: '一度に', human: '階層的に', paper: '論文の方法', layers: '論文の階層' },
   bodies: { human: '人', full_body: '人（簡略）', half_body: '片腕片脚' },
   sexes: { male: '男性', female: '女性' },
-  formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: '連続図 SVG', png: '連続図 PNG', pdf: '連続図 PDF', task: '課題 JSON', result: '結果 JSON' },
+  formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: '連続図 SVG', png: '連続図 PNG', pdf: '連続図 PDF', task: 'タスク JSON', result: '結果 JSON' },
   timing: {
     ease: '右へ：早く動き出し、ゆっくり終わります。左へ：ゆっくり動き出します。', gaze_lead: '頭が目標を向くのを人より早める量（所要時間に対する割合）。',
   },

@@ -32,7 +32,8 @@ export const en = {
   fallsOver: 'would fall over: the weight is not above the foot that stands', losesBalance: 'would lose its balance: the weight presses {cm} cm outside the feet',
   barelyStands: 'barely keeps its balance: the weight presses {cm} cm outside the feet',
   isIn: '{limb} goes {cm} cm into the {other}', isBeyond: '{joint} goes {deg}° beyond its range', metHard: 'met, but hard to do', showMoment: 'Show the moment',
-  knees: 'knees {deg}°', turned: 'turned {deg}°', elbow: 'elbow {deg}°',
+  knees: 'knees bent {deg}°', turned: 'turned {deg}°', elbowHangs: 'elbow hanging', elbowOut: 'elbow held {deg}° out', elbowIn: 'elbow held {deg}° in',
+  scoreBest: 'best', scoreAsGood: 'about as good', scoreLittleWorse: 'a little worse', scoreWorse: 'worse', scoreMuchWorse: 'much worse',
   // timeline
   play: 'Play', pause: 'Pause', time: 'Time', speed: 'Speed', loop: 'Loop', overlays: 'Paths and balance', seconds: '{t} s',
   // the View menu
@@ -43,12 +44,12 @@ export const en = {
   goals: 'Goals', adjust: 'Adjust', criteria: 'Criteria', body: 'Body', plots: 'Plots', take: 'Save',
   panels: 'Panels',
   // goals
-  goalsIntro: 'Where hands, feet and head shall be. Metres from the floor between the feet.',
-  left: 'left', up: 'up', ahead: 'ahead', load: 'Load', kg: 'kg', turn: 'Give a rotation', rings: 'Turn by rings',
+  goalsIntro: 'Where the hands, feet and head should end, in metres from the floor between the feet.',
+  left: 'left', up: 'up', ahead: 'ahead', load: 'Load', kg: 'kg', turn: 'Set a rotation', rings: 'Turn by rings',
   reachedBy: 'met', short: '{cm} cm short', duration: 'Duration', auto: 'by distance', s: 's',
   method: 'Search', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
   onFloor: '{name} stops at the floor: as it is turned, {m} m is the lowest it can be.',
-  remove: 'Remove', seed: 'Other random numbers', seedNumber: 'Seed',
+  remove: 'Remove', seed: 'Search with a new seed', seedNumber: 'Seed',
   // adjust
   adjustIntro: 'How the body gets there. The goal stays met while you change it; the mark is what the search found.',
   weightsIntro: 'Stiffness of each joint: the larger, the less it moves beside the others.',
@@ -56,15 +57,15 @@ export const en = {
   reset: 'Reset', searchRest: 'Keep these, search the rest', kept: 'Kept by the search: {n}', release: 'Release all',
   lock: 'Lock {name}', noMotion: 'No motion yet.', value: 'Value of {name}', searchValue: 'found by the search: {value}',
   // criteria
-  criteriaIntro: 'What counts. Motions are ranked anew at once; search again to find others.',
-  penalty: 'penalty {value}', notScored: 'not scored yet: search again', resetWeights: 'As at first',
+  criteriaIntro: 'What matters to you. The ranking follows at once; search again to find other motions.',
+  penalty: 'penalty {value}', notScored: 'not scored yet: search again', resetWeights: 'Back to default',
   paysLeast: 'pays least', paysMost: 'pays most',
   // body
   bodyIntro: 'A built-in body, or drop a character’s file onto the page ({formats}).', builtIn: 'Built-in body',
   characters: 'Characters', statureAndMass: '{cm} cm, {kg} kg', noMesh: 'Its file has no mesh: a mannequin of its size is drawn.',
   moves: 'Moves at {joints} joints, in {ways} ways.',
-  stature: 'Stature', mass: 'Mass', sex: 'Strength of', heels: 'Heels may lift', m: 'm',
-  openFile: 'Open a file …', understood: 'What was understood',
+  stature: 'Stature', mass: 'Mass', sex: 'Sex (for strength)', heels: 'Let the heels lift', m: 'm',
+  openFile: 'Open a file …', understood: 'This character',
   doubts: 'Guessed', boneMap: 'Bones', bone: 'Bone', node: 'Node of the file', nothing: '—', apply: 'Apply',
   opening: 'Reading {name} …', dropHere: 'Drop a character’s file ({formats}) or a result',
   // plots
@@ -73,7 +74,7 @@ export const en = {
   limit: 'limit', noSupport: 'This body has no feet to stand on.', com: 'centre of mass', cop: 'pressure', sideRight: 'Right', sideLeft: 'Left', sideMiddle: 'Middle',
   plotPicture: 'Save as {format}', plotTable: 'All numbers as {format}',
   // take away
-  takeIntro: 'Of the chosen motion, unless something else is said.', animation: 'Animation', figure: 'Figure', again: 'To go on later',
+  takeIntro: 'Saves the chosen motion, unless a button says otherwise.', animation: 'Animation', figure: 'Figure', again: 'Continue later',
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
   largeLink: 'This is too much for a link. Save the result instead: it opens to the same.', theLink: 'The link',
   clipName: 'Animation’s name', jointNames: 'Joint names', together: 'All motions in one GLB',
@@ -93,7 +94,7 @@ export const en = {
   engineFailed: 'The engine did not start.', tooLarge: '{name} is larger than {most} MB.', dismiss: 'Dismiss',
   // help
   helpTitle: 'How to use it',
-  help1: 'Drag the orange ball to where the hand shall be. The body follows while you drag; when you let go, five different motions are searched.',
+  help1: 'Drag the orange ball to where the hand should go. The body follows while you drag; when you let go, five different motions are searched.',
   help2: 'Choose one on the left. Compare it with another, change how it goes under Adjust, and weigh what counts under Criteria.',
   help3: 'Save takes it away as an animation, as a figure or as a link.',
   help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The candidates as cards: a moving picture, the word that tells one from the others, its strip, a bar for each criterion.
 import type { Candidate } from '../../../bindings/wasm/src/types';
-import { engineWord, postureWords, t } from '../i18n';
+import { differenceWords, scoreWords } from '../i18n/motion_words';
+import { engineWord, t } from '../i18n';
 import { reasonsWords, verdictWords } from '../i18n/verdict_words';
 import { ranking, scoreOf } from '../state/criteria';
 import { candidateAt, type Document } from '../state/model';
@@ -9,6 +10,8 @@ import type { Studio } from '../state/studio';
 import type { Thumbnails } from '../view/thumbnails';
 import { fill, h, iconButton, type Panel, round } from './dom';
 import { verdictClass } from './verdict';
+
+const kNamedBars = 3;
 
 interface Card {
   element: HTMLElement;
@@ -20,24 +23,6 @@ interface Card {
   bars: HTMLElement;
   warning: HTMLElement;
   compare: HTMLButtonElement;
-}
-
-/** What tells a candidate from those with the same words. */
-function differenceOf(document: Document, index: number): string {
-  const posture = (i: number): Candidate['summary']['final_posture'] | undefined => candidateAt(document, i)?.summary.final_posture;
-  const mine = posture(index);
-  if (!mine) return '';
-  const count = document.result?.candidates.length ?? 0;
-  const twins = Array.from({ length: count }, (_, i) => i).filter((i) => i !== index && posture(i)?.words === mine.words);
-  const words = postureWords(mine.words);
-  if (twins.length === 0) return words;
-  const swivel = (i: number): number => Number((posture(i) as Record<string, unknown> | undefined)?.['elbow_swivel_deg'] ?? 0);
-  const spread = (of: (i: number) => number): number => Math.max(...twins.map((i) => Math.abs(of(i) - of(index))));
-  const knees = (i: number): number => posture(i)?.knee_flexion_deg ?? 0;
-  const turn = (i: number): number => posture(i)?.trunk_turn_deg ?? 0;
-  const ways = [[spread(knees), t('knees', { deg: Math.round(knees(index)) })], [spread(turn), t('turned', { deg: Math.round(Math.abs(turn(index))) })],
-    [spread(swivel), t('elbow', { deg: Math.round(swivel(index)) })]] as const;
-  return `${words} · ${[...ways].sort((a, b) => b[0] - a[0])[0]![1]}`;
 }
 
 export class Gallery implements Panel {
@@ -72,7 +57,8 @@ export class Gallery implements Panel {
     if (!document || !result) return;
     const order = ranking(document);
     const highest = Math.max(0.05, ...order.flatMap((index) => Object.values(candidateAt(document, index)?.summary.criteria ?? {})));
-    order.forEach((index, place) => this.updateCard(document, index, place, highest));
+    const best = Math.min(...order.map((index) => scoreOf(candidateAt(document, index)!, document.weights)));
+    order.forEach((index, place) => this.updateCard(document, index, place, highest, best));
     const why = result.summary.status !== 'unreachable' ? result.summary.fewer : undefined;
     this.fewer.hidden = why === undefined;
     this.fewer.textContent = t('fewer');
@@ -112,16 +98,16 @@ export class Gallery implements Panel {
     return { element, pick, canvas, strip, words, score, bars, warning, compare };
   }
 
-  /** `highest`: the largest penalty of all cards, which is a full bar. */
-  private updateCard(document: Document, index: number, place: number, highest: number): void {
+  /** `highest`: the largest penalty of all cards, which is a full bar; `best`: the lowest score. */
+  private updateCard(document: Document, index: number, place: number, highest: number, best: number): void {
     const card = this.cards.get(index);
     const candidate = candidateAt(document, index);
     if (!card || !candidate) return;
     const chosen = index === document.chosen;
     const compared = index === document.compared;
     const edited = document.edits[index] !== undefined;
-    const words = differenceOf(document, index);
-    const score = round(scoreOf(candidate, document.weights), 3);
+    const words = differenceWords(document, index);
+    const score = scoreOf(candidate, document.weights);
     card.element.classList.toggle('chosen', chosen);
     card.element.classList.toggle('compared', compared);
     card.pick.setAttribute('aria-pressed', String(chosen));
@@ -130,19 +116,29 @@ export class Gallery implements Panel {
     card.compare.setAttribute('aria-pressed', String(compared));
     card.compare.hidden = chosen;
     fill(card.words, h('b', {}, `${place + 1}`), ` ${words}`);
-    fill(card.score, `${t('score')} ${score}`, edited ? h('em', {}, t('edited')) : null);
-    const penalties = Object.entries(candidate.summary.criteria).filter(([name]) => (document.weights[name] ?? 0) > 0);
-    fill(card.bars, ...penalties.map(([name, penalty]) => {
-      const bar = h('i', { title: `${engineWord('criteria', name)}: ${round(penalty)}` });
-      bar.style.setProperty('--share', String(Math.max(penalty / highest, 0.04)));
-      return bar;
-    }));
+    const told = round(score, 3);
+    fill(card.score, h('span', {}, scoreWords(score, best)), edited ? h('em', {}, t('edited')) : null, h('span', {}, told));
+    card.score.dataset['score'] = told;
+    card.score.title = `${t('score')} ${told}, ${t('lowerIsBetter')}`;
+    this.showBars(card.bars, document, candidate, highest);
     const judged = verdictClass(candidate);
     card.warning.hidden = judged === 'good';
     card.warning.className = `warning ${judged}`;
     card.warning.textContent = verdictWords(document, candidate);
     card.warning.title = reasonsWords(document, candidate).join('\n');
     void this.drawStrip(card, candidate, index);
+  }
+
+  /** A bar with its name for each of the criteria that cost the motion most; all of them are told on hovering. */
+  private showBars(element: HTMLElement, document: Document, candidate: Candidate, highest: number): void {
+    const paid = Object.entries(candidate.summary.criteria).map(([name, penalty]) => ({ name, penalty, cost: penalty * (document.weights[name] ?? 0) }))
+      .filter(({ name }) => (document.weights[name] ?? 0) > 0).sort((a, b) => b.cost - a.cost);
+    element.title = paid.map(({ name, penalty }) => `${engineWord('criteria', name)}: ${round(penalty)}`).join('\n');
+    fill(element, ...paid.slice(0, kNamedBars).map(({ name, penalty }) => {
+      const bar = h('i');
+      bar.style.setProperty('--share', String(Math.max(penalty / highest, 0.02)));
+      return h('span', {}, h('span', {}, engineWord('criteria', name)), bar);
+    }));
   }
 
   private async drawStrip(card: Card, candidate: Candidate, index: number): Promise<void> {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A plot over time as SVG: on the page, and in the pictures that are saved.
+import { t } from '../i18n';
 import { round } from './dom';
 import type { Side } from './plot_colours';
 
@@ -80,7 +81,7 @@ export function drawPlot(data: PlotData, width: number, ink: Ink): SVGGElement {
     ...data.levels.map(({ value }) => svg('line', { x1: kLeft, x2: right, y1: y(value), y2: y(value), stroke: ink.line, 'stroke-dasharray': '3 3' })),
     ...data.levels.map(({ value, label }) => text(kLeft - 4, y(value) + 3.5, 'end', label)),
     svg('rect', { class: 'frame', x: kLeft, y: kTop, width: right - kLeft, height: plotHeight - kTop - kBottom, fill: 'none', stroke: ink.line }),
-    text(kLeft, plotHeight - 3, 'start', '0'), text(right, plotHeight - 3, 'end', `${round(lastOf(data.times))} s`),
+    text(kLeft, plotHeight - 3, 'start', '0'), text(right, plotHeight - 3, 'end', t('seconds', { t: round(lastOf(data.times)) })),
     ...data.curves.map(({ name, side, colour, values }) => svg('polyline', {
       'data-curve': name, fill: 'none', stroke: colour, 'stroke-width': 1.7, 'stroke-linejoin': 'round', ...(side === 'left' ? { 'stroke-dasharray': leftDashes } : {}),
       points: [...data.times].map((time, f) => `${timeToX(data, width, time).toFixed(1)},${y(values[f] ?? 0).toFixed(1)}`).join(' '),

@@ -2,7 +2,7 @@
 // The motion's series as the engine computed them, over time: angles in their range, torques beside strength, the centre of
 // mass within the feet, the speed of the hand.
 import type { Candidate, JointDescription } from '../../../bindings/wasm/src/types';
-import { freedomName, jointName, t } from '../i18n';
+import { engineWord, freedomName, jointName, t } from '../i18n';
 import { ranking } from '../state/criteria';
 import { columnOf, plotTable, rangeShare, strengthShare } from '../state/plot_table';
 import { effectorPaths } from '../state/speed';
@@ -144,7 +144,7 @@ export class PlotsPanel implements Panel {
     try {
       if (format === 'csv') return save({ name, bytes: encode(plotTable(work.character.description, candidate)), type: 'text/csv' });
       const plots = [this.angles, this.torques, this.margin, this.speed].flatMap(({ title, data }) => (data ? [{ title, data }] : []));
-      const sheet = encode(plotSheet(`${work.character.description.name} — ${t('candidate', { n: ranking(work).indexOf(work.chosen) + 1 })}`, plots, this.ink));
+      const sheet = encode(plotSheet(`${engineWord('bodies', work.character.description.name)} — ${t('candidate', { n: ranking(work).indexOf(work.chosen) + 1 })}`, plots, this.ink));
       save({ name, bytes: format === 'svg' ? sheet : await pngOf(sheet), type: format === 'svg' ? 'image/svg+xml' : 'image/png' });
     } catch (error) {
       this.studio.fail(error);

@@ -107,14 +107,15 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Goes back until these places are in the picture. */
-  include(places: readonly Vector3[]): void {
+  /** Goes back until these places are in the picture: the first ones below the messages, others anywhere. */
+  include(places: readonly Vector3[], anywhere: readonly Vector3[] = []): void {
+    const isOutside = (place: Vector3, top: number): boolean => {
+      const p = place.clone().project(this.camera);
+      return Math.abs(p.x) > kInside || p.y < -kInside || p.y > top;
+    };
     const outside = (): boolean => {
       this.camera.updateMatrixWorld();
-      return places.some((place) => {
-        const p = place.clone().project(this.camera);
-        return Math.abs(p.x) > kInside || p.y < -kInside || p.y > kBelowMessages;
-      });
+      return places.some((place) => isOutside(place, kBelowMessages)) || anywhere.some((place) => isOutside(place, kInside));
     };
     const { target } = this.orbit;
     for (let tries = 0; tries < 20 && outside(); ++tries) {

@@ -4,12 +4,13 @@ import { Box3, Vector3 } from 'three';
 import type { Candidate, Character, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
 import { leastHeight } from '../state/floor';
-import { candidateAt, goalOf, type State } from '../state/model';
+import { candidateAt, type Document, goalOf, type State } from '../state/model';
 import { speedScale } from '../state/speed';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
 import { directionOf, type Preset } from './camera';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
+import { headReach, placesToSee } from './framing';
 import { Ghosts } from './ghosts';
 import { Handles } from './handles';
 import { Obstacles } from './obstacles';
@@ -53,6 +54,8 @@ export class View {
   private nodeOf = new Map<string, number>(); // by effector
   private framed: Character | null = null; // whose figure is in the picture
   private sought: Look | null = null; // until it is
+  private unframed = false; // something may lie outside the picture
+  private headReach = 0; // m, above its joint
   private listeners = new Set<(figure: Figure | null) => void>();
   private readonly ends: (() => void)[] = [];
   /** Rings instead of arrows at a goal that has a rotation. */
@@ -123,6 +126,7 @@ export class View {
   }
 
   lookFrom(look: Look): void {
+    this.unframed = false;
     if (this.framed === this.character) this.stage.lookFrom(look);
     else this.sought = look;
   }
@@ -172,11 +176,10 @@ export class View {
     if (state.compareMode !== previous.compareMode) this.colour();
     if (state.document?.compared !== previous.document?.compared) void this.setOther();
     if (state.dragging && !previous.dragging) this.studio.play(false);
-    // a hand that is dragged must not see the picture move under it
     const { document } = state;
-    if (document && !state.dragging && document.goals !== previous.document?.goals) {
-      this.stage.include(document.goals.map((goal) => new Vector3(...goal.position_m)));
-    }
+    const before = previous.document;
+    const { obstacles } = document?.settings.more ?? {};
+    if (document?.goals !== before?.goals || document?.result !== before?.result || obstacles !== before?.settings.more.obstacles) this.unframed = true;
     this.showOverlays(state);
     this.showMotion(state);
     this.stage.invalidate();
@@ -229,6 +232,8 @@ export class View {
       this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
       this.ruler.setStature(character.description.stature_m);
       this.stage.frame(figure.height);
+      this.headReach = 0;
+      this.unframed = this.sought === null;
       if (this.sought) this.stage.lookFrom(this.sought);
     }
     this.framed = character;
@@ -259,6 +264,7 @@ export class View {
     const time = state.dragging && shown ? shown.summary.duration_s : this.studio.clock.time;
     // unturned, a file's bones may stand anywhere
     this.figure.object.visible = shown !== null || !document.character.bytes;
+    this.frame(document, shown);
     if (shown) poseFigure(this.figure, shown, time);
     const compared = this.compared();
     const apart = compared && state.compareMode === 'beside' ? kBeside * document.character.description.stature_m : 0;
@@ -278,6 +284,21 @@ export class View {
     this.handles.object.position.x = apart / 2;
     this.handles.object.visible = apart === 0; // what is dragged is where the engine has it
     this.handles.update(document.goals, state.selected, this.rotate, (effector) => this.place(effector));
+  }
+
+  /** Goes back until all of the motion is in the picture; a hand that is dragged must not see the picture move under it. */
+  private frame(document: Document, shown: Candidate | null): void {
+    const { figure } = this;
+    const { dragging, preview } = this.studio.store.state;
+    if (!this.unframed || !figure || !shown || dragging || preview) return;
+    this.unframed = false;
+    const head = figure.nodes[this.nodeOf.get('head') ?? -1];
+    if (head && this.headReach === 0) {
+      poseFigure(figure, shown, 0);
+      figure.object.updateMatrixWorld(true);
+      this.headReach = headReach(figure, head);
+    }
+    this.stage.include(document.goals.map((goal) => new Vector3(...goal.position_m)), placesToSee(document, shown, figure, head, this.headReach));
   }
 
   /** Where an effector's node is now. */
@@ -316,6 +337,17 @@ export class View {
     const { min, max } = new Box3().setFromObject(this.figure.object, true);
     const { closed } = this.figure;
     return { low: min.y, high: max.y, closed: closed ? { left: closed('left'), right: closed('right') } : null };
+  }
+
+  /** Whether a place is in the picture; for tests. */
+  sees(place: Vec3): boolean {
+    const p = new Vector3(...place).project(this.stage.camera);
+    return Math.abs(p.x) < 1 && Math.abs(p.y) < 1;
+  }
+
+  /** How far the head is drawn above its joint, m; for tests. */
+  get headHeight(): number {
+    return this.headReach;
   }
 
   /** Where a handle is in the page, px; for tests. */
