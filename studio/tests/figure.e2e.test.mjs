@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { makeFile } from '../figure/make.mjs';
-import { drop, openStudio, settled, visit } from './support.mjs';
+import { parseGlb } from './glb.mjs';
+import { drop, openStudio, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -59,6 +60,21 @@ test('the hand that reaches opens on the way and closes at the end', { timeout: 
   const end = await figureAt(page, 1);
   assert.ok(end.closed.right > 0.3, `closed by ${end.closed.right}`);
   assert.equal(end.closed.left, 0);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a GLB of a built-in body has the skin with its paint, and fingers that move', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const { json } = parseGlb(await take(page, 'glb'));
+  const [primitive] = json.meshes.flatMap(({ primitives }) => primitives);
+  for (const attribute of ['POSITION', 'NORMAL', 'TEXCOORD_0', 'JOINTS_0', 'WEIGHTS_0']) assert.ok(attribute in primitive.attributes, attribute);
+  assert.ok(json.materials[primitive.material].pbrMetallicRoughness.baseColorTexture);
+  const turned = new Set(json.animations[0].channels.filter(({ target }) => target.path === 'rotation').map(({ target }) => json.nodes[target.node].name));
+  for (const name of ['right_index_proximal', 'left_thumb_distal', 'right_lower_arm_half', 'right_hand']) assert.ok(turned.has(name), name);
+  const [skin] = json.skins;
+  assert.equal(new Set(skin.joints).size, skin.joints.length, 'each joint once');
   assert.deepEqual(errors, []);
   await context.close();
 });

@@ -51,14 +51,17 @@ export class BodyBones {
     return a && b ? b.sub(a) : undefined;
   }
 
-  /** The place of the last node below a bone: a fingertip, the top of the head. */
+  /** The place of the node below a bone that is farthest from it: a fingertip, the top of the head. */
   tip(bone: string): Vector3 | undefined {
-    let index = this.bones.get(bone);
-    if (index === undefined) return undefined;
-    for (;;) {
-      const child = this.description.nodes.findIndex((node) => node.parent === index);
-      if (child < 0) return this.places[index]!.clone();
-      index = child;
-    }
+    const root = this.bones.get(bone);
+    if (root === undefined) return undefined;
+    const below = new Set([root]);
+    let farthest = root;
+    this.description.nodes.forEach((node, index) => {
+      if (!below.has(node.parent)) return;
+      below.add(index);
+      if (this.places[index]!.distanceTo(this.places[root]!) > this.places[farthest]!.distanceTo(this.places[root]!)) farthest = index;
+    });
+    return this.places[farthest]!.clone();
   }
 }

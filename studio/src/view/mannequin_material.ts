@@ -42,24 +42,30 @@ export function mannequinMaterial(joints: { color: Color }): MeshStandardMateria
 const kSide = 128; // px of the picture
 const kReach = 0.0256; // m that the picture takes in on both sides of a border
 
-/** The same paint as a picture and its coordinates, for files that no shader of ours draws. */
+/** From m past a border to a share of the picture's reach about it. */
+const shareOf = (past: number): number => Math.min(Math.max(0.5 + past / (2 * kReach), 0), 1);
+
+/** The same paint as a picture and its coordinates, for files that no shader of ours draws. Joints begin at the picture's middle column;
+ *  from its middle row on lie the seams, and up from it the visor, as no place has both. */
 export function paintByPicture(geometry: BufferGeometry, material: MeshStandardMaterial, colours: { skin: Color; joints: Color }): void {
   const paint = geometry.getAttribute('paint');
   const uv = new BufferAttribute(new Float32Array(2 * paint.count), 2);
-  const coordinate = (value: number): number => Math.min(Math.max(0.5 + value / (2 * kReach), 0), 1);
-  for (let i = 0; i < paint.count; ++i) uv.setXY(i, coordinate(Math.max(paint.getX(i), kSeam - Math.abs(paint.getZ(i)))), coordinate(paint.getY(i)));
+  for (let i = 0; i < paint.count; ++i) uv.setXY(i, shareOf(paint.getX(i)), 0.5 + 0.5 * (shareOf(paint.getZ(i)) - shareOf(paint.getY(i))));
   geometry.setAttribute('uv', uv);
   geometry.deleteAttribute('paint');
   const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = kSide;
+  canvas.width = kSide;
+  canvas.height = 4 * kSide;
   const pen = canvas.getContext('2d')!;
-  const fill = (colour: Color, x: number, y: number): void => {
+  const fill = (colour: Color, x: number, y: number, high: number): void => {
     pen.fillStyle = `#${colour.getHexString()}`;
-    pen.fillRect(x, y, kSide, kSide);
+    pen.fillRect(x * kSide, y * canvas.height, kSide, high * canvas.height);
   };
-  fill(colours.skin, 0, 0);
-  fill(colours.joints, kSide / 2, 0);
-  fill(colours.joints.clone().multiplyScalar(kVisor), 0, kSide / 2);
+  fill(colours.skin, 0, 0, 1);
+  fill(colours.joints, 0.5, 0, 1);
+  const wide = kSeam / (2 * kReach);
+  fill(colours.joints, 0, 0.75 - wide / 2, wide);
+  fill(colours.joints.clone().multiplyScalar(kVisor), 0, 0, 0.25);
   const map = new CanvasTexture(canvas);
   map.colorSpace = SRGBColorSpace;
   map.flipY = false;

@@ -126,9 +126,10 @@ export class SkinFitter {
     const none = new Quaternion();
     if (bone === 'neck') return { x: s, y: this.ratio(this.body.way('neck', 'head')?.length(), this.place('head').y - this.place('neck').y), z: s, turn: none };
     if (bone === 'head') {
-      const top = this.body.tip('head')!.sub(at).length();
-      const y = top > 0.08 * s ? this.ratio(top, measures['head']!) : s;
-      return { x: s, y, z: s, turn: none };
+      // few files say where a head ends
+      const top = this.ratio(this.body.tip('head')!.sub(at).length(), measures['head']!);
+      const size = Math.min(Math.max(top, 0.9 * s), 1.15 * s);
+      return { x: size, y: size, z: size, turn: none };
     }
     if (bone === 'toes') return { x: s, y: s, z: s, turn: this.of(`${side}foot`).turn };
     const next = kNext[bone];
