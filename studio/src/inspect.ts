@@ -31,6 +31,8 @@ export interface Inspection {
   drawn(effector: string): Vec3 | null;
   /** From where the picture is seen. */
   look(): Look;
+  /** The ruler as it is drawn. */
+  readonly ruler: { height_m: number; texts: string[] } | null;
   /** Joints that are red on the figure. */
   readonly strained: readonly string[];
   /** Where the ghosts have an effector's node, m. */
@@ -71,6 +73,9 @@ export function expose(studio: Studio, view: View): void {
     },
     get time() {
       return studio.clock.time;
+    },
+    get ruler() {
+      return view.drawnRuler;
     },
     get strained() {
       return view.strainedNames;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keys for everything that a pointer does. Letters typed into a field stay there.
 import type { Vec3 } from '../../bindings/wasm/src/types';
-import { viewKey } from './panels/view_menu';
+import type { ViewMenu } from './panels/view_menu';
 import { ranking } from './state/criteria';
 import { leastHeight } from './state/floor';
 import { goalOf } from './state/model';
@@ -21,7 +21,7 @@ export class Keyboard {
   private timer = 0;
   private target: { effector: string; position: Vec3 } | null = null;
 
-  constructor(private readonly studio: Studio, private readonly canvas: HTMLElement, private readonly openHelp: () => void) {
+  constructor(private readonly studio: Studio, private readonly canvas: HTMLElement, private readonly viewMenu: ViewMenu, private readonly openHelp: () => void) {
     document.addEventListener('keydown', this.key);
   }
 
@@ -51,7 +51,7 @@ export class Keyboard {
       return this.done(event, () => this.studio.scrub(this.studio.clock.time + (event.key === '.' ? kFrame : -kFrame)));
     }
     if (event.key.toLowerCase() === 'm') return this.done(event, () => void this.studio.mirror());
-    const view = viewKey(this.studio, event);
+    const view = this.viewMenu.actionOf(event);
     if (view) return this.done(event, view);
     if (event.key === '?') return this.done(event, this.openHelp);
   }

@@ -85,13 +85,13 @@ export class Page {
     });
     const top = new TopBar(studio, openHelp);
     const legend = new SpeedLegend(studio);
-    const menu = new ViewMenu(studio);
+    const menu = new ViewMenu(studio, this.view);
     this.panels = [gallery, verdict, timeline, start, notices, wanted, tabs, top, legend, menu];
     this.canvas.setAttribute('aria-label', t('viewLabel'));
     this.stage.replaceChildren(this.canvas, this.label, notices.element, legend.element, menu.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
     const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, verdict.element, start.element, timeline.element), tabs.element);
     this.root.replaceChildren(top.element, main, dialog);
-    this.keyboard = new Keyboard(studio, this.canvas, openHelp);
+    this.keyboard = new Keyboard(studio, this.canvas, menu, openHelp);
   }
 
   private hover(effector: string | null, x: number, y: number): void {

@@ -127,6 +127,7 @@ test('a damaged or hostile link is told of, and the page opens as usual', { time
     edits: with_({ edits: { 0: { assignments: { squat_deg: 3 } } } }),
     tab: with_({ picture: { ...good.picture, tab: 'x' } }),
     look: with_({ picture: { ...good.picture, look: { position_m: [0, 1, 1e9], target_m: [0, 0, 0] } } }),
+    view: with_({ picture: { ...good.picture, view: { ghosts: 1e6 } } }),
     character: with_({ character: { spec: { source: 'nobody' } } }),
     'goals and motions': with_({ found: undefined, task: { goals: [{ effector: 'right_hand', position_m: 'here' }] } }),
     motions: with_({ found: { ...good.found, candidates: [{ parameters: { weights: 1 } }] } }),

@@ -16,7 +16,7 @@ export const kept = (page) => page.evaluate(() => {
   const look = [...position_m, ...target_m].map((x) => Number(x.toFixed(6)));
   return JSON.stringify({
     task, found, edits, chosen: d.chosen, compared: d.compared, weights: d.weights, fewer: d.result.summary.fewer,
-    tab: s.tab, selected: s.selected, overlays: s.overlays, compareMode: s.compareMode, speed: s.speed, look,
+    tab: s.tab, selected: s.selected, overlays: s.overlays, compareMode: s.compareMode, speed: s.speed, look, view: s.view,
   }, null, 1);
 });
 
@@ -30,6 +30,8 @@ export async function work(page) {
   await page.mouse.down();
   await page.mouse.move(x - 120, y - 40, { steps: 4 });
   await page.mouse.up();
+  await page.keyboard.press('g');
+  await page.keyboard.press('p');
   await page.click('#tab-criteria');
   await slide(page, '[data-criterion="head"]', 0.3);
   await page.keyboard.press('Digit3');

@@ -36,7 +36,8 @@ export const en = {
   // timeline
   play: 'Play', pause: 'Pause', time: 'Time', speed: 'Speed', loop: 'Loop', overlays: 'Paths and balance', seconds: '{t} s',
   // the View menu
-  view: 'View', viewMotion: 'Motion in space', viewGhosts: 'Ghosts', viewGhostsTitle: 'Pale figures at even steps of the motion’s time',
+  view: 'View', camera: 'Camera', front: 'Front', side: 'Side', top: 'Top', threeQuarters: 'Three-quarter', approach: 'To what is selected', resetCamera: 'Reset',
+  orthographic: 'Orthographic', focal: 'Focal length', mm: '{mm} mm', ruler: 'Ruler beside the figure', viewMotion: 'Motion in space', viewGhosts: 'Ghosts', viewGhostsTitle: 'Pale figures at even steps of the motion’s time',
   viewPath: 'Hand’s path by speed', viewSpeed: 'Speed, m/s', viewSpeedLabel: 'Colours of speed: from 0 to {most} metres a second',
   // tabs
   goals: 'Goals', adjust: 'Adjust', criteria: 'Criteria', body: 'Body', plots: 'Plots', take: 'Save',
@@ -95,7 +96,7 @@ export const en = {
   help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',
   keys: 'Keys',
   keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal, in the view', keyBrackets: 'next goal, in the view',
-  keyUndo: 'undo, redo', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
+  keyUndo: 'undo, redo', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keySides: 'look from the front, the side, the top, three-quarter', keyApproach: 'go to what is selected', keyHome: 'reset the camera', keyOrthographic: 'orthographic or perspective', keyRuler: 'ruler', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
 };
 
 export type Key = keyof typeof en;

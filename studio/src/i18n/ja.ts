@@ -32,7 +32,8 @@ export const ja: Record<Key, string> = {
   isIn: '{limb}が{other}に {cm} cm めり込みます', isBeyond: '{joint}が可動域を {deg}° 超えます', metHard: '到達（負担大）', showMoment: 'その時点を表示',
   knees: '膝 {deg}°', turned: 'ひねり {deg}°', elbow: '肘 {deg}°',
   play: '再生', pause: '一時停止', time: '時刻', speed: '速さ', loop: '繰り返し', overlays: '軌跡と重心', seconds: '{t} 秒',
-  view: '表示', viewMotion: '空間での動き', viewGhosts: '残像', viewGhostsTitle: '動作を等しい時間間隔で並べた薄い姿',
+  view: '表示', camera: 'カメラ', front: '正面', side: '側面', top: '上面', threeQuarters: '斜め', approach: '選択中の部位に寄る', resetCamera: 'リセット',
+  orthographic: '平行投影', focal: '焦点距離', mm: '{mm} mm', ruler: '身長のものさし', viewMotion: '空間での動き', viewGhosts: '残像', viewGhostsTitle: '動作を等しい時間間隔で並べた薄い姿',
   viewPath: '手の軌跡と速さ', viewSpeed: '速さ（m/s）', viewSpeedLabel: '速さの色：0 から毎秒 {most} メートルまで',
   goals: '目標', adjust: '調整', criteria: '評価', body: '体', plots: 'グラフ', take: '保存',
   panels: 'パネル',
@@ -82,5 +83,5 @@ export const ja: Record<Key, string> = {
   help4: '何もない所をドラッグすると視点が回り、右ボタンで移動、ホイールで拡大します。',
   keys: 'キー操作',
   keySpace: '再生・一時停止', keyDigits: '候補を選ぶ', keyShiftDigits: '比較する', keyArrows: '目標を動かす（表示の中で）', keyBrackets: '次の目標（表示の中で）',
-  keyUndo: '元に戻す・やり直す', keyMirror: '左右反転', keyEscape: '探索を中止・閉じる', keyFrame: 'コマ送り', keyGhosts: '動作の残像', keyPath: '速さで色分けした軌跡', keyHelp: 'このページ',
+  keyUndo: '元に戻す・やり直す', keyMirror: '左右反転', keyEscape: '探索を中止・閉じる', keyFrame: 'コマ送り', keySides: '正面・側面・上面・斜めから見る', keyApproach: '選択中の部位に寄る', keyHome: 'カメラをリセット', keyOrthographic: '平行投影と透視投影の切り替え', keyRuler: 'ものさし', keyGhosts: '動作の残像', keyPath: '速さで色分けした軌跡', keyHelp: 'このページ',
 };

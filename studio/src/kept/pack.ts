@@ -5,6 +5,7 @@ import type { Document, Edit } from '../state/model';
 import { checkedDocumentOf } from '../state/of_task';
 import type { Studio } from '../state/studio';
 import { taskOf } from '../state/task';
+import { initialView } from '../state/view_settings';
 import { digestOf } from './digest';
 import type { StoredEdit, StoredMotions, Work } from './work';
 
@@ -41,7 +42,7 @@ export async function workOf(studio: Studio, document: Document): Promise<Work> 
     edits: Object.fromEntries(edits),
     picture: {
       ...(studio.eye && { look: studio.eye.look() }),
-      tab: state.tab, selected: state.selected, compareMode: state.compareMode, overlays: state.overlays,
+      view: state.view, tab: state.tab, selected: state.selected, compareMode: state.compareMode, overlays: state.overlays,
       speed: state.speed, playing: state.playing, time_s: studio.clock.time, fps: state.fps,
     },
   };
@@ -90,9 +91,9 @@ async function editOf(studio: Studio, character: Character, { assignments, base 
   throw new Error('the edits could not be played, as others were');
 }
 
-function show(studio: Studio, { look, tab, selected, compareMode, overlays, speed, playing, time_s, fps }: Work['picture']): void {
+function show(studio: Studio, { look, view, tab, selected, compareMode, overlays, speed, playing, time_s, fps }: Work['picture']): void {
   const known = studio.document?.goals.some((goal) => goal.effector === selected);
-  studio.store.set({ tab, compareMode, overlays, speed, playing, fps, ...(known && { selected }) });
+  studio.store.set({ view: { ...initialView, ...view }, tab, compareMode, overlays, speed, playing, fps, ...(known && { selected }) });
   studio.clock.time = time_s;
   if (look) studio.eye?.lookFrom(look);
 }

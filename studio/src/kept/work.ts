@@ -4,6 +4,7 @@
 // all that the page itself reads of it, and the engine the rest.
 import type { CharacterSpec, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import type { CompareMode, Tab } from '../state/model';
+import { type ViewSettings, wrongSetting } from '../state/view_settings';
 
 /** From where the picture is seen. */
 export interface Look {
@@ -25,6 +26,7 @@ export interface StoredEdit {
 
 export interface StoredPicture {
   readonly look?: Look;
+  readonly view?: Partial<ViewSettings>;
   readonly tab: Tab;
   readonly selected: string; // effector
   readonly compareMode: CompareMode;
@@ -91,10 +93,14 @@ function readEdits(value: unknown, count: number): Work['edits'] {
 
 function readPicture(value: unknown): StoredPicture {
   const picture = fieldsOf(value, 'picture');
-  const { look, tab, selected, compareMode, overlays, speed, playing, time_s, fps } = picture;
+  const { look, view, tab, selected, compareMode, overlays, speed, playing, time_s, fps } = picture;
   if (look !== undefined) {
     const { position_m, target_m } = fieldsOf(look, 'picture.look');
     need(isPoint(position_m) && isPoint(target_m), 'picture.look', `of points up to ${kFarthest} m away`);
+  }
+  if (view !== undefined) {
+    const wrong = wrongSetting(fieldsOf(view, 'picture.view'));
+    need(wrong === undefined, `picture.view.${wrong}`, 'as the View menu has it');
   }
   need(kTabs.includes(tab as Tab), 'picture.tab', `one of ${kTabs.join(', ')}`);
   need(typeof selected === 'string', 'picture.selected', 'the name of an effector');

@@ -86,7 +86,7 @@ export class Handles {
       const isSelected = handle.effector === selected && handle.goal;
       handle.sprite.material = isSelected ? this.materials.selected : handle.goal ? this.materials.goal : this.materials.idle;
       const size = isSelected ? 0.042 : handle.goal ? 0.022 : 0.016;
-      handle.sprite.scale.setScalar(size);
+      handle.sprite.scale.setScalar(size * this.stage.lens.constantSize);
       if (isSelected) chosen = handle;
       if (this.dragged?.handle === handle || (isSelected && this.gizmo.dragging)) continue;
       const place = goal ? new Vector3(...goal.position_m) : places(handle.effector);
@@ -95,6 +95,7 @@ export class Handles {
       if (isSelected) this.anchorAt(goal!);
     }
     this.rotates = rotate && goals.find((g) => g.effector === selected)?.rotation_xyzw !== undefined;
+    this.gizmo.camera = this.stage.lens.shown;
     this.gizmo.setMode(this.rotates ? 'rotate' : 'translate');
     this.gizmo.setSpace(this.rotates ? 'local' : 'world');
     if (chosen && !this.dragged) this.gizmo.attach(this.anchor);
@@ -125,7 +126,7 @@ export class Handles {
     let least = kGrab;
     for (const handle of this.handles) {
       if (!handle.sprite.visible) continue;
-      const p = handle.sprite.position.clone().project(this.stage.camera);
+      const p = handle.sprite.position.clone().project(this.stage.lens.shown);
       const x = ((p.x + 1) / 2) * box.width + box.left;
       const y = ((1 - p.y) / 2) * box.height + box.top;
       const far = Math.hypot(event.clientX - x, event.clientY - y) * (handle.goal ? 0.8 : 1.4);
@@ -142,7 +143,7 @@ export class Handles {
     const point = new Vector2(
       ((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2,
     );
-    this.ray.setFromCamera(point, this.stage.camera);
+    this.ray.setFromCamera(point, this.stage.lens.shown);
   }
 
   private readonly down = (event: PointerEvent): void => {
@@ -153,7 +154,7 @@ export class Handles {
     this.canvas.setPointerCapture(event.pointerId);
     this.stage.orbit.enabled = false;
     this.canvas.focus({ preventScroll: true, focusVisible: false });
-    const normal = this.stage.camera.getWorldDirection(new Vector3());
+    const normal = this.stage.lens.shown.getWorldDirection(new Vector3());
     const plane = new Plane().setFromNormalAndCoplanarPoint(normal, handle.sprite.position);
     this.aim(event);
     const hit = this.ray.ray.intersectPlane(plane, new Vector3()) ?? handle.sprite.position.clone();

@@ -25,6 +25,7 @@ export interface Palette {
   support: Color;
   missing: Color;
   ghost: Color;
+  ruler: Color;
   /** From slow to fast, in even steps of lightness: who cannot tell the hues apart goes by that. */
   speed: readonly Color[];
   light: number; // of the key light
@@ -49,6 +50,7 @@ export const palettes: Record<'light' | 'dark', Palette> = {
     support: new Color('#2f8f6b'),
     missing: new Color('#c62d42'),
     ghost: new Color('#4f7f9e'),
+    ruler: new Color('#4a5963'),
     speed: ['#63bfe1', '#7193df', '#955dbc', '#a02262', '#790d14'].map((colour) => new Color(colour)),
     light: 2.3,
     ambient: 1.35,
@@ -70,6 +72,7 @@ export const palettes: Record<'light' | 'dark', Palette> = {
     support: new Color('#58c79b'),
     missing: new Color('#ff6b7d'),
     ghost: new Color('#8fb9d6'),
+    ruler: new Color('#aebbc4'),
     speed: ['#385db8', '#a55bc5', '#f46a86', '#ffa167', '#f0e765'].map((colour) => new Color(colour)),
     light: 2.0,
     ambient: 0.85,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The scene with its light, floor and camera. Draws only when something has changed.
 import {
-  DirectionalLight, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+  DirectionalLight, HemisphereLight, PCFShadowMap, type PerspectiveCamera, Scene, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Look } from '../kept/work';
+import type { ViewSettings } from '../state/view_settings';
+import { directionOf, Lens } from './camera';
 import { Floor } from './floor';
 import { type Palette, palettes } from './palette';
 import { type Quality, QualityControl } from './quality';
@@ -15,7 +17,9 @@ const kRest = 0.25; // s without movement until the fine picture
 
 export class Stage {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(32, 1, 0.05, 60);
+  readonly lens = new Lens();
+  /** Where the picture is seen from; `lens.shown` is what it is seen through. */
+  readonly camera: PerspectiveCamera = this.lens.camera;
   readonly renderer: WebGLRenderer;
   readonly orbit: OrbitControls;
   palette: Palette = palettes.light;
@@ -39,9 +43,8 @@ export class Stage {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = false;
-    this.orbit.minDistance = 0.8;
-    this.orbit.maxDistance = 12;
     this.orbit.maxPolarAngle = Math.PI * 0.53;
+    this.lens.follow(this.orbit);
     this.orbit.addEventListener('change', () => this.invalidate());
     this.addLights();
     this.scene.add(this.floor.object);
@@ -68,12 +71,27 @@ export class Stage {
     this.scene.add(this.key, this.rim, this.fill);
   }
 
-  /** Looks at a body of this stature from the front right, as strip figures do. */
-  frame(stature: number): void {
+  /** Looks at a body of this stature: from the front right, as strip figures do, if nothing else is said. */
+  frame(stature: number, direction = directionOf('threeQuarters', -1)): void {
     const middle = new Vector3(0, 0.49 * stature, 0.12 * stature);
-    const away = new Vector3(-0.62, 0.3, 1).normalize().multiplyScalar(2.2 * stature);
-    this.orbit.target.copy(middle);
-    this.camera.position.copy(middle).add(away);
+    this.lookAt(middle, direction, 2.2 * stature);
+  }
+
+  /** Looks at a place from nearby, the same way as now. */
+  approach(place: Vector3, away: number): void {
+    this.lookAt(place, this.camera.position.clone().sub(this.orbit.target).normalize(), away);
+  }
+
+  /** `away`: how far with the usual lens, m. */
+  private lookAt(place: Vector3, direction: Vector3, away: number): void {
+    this.orbit.target.copy(place);
+    this.camera.position.copy(place).addScaledVector(direction, away * this.lens.reach);
+    this.orbit.update();
+    this.invalidate();
+  }
+
+  setLens(view: ViewSettings): void {
+    this.lens.set(view);
     this.orbit.update();
     this.invalidate();
   }
@@ -128,10 +146,7 @@ export class Stage {
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2) * this.drawn.pixels);
     this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    // a narrow picture shows the same width of the world as a square one
-    this.camera.fov = this.camera.aspect < 0.9 ? 32 * (0.9 / this.camera.aspect) : 32;
-    this.camera.updateProjectionMatrix();
+    this.lens.resize(width / height);
     this.invalidate();
   }
 
@@ -163,7 +178,8 @@ export class Stage {
     }
     this.dirty = false;
     this.onDraw();
-    this.renderer.render(this.scene, this.camera);
+    this.lens.sync();
+    this.renderer.render(this.scene, this.lens.shown);
   }
 
   dispose(): void {

@@ -8,6 +8,7 @@ import { candidateAt, goalOf, type State } from '../state/model';
 import { speedScale } from '../state/speed';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
+import { directionOf, type Preset } from './camera';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import { Ghosts } from './ghosts';
 import { Handles } from './handles';
@@ -15,9 +16,12 @@ import { Obstacles } from './obstacles';
 import { Overlays } from './overlays';
 import { shownTheme } from './palette';
 import { SpeedPath } from './path';
+import { Ruler } from './ruler';
 import { Stage } from './stage';
 import { StrainedJoints } from './strained';
 
+const kApproach = 0.75; // statures from what is selected
+const kRoom = 2.4; // times what has to be in the picture
 const kBeside = 0.55; // shares of the stature between two that are compared
 
 /** Of the body's name for a bone the node: of a file by its bone map, a hand for its grip. */
@@ -40,6 +44,7 @@ export class View {
   private readonly otherOverlays = new Overlays();
   private readonly strained = new StrainedJoints();
   private readonly ghosts = new Ghosts();
+  private readonly ruler = new Ruler();
   private readonly speeds = new SpeedPath();
   private readonly otherSpeeds = new SpeedPath();
   private character: Character | null = null;
@@ -65,7 +70,10 @@ export class View {
       hover: onHover,
       least: (effector, rotation) => this.leastHeight(effector, rotation),
     });
-    this.stage.scene.add(this.obstacles.object, this.overlays.object, this.otherOverlays.object, this.strained.object, this.handles.object, this.ghosts.object, this.speeds.object, this.otherSpeeds.object);
+    const drawn = [
+      this.obstacles, this.overlays, this.otherOverlays, this.strained, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds,
+    ];
+    this.stage.scene.add(...drawn.map(({ object }) => object));
     this.stage.onFrame = (seconds) => this.advance(seconds);
     this.stage.onDraw = () => this.pose();
     studio.eye = this;
@@ -87,6 +95,7 @@ export class View {
     this.handles.paint(this.stage.palette);
     this.obstacles.paint(this.stage.palette);
     this.ghosts.paint(this.stage.palette);
+    this.ruler.paint(this.stage.palette);
     this.showMotion(this.studio.store.state);
     this.colour();
   }
@@ -118,6 +127,25 @@ export class View {
     else this.sought = look;
   }
 
+  /** The whole body from one of the usual sides, of left and right from the one that acts. */
+  lookFromSide(preset: Preset): void {
+    const { document, store } = this.studio;
+    if (!document || !this.figure) return;
+    this.stage.frame(this.figure.height, directionOf(preset, store.state.selected.startsWith('left') ? 1 : -1));
+    this.stage.include(document.goals.map((goal) => new Vector3(...goal.position_m)));
+  }
+
+  /** The hand, foot or head that is selected, with its goal. */
+  approachSelected(): void {
+    const { document, store } = this.studio;
+    const goal = document?.goals.find(({ effector }) => effector === store.state.selected);
+    const place = this.place(store.state.selected) ?? (goal && new Vector3(...goal.position_m));
+    if (!document || !place) return;
+    const apart = goal ? place.distanceTo(new Vector3(...goal.position_m)) : 0;
+    if (goal) place.lerp(new Vector3(...goal.position_m), 0.5);
+    this.stage.approach(place, Math.max(kApproach * document.character.description.stature_m, kRoom * apart));
+  }
+
   onFigure(listener: (figure: Figure | null) => void): void {
     this.listeners.add(listener);
     listener(this.figure);
@@ -140,6 +168,7 @@ export class View {
     const character = state.document?.character ?? null;
     if (character !== this.character) void this.setCharacter(character);
     if (state.theme !== previous.theme) this.paint();
+    if (state.view !== previous.view) this.stage.setLens(state.view);
     if (state.compareMode !== previous.compareMode) this.colour();
     if (state.document?.compared !== previous.document?.compared) void this.setOther();
     if (state.dragging && !previous.dragging) this.studio.play(false);
@@ -198,6 +227,7 @@ export class View {
       this.handles.setEffectors(effectorsOf(character));
       this.overlays.setSupport(character.description);
       this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
+      this.ruler.setStature(character.description.stature_m);
       this.stage.frame(figure.height);
       if (this.sought) this.stage.lookFrom(this.sought);
     }
@@ -243,6 +273,7 @@ export class View {
     this.figure.object.updateMatrixWorld(true);
     this.overlays.pose(time, state.overlays && !state.dragging);
     this.otherOverlays.pose(time, state.overlays && !state.dragging);
+    this.ruler.pose(this.stage.camera, apart / 2, state.view.ruler);
     this.strained.pose(time, (joint) => this.place(joint.replace(/_ankle$/, '_foot')));
     this.handles.object.position.x = apart / 2;
     this.handles.object.visible = apart === 0; // what is dragged is where the engine has it
@@ -262,6 +293,11 @@ export class View {
     const file = reached['gltf_node' as keyof typeof reached] as unknown as number | undefined;
     const index = this.character.description.nodes.findIndex((node) => (file === undefined ? node.name === reached.joint : node.file_node === file));
     return this.figure.nodes[index]?.getWorldPosition(new Vector3()).toArray() ?? null;
+  }
+
+  /** The ruler as it is drawn; for tests. */
+  get drawnRuler(): Ruler['drawn'] {
+    return this.ruler.drawn;
   }
 
   /** Joints that are marked as strained; for tests. */
@@ -289,7 +325,7 @@ export class View {
     const place = goal ? new Vector3(...goal.position_m) : this.place(effector);
     if (!place) return null;
     const box = this.stage.renderer.domElement.getBoundingClientRect();
-    const p = place.project(this.stage.camera);
+    const p = place.project(this.stage.lens.shown);
     return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
   }
 
