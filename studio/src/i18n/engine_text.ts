@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The engine's sentences in the page's language: which of its messages a text is, with what values, and the words
-// for that. What has no words stays as the engine says it.
+// for that. A text without words stays as the engine says it.
 import type { Facts } from '../../../bindings/wasm/src/types';
 import { japaneseMessages } from './messages_ja';
 
