@@ -81,6 +81,11 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
                                        ExportSettings usual) {
   usual.one_file = options.one_file;
   usual.rate = options.fps.value_or(usual.rate);
+  usual.clip = options.clip;
+  usual.in_place = options.in_place;
+  if (options.joint_names) {
+    SHG_TRY_ASSIGN(usual.names, value_of<JointNames>(*options.joint_names, "joint names"));
+  }
   if (!options.formats) return usual;
   SHG_TRY_ASSIGN(usual.formats, parse_formats(*options.formats));
   SHG_TRY(check_formats(spec, usual.formats));

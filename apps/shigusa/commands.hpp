@@ -40,6 +40,9 @@ struct FileOptions {
   std::optional<std::string> formats;
   bool one_file = false;
   std::optional<double> fps;
+  std::string clip;
+  std::optional<std::string> joint_names;
+  bool in_place = false;
 };
 
 struct ReachOptions {

@@ -57,6 +57,15 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
       ->allow_extra_args(false);
 }
 
+// The words of an enum as --help shows them, "paper|flat"; of other values the form of their text.
+template <class Value>
+std::string words_or(const char* form) {
+  if constexpr (std::is_enum_v<Value>) {
+    return fmt::format("{}", fmt::join(shigusa::all_words<Value>(), "|"));
+  } else {
+    return form == nullptr ? "" : form;
+  }
+}
 // `usual`, `rate`: what is written, and at how many frames a second, where nothing is said.
 void add_file_options(CLI::App* c, FileOptions& o, const std::string& usual,
                       const std::string& rate) {
@@ -71,17 +80,17 @@ void add_file_options(CLI::App* c, FileOptions& o, const std::string& usual,
       ->check(CLI::Range(shigusa::kRateMin, shigusa::kRateMax));
   c->add_flag("--one-file", o.one_file,
               "All candidates in one candidates.glb in place of a GLB for each");
+  c->add_option("--clip", o.clip,
+                "What the animation is called in GLB and VRMA; in one file with the rank after it");
+  c->add_option("--joint-names", o.joint_names,
+                "Whose names the joints of a built-in body have in BVH (default: own)")
+      ->type_name(words_or<shigusa::JointNames>(nullptr));
+  c->add_flag(
+      "--in-place", o.in_place,
+      "Leaves out what the hips travel along the floor in BVH, GLB and VRMA: for games that "
+      "move the character themselves");
 }
 
-// The words of an enum as --help shows them, "paper|flat"; of other values the form of their text.
-template <class Value>
-std::string words_or(const char* form) {
-  if constexpr (std::is_enum_v<Value>) {
-    return fmt::format("{}", fmt::join(shigusa::all_words<Value>(), "|"));
-  } else {
-    return form == nullptr ? "" : form;
-  }
-}
 template <class Holder, class Value>
 std::string form_of(const shigusa::Field<Holder, Value>& field) {
   return words_or<Value>(field.traits.form);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <shigusa/result_file.hpp>
+#include <shigusa/words.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,19 @@ namespace shigusa {
 /// Makes the folder, if need be, and makes sure that files can be written to it.
 [[nodiscard]] Result<void> prepare_folder(const std::filesystem::path& folder);
 
+/// Whose names the joints of a built-in body have in files. Characters from files keep their own.
+enum class JointNames {
+  own,      ///< VRM's in snake_case: "left_upper_arm"
+  mixamo,   ///< "mixamorig:LeftArm"
+  unreal,   ///< of Unreal's mannequins: "upperarm_l"
+  humanik,  ///< of MotionBuilder and Maya: "LeftArm"
+};
+/// The words of JointNames.
+template <>
+inline constexpr std::array kEnumWords<JointNames>{
+    EnumWord{JointNames::own, "own"}, EnumWord{JointNames::mixamo, "mixamo"},
+    EnumWord{JointNames::unreal, "unreal"}, EnumWord{JointNames::humanik, "humanik"}};
+
 /// How a result is written to a folder.
 struct ExportSettings {
   std::vector<FileFormat> formats;  ///< of each candidate
@@ -31,6 +46,9 @@ struct ExportSettings {
   double rate = kUsualRate;  ///< Hz, of BVH, GLB and VRMA: kRateMin to kRateMax
   /// the file that the character came from, so that the result can tell where it is; or empty
   std::filesystem::path character{};
+  std::string clip{};                  ///< as FileSettings::animation; empty: by the rank
+  JointNames names = JointNames::own;  ///< as FileSettings::names
+  bool in_place = false;               ///< as FileSettings::in_place
 };
 
 /// Writes each candidate in each format ("candidate-1.bvh", …) and the result as summary.json into
@@ -53,8 +71,12 @@ struct ExportSettings {
 
 /// How one motion is written.
 struct FileSettings {
-  double rate = kUsualRate;           ///< Hz, as ExportSettings has it
-  std::string animation = "shigusa";  ///< its name in GLB and VRMA
+  double rate = kUsualRate;            ///< Hz, as ExportSettings has it
+  std::string animation = "shigusa";   ///< its name in GLB and VRMA
+  JointNames names = JointNames::own;  ///< in BVH, of a built-in body
+  /// The hips keep their place along the floor in BVH, GLB and VRMA: games that move the character
+  /// themselves want what it travels left out. Feet that stand slide then.
+  bool in_place = false;
 };
 
 /// A candidate's motion at a rate (Hz), as files of it have it: planted feet stay and the goals'
@@ -66,9 +88,10 @@ struct FileSettings {
 [[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
                                                       const Task& task, const Clip& clip);
 
-/// Parses {"fps": 24}.
-[[nodiscard]] Result<FileSettings> parse_file_settings(std::string_view text,
-                                                       std::string_view name);
+/// Parses {"fps": 24, "clip": "Reach", "joint_names": "mixamo", "in_place": true}; what is missing
+/// is as in `usual`.
+[[nodiscard]] Result<FileSettings> parse_file_settings(std::string_view text, std::string_view name,
+                                                       FileSettings usual = {});
 
 /// One candidate on the body's own skeleton as a file's bytes. BVH: in centimetres.
 /// CSV: joint angles, torques, centre of mass and hand path against time; of a robot its file's
@@ -84,14 +107,18 @@ struct FileSettings {
                                                    const Candidate& candidate, FileFormat format,
                                                    const FileSettings& settings = {});
 
+/// The name of a clip's animation in a character's file: "Reach", or "Reach (2)" where the file has
+/// one of that name.
+[[nodiscard]] std::string free_animation(const CharacterSpec& character, const std::string& clip);
 /// The animation that the candidate of a rank (from 1) is called by: "shigusa candidate 1", or "…
-/// (2)" where the character's file has one of that name.
+/// (2)" as above.
 [[nodiscard]] std::string candidate_animation(const CharacterSpec& character, std::size_t rank);
 
-/// All candidates as animations of one GLB. Fails as check_formats and write_result do.
+/// All candidates as animations of one GLB, each called by candidate_animation, or by a clip's name
+/// that is given and its rank: "Reach 1". Fails as check_formats and write_result do.
 [[nodiscard]] Result<std::string> export_all(const CharacterSpec& character, const Task& task,
                                              const std::vector<Candidate>& candidates,
-                                             double rate = kUsualRate);
+                                             const FileSettings& settings = {.animation = {}});
 
 /// Fails on a rate that motions cannot leave at; `place` names its source.
 [[nodiscard]] Result<void> check_rate(double rate, std::string_view place);

@@ -92,7 +92,11 @@ inline constexpr std::size_t kObstaclesMax = 64;
 inline constexpr std::size_t kSupportsMax = 8;
 inline constexpr double kTaskDurationMin = 0.05;  ///< s
 inline constexpr double kTaskDurationMax = 60.0;  ///< s
-inline constexpr int kPhasesMax = 2;              ///< weights and posture change once at most
+/// How much earlier or later a motion makes its way, at the most: beyond 1.3 it would turn back.
+inline constexpr double kEaseMax = 0.8;
+inline constexpr double kGazeLeadMost = 0.35;    ///< share of the duration, of a head that is early
+inline constexpr double kGazeLeadLeast = -0.45;  ///< … and of one that is late
+inline constexpr int kPhasesMax = 2;             ///< weights and posture change once at most
 
 /// The method that makes a motion from parameters.
 enum class MotionGenerator {
@@ -133,6 +137,8 @@ struct Request {
   /// Hands that rest on something, each another one.
   std::vector<Support> supports{};
   std::optional<double> duration{};  ///< s
+  double ease = 0.0;                 ///< see its field
+  double gaze_lead = 0.0;            ///< share of the duration
   /// The way in which parameters are searched.
   Preset preset = Preset::flat;
   /// The parameters of the first layer, of layered presets.
@@ -216,6 +222,18 @@ inline constexpr FieldTable kFields<Request>{
               &Request::duration,
               "Seconds of the motion; from the distance when not given.",
               {.low = kTaskDurationMin, .high = kTaskDurationMax, .option = "--duration"}},
+        Field{
+            "ease",
+            &Request::ease,
+            "How early the motion makes its way: above 0 it is quicker in its first half and slows "
+            "down for longer, below 0 it is slow to begin; 0, as people move, when not given. Not "
+            "of presets with layers.",
+            {.low = -kEaseMax, .high = kEaseMax, .option = "--ease"}},
+        Field{"gaze_lead",
+              &Request::gaze_lead,
+              "The share of the duration by which the head turns earlier to what is looked at, or "
+              "later below 0, than people's do; 0 when not given. Of the presets flat and human.",
+              {.low = kGazeLeadLeast, .high = kGazeLeadMost, .option = "--gaze-lead"}},
         Field{"preset",
               &Request::preset,
               "paper, as published; flat, when not given: all parameters at once, within joint "

@@ -10,6 +10,7 @@
 #include <shigusa/motion.hpp>
 
 #include "character/character_rig.hpp"
+#include "in_place.hpp"
 #include "io/gltf_write.hpp"
 #include "person/measure_person.hpp"
 
@@ -160,7 +161,10 @@ std::string vrma_bone(const CharacterRig& character, int node, bool fingers) {
 }
 
 std::string candidate_animation(const CharacterSpec& character, std::size_t rank) {
-  const std::string plain = fmt::format("shigusa candidate {}", rank);
+  return free_animation(character, fmt::format("shigusa candidate {}", rank));
+}
+
+std::string free_animation(const CharacterSpec& character, const std::string& plain) {
   if (!character.rig) return plain;
   const auto& taken = character.rig->animations;
   std::string name = plain;
@@ -170,10 +174,17 @@ std::string candidate_animation(const CharacterSpec& character, std::size_t rank
   return name;
 }
 
+RigMotion CharacterExporter::motion_of(const BodyModel& body, const Clip& clip,
+                                       const Rig& rig) const {
+  RigMotion motion = rig_motion(body, clip, rig, hands_);
+  if (in_place_) stay_in_place(rig, motion);
+  return motion;
+}
+
 std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) const {
   const bool own = character_.format == FileFormat::bvh;
   const Rig rig = own ? character_.rig : unturned(character_);
-  const RigMotion moved = rig_motion(body, clip, rig, hands_);
+  const RigMotion moved = motion_of(body, clip, rig);
   const double unit = rig.placement.unit;
   SkeletonMotion motion{character_.skeleton, {moved.frame_time, moved.frames, moved.local}};
   for (SkeletonNode& node : motion.skeleton.nodes) node.offset = node.offset * unit;
@@ -184,8 +195,8 @@ std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) cons
 
 GltfAnimation CharacterExporter::animation(const BodyModel& body, const Clip& clip,
                                            const std::string& name) const {
-  GltfAnimation animation = animation_of(character_.rig, character_.places,
-                                         rig_motion(body, clip, character_.rig, hands_), name);
+  GltfAnimation animation =
+      animation_of(character_.rig, character_.places, motion_of(body, clip, character_.rig), name);
   for (GltfTrack& track : animation.tracks) {
     track.node = character_.file_node[static_cast<std::size_t>(track.node)];
   }
@@ -199,7 +210,7 @@ Result<std::string> CharacterExporter::glb(std::span<const GltfAnimation> animat
 Result<std::string> CharacterExporter::vrma(const BodyModel& body, const Clip& clip,
                                             const std::string& name) const {
   VrmSkeleton skeleton(character_, hands_.fingers);
-  const RigMotion motion = rig_motion(body, clip, skeleton.rig, hands_);
+  const RigMotion motion = motion_of(body, clip, skeleton.rig);
   GltfAnimation animation = animation_of(skeleton.rig, skeleton.rest, motion, name);
   // bones keep their lengths: of VRM's the hips alone move in their parent
   for (GltfTrack& track : animation.tracks) {

@@ -15,8 +15,10 @@ namespace shigusa {
 // Motions of a body on its character's own skeleton. Borrows the rig.
 class CharacterExporter {
  public:
-  explicit CharacterExporter(const CharacterRig& character, const HandPlay& hands = {})
-      : character_(character), hands_(hands) {}
+  // `in_place`: as FileSettings has it.
+  explicit CharacterExporter(const CharacterRig& character, const HandPlay& hands = {},
+                             bool in_place = false)
+      : character_(character), hands_(hands), in_place_(in_place) {}
 
   // With the nodes of the file; of a BVH also with its channels and in its unit, else in
   // centimetres.
@@ -36,8 +38,11 @@ class CharacterExporter {
                                          const std::string& name) const;
 
  private:
+  [[nodiscard]] RigMotion motion_of(const BodyModel& body, const Clip& clip, const Rig& rig) const;
+
   const CharacterRig& character_;
   HandPlay hands_;
+  bool in_place_;
 };
 
 // The play of hands that a task asks for: those that have goals open and close.

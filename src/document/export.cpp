@@ -124,13 +124,33 @@ Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
   return resampled(body, candidate.motion.clip, rate, held);
 }
 
-Result<FileSettings> parse_file_settings(std::string_view text, std::string_view name) {
+Result<FileSettings> parse_file_settings(std::string_view text, std::string_view name,
+                                         FileSettings settings) {
   SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   JsonReader reader(json, std::string(name) + ": ");
-  FileSettings settings;
   reader.number("fps", settings.rate, kRateMin, kRateMax);
+  reader.text("clip", settings.animation);
+  reader.word("joint_names", settings.names);
+  reader.truth("in_place", settings.in_place);
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return settings;
+}
+
+Result<void> check_file_settings(const CharacterSpec& character, FileFormat format,
+                                 const FileSettings& settings) {
+  SHG_TRY(check_rate(settings.rate, "rate"));
+  constexpr std::size_t kClipNameMax = 200;
+  if (settings.animation.size() > kClipNameMax) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("has {} bytes; allowed are up to {}", settings.animation.size(), kClipNameMax),
+        "the clip's name");
+  }
+  if (settings.names == JointNames::own || !character.rig || !info_of(format).rated) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("are those of {} in its own files: leave the joint names out", character.source),
+      "joint names");
 }
 
 Result<MadeFile> unread(Result<std::string> bytes) {
@@ -143,7 +163,7 @@ Result<MadeFile> make_file(const WriteRequest& request, FileFormat format) {
       by_format<Result<MadeFile>(const WriteRequest&), &FormatInfo::written>(
           []<FileFormat written>() { return &write_as<written>; });
   SHG_TRY(check_formats(request.character, {format}));
-  SHG_TRY(check_rate(request.settings.rate, "rate"));
+  SHG_TRY(check_file_settings(request.character, format, request.settings));
   return kWriters[static_cast<std::size_t>(format)](request);
 }
 
@@ -160,8 +180,9 @@ Result<std::string> export_candidate(const Task& task, const Candidate& candidat
 }
 
 Result<std::string> export_all(const CharacterSpec& character, const Task& task,
-                               const std::vector<Candidate>& candidates, double rate) {
-  SHG_TRY_ASSIGN(MadeGlb made, make_one_glb(character, task, candidates, rate));
+                               const std::vector<Candidate>& candidates,
+                               const FileSettings& settings) {
+  SHG_TRY_ASSIGN(MadeGlb made, make_one_glb(character, task, candidates, settings));
   return std::move(made.bytes);
 }
 

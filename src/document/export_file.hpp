@@ -53,6 +53,10 @@ Result<MadeFile> write_as<FileFormat::pdf>(const WriteRequest& request);
 // The file of bytes that hold no motion of nodes, for write_as.
 [[nodiscard]] Result<MadeFile> unread(Result<std::string> bytes);
 
+// Fails on settings that this character cannot leave with in that format.
+[[nodiscard]] Result<void> check_file_settings(const CharacterSpec& character, FileFormat format,
+                                               const FileSettings& settings);
+
 // The motion in any format. Fails as check_formats and check_rate do, and where it is made.
 [[nodiscard]] Result<MadeFile> make_file(const WriteRequest& request, FileFormat format);
 
@@ -62,6 +66,7 @@ struct MadeGlb {
   std::vector<ReadBack> back;
 };
 [[nodiscard]] Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
-                                           const std::vector<Candidate>& candidates, double rate);
+                                           const std::vector<Candidate>& candidates,
+                                           const FileSettings& settings);
 
 }  // namespace shigusa

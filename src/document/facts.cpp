@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <shigusa/export.hpp>
 #include <shigusa/facts.hpp>
 #include <shigusa/goal.hpp>
 #include <shigusa/result_file.hpp>
@@ -6,6 +7,7 @@
 
 #include "criteria/built_in_criteria.hpp"
 #include "io/json_text.hpp"
+#include "joint_names.hpp"
 
 namespace shigusa {
 namespace {
@@ -79,7 +81,9 @@ Json ranges_to_json() {
   Json ranges;
   add_ranges<Goal>({"position_m", "load_kg", "tolerance_m"}, ranges);
   add_ranges<CharacterSpec>({"stature_m", "mass_kg", "seat_m"}, ranges);
-  add_ranges<Request>({"duration_s", "obstacles", "phases", "candidates", "evaluations"}, ranges);
+  add_ranges<Request>(
+      {"duration_s", "ease", "gaze_lead", "obstacles", "phases", "candidates", "evaluations"},
+      ranges);
   ranges["fps"] = {kRateMin, kRateMax};
   return ranges;
 }
@@ -113,6 +117,43 @@ Json format_to_json(const FormatInfo& format) {
           {"max_bytes", format.max_bytes}};
 }
 
+// The numbers of a motion's timing that a person sets: of the parameters, and of the task.
+Json timing_to_json() {
+  Json list = Json::array();
+  for (const TimingNumber& number : kTimingNumbers) {
+    list.push_back({{"name", number.name},
+                    {"low", number.low},
+                    {"high", number.high},
+                    {"of", "motion"},
+                    {"sentence", number.sentence}});
+  }
+  for_each_field<Request>([&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.traits.low), double>) {
+      const std::string_view key = field.key;
+      if (key != "ease" && key != "gaze_lead") return;
+      list.push_back({{"name", field.key},
+                      {"low", field.traits.low},
+                      {"high", field.traits.high},
+                      {"of", "task"},
+                      {"sentence", field.says}});
+    }
+  });
+  return list;
+}
+
+// The names that joints of built-in bodies may have in files, where they are not their own.
+Json joint_names_to_json() {
+  Json list = Json::array();
+  for (const EnumWord<JointNames>& names : kEnumWords<JointNames>) {
+    Json bones = Json::object();
+    for (const JointNameRow& row : joint_name_rows()) {
+      bones[std::string(row[0])] = joint_name(names.value, row[0]);
+    }
+    list.push_back({{"name", names.word}, {"bones", std::move(bones)}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string format_facts() {
@@ -130,6 +171,8 @@ std::string format_facts() {
   json["bodies"] = bodies_to_json();
   json["bones"] = bones_to_json();
   json["ranges"] = ranges_to_json();
+  json["timing"] = timing_to_json();
+  json["joint_names"] = joint_names_to_json();
   for (const FormatInfo& format : kFileFormats) json["formats"].push_back(format_to_json(format));
   return json.dump(2) + "\n";
 }

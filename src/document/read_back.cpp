@@ -84,8 +84,8 @@ std::vector<Transformd> played(const CharacterRig& rig, const std::vector<int>& 
 }  // namespace
 
 ReadBackCheck::ReadBackCheck(const CharacterSpec& character, const Task& task,
-                             const Candidate& candidate, const Clip& clip)
-    : character_(character), body_(task.body), clip_(clip) {
+                             const Candidate& candidate, const Clip& clip, bool in_place)
+    : character_(character), body_(task.body), clip_(clip), in_place_(in_place) {
   if (character.rig) start_ = start_places(body_, character.rig->rig);
   for (const GoalResult& goal : candidate.goals) {
     add_mark(goal.asked.effector, goal.node, false,
@@ -114,6 +114,22 @@ void ReadBackCheck::add_mark(const std::string& name, const std::string& body_no
     if (effector) mark.point = body_.effector(*effector).point;
   }
   marks_.push_back(std::move(mark));
+}
+
+ReadBackCheck::Mark ReadBackCheck::hips() const {
+  const auto nodes = body_.nodes();
+  const auto named = std::find_if(nodes.begin(), nodes.end(), [&](const BodyNode& node) {
+    return character_.rig && node.name == humanoid_bone_name(HumanoidBone::hips);
+  });
+  const BodyNode& node = named == nodes.end() ? nodes.front() : *named;
+  Mark mark;
+  mark.link = node.link;
+  mark.point = node.point;
+  if (character_.rig) {
+    const int bone = character_.rig->rig.bones[HumanoidBone::hips];
+    mark.point = in_link(mark.link, start_[static_cast<std::size_t>(bone)]);
+  }
+  return mark;
 }
 
 Vec3d ReadBackCheck::in_link(int link, const Vec3d& at_start) const {
@@ -229,14 +245,18 @@ Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
   Kinematics<double> now(body_);
   const Kinematics<double> start = start_kinematics(body_);
   Places first;
+  const Mark root = hips();
+  const Vec3d begins = start.point(root.link, root.point);
   for (int frame = 0; frame < file.frames; ++frame) {
     const Places places = file.places(frame);
     if (frame == 0) first = places;
     forward_kinematics<double>(body_, clip_.frame(frame), now);
+    Vec3d travel = in_place_ ? now.point(root.link, root.point) - begins : Vec3d{};
+    travel.y = 0.0;
     for (const Mark& mark : marks) {
       const int node = file.node_of[static_cast<std::size_t>(mark.node)];
       const auto at = static_cast<std::size_t>(node);
-      const double off = norm(places[at].translation - now.point(mark.link, mark.point));
+      const double off = norm(places[at].translation + travel - now.point(mark.link, mark.point));
       double& most = mark.foot ? back.feet : back.effector;
       most = max(most, off);
       const Allowance allowed = allowance(file, places, node);

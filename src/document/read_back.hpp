@@ -25,9 +25,9 @@ struct ReadBackDigits {
 class ReadBackCheck {
  public:
   // `clip`: the candidate's motion at the file's rate. Without a rig the character leaves on the
-  // body's own skeleton.
+  // body's own skeleton. `in_place`: the file keeps its hips where they are along the floor.
   ReadBackCheck(const CharacterSpec& character, const Task& task, const Candidate& candidate,
-                const Clip& clip);
+                const Clip& clip, bool in_place = false);
 
   [[nodiscard]] Result<ReadBack> bvh(std::string_view bytes) const;
   // `animation`: its name in the file.
@@ -76,12 +76,15 @@ class ReadBackCheck {
   [[nodiscard]] static tl::unexpected<Error> wrong_by(const FileMotion& file, const Mark& mark,
                                                       int frame, const std::string& how);
   [[nodiscard]] Places in_world(Places places, double unit) const;
+  // The point whose travel along the floor the file leaves out: the hips, or a body's first node.
+  [[nodiscard]] Mark hips() const;
 
   const CharacterSpec& character_;
   const BodyModel& body_;
   const Clip& clip_;
   std::vector<Vec3d> start_;  // (nodes of the rig) m, world
   std::vector<Mark> marks_;
+  bool in_place_;
 };
 
 }  // namespace shigusa

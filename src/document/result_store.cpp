@@ -25,12 +25,16 @@ std::string from_folder(const fs::path& character, const fs::path& folder) {
   return error ? std::string() : path.generic_string();
 }
 
+FileSettings file_settings(const ExportSettings& settings) {
+  return {settings.rate, settings.clip, settings.names, settings.in_place};
+}
+
 // Makes the files of one format, those of some candidates side by side: as many at once as threads,
 // so that no more are held than that.
 class FilesMade {
  public:
-  FilesMade(const FinishedRun& run, FileFormat format, double rate)
-      : run_(run), format_(format), rate_(rate) {}
+  FilesMade(const FinishedRun& run, FileFormat format, const ExportSettings& settings)
+      : run_(run), format_(format), settings_(settings) {}
 
   // The file of each candidate, asked for in their order.
   Result<MadeFile> file(std::size_t candidate) {
@@ -46,21 +50,23 @@ class FilesMade {
     parallel_for(static_cast<int>(made_.size()), run_.task.batch.threads, [&](int number, int) {
       const std::size_t i = first + index(number);
       const CharacterSpec& character = run_.file.character;
-      const FileSettings settings{rate_, candidate_animation(character, i + 1)};
+      FileSettings settings = file_settings(settings_);
+      settings.animation = settings_.clip.empty() ? candidate_animation(character, i + 1)
+                                                  : free_animation(character, settings_.clip);
       made_[index(number)] = make_file({character, run_.task, candidates[i], settings}, format_);
     });
   }
 
   const FinishedRun& run_;
   FileFormat format_;
-  double rate_;
+  const ExportSettings& settings_;
   std::vector<Result<MadeFile>> made_;
 };
 
 // Adds the files of one format to the folder, and notes them in `files`.
-Result<void> add_files(const FinishedRun& run, FileFormat format, ResultFolder& folder,
-                       ResultFiles& files) {
-  FilesMade all(run, format, files.rate);
+Result<void> add_files(const FinishedRun& run, FileFormat format, const ExportSettings& settings,
+                       ResultFolder& folder, ResultFiles& files) {
+  FilesMade all(run, format, settings);
   for (std::size_t i = 0; i < run.generation.candidates.size(); ++i) {
     SHG_TRY_ASSIGN(const MadeFile made, all.file(i));
     const std::string name = candidate_file(i + 1, format);
@@ -70,9 +76,11 @@ Result<void> add_files(const FinishedRun& run, FileFormat format, ResultFolder& 
   return {};
 }
 
-Result<void> add_one_glb(const FinishedRun& run, ResultFolder& folder, ResultFiles& files) {
+Result<void> add_one_glb(const FinishedRun& run, const ExportSettings& settings,
+                         ResultFolder& folder, ResultFiles& files) {
   SHG_TRY_ASSIGN(const MadeGlb made,
-                 make_one_glb(run.file.character, run.task, run.generation.candidates, files.rate));
+                 make_one_glb(run.file.character, run.task, run.generation.candidates,
+                              file_settings(settings)));
   SHG_TRY_ASSIGN(const std::string sha256, folder.add(kOneFile, made.bytes));
   for (std::size_t i = 0; i < made.back.size(); ++i) {
     files.candidates[i][std::string(word_of(FileFormat::glb))] = {kOneFile, sha256, made.back[i]};
@@ -108,7 +116,8 @@ Result<std::string> write_result(const fs::path& folder, const FinishedRun& run,
   for (const FileFormat format : settings.formats) {
     if (count > 0 && files.candidates[0].contains(std::string(word_of(format)))) continue;
     const bool one = settings.one_file && format == FileFormat::glb;
-    SHG_TRY(one ? add_one_glb(run, out, files) : add_files(run, format, out, files));
+    SHG_TRY(one ? add_one_glb(run, settings, out, files)
+                : add_files(run, format, settings, out, files));
   }
   std::string summary = format_result(run, files);
   SHG_TRY(out.publish(summary));

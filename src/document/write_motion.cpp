@@ -7,6 +7,8 @@
 #include "character/character_rig.hpp"
 #include "character_export.hpp"
 #include "export_file.hpp"
+#include "in_place.hpp"
+#include "joint_names.hpp"
 #include "kinematics/skeleton_motion.hpp"
 #include "read_back.hpp"
 
@@ -34,8 +36,13 @@ Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& 
   SHG_TRY_ASSIGN(const Clip clip, clip_at_rate(character, task, candidate, settings.rate));
   SHG_TRY_ASSIGN(std::string bytes, make(clip));
   SHG_TRY_ASSIGN(const ReadBack back,
-                 check(ReadBackCheck(character, task, candidate, clip), bytes));
+                 check(ReadBackCheck(character, task, candidate, clip, settings.in_place), bytes));
   return MadeFile{std::move(bytes), back};
+}
+
+CharacterExporter exporter_of(const WriteRequest& request) {
+  return CharacterExporter(*request.character.rig, hand_play(request.task),
+                           request.settings.in_place);
 }
 
 }  // namespace
@@ -45,9 +52,15 @@ template <>
 Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
   const std::shared_ptr<const CharacterRig>& rig = request.character.rig;
   const BodyModel& body = request.task.body;
+  const FileSettings& settings = request.settings;
   const auto make = [&](const Clip& clip) -> Result<std::string> {
-    if (!rig) return format_bvh(skeleton_motion(body, clip));
-    return CharacterExporter(*rig, hand_play(request.task)).bvh(body, clip);
+    if (rig) return exporter_of(request).bvh(body, clip);
+    SkeletonMotion motion = skeleton_motion(body, clip);
+    if (settings.in_place) {
+      stay_in_place(0, {}, {0, 1, 0}, motion.skeleton.nodes.size(), motion.clip.local);
+    }
+    motion.skeleton = named(std::move(motion.skeleton), settings.names);
+    return format_bvh(motion);
   };
   return checked_file(request, make, [](const ReadBackCheck& check, const std::string& bytes) {
     return check.bvh(bytes);
@@ -56,7 +69,7 @@ Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
 
 template <>
 Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
-  const CharacterExporter exporter(*request.character.rig, hand_play(request.task));
+  const CharacterExporter exporter = exporter_of(request);
   const std::string& name = request.settings.animation;
   const auto make = [&](const Clip& clip) {
     return exporter.glb(std::vector{exporter.animation(request.task.body, clip, name)});
@@ -68,7 +81,7 @@ Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
 
 template <>
 Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
-  const CharacterExporter exporter(*request.character.rig, hand_play(request.task));
+  const CharacterExporter exporter = exporter_of(request);
   const auto make = [&](const Clip& clip) {
     return exporter.vrma(request.task.body, clip, request.settings.animation);
   };
@@ -78,22 +91,26 @@ Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
 }
 
 Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
-                             const std::vector<Candidate>& candidates, double rate) {
+                             const std::vector<Candidate>& candidates,
+                             const FileSettings& settings) {
   SHG_TRY(check_formats(character, {FileFormat::glb}));
-  SHG_TRY(check_rate(rate, "rate"));
-  const CharacterExporter exporter(*character.rig, hand_play(task));
+  SHG_TRY(check_file_settings(character, FileFormat::glb, settings));
+  const CharacterExporter exporter(*character.rig, hand_play(task), settings.in_place);
   std::vector<GltfAnimation> animations;
   std::vector<Clip> clips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    SHG_TRY_ASSIGN(Clip clip, clip_at_rate(character, task, candidates[i], rate));
+    SHG_TRY_ASSIGN(Clip clip, clip_at_rate(character, task, candidates[i], settings.rate));
     clips.push_back(std::move(clip));
-    animations.push_back(
-        exporter.animation(task.body, clips.back(), candidate_animation(character, i + 1)));
+    const std::string name =
+        settings.animation.empty()
+            ? candidate_animation(character, i + 1)
+            : free_animation(character, fmt::format("{} {}", settings.animation, i + 1));
+    animations.push_back(exporter.animation(task.body, clips.back(), name));
   }
   SHG_TRY_ASSIGN(std::string bytes, exporter.glb(animations));
   MadeGlb made{std::move(bytes), {}};
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const ReadBackCheck check(character, task, candidates[i], clips[i]);
+    const ReadBackCheck check(character, task, candidates[i], clips[i], settings.in_place);
     SHG_TRY_ASSIGN(const ReadBack back, check.glb(made.bytes, animations[i].name));
     made.back.push_back(back);
   }

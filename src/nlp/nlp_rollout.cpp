@@ -68,7 +68,7 @@ void NlpRollout::advance() {
 
 // where the effectors are to be in this frame
 void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
-  const double tau = static_cast<double>(frame) / problem_->steps;
+  const double tau = problem_->tau(frame);
   for (std::size_t g = 0; g < contacts_from_; ++g) {
     const ReachGoal& goal = problem_->goals[g];
     targets_[g].position = goal.path.at(tau);
@@ -86,7 +86,7 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
 // the weights of the step to this frame
 void NlpRollout::change_phase(int frame, const MotionInput<double>& input) {
   if (!input.has_later()) return;
-  const double share = blend_.step(input, (frame - 0.5) / problem_->steps);
+  const double share = blend_.step(input, problem_->tau(frame - 0.5));
   if (share == later_share_) return;
   ik_.weigh(targets_, blend_.inverse_weights());
   later_share_ = share;
@@ -95,7 +95,7 @@ void NlpRollout::change_phase(int frame, const MotionInput<double>& input) {
 // how far the null space is drawn in this frame, as in Rollout
 void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   if (!drawn_) return;
-  const auto tau = [&](int f) { return static_cast<double>(f) / problem_->steps; };
+  const auto tau = [&](int f) { return problem_->tau(f); };
   if (!problem_->guide.empty()) {
     const double share = share_of_rest(minimum_jerk(tau(frame - 1)), minimum_jerk(tau(frame)));
     for (std::size_t d = 0; d < reference_.size(); ++d) {

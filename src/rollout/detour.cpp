@@ -45,7 +45,7 @@ void add_detours(ReachProblem& problem) {
     ReachProblem around = problem;
     EffectorPath& path = around.goals[g].path;
     path.detour = moment.deepest.outward * (moment.deepest.depth + kDetourClearance);
-    const double tau = static_cast<double>(moment.frame) / problem.steps;
+    const double tau = problem.tau(moment.frame);
     path.detour_peak = clamp(path.own_time(tau), kDetourMargin, 1.0 - kDetourMargin);
     const DeepestMoment detoured = find_deepest(around, g);
     const bool leads_there = detoured.arrives || !moment.arrives;

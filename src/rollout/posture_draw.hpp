@@ -49,7 +49,7 @@ class PostureDraw {
   // The share of its change that a part has made by then.
   [[nodiscard]] S made(TimedPart part, int frame, const S& delay) const {
     const TimeWindow& window = problem_->windows[static_cast<std::size_t>(part)];
-    const S tau(window.at(static_cast<double>(frame) / problem_->steps));
+    const S tau(window.at(problem_->tau(frame)));
     return minimum_jerk((tau - delay) / (S(1) - delay));
   }
 

@@ -127,7 +127,10 @@ struct TrunkTurn {
 template <class S>
 class PostureLaw {
  public:
-  explicit PostureLaw(const ReachProblem& problem) : steps_(problem.steps) {
+  explicit PostureLaw(const ReachProblem& problem)
+      : steps_(problem.steps),
+        ease_(problem.ease),
+        gaze_arrives_(kGazeArrives - problem.gaze_lead) {
     const BodyModel& body = *problem.body;
     if (!problem.posture_law || !body.find_dof("neck.flexion")) return;
     find_head(problem);
@@ -293,7 +296,7 @@ class PostureLaw {
   // of what is left of the gaze's turn
   [[nodiscard]] S gaze_share(int frame) const {
     const auto done = [this](int f) {
-      return minimum_jerk(min(1.0, static_cast<double>(f) / (kGazeArrives * steps_)));
+      return minimum_jerk(min(1.0, static_cast<double>(f) / (gaze_arrives_ * steps_)));
     };
     return S(share_of_rest(done(frame - 1), done(frame)));
   }
@@ -325,7 +328,7 @@ class PostureLaw {
   // no less than the law wants; what else turns the trunk may turn it farther
   void turn_trunk(int frame, std::span<const S> angles, std::span<S> reference) const {
     if (trunk_.empty()) return;
-    const double tau = static_cast<double>(frame) / steps_;
+    const double tau = hastened(static_cast<double>(frame) / steps_, ease_);
     const S done(minimum_snap((tau - kTrunkBegins) / (kTrunkArrives - kTrunkBegins)));
     // what is missing in the end stays so: the motion ends at rest
     const S share(kTrunkShare *
@@ -384,7 +387,9 @@ class PostureLaw {
     draw_to(arm.protraction, wanted.protraction, S(kLawShare), angles, reference);
   }
 
-  int steps_;  // of a motion
+  int steps_;            // of a motion
+  double ease_;          // as ReachProblem has it
+  double gaze_arrives_;  // share of the duration, of the head
   bool looks_ = false;
   Vec3<S> target_{};  // m, world
   int chest_ = 0;     // link that carries the neck

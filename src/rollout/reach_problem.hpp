@@ -104,6 +104,10 @@ struct ReachProblem {
   // false: the hands go where the guide takes them, and only the last frame has them at their goals
   bool follow_path = true;
   PartWindows windows{};  // of the change of posture
+  double ease =
+      0.0;  // the haste of the whole motion, see hastened(); resting hands keep their time
+  double gaze_lead =
+      0.0;  // share of the duration by which the head turns earlier than kGazeArrives
   IkSettings ik;
   bool hold_limits = false;     // no joint passes a limit (see LimitGuard)
   bool posture_law = false;     // head, free arms and clavicles follow PostureLaw
@@ -126,6 +130,9 @@ struct ReachProblem {
   // alone; a tilt counts as the slide that has the same share of its tolerance
   double contact_slack = 5e-4;  // m
   int contact_corrections = 8;
+
+  // The share of the motion's own time that is over at a frame, or between two.
+  [[nodiscard]] double tau(double frame) const { return hastened(frame / steps, ease); }
 };
 
 // How well a motion keeps what it must, whatever its score: met goals, effectors on their paths,

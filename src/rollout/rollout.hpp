@@ -66,7 +66,7 @@ class Rollout {
     }
     leads_.reserve(targets_.size());
     for (int frame = 0; frame <= problem.steps; ++frame) {
-      const double tau = static_cast<double>(frame) / problem.steps;
+      const double tau = problem.tau(frame);
       for (const ReachGoal& goal : problem.goals) {
         paths_.push_back(to_scalar<Element<S>>(goal.path.at(tau)));
         if (turning_) {
@@ -220,7 +220,7 @@ class Rollout {
   // the inverse weights of the step to this frame
   std::span<const S> change_phase(int frame, const MotionInput<S>& input) {
     if (!input.has_later()) return input.inverse_weights;
-    blend_.step(input, (frame - 0.5) / problem_->steps);
+    blend_.step(input, problem_->tau(frame - 0.5));
     for (std::size_t d = 0; d < unlocked_.size(); ++d) {
       unlocked_[d] = select(blend_.inverse_weights()[d] > S(0), S(1), S(0));
     }
@@ -280,7 +280,7 @@ class Rollout {
 
   // where the effectors are to be in this frame
   void place_goals(int frame, const MotionInput<S>& input) {
-    const double tau = static_cast<double>(frame) / problem_->steps;
+    const double tau = problem_->tau(frame);
     for (std::size_t g = 0; g < contacts_from_; ++g) {
       const std::size_t k = index(frame) * contacts_from_ + g;
       targets_[g].position = to_scalar<S>(paths_[k]);
@@ -339,7 +339,7 @@ class Rollout {
   // share of the duration
   double guide_share(int frame, double begin) const {
     const auto done = [&](int f) {
-      const double tau = static_cast<double>(f) / problem_->steps;
+      const double tau = problem_->tau(f);
       return minimum_jerk(max(tau - begin, 0.0) / (1.0 - begin));
     };
     return share_of_rest(done(frame - 1), done(frame));

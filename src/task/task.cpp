@@ -90,6 +90,30 @@ Result<void> check_numbers(const Task& task) {
   return {};
 }
 
+Result<void> check_timing(const Task& task) {
+  if (!(task.ease >= -kEaseMax && task.ease <= kEaseMax)) {
+    return fail(ErrorCode::invalid_argument, fmt::format("ease is {}; allowed are {:g} to {:g}",
+                                                         task.ease, -kEaseMax, kEaseMax));
+  }
+  if (!(task.gaze_lead >= kGazeLeadLeast && task.gaze_lead <= kGazeLeadMost)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("gaze_lead is {}; allowed are {:g} to {:g} of the duration",
+                            task.gaze_lead, kGazeLeadLeast, kGazeLeadMost));
+  }
+  const PresetTraits& preset = traits_of(task.preset);
+  if (task.ease != 0.0 && preset.layers) {
+    return fail(
+        ErrorCode::invalid_argument,
+        fmt::format("the preset {} has layers, which keep their own time; flat knows an ease",
+                    preset.word),
+        "ease");
+  }
+  if (task.gaze_lead == 0.0 || preset.natural) return {};
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("the preset {} turns no head to what is looked at", preset.word),
+              "gaze_lead");
+}
+
 Result<void> check_gaze(const Task& task) {
   if (!task.look_at || within(*task.look_at, -kGoalRange, kGoalRange)) return {};
   return fail(
@@ -122,6 +146,7 @@ Result<void> check_criteria(const CriteriaSettings& criteria) {
 
 Result<void> check_settings(const Task& task) {
   SHG_TRY(check_numbers(task));
+  SHG_TRY(check_timing(task));
   SHG_TRY(check_phases(task));
   SHG_TRY(check_heels(task));
   SHG_TRY(check_gaze(task));
@@ -221,6 +246,8 @@ Result<ReachProblem> make_problem(const Task& task) {
     double& begin = problem.goals[g].path.begin;
     begin = min(begin, max(1.0 - owns[g] / problem.duration, 0.0));
   }
+  problem.ease = task.ease;
+  problem.gaze_lead = task.gaze_lead;
   problem.hold_limits = problem.posture_law = natural;
   if (natural) problem.windows = natural_windows(problem.goals);
   problem.gaze = task_criteria(task).head.gaze_target;

@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
-import { parseGlb } from './glb.mjs';
-import { drop, openStudio, settled, visit } from './support.mjs';
+import { parseGlb, translationsOf } from './glb.mjs';
+import { drop, openStudio, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -79,6 +79,53 @@ test('the motion of a GLB that is dropped back is still in the next one', { time
   const [old, now] = [first, again].map(({ bytes }) => parseGlb(bytes).json.animations);
   assert.equal(now.length, old.length + 1);
   assert.deepEqual(now.slice(0, old.length), old);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('names of joints and clips, motions in place and all in one file are as chosen', { timeout: 180_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const spread = (glb, hips, animation) => {
+    const places = translationsOf(glb, hips, animation);
+    return [0, 1, 2].map((k) => Math.max(...places.map((place) => place[k])) - Math.min(...places.map((place) => place[k])));
+  };
+  const plain = parseGlb(await take(page, 'glb'));
+  assert.deepEqual(plain.json.animations.map(({ name }) => name), ['shigusa']);
+  assert.ok(spread(plain, 'hips')[2] > 0.01, 'the hips travel: else this shows nothing');
+
+  await page.locator('[data-key="clip"]').fill('Pick up');
+  await page.locator('[data-key="clip"]').press('Enter');
+  await page.locator('[data-key="joint names"]').selectOption('unreal');
+  await page.locator('[data-key="inPlace"]').check();
+  await page.locator('[data-key="together"]').check();
+  const bytes = await take(page, 'glb');
+  const glb = parseGlb(bytes);
+  const count = await page.evaluate(() => window.shigusa.document.result.candidates.length);
+  assert.ok(count > 1);
+  assert.deepEqual(glb.json.animations.map(({ name }) => name), Array.from({ length: count }, (_, k) => `Pick up ${k + 1}`));
+  const names = new Set(glb.json.nodes.map(({ name }) => name));
+  for (const name of ['pelvis', 'spine_03', 'upperarm_l', 'calf_r', 'ball_l', 'head_end']) assert.ok(names.has(name), name);
+  for (let k = 0; k < count; ++k) {
+    const [x, y, z] = spread(glb, 'pelvis', k);
+    assert.ok(x < 1e-7 && z < 1e-7 && y > 0.001, `${x} ${y} ${z}`);
+  }
+
+  const bvh = new TextDecoder().decode(await take(page, 'bvh'));
+  assert.match(bvh, /ROOT pelvis/);
+  assert.match(bvh, /JOINT upperarm_l/);
+  const rows = bvh.slice(bvh.indexOf('Frame Time')).trim().split('\n').slice(1).map((row) => row.trim().split(/\s+/).map(Number));
+  for (const row of rows) assert.deepEqual([row[0], row[2]], [rows[0][0], rows[0][2]]);
+
+  // read by those names
+  const after = await dropBack(page, { name: 'unreal.glb', bytes });
+  assert.equal(after.source, 'unreal.glb');
+  assert.equal(after.map.left_upper_arm, 'upperarm_l');
+  // whose own names are kept
+  await page.click('#tab-take');
+  assert.ok(await page.locator('[data-key="joint names"]').isDisabled());
+  const own = parseGlb(await take(page, 'glb'));
+  assert.equal(own.json.animations.length, 2 * count, 'those that it had, and all motions');
   assert.deepEqual(errors, []);
   await context.close();
 });

@@ -40,6 +40,9 @@ test('a foot that is dragged or typed below the floor stops there', { timeout: 1
   await drop(page, 'tip.json', step(least, [Math.sin(half), 0, 0, Math.cos(half)]));
   await page.waitForFunction(() => window.shigusa.state.notice?.kind === 'failure');
   assert.match(await page.locator('.message').innerText(), /left_foot.*below the floor/);
+  await drop(page, 'tip.json', step(0.25, [Math.sin(half), 0, 0, Math.cos(half)]));
+  await page.waitForFunction(() => window.shigusa.document.goals[0].rotation_xyzw !== undefined);
+  await settled(page);
   await field.fill('0.02');
   await field.press('Enter');
   await page.waitForFunction(() => window.shigusa.state.notice?.key === 'onFloor');

@@ -48,3 +48,11 @@ export function endOfNode(glb, name, animation = 0) {
   return place;
 }
 
+/** The translations of a node in its parent, key by key. */
+export function translationsOf({ json, binary, view }, name, animation = 0) {
+  const { channels, samplers } = json.animations[animation];
+  const channel = channels.find(({ target }) => target.path === 'translation' && json.nodes[target.node].name === name);
+  const { bufferView, byteOffset = 0, count } = json.accessors[samplers[channel.sampler].output];
+  const { byteOffset: start = 0, byteStride = 12 } = json.bufferViews[bufferView];
+  return Array.from({ length: count }, (_, key) => [0, 1, 2].map((k) => view.getFloat32(binary + start + byteOffset + key * byteStride + 4 * k, true)));
+}

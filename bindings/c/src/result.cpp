@@ -168,8 +168,8 @@ shigusa_status shigusa_result_export_with(const shigusa_result* result, int32_t 
                                           shigusa_bytes** file) {
   return guarded([&]() -> Result<void> {
     SHG_TRY(need("result", result, "format", format, "file", file));
-    SHG_TRY_ASSIGN(FileSettings settings,
-                   parse_file_settings(options == nullptr ? "{}" : options, "options"));
+    SHG_TRY_ASSIGN(FileSettings settings, parse_file_settings(options == nullptr ? "{}" : options,
+                                                              "options", {.animation = {}}));
     SHG_TRY_ASSIGN(const auto formats, parse_formats(format));
     if (formats.size() != 1) return fail(ErrorCode::invalid_argument, "one format at a time");
     const auto& all = result->generation.candidates;
@@ -178,12 +178,14 @@ shigusa_status shigusa_result_export_with(const shigusa_result* result, int32_t 
         return fail(ErrorCode::invalid_argument, "all candidates in one file are a glb");
       }
       SHG_TRY_ASSIGN(std::string bytes,
-                     export_all(result->file.character, result->task, all, settings.rate));
+                     export_all(result->file.character, result->task, all, settings));
       return give(std::move(bytes), file);
     }
     SHG_TRY(check_candidate(*result, candidate));
     const auto rank = static_cast<size_t>(candidate);
-    settings.animation = candidate_animation(result->file.character, rank);
+    const CharacterSpec& character = result->file.character;
+    settings.animation = settings.animation.empty() ? candidate_animation(character, rank)
+                                                    : free_animation(character, settings.animation);
     SHG_TRY_ASSIGN(std::string bytes, export_candidate(result->file.character, result->task,
                                                        all[rank - 1], formats.front(), settings));
     return give(std::move(bytes), file);

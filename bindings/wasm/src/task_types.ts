@@ -255,6 +255,12 @@ export interface Task {
   support?: Support[];
   /** Seconds of the motion; from the distance when not given. */
   duration_s?: number;
+  /** How early the motion makes its way: above 0 it is quicker in its first half and slows down for longer, below 0
+   * it is slow to begin; 0, as people move, when not given. Not of presets with layers. */
+  ease?: number;
+  /** The share of the duration by which the head turns earlier to what is looked at, or later below 0, than
+   * people's do; 0 when not given. Of the presets flat and human. */
+  gaze_lead?: number;
   /** paper, as published; flat, when not given: all parameters at once, within joint limits; layers: the paper's
    * hierarchy, first trunk and limb lengths, then arms; or human: trunk and limb lengths, then the elbows' swivel,
    * then free arms. Criteria, search and number of candidates are its own where nothing else is said. */

@@ -210,15 +210,22 @@ export interface Facts {
   bones: string[];
   /** Least and most of what a person sets, by its key in files. */
   ranges: Record<
-    | 'position_m' | 'load_kg' | 'tolerance_m' | 'stature_m' | 'mass_kg' | 'seat_m' | 'duration_s' | 'obstacles'
+    | 'position_m' | 'load_kg' | 'tolerance_m' | 'stature_m' | 'mass_kg' | 'seat_m' | 'duration_s' | 'ease' | 'gaze_lead' | 'obstacles'
     | 'phases' | 'candidates' | 'evaluations' | 'fps',
     readonly [number, number]
   >;
   formats: FormatFacts[];
+  /** The numbers of timing that a person sets: parameters of a motion, or fields of the task. Sentences in English. */
+  timing: { name: string; low: number; high: number; of: 'motion' | 'task'; sentence: string }[];
+  /** Whose names joints of built-in bodies may have in files: there, by their own names. */
+  joint_names: { name: string; bones: Readonly<Record<string, string>> }[];
 }
 
 export interface ExportOptions {
   fps?: number; // of rated formats; 60 when not given
+  clip?: string; // what the animation is called in GLB and VRMA; of all candidates with their numbers after it
+  joint_names?: string; // of a built-in body in BVH: one of the facts' joint_names
+  in_place?: boolean; // what the hips travel along the floor is left out
 }
 
 /** The series that can be had at any rate, as files have them. */

@@ -7,11 +7,11 @@ export function tableWords(facts: Facts): Record<TableWords, string[]> {
   const names = (rows: readonly { name: string }[]): string[] => rows.map(({ name }) => name);
   return {
     criteria: names(facts.criteria), presets: names(facts.presets), bodies: names(facts.bodies), sexes: facts.sexes,
-    formats: names(facts.formats.filter(({ written }) => written)),
+    formats: names(facts.formats.filter(({ written }) => written)), jointNames: names(facts.joint_names), timing: names(facts.timing.filter(({ of }) => of === 'task')),
   };
 }
 
-export type TableWords = 'criteria' | 'presets' | 'bodies' | 'sexes' | 'formats';
+export type TableWords = 'criteria' | 'presets' | 'bodies' | 'sexes' | 'formats' | 'jointNames' | 'timing';
 
 export interface BodyWords extends Record<TableWords, Record<string, string>> {
   sides: Record<string, string>;
@@ -52,6 +52,10 @@ export const englishBody: BodyWords = {
   bodies: { human: 'Person', full_body: 'Person, simple', half_body: 'One arm and one leg' },
   sexes: { male: 'a man', female: 'a woman' },
   formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: 'Strip, SVG', png: 'Strip, PNG', pdf: 'Strip, PDF', task: 'Task, JSON', result: 'Result, JSON' },
+  timing: {
+    ease: 'Right: quick to begin and gentle to end. Left: slow to begin.', gaze_lead: 'How much earlier the head turns to the goal than people’s does, as a share of the time.',
+  },
+  jointNames: { own: 'as here', mixamo: 'Mixamo', unreal: 'Unreal', humanik: 'HumanIK' },
   posture: {},
   join: (side, rest) => (side === '' ? rest : `${side} ${rest}`),
 };
@@ -84,6 +88,10 @@ export const japaneseBody: BodyWords = {
   bodies: { human: '人', full_body: '人（簡略）', half_body: '片腕片脚' },
   sexes: { male: '男性', female: '女性' },
   formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: '連続図 SVG', png: '連続図 PNG', pdf: '連続図 PDF', task: '課題 JSON', result: '結果 JSON' },
+  timing: {
+    ease: '右へ：早く動き出し、ゆっくり終わります。左へ：ゆっくり動き出します。', gaze_lead: '頭が目標を向くのを人より早める量（所要時間に対する割合）。',
+  },
+  jointNames: { own: 'この画面の名前', mixamo: 'Mixamo', unreal: 'Unreal', humanik: 'HumanIK' },
   posture: {
     squat: 'しゃがむ', stoop: 'かがむ', 'half squat': '中腰', upright: '直立', 'turned left': '左にひねる', 'turned right': '右にひねる',
     'elbow out': '肘を張る', 'elbow in': '肘を締める', 'knees bent': '膝を曲げる', 'straight knees': '膝を伸ばす', leaning: '傾く', 'leaning left': '左に傾く',

@@ -51,6 +51,7 @@ export const en = {
   // adjust
   adjustIntro: 'How the body gets there. The goal stays met while you change it; the mark is what the search found.',
   weightsIntro: 'Stiffness of each joint: the larger, the less it moves beside the others.',
+  timing: 'Timing of all motions', ease: 'Ease', gazeLead: 'Gaze lead', notInLayers: 'Not by this search: its layers keep their own time.',
   reset: 'Reset', searchRest: 'Keep these, search the rest', kept: 'Kept by the search: {n}', release: 'Release all',
   lock: 'Lock {name}', noMotion: 'No motion yet.', value: 'Value of {name}', searchValue: 'found by the search: {value}',
   // criteria
@@ -74,6 +75,8 @@ export const en = {
   takeIntro: 'Of the chosen motion, unless something else is said.', animation: 'Animation', figure: 'Figure', again: 'To go on later',
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
   largeLink: 'This is too much for a link. Save the result instead: it opens to the same.', theLink: 'The link',
+  clipName: 'Animation’s name', jointNames: 'Joint names', together: 'All motions in one GLB',
+  inPlace: 'In place', inPlaceAbout: 'Leaves out what the hips travel along the floor, for games that move the character themselves.',
   fps: 'Frames a second', fpsOf: 'of {formats}; the others have the motion’s own frames', saved: '{name} is saved.', onlyFor: 'for characters from {formats} files',
   wanted: 'This is a work of “{name}”, whose file is not here. Choose it, or drop it onto the page; until then a body of its measures moves.',
   wantedFirst: 'This is a work of “{name}”, whose file is not here. Choose it, or drop it onto the page, to go on.',

@@ -7,6 +7,7 @@ import type { Studio } from '../state/studio';
 import { button, fill, h, icon, type Panel, round } from './dom';
 import { Slider } from './slider';
 import { tipOfParameter } from './slider_tips';
+import { TimingSection } from './timing';
 import { giveTip } from './tooltip';
 
 const kJointOf = (name: string): string => name.replace(/\.weight$/, '');
@@ -20,6 +21,7 @@ export class AdjustPanel implements Panel {
   private readonly rest: HTMLButtonElement;
   private readonly kept = h('p', { class: 'quiet' });
   private readonly groups = h('div');
+  private readonly timing: TimingSection;
   private rows = new Map<string, { slider: Slider; lock: HTMLButtonElement | null }>();
   private built = '';
   private open = new Set(['posture', 'legs', 'path']);
@@ -30,8 +32,9 @@ export class AdjustPanel implements Panel {
     this.rest = button(t('searchRest'), () => {
       if (studio.document) void studio.searchRest(this.assignments(studio.document));
     }, { class: 'primary' });
+    this.timing = new TimingSection(studio);
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('adjustIntro')),
-      h('div', { class: 'buttons' }, this.reset, button(t('mirror'), () => void studio.mirror()), this.rest), this.kept, this.groups);
+      h('div', { class: 'buttons' }, this.reset, button(t('mirror'), () => void studio.mirror()), this.rest), this.kept, this.groups, this.timing.element);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document !== previous.document) this.update();
     });
@@ -60,6 +63,7 @@ export class AdjustPanel implements Panel {
       }
     }
     this.showBar(document);
+    this.timing.update(document);
   }
 
   private showBar(document: Document): void {

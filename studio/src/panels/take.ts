@@ -4,15 +4,14 @@ import { engineWord, type Key, t } from '../i18n';
 import { openFiles } from '../state/files';
 import type { Studio } from '../state/studio';
 import { canTake, link, missingFiles, motionFormats, save, type Taken, takeAway } from '../state/take_away';
-import { button, fill, h, type Panel, select } from './dom';
-
-/** Frames a second that films, television and games have. */
-const kRates = ['24', '25', '29.97', '30', '50', '60', '120'];
+import { button, fill, h, type Panel } from './dom';
+import { TakeChoices } from './take_choices';
 
 export class TakePanel implements Panel {
   readonly element: HTMLElement;
   private readonly buttons = new Map<Taken, HTMLButtonElement>();
   private readonly shown = h('div');
+  private readonly choices: TakeChoices;
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio) {
@@ -23,6 +22,7 @@ export class TakePanel implements Panel {
         input.value = '';
       },
     });
+    this.choices = new TakeChoices(studio);
     const { animations, figures } = motionFormats(studio.facts);
     const made: readonly (readonly [Key, readonly Taken[]])[] = [['animation', animations], ['figure', figures], ['again', ['result', 'task']]];
     const groups = made.map(([title, formats]) => h('section', {}, h('h3', {}, t(title)),
@@ -31,11 +31,7 @@ export class TakePanel implements Panel {
         this.buttons.set(format, element);
         return element;
       }))));
-    const rate = select(t('fps'), kRates.map((value) => [value, value] as const), String(studio.store.state.fps),
-      (value) => studio.store.set({ fps: Number(value) }));
-    const rated = studio.facts.formats.filter((format) => format.rated).map(({ name }) => name.toUpperCase());
-    rate.title = t('fpsOf', { formats: rated.join(', ') });
-    groups[0]?.append(h('div', { class: 'fields' }, h('label', {}, h('span', {}, t('fps')), rate)));
+    groups[0]?.append(this.choices.element);
     groups[2]?.append(h('div', { class: 'take' }, button(t('link'), () => void this.copyLink(), { 'data-format': 'link' }),
       button(t('openResult'), () => input.click()), input), this.shown);
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('takeIntro')), ...groups);
@@ -81,6 +77,7 @@ export class TakePanel implements Panel {
   }
 
   dispose(): void {
+    this.choices.dispose();
     this.end();
   }
 }

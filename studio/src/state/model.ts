@@ -46,6 +46,14 @@ export interface Wanted {
 export type Tab = 'goals' | 'adjust' | 'criteria' | 'body' | 'plots' | 'take';
 export type CompareMode = 'beside' | 'over';
 
+/** How motions leave in files, beside their frames a second. */
+export interface FileChoices {
+  readonly clip: string; // what animations are called; empty: as the engine does
+  readonly jointNames: string; // of built-in bodies
+  readonly inPlace: boolean; // without what the hips travel along the floor
+  readonly together: boolean; // all motions in one GLB
+}
+
 export interface State {
   readonly document: Document | null;
   readonly shelf: readonly Document[]; // of each character that was opened the last one
@@ -70,6 +78,7 @@ export interface State {
   readonly overlays: boolean; // paths, centre of mass, support
   readonly view: ViewSettings;
   readonly fps: number; // of files that are saved
+  readonly files: FileChoices;
   readonly language: 'en' | 'ja';
   readonly theme: 'auto' | 'light' | 'dark';
 }
@@ -97,6 +106,7 @@ export const initialState: State = {
   overlays: true,
   view: initialView,
   fps: 60,
+  files: { clip: '', jointNames: 'own', inPlace: false, together: false },
   language: 'en',
   theme: 'auto',
 };
@@ -104,6 +114,16 @@ export const initialState: State = {
 /** The candidate of an index, with what a person changed of it. */
 export function candidateAt(document: Document, index: number): Candidate | null {
   return document.edits[index]?.generated.candidates[0] ?? document.result?.candidates[index] ?? null;
+}
+
+/** The candidates of the result, edited ones in the place of those that were found. */
+export function withEdits({ result, edits }: Document): Summary['candidates'] {
+  const all = [...(result?.summary.candidates ?? [])];
+  for (const [index, { generated }] of Object.entries(edits)) {
+    const edited = generated.summary.candidates[0];
+    if (edited) all[Number(index)] = { ...edited, rank: Number(index) + 1 };
+  }
+  return all;
 }
 
 export function chosenCandidate(document: Document | null): Candidate | null {

@@ -3,8 +3,9 @@
 import type { Candidate, Character, Generated, Goal, Quat, Series, Summary, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import type { History } from './history';
 import { ranking } from './criteria';
+import { exportOptions } from './file_choices';
 import { aboveFloor } from './floor';
-import { candidateAt, type Document, goalOf } from './model';
+import { candidateAt, type Document, goalOf, withEdits } from './model';
 import { startOf } from './start';
 import { moreOf, previewTask, taskOf } from './task';
 import { assigned, listed } from './trial';
@@ -324,14 +325,22 @@ export class Studio extends Workbench {
     if (!document?.result) throw new Error('no motion');
     const which = index ?? document.chosen;
     const [summary, candidate] = this.source(document.result, document.edits, which);
-    return this.engine.export(document.character, summary, candidate, format, { fps: this.store.state.fps });
+    return this.engine.export(document.character, summary, candidate, format, exportOptions(this.store.state, document.character));
   }
 
-  /** The nodes of the chosen motion at the rate of files. */
-  async sampledNodes(): Promise<Record<'time' | 'node_translations' | 'node_rotations', Series>> {
+  /** All motions in one GLB, on the character's own file. */
+  async exportedTogether(): Promise<Uint8Array> {
     const document = this.document;
     if (!document?.result) throw new Error('no motion');
-    const [summary, candidate] = this.source(document.result, document.edits, document.chosen);
+    const summary = { ...document.result.summary, candidates: withEdits(document) };
+    return this.engine.export(document.character, summary, 0, 'glb', exportOptions(this.store.state, document.character));
+  }
+
+  /** The nodes of a motion at the rate of files. */
+  async sampledNodes(index: number): Promise<Record<'time' | 'node_translations' | 'node_rotations', Series>> {
+    const document = this.document;
+    if (!document?.result) throw new Error('no motion');
+    const [summary, candidate] = this.source(document.result, document.edits, index);
     const names = ['time', 'node_translations', 'node_rotations'] as const;
     return this.engine.sampled(document.character, summary, candidate, names, this.store.state.fps);
   }

@@ -4,7 +4,10 @@ import type { Character, Facts, FormatFacts } from '../../../bindings/wasm/src/t
 import { studioField } from '../kept/in_result';
 import { linkOf } from '../kept/link';
 import { workOf } from '../kept/pack';
+import type { DrawnClip } from '../view/drawn_glb';
+import { clipName } from './file_choices';
 import { hasNeeded } from './formats';
+import { candidateAt, type Document, withEdits } from './model';
 import type { Studio } from './studio';
 import { completeTask } from './task';
 
@@ -61,28 +64,32 @@ export async function takeAway(studio: Studio, format: Taken): Promise<TakenFile
   }
   if (format === 'result') return { name: `shigusa-${body}-result.json`, bytes: encode(await resultOf(studio)), type: kJsonType };
   const facts = formatOf(studio, format)!;
-  const bytes = facts.written && hasNeeded(studio.facts, facts, document.character)
-    ? await studio.exported(format)
-    : await made(studio, document.character, format);
-  return { name: `shigusa-${body}-${document.chosen + 1}.${format}`, bytes, type: facts.media_type };
+  const together = format === 'glb' && studio.store.state.files.together;
+  const bytes = !facts.written || !hasNeeded(studio.facts, facts, document.character)
+    ? await made(studio, document, format, together)
+    : together ? await studio.exportedTogether() : await studio.exported(format);
+  return { name: `shigusa-${body}-${together ? 'all' : document.chosen + 1}.${format}`, bytes, type: facts.media_type };
 }
 
 /** What the engine does not write of this character. */
-async function made(studio: Studio, character: Character, format: Taken): Promise<Uint8Array> {
+async function made(studio: Studio, document: Document, format: Taken, together: boolean): Promise<Uint8Array> {
   if (format === 'png') return pngOf(await studio.exported('svg'));
   const { drawnGlb } = await import('../view/drawn_glb');
-  return drawnGlb(character, studio.chosen()!, await studio.sampledNodes());
+  const { files } = studio.store.state;
+  const motions = together ? document.result!.candidates.map((_, index) => index) : [document.chosen];
+  const clips: DrawnClip[] = [];
+  for (const index of motions) {
+    clips.push({ name: clipName(files, index + 1), candidate: candidateAt(document, index)!, series: await studio.sampledNodes(index) });
+  }
+  const names = studio.facts.joint_names.find(({ name }) => name === files.jointNames)?.bones ?? {};
+  return drawnGlb(document.character, clips, { names, inPlace: files.inPlace });
 }
 
 /** The result with edited motions in the place of those that were found, and with the page's work. */
 async function resultOf(studio: Studio): Promise<unknown> {
   const document = studio.document!;
   const { summary } = document.result!;
-  const candidates = summary.candidates.map((candidate, index) => {
-    const edited = document.edits[index]?.generated.summary.candidates[0];
-    return edited ? { ...edited, rank: index + 1 } : candidate;
-  });
-  return { ...summary, candidates, studio: studioField(await workOf(studio, document)) };
+  return { ...summary, candidates: withEdits(document), studio: studioField(await workOf(studio, document)) };
 }
 
 const kPngWidth = 1600; // px

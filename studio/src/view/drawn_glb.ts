@@ -34,42 +34,66 @@ function otherTracks(figure: Figure, candidate: Candidate, series: NodeSeries, t
   return others.map((bone, k) => new QuaternionKeyframeTrack(`${bone.uuid}.quaternion`, [...times], turns[k]!));
 }
 
-export async function drawnGlb(character: Character, candidate: Candidate, series: NodeSeries): Promise<Uint8Array> {
+/** A motion and what its animation is called. */
+export interface DrawnClip {
+  name: string;
+  candidate: Candidate;
+  series: NodeSeries;
+}
+
+interface DrawnSettings {
+  names: Readonly<Record<string, string>>; // of joints, by their own
+  inPlace: boolean; // the hips keep their place along the floor
+}
+
+/** Tracks of the nodes, by the figure's own objects. */
+function animation({ name, candidate, series }: DrawnClip, figure: Figure, inPlace: boolean): AnimationClip {
+  const { time, node_translations: places, node_rotations: turns } = series;
+  const times = Array.from(time.values.subarray(0, time.frames));
+  const column = (values: Float64Array, columns: number, first: number, width: number): number[] => {
+    const out: number[] = [];
+    for (let f = 0; f < time.frames; ++f) {
+      for (let k = 0; k < width; ++k) out.push(values[f * columns + first + k] ?? 0);
+    }
+    return out;
+  };
+  const tracks: KeyframeTrack[] = [];
+  figure.nodes.forEach((node, n) => {
+    if (!node || 3 * n >= places.columns) return;
+    const place = column(places.values, places.columns, 3 * n, 3);
+    if (inPlace && n === 0) {
+      for (let k = 3; k < place.length; k += 3) [place[k], place[k + 2]] = [place[0]!, place[2]!];
+    }
+    tracks.push(
+      new VectorKeyframeTrack(`${node.uuid}.position`, times, place, InterpolateLinear),
+      new QuaternionKeyframeTrack(`${node.uuid}.quaternion`, times, column(turns.values, turns.columns, 4 * n, 4)),
+    );
+  });
+  tracks.push(...otherTracks(figure, candidate, series, times));
+  return new AnimationClip(name, times[times.length - 1] ?? 0, tracks);
+}
+
+export async function drawnGlb(character: Character, clips: readonly DrawnClip[], { names, inPlace }: DrawnSettings): Promise<Uint8Array> {
   const figure = await makeFigure(character);
   try {
     figure.skin.color = palettes.light.skin;
     figure.joints.color = palettes.light.joints;
-    const { time, node_translations: places, node_rotations: turns } = series;
-    const times = Array.from(time.values.subarray(0, time.frames));
-    const column = (values: Float64Array, columns: number, first: number, width: number): number[] => {
-      const out: number[] = [];
-      for (let f = 0; f < time.frames; ++f) {
-        for (let k = 0; k < width; ++k) out.push(values[f * columns + first + k] ?? 0);
-      }
-      return out;
-    };
     figure.object.traverse((item) => {
       if (!(item instanceof Mesh)) return;
       normalize(item.geometry as BufferGeometry);
       (item.geometry as BufferGeometry).deleteAttribute('uv'); // nothing is painted on
       if ((item.geometry as BufferGeometry).hasAttribute('paint')) paintByPicture(item.geometry as BufferGeometry, figure.skin, palettes.light);
     });
-    const tracks: KeyframeTrack[] = [];
-    figure.nodes.forEach((node, n) => {
-      if (!node || 3 * n >= places.columns) return;
-      if (node.name === '') node.name = `${node.parent?.name ?? 'node'}_end`;
-      tracks.push(
-        new VectorKeyframeTrack(`${node.uuid}.position`, times, column(places.values, places.columns, 3 * n, 3), InterpolateLinear),
-        new QuaternionKeyframeTrack(`${node.uuid}.quaternion`, times, column(turns.values, turns.columns, 4 * n, 4)),
-      );
-    });
-    tracks.push(...otherTracks(figure, candidate, series, times));
-    const clip = new AnimationClip('shigusa', times[times.length - 1] ?? 0, tracks);
+    const animations = clips.map((clip) => animation(clip, figure, inPlace));
+    // nodes are found by their own names while a figure moves
+    for (const node of figure.nodes) {
+      if (node) node.name = node.name === '' ? `${node.parent?.name ?? 'node'}_end` : (names[node.name] ?? node.name);
+    }
     // a skin's mesh stands beside the bones in the scene, under nothing that could move it
     const scene = new Scene();
     scene.name = character.description.name;
     scene.add(...figure.object.children);
-    const file = await new GLTFExporter().parseAsync(scene, { binary: true, animations: [clip], onlyVisible: false });
+    const file = await new GLTFExporter().parseAsync(scene, { binary: true, animations, onlyVisible: false });
     figure.object.add(...scene.children); // to be disposed of
     return new Uint8Array(file as ArrayBuffer);
   } finally {
