@@ -11,6 +11,7 @@
 #include "character_heels.hpp"
 #include "character_places.hpp"
 #include "character_robot.hpp"
+#include "core/messages.hpp"
 #include "person/at_ease.hpp"
 #include "person/finger_bones.hpp"
 #include "person/landmark_points.hpp"
@@ -21,10 +22,9 @@ namespace {
 Result<void> check_range(const char* what, const std::optional<double>& value, double low,
                          double high, const char* unit) {
   if (!value || (*value >= low && *value <= high)) return {};
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("{} is {} {}; allowed are {:g} to {:g} {}", what, *value, unit, low, high, unit),
-      "character");
+  return fail(ErrorCode::invalid_argument,
+              fmt::format(messages::kOutOfRange.text, what, *value, unit, low, high, unit),
+              "character");
 }
 
 // The rig ties the file's nodes to the person who was measured from them and starts from a pose of
@@ -129,9 +129,7 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
   }
   if (start.placement.mirrored()) {
-    spec.doubts.push_back(
-        "files with the character's own skeleton keep the mirrored axes: goals are not where they "
-        "stand in them");
+    spec.doubts.push_back(std::string(messages::kMirroredFile.text));
   }
   CharacterRig rig = make_rig(std::move(file), found, *spec.landmarks);
   rig.rig.twists = find_twist_bones(rig.skeleton, world, found.map);
@@ -157,12 +155,8 @@ int rig_node(const CharacterSpec& spec, std::string_view body_node) {
 Result<void> attach_rig(CharacterSpec& spec, const CharacterSpec& measured) {
   constexpr double kSame = 1e-6;  // m
   if (!spec.landmarks || !measured.rig || apart(*spec.landmarks, *measured.landmarks) > kSame) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("is not the person of the result, {}, who may have been mirrored or changed "
-                    "since",
-                    spec.source),
-        measured.source);
+    return fail(ErrorCode::invalid_argument, fmt::format(messages::kOtherPerson.text, spec.source),
+                measured.source);
   }
   spec.rig = measured.rig;
   return {};
@@ -205,7 +199,8 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
     extent = spec.source == "half_body" ? BodyExtent::half : BodyExtent::full;
   }
   if (spec.seat && extent == BodyExtent::half) {
-    return fail(ErrorCode::invalid_argument, "a seat is not for a body of one side", "character");
+    return fail(ErrorCode::invalid_argument, std::string(messages::kSeatOfOneSide.text),
+                "character");
   }
   SHG_TRY(check_heels(spec, extent));
   const HumanSettings settings{.name = spec.source,

@@ -6,6 +6,7 @@
 #include <shigusa/file.hpp>
 
 #include "core/check.hpp"
+#include "core/messages.hpp"
 #include "io/by_format.hpp"
 #include "io/fbx.hpp"
 #include "io/gltf_animation.hpp"
@@ -35,16 +36,12 @@ Result<std::optional<std::string>> animation_of(const CharacterSpec& spec,
   if (!spec.frame) return spec.animation;
   if (*spec.frame == kRestPose) {
     if (!spec.animation) return std::optional<std::string>{};
-    return fail(ErrorCode::invalid_argument,
-                "the rest pose is of no animation: leave the frame or the animation out",
+    return fail(ErrorCode::invalid_argument, std::string(messages::kRestOfNoAnimation.text),
                 spec.source);
   }
   if (!spec.animation && animations.empty()) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("frame {} does not exist: the file has no animation, only its rest "
-                            "pose; leave the frame out",
-                            *spec.frame),
-                spec.source);
+                fmt::format(messages::kNoAnimationFrame.text, *spec.frame), spec.source);
   }
   return spec.animation ? spec.animation : std::optional<std::string>("");
 }

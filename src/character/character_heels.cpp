@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "person/human_frames.hpp"
 #include "person/landmark_points.hpp"
 
@@ -58,8 +59,7 @@ Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& 
     if (dot(leg.toe - *leg.toes, ahead) >= kShortestPart) continue;
     leg.toe = *leg.toes + ahead * (to_joint * (1.0 / kToesShare - 1.0));
     leg.toe.y = min(leg.toes->y, max(sole.y + leg.ankle.y, 0.0));
-    start.doubts.push_back(fmt::format(
-        "nothing follows {}: the toes are taken as of average length", humanoid_bone_name(bone)));
+    start.doubts.push_back(fmt::format(messages::kToesGuessed.text, humanoid_bone_name(bone)));
   }
   return {};
 }

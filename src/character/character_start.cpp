@@ -5,6 +5,7 @@
 
 #include "body/anthropometry.hpp"
 #include "character_file.hpp"
+#include "core/messages.hpp"
 #include "humanoid_request.hpp"
 #include "io/gltf_animation.hpp"
 #include "person/at_ease.hpp"
@@ -49,10 +50,10 @@ Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonCli
 Result<int> frame_of(const SkeletonClip& clip, const CharacterSpec& spec) {
   const int frame = spec.frame.value_or(0);
   if (frame >= 0 && frame < clip.frames) return frame;
-  const std::string has =
-      clip.frames == 1 ? "only frame 0" : fmt::format("the frames 0 to {}", clip.frames - 1);
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("frame {} does not exist; the file has {}", frame, has), spec.source);
+  const std::string has = clip.frames == 1 ? std::string(messages::kOneFrame.text)
+                                           : fmt::format(messages::kFrames.text, clip.frames - 1);
+  return fail(ErrorCode::invalid_argument, fmt::format(messages::kNoFrame.text, frame, has),
+              spec.source);
 }
 
 FilePose pose_at(const CharacterFile& file, int frame) {
@@ -89,9 +90,7 @@ Result<PersonStart> measure_at_rest(const CharacterFile& file, const CharacterSp
   if (!file.bound || (person && rests(*person))) return person;
   Result<PersonStart> bound = measure_in(file, spec, *file.bound, file.bound_skin);
   if (!bound || !rests(*bound)) return person;
-  bound->start.doubts.push_back(
-      "the nodes rest in the middle of a motion: the pose in which the mesh was bound is taken in "
-      "that one's place");
+  bound->start.doubts.push_back(std::string(messages::kBindPose.text));
   return bound;
 }
 
@@ -117,10 +116,9 @@ Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec&
   if (found.eased) {
     if (rests(found)) return found;
     const std::string better = standing_animation(file, found);
-    found.start.doubts.push_back(fmt::format(
-        "the nodes do not rest as who stands does{}",
-        better.empty() ? ""
-                       : fmt::format("; frame 0 of the animation '{}' does: --animation", better)));
+    found.start.doubts.push_back(
+        fmt::format(messages::kNotStanding.text,
+                    better.empty() ? "" : fmt::format(messages::kStandingAnimation.text, better)));
     return found;
   }
   SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
@@ -141,8 +139,7 @@ Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& 
   Result<PersonStart> found = measure_in(file, spec, pose_at(file, frame), {});
   if (!found || spec.frame || !spreads_arms(found->person.landmarks)) return found;
   found->eased = true;
-  found->start.doubts.push_back(
-      "the file begins with arms spread out: they hang at the start; with --frame 0 they do not");
+  found->start.doubts.push_back(std::string(messages::kArmsSpread.text));
   return found;
 }
 

@@ -8,6 +8,7 @@
 #include <shigusa/file.hpp>
 #include <shigusa/words.hpp>
 
+#include "core/messages.hpp"
 #include "person/landmark_points.hpp"
 #include "person/likeness.hpp"
 
@@ -89,10 +90,7 @@ Result<void> check_likeness(const Landmarks& figure, const BoneRequest& request,
                             const std::string& file) {
   const std::string why = request.empty() ? unlike_a_person(figure) : "";
   if (why.empty()) return {};
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("no person: {}; if it is one, say which nodes are its bones with --map", why),
-      file);
+  return fail(ErrorCode::invalid_argument, fmt::format(messages::kNoPerson.text, why), file);
 }
 
 Result<BoneRequest> bone_request(const Json& json) {

@@ -6,6 +6,7 @@
 #include <shigusa/words.hpp>
 
 #include "character/character_rig.hpp"
+#include "core/messages.hpp"
 #include "export_file.hpp"
 #include "io/by_format.hpp"
 #include "io/json_reader.hpp"
@@ -78,9 +79,7 @@ Result<void> check_formats(const CharacterSpec& character, const std::vector<Fil
     if (info.needs == NeededFile::none) continue;
     if (!character.rig && character.landmarks) {
       return fail(ErrorCode::invalid_argument,
-                  fmt::format("needs the character's file, {}: give it by --character FILE",
-                              character.source),
-                  asked);
+                  fmt::format(messages::kFileNeeded.text, character.source), asked);
     }
     const bool can = character.rig && is_file(character.rig->format, info.needs);
     if (can && format == FileFormat::glb && !character.rig->not_glb.empty()) {
@@ -89,10 +88,8 @@ Result<void> check_formats(const CharacterSpec& character, const std::vector<Fil
     if (can) continue;
     const std::string files = info.needs == NeededFile::vrm ? endings_for<NeededFile::vrm>()
                                                             : endings_for<NeededFile::gltf>();
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("is for characters from {} files, and {} is none", files, character.source),
-        asked);
+    return fail(ErrorCode::invalid_argument,
+                fmt::format(messages::kOtherCharacters.text, files, character.source), asked);
   }
   return {};
 }
@@ -141,16 +138,13 @@ Result<void> check_file_settings(const CharacterSpec& character, FileFormat form
   SHG_TRY(check_rate(settings.rate, "rate"));
   constexpr std::size_t kClipNameMax = 200;
   if (settings.animation.size() > kClipNameMax) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("has {} bytes; allowed are up to {}", settings.animation.size(), kClipNameMax),
-        "the clip's name");
+    return fail(ErrorCode::invalid_argument,
+                fmt::format(messages::kLongClipName.text, settings.animation.size(), kClipNameMax),
+                "the clip's name");
   }
   if (settings.names == JointNames::own || !character.rig || !info_of(format).rated) return {};
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("are those of {} in its own files: leave the joint names out", character.source),
-      "joint names");
+  return fail(ErrorCode::invalid_argument,
+              fmt::format(messages::kOwnJointNames.text, character.source), "joint names");
 }
 
 Result<MadeFile> unread(Result<std::string> bytes) {

@@ -5,6 +5,7 @@
 #include <shigusa/result_file.hpp>
 #include <shigusa/skeleton.hpp>
 
+#include "core/messages.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "io/json_text.hpp"
 #include "joint_names.hpp"
@@ -172,6 +173,9 @@ std::string format_facts() {
   json["bones"] = bones_to_json();
   json["ranges"] = ranges_to_json();
   json["timing"] = timing_to_json();
+  for (const MessageText& message : messages::kAll) {
+    json["messages"].push_back({{"key", message.key}, {"text", message.text}});
+  }
   json["joint_names"] = joint_names_to_json();
   for (const FormatInfo& format : kFileFormats) json["formats"].push_back(format_to_json(format));
   return json.dump(2) + "\n";

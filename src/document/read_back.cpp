@@ -9,6 +9,7 @@
 #include "character/character_places.hpp"
 #include "character/character_rig.hpp"
 #include "character_export.hpp"
+#include "core/messages.hpp"
 #include "io/gltf_animation.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
@@ -303,9 +304,7 @@ ReadBackCheck::Allowance ReadBackCheck::allowance(const FileMotion& file, const 
 tl::unexpected<Error> ReadBackCheck::wrong_by(const FileMotion& file, const Mark& mark, int frame,
                                               const std::string& how) {
   return fail(ErrorCode::unsupported,
-              fmt::format("read back, {} is {} are allowed (frame {}): this character cannot leave "
-                          "so; leave the format out",
-                          mark.name, how, frame),
+              fmt::format(messages::kCannotLeave.text, mark.name, how, frame),
               std::string("the format ") + file.format);
 }
 

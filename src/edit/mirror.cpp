@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "body/joint_name.hpp"
+#include "core/messages.hpp"
 #include "layers/plan.hpp"
 
 namespace shigusa {
@@ -74,9 +75,8 @@ Result<TaskFile> mirrored(TaskFile task) {
   SHG_TRY_ASSIGN(const BodyModel body, build_character(task.character));
   for (const Dof& dof : body.dofs()) {
     if (body.find_dof(mirrored_name(dof.name))) continue;
-    return fail(ErrorCode::unsupported,
-                fmt::format("{} has one side only: it has {} and no {}", body.name(), dof.name,
-                            mirrored_name(dof.name)));
+    return fail(ErrorCode::unsupported, fmt::format(messages::kOneSide.text, body.name(), dof.name,
+                                                    mirrored_name(dof.name)));
   }
   mirror_fields<Request>(task);
   return task;

@@ -5,6 +5,7 @@
 #include <shigusa/edit.hpp>
 #include <utility>
 
+#include "core/messages.hpp"
 #include "io/json_text.hpp"
 #include "layers/assignment.hpp"
 #include "task/plan_of.hpp"
@@ -30,8 +31,7 @@ Result<GenerateResult> replay(const Task& task, StoredResult& stored, int candid
                               std::span<const std::string> assignments) {
   if (candidate < 1 || candidate > count_of(stored)) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("candidate {} does not exist; the result has the candidates 1 to {}",
-                            candidate, count_of(stored)));
+                fmt::format(messages::kNoCandidate.text, candidate, count_of(stored)));
   }
   SHG_TRY_ASSIGN(const Plan plan, plan_of(task));
   Parameters& parameters = stored.candidates[static_cast<std::size_t>(candidate - 1)];

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "candidate.hpp"
+#include "core/messages.hpp"
 #include "delivery.hpp"
 #include "joint_progress.hpp"
 #include "pareto.hpp"
@@ -167,8 +168,7 @@ void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
   generation.fewer.clear();
   if (all.size() == most) return;
   generation.fewer =
-      fmt::format("{} of {} candidates: {} runs with other random numbers each ended in no others",
-                  all.size(), task.candidates, generation.runs);
+      fmt::format(messages::kFewerRuns.text, all.size(), task.candidates, generation.runs);
 }
 
 // Searches once; `on_all`: on all approaches where the first leads to nothing possible.
@@ -302,8 +302,7 @@ void try_gentler(const PreparedTask& task, GenerateResult& found) {
     drop_jolts(found);
     const auto left = static_cast<int>(found.candidates.size());
     if (found.fewer.empty() && left < task.candidates) {
-      found.fewer =
-          fmt::format("{} of {} candidates: {} jolt", left, task.candidates, found.jolting);
+      found.fewer = fmt::format(messages::kFewerJolts.text, left, task.candidates, found.jolting);
     }
     found.gentled = true;
   }

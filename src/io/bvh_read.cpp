@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "core/text.hpp"
 #include "node_names.hpp"
 
@@ -130,9 +131,8 @@ class BvhReader {
   }
 
   bool unexpected(std::string_view token, std::string_view expected) {
-    if (token.empty())
-      return fail_here(fmt::format("the file ends where {} is expected", expected));
-    return fail_here(fmt::format("found {} where {} is expected", shown_token(token), expected));
+    if (token.empty()) return fail_here(fmt::format(messages::kBvhEnds.text, expected));
+    return fail_here(fmt::format(messages::kBvhFound.text, shown_token(token), expected));
   }
 
   bool expect(std::string_view word) {
@@ -156,7 +156,7 @@ class BvhReader {
     std::string_view token = cursor_.token();
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (token.starts_with(kByteOrderMark)) token.remove_prefix(kByteOrderMark.size());
-    if (token.empty()) return fail_here("the file is empty; a BVH file starts with HIERARCHY");
+    if (token.empty()) return fail_here(std::string(messages::kEmptyBvh.text));
     if (!same_word(token, "HIERARCHY")) return unexpected(token, "HIERARCHY");
     for (;;) {
       token = cursor_.token();
@@ -281,9 +281,8 @@ class BvhReader {
   }
 
   bool too_few(std::size_t found) {
-    return fail_here(
-        fmt::format("the file ends after {} of the {} values that {} frames of {} channels need",
-                    found, value_count(), motion_.clip.frames, channels_.size()));
+    return fail_here(fmt::format(messages::kBvhCut.text, found, value_count(), motion_.clip.frames,
+                                 channels_.size()));
   }
 
   // before memory is taken: can the text hold the values, and the memory the result?

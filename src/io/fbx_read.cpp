@@ -8,6 +8,7 @@
 #include <shigusa/quat.hpp>
 
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "fbx_records.hpp"
 #include "glb.hpp"
 #include "io/gltf_json.hpp"
@@ -113,7 +114,7 @@ class FbxReader {
     if (!list_models() || !connect() || !check_tree()) return tl::unexpected(*error_);
     choose_nodes();
     if (joints_.empty()) {
-      wrong("no bone: there is no skeleton in this file");
+      wrong(messages::kFbxNoBone.text);
       return tl::unexpected(*error_);
     }
     GltfJson nodes = GltfJson::array();

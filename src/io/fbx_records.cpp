@@ -10,6 +10,7 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "core/messages.hpp"
 #include "core/text.hpp"
 
 namespace shigusa {
@@ -383,11 +384,9 @@ Result<FbxRecords> read_fbx_records(std::string_view bytes, std::string_view nam
   if (!records) return records;
   if (records->version < kOldest) {
     return fail(ErrorCode::unsupported,
-                records->version == 0
-                    ? "no FBXVersion: this is no FBX file"
-                    : fmt::format("FBX of version {}.{}; versions from 7 on are read: export it "
-                                  "as FBX 2011 or later",
-                                  records->version / 1000, records->version / 100 % 10),
+                records->version == 0 ? std::string(messages::kNoFbx.text)
+                                      : fmt::format(messages::kOldFbx.text, records->version / 1000,
+                                                    records->version / 100 % 10),
                 place);
   }
   return records;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "core/messages.hpp"
+
 namespace shigusa {
 
 std::string glb_file(std::string json, std::optional<std::string_view> binary,
@@ -39,9 +41,7 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
   }
   const std::size_t size = word_at(bytes, 8);
   if (size > bytes.size()) {
-    return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but it ends after {}", size, bytes.size()),
-                place);
+    return fail(ErrorCode::parse, fmt::format(messages::kGlbCut.text, size, bytes.size()), place);
   }
   const std::size_t length = word_at(bytes, kGlbHeader);
   if (bytes.substr(kGlbHeader + 4, 4) != kGlbJson || length > bytes.size() - kHeader) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "core/text.hpp"
 #include "glb.hpp"
 #include "io/gltf.hpp"
@@ -78,7 +79,7 @@ std::string shown(const GltfJson& value, std::size_t longest) {
 
 Result<GltfJson> read_gltf_json(std::string_view bytes, std::string_view name) {
   const std::string place(name);
-  if (bytes.empty()) return fail(ErrorCode::parse, "the file is empty", place);
+  if (bytes.empty()) return fail(ErrorCode::parse, std::string(messages::kEmptyFile.text), place);
   SHG_TRY_ASSIGN(const std::string_view text, gltf_text(bytes, name));
   // a parser takes some times the memory of the longest text in it
   if (text.size() > kGltfMaxJsonBytes) {

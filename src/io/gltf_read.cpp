@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "gltf_json.hpp"
 #include "gltf_pose.hpp"
 #include "gltf_vrm.hpp"
@@ -75,17 +76,17 @@ class GltfReader {
   bool version() {
     const auto asset = json_.find("asset");
     if (asset == json_.end() || !asset->is_object() || !asset->contains("version")) {
-      return wrong("", "no glTF file: asset.version is missing");
+      return wrong("", messages::kNoGltf.text);
     }
     const GltfJson& version = (*asset)["version"];
     if (version.is_string() && version.get_ref<const std::string&>().starts_with("2.")) return true;
-    return wrong("", "is glTF version {}; 2.0 is read", shown(version));
+    return wrong("", messages::kGltfVersion.text, shown(version));
   }
 
   bool nodes() {
     const auto list = json_.find("nodes");
     if (list == json_.end() || !list->is_array() || list->empty()) {
-      return wrong("", "holds no nodes, so no character");
+      return wrong("", messages::kNoGltfNodes.text);
     }
     for (const GltfJson& json : *list) {
       nodes_.emplace_back();
@@ -249,10 +250,8 @@ class GltfReader {
     mark_all();
     if (!build()) return false;
     if (is_person()) {
-      result_.doubts.push_back(fmt::format(
-          "the skins bind {} of {} nodes, which make no whole person: limbs are taken from nodes "
-          "that show their meshes as rigid parts",
-          joints, result_.file_node.size()));
+      result_.doubts.push_back(
+          fmt::format(messages::kRigidLimbs.text, joints, result_.file_node.size()));
       return true;
     }
     nodes_ = before;
@@ -347,10 +346,9 @@ class GltfReader {
       if (++uneven == 1) first = i;
     }
     if (uneven == 0) return;
-    result_.doubts.push_back(fmt::format(
-        "{}{} has different scales along its axes: the bones below keep the lengths that they have "
-        "in the rest pose",
-        described(first), uneven == 1 ? "" : fmt::format(", as {} more,", uneven - 1)));
+    result_.doubts.push_back(
+        fmt::format(messages::kUnevenScale.text, described(first),
+                    uneven == 1 ? "" : fmt::format(", as {} more,", uneven - 1)));
   }
 
   const GltfJson& json_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 #include "io/gltf_json.hpp"
@@ -69,7 +70,7 @@ class SkinReader {
   void tell_left_out() {
     if (left_out_ == 0) return;
     const std::string which = read_ == 0
-                                  ? "the mesh was not read, so the floor is laid by the joints"
+                                  ? std::string(messages::kMeshNotRead.text)
                                   : fmt::format("{} of the mesh's {} parts {} not read", left_out_,
                                                 read_ + left_out_, left_out_ == 1 ? "was" : "were");
     skin_.doubts.push_back(which + ": " + first_reason_);

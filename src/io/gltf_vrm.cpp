@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "core/messages.hpp"
 #include "core/text.hpp"
 #include "gltf_json.hpp"
 #include "person/landmark_points.hpp"
@@ -59,8 +60,7 @@ class BoneReader {
   VrmBones finish() {
     if (wrong_ == 1) bones_.doubts.push_back("the VRM map is wrong: " + first_wrong_);
     if (wrong_ > 1) {
-      bones_.doubts.push_back(fmt::format(
-          "the VRM map is wrong in {} places, the first of them: {}", wrong_, first_wrong_));
+      bones_.doubts.push_back(fmt::format(messages::kVrmMapWrong.text, wrong_, first_wrong_));
     }
     return std::move(bones_);
   }

@@ -10,6 +10,7 @@
 
 #include "body/posture_modes.hpp"
 #include "core/index.hpp"
+#include "core/messages.hpp"
 
 namespace shigusa {
 namespace {
@@ -273,9 +274,7 @@ Result<Plan> layers_to_goals(const BodyModel& body, std::span<const Goal> goals,
     const bool turns = goal.rotation || goal.axis;
     const bool turnable = choice.stack == LayerStack::human && arm->has_wrist();
     if ((turns && !turnable) || goal.tolerance != Vec3d{}) {
-      return fail(ErrorCode::unsupported,
-                  "layers bring hands to positions, and those of a whole human by the preset human "
-                  "to rotations and axes too; the preset flat takes rotations, axes and boxes",
+      return fail(ErrorCode::unsupported, std::string(messages::kHandsAlone.text),
                   "goal of " + goal.effector);
     }
     // the arms' layers follow the upper one in the order of the arms

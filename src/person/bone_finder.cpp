@@ -5,6 +5,7 @@
 
 #include "core/check.hpp"
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "person/find_humanoid.hpp"
 
 namespace shigusa {
@@ -31,17 +32,18 @@ BoneFinder::BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const
 }
 
 Result<HumanoidMap> BoneFinder::find() {
-  if (tree_.size() == 0) return fail(ErrorCode::invalid_argument, "no body: there are no nodes");
+  if (tree_.size() == 0)
+    return fail(ErrorCode::invalid_argument, std::string(messages::kNoNodes.text));
   if (tree_.extent() <= 0.0) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("no skeleton in this file: {}",
+                fmt::format(messages::kNoSkeleton.text,
                             tree_.size() == 1
-                                ? "it has one node alone"
-                                : fmt::format("its {} nodes stand at one point", tree_.size())));
+                                ? std::string(messages::kOneNode.text)
+                                : fmt::format(messages::kNodesAtOnePoint.text, tree_.size())));
   }
   SHG_TRY(find_limbs());
   if (!find_hips()) {
-    return fail(ErrorCode::invalid_argument, "no hips: the limbs hang on several roots");
+    return fail(ErrorCode::invalid_argument, std::string(messages::kSeveralRoots.text));
   }
   find_trunk_branch();
   find_neck_and_head();
@@ -52,9 +54,7 @@ Result<HumanoidMap> BoneFinder::find() {
   find_toes(NameSide::right, Bone::right_foot, Bone::right_toes);
   SHG_TRY(check_asked());
   if (feet_point_backwards(tree_, map_)) {
-    doubt(
-        "the feet point backwards, seen from the left and right of the names: the file is "
-        "mirrored, or its left and right are exchanged");
+    doubt(messages::kFeetBackwards.text);
   }
   return std::move(map_);
 }
@@ -70,8 +70,8 @@ Result<void> BoneFinder::find_limbs() {
   if (gap == found.size()) return {};
   const bool none = std::count(found.begin(), found.end(), true) == 0;
   if (!find_by_shape(found)) return fail(ErrorCode::invalid_argument, missing(gap));
-  doubt("the names do not tell the {}: {} found by the skeleton's shape", kLimbNames[gap],
-        none ? "all limbs were" : "what they do not tell was");
+  doubt(messages::kByShape.text, kLimbNames[gap],
+        none ? std::string(messages::kAllLimbs.text) : std::string(messages::kTheRest.text));
   return {};
 }
 

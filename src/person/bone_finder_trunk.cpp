@@ -4,6 +4,7 @@
 
 #include "body/anthropometry.hpp"
 #include "bone_finder.hpp"
+#include "core/messages.hpp"
 
 namespace shigusa {
 namespace {
@@ -36,7 +37,7 @@ bool BoneFinder::find_hips() {
     map_[Bone::hips] = given;
     return true;
   }
-  if (any_given_) doubt("the file's own map has no hips above the legs: they were looked for");
+  if (any_given_) doubt(messages::kMapWithoutHips.text);
   for (int i = 0; i <= lowest; ++i) {
     const bool named_hips = name(i).part == BonePart::hips || name(i).part == BonePart::hip;
     if (named_hips && name(i).side == NameSide::none && tree_.below(lowest, i)) {
@@ -83,8 +84,8 @@ void BoneFinder::find_trunk_branch() {
     if (!goes_on) continue;
     chest_ = last;
     flat_ = true;
-    doubt("the limbs hang on {} and not on the trunk, which is taken to begin at {}",
-          tree_.described(map_[Bone::hips]), tree_.described(child));
+    doubt(messages::kLimbsElsewhere.text, tree_.described(map_[Bone::hips]),
+          tree_.described(child));
     return;
   }
 }
@@ -104,8 +105,8 @@ void BoneFinder::find_neck_and_head() {
              : first_below(named(NameSide::none, {BonePart::head}), trunk_end);
   if (head < 0) head = head_by_shape();
   if (neck < 0 && head >= 0) neck = neck_by_shape(head);
-  if (neck < 0) doubt("no neck joint: none stands between the arms and the head");
-  if (head < 0) doubt("no head joint: no chain leaves the trunk between the arms");
+  if (neck < 0) doubt(messages::kNoNeck.text);
+  if (head < 0) doubt(messages::kNoHead.text);
 }
 
 bool BoneFinder::bears_limb(int i) const {
@@ -263,7 +264,7 @@ void BoneFinder::find_toes(NameSide side, Bone foot, Bone toes) {
   if (!chain.empty() && !tree_.node(chain.front()).end_site) {
     map_[toes] = chain.front();
   } else {
-    doubt("no {}: below {} {}", humanoid_bone_name(toes), tree_.described(map_[foot]),
+    doubt(messages::kNoBoneBelow.text, humanoid_bone_name(toes), tree_.described(map_[foot]),
           chain.empty() ? "nothing follows" : "comes only its End Site");
   }
 }

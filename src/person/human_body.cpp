@@ -3,6 +3,7 @@
 
 #include "core/check.hpp"
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "human_builder.hpp"
 
 namespace shigusa {
@@ -52,8 +53,7 @@ BodyModel HumanBuilder::build() {
     settings_.sits ? add_seated_leg(other(base_side_)) : add_hanging_leg(other(base_side_));
     if (!other_stands_ && !settings_.sits) {
       body_.doubts.push_back(
-          fmt::format("the {}foot is lifted at the start: it carries nothing and keeps its angles",
-                      base_side_ == Side::left ? "right " : "left "));
+          fmt::format(messages::kFootLifted.text, base_side_ == Side::left ? "right " : "left "));
     }
   }
   add_nodes();
@@ -249,9 +249,8 @@ void HumanBuilder::hold_start_posture() {
     dof.upper += over;
     dof.lower -= under;
     if (max(over, under) < radians(1.0)) continue;
-    body_.doubts.push_back(fmt::format(
-        "the start posture has {} at {:.0f}°, outside its limits: they are widened to hold it",
-        dof.name, degrees(body_.start[i])));
+    body_.doubts.push_back(
+        fmt::format(messages::kStartOutside.text, dof.name, degrees(body_.start[i])));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/messages.hpp"
 #include "landmark_points.hpp"
 
 namespace shigusa {
@@ -60,15 +61,11 @@ std::string odd_limbs(const char* limb, Lengths left, Lengths right) {
   for (const Lengths& each : {left, right}) {
     const double share = unevenness(each.upper, each.lower);
     if (share <= kSegments) continue;
-    return fmt::format(
-        "of the two segments of one {} one is {:.1f} times as long as the other; "
-        "up to {} is taken",
-        limb, share, kSegments);
+    return fmt::format(messages::kOddSegments.text, limb, share, kSegments);
   }
   const double share = unevenness(left.sum(), right.sum());
   if (share <= kFellows) return {};
-  return fmt::format("one of its two {}s is {:.1f} times as long as the other; up to {} is taken",
-                     limb, share, kFellows);
+  return fmt::format(messages::kOddLimbs.text, limb, share, kFellows);
 }
 
 }  // namespace
@@ -80,27 +77,19 @@ std::string unlike_a_person(const Landmarks& figure) {
   const double trunk_share = trunk / legs;
   const double arm_share = arms / legs;
   if (stands_on_four(figure) && (trunk_share > kAnimalsTrunk || arm_share > kAnimalsArm)) {
-    return fmt::format(
-        "it stands on four legs: the trunk lies level, as long as {:.2f} legs, and the limbs in "
-        "front, {:.2f}, reach down as far as those behind",
-        trunk_share, arm_share);
+    return fmt::format(messages::kFourLegs.text, trunk_share, arm_share);
   }
   const double breadth = max(norm(figure.left_arm.shoulder - figure.right_arm.shoulder),
                              norm(figure.left_leg.hip - figure.right_leg.hip)) /
                          (trunk + legs);
   if (breadth > kBroadest) {
-    return fmt::format(
-        "shoulders or hips are {:.2f} times as broad as trunk and legs are long; up "
-        "to {} is taken",
-        breadth, kBroadest);
+    return fmt::format(messages::kBroad.text, breadth, kBroadest);
   }
   if (trunk_share > kLongestTrunk) {
-    return fmt::format("the trunk is {:.2f} times as long as the legs; up to {} is taken",
-                       trunk_share, kLongestTrunk);
+    return fmt::format(messages::kLongTrunk.text, trunk_share, kLongestTrunk);
   }
   if (arm_share < kShortestArm || arm_share > kLongestArm) {
-    return fmt::format("the arms are {:.2f} times as long as the legs; {} to {} is taken",
-                       arm_share, kShortestArm, kLongestArm);
+    return fmt::format(messages::kOddArms.text, arm_share, kShortestArm, kLongestArm);
   }
   const std::string odd_legs =
       odd_limbs("leg", leg_of(figure, Side::left), leg_of(figure, Side::right));

@@ -5,6 +5,7 @@
 
 #include "core/check.hpp"
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "humanoid_shape.hpp"
 #include "math/axes.hpp"
 
@@ -66,8 +67,8 @@ Result<void> PersonMeasurer::check_length(Side side, std::string_view segment, B
                                           Bone b) const {
   if (tree_.apart(map_[a], map_[b])) return {};
   return fail(ErrorCode::invalid_argument,
-              fmt::format("the {} {} has no length: {} and {} stand at one point", side_word(side),
-                          segment, tree_.described(map_[a]), tree_.described(map_[b])));
+              fmt::format(messages::kNoLength.text, side_word(side), segment,
+                          tree_.described(map_[a]), tree_.described(map_[b])));
 }
 
 Result<void> PersonMeasurer::read_limbs() {
@@ -93,8 +94,7 @@ Vec3d PersonMeasurer::find_up() {
   const Vec3d none{};
   if (posture != none) {
     if (rest != none && rest != posture) {
-      doubt("up is {} in this posture, but {} at rest: the posture is followed", axis_name(posture),
-            axis_name(rest));
+      doubt(messages::kUpFollowed.text, axis_name(posture), axis_name(rest));
     }
     return posture;
   }
@@ -102,12 +102,10 @@ Vec3d PersonMeasurer::find_up() {
   if (rest != none && dot(rest, rise) > 0.0) return rest;
   if (const Vec3d own = TrunkAndLegs{mid_shoulder_ - mid_hip_, mid_hip_ - ankles}.common_line();
       own != none) {
-    doubt(
-        "the body stands upright along no axis of the file: up is taken along its trunk and legs");
+    doubt(messages::kNoUpright.text);
     return own;
   }
-  doubt("the body does not stand: up is taken as {}, from its feet to its shoulders",
-        axis_name(nearest_axis(rise)));
+  doubt(messages::kDoesNotStand.text, axis_name(nearest_axis(rise)));
   return nearest_axis(rise);
 }
 
@@ -128,16 +126,13 @@ Result<void> PersonMeasurer::find_left() {
   const Vec3d level = both - up_ * dot(both, up_);
   constexpr double kLeast = 0.2;
   if (norm(level) < kLeast) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("the facing cannot be told: along {}, which is taken as up, the left "
-                            "hip and shoulder stand above, below or at the right ones",
-                            axis_name(up_)));
+    return fail(ErrorCode::invalid_argument, fmt::format(messages::kNoFacing.text, axis_name(up_)));
   }
   left_ = normalized(level);
   ahead_ = cross(left_, up_);
   if (feet_point_backwards(tree_, map_)) {
     ahead_ = -ahead_;
-    doubt("the feet point backwards: the person was mirrored, so that left stays left");
+    doubt(messages::kWasMirrored.text);
   }
   return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/human_body.hpp>
 
+#include "core/messages.hpp"
 #include "person_measurer.hpp"
 
 namespace shigusa {
@@ -51,8 +52,8 @@ Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
     result_.placement.unit = *settings.stature / stature_;
     if (is_person(*settings.stature)) return {};
     return fail(ErrorCode::invalid_argument,
-                fmt::format("a stature of {:g} m; {} to {} m are allowed", *settings.stature,
-                            kShortestPerson, kTallestPerson));
+                fmt::format(messages::kStatureRange.text, *settings.stature, kShortestPerson,
+                            kTallestPerson));
   }
   const FileUnit* best = kUnits.data();
   for (const FileUnit& unit : kUnits) {
@@ -65,23 +66,19 @@ Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
   } else {
     result_.placement.unit = kMeanStature / stature_;
     result_.stature = kMeanStature;
-    doubt(
-        "along the bones the person is {:g} units tall, and no unit makes that {} to {} m: a "
-        "stature of {:.2f} m is guessed; with --stature it is another",
-        stature_, kShortestPerson, kTallestPerson, kMeanStature);
+    doubt(messages::kStatureGuessed.text, stature_, kShortestPerson, kTallestPerson, kMeanStature);
   }
   return {};
 }
 
 void PersonMeasurer::doubt_unit(const FileUnit& best) {
   if (result_.stature < kUsualLow || result_.stature > kUsualHigh) {
-    doubt("a stature of {:.2f} m is unusual; the unit is taken as {}", result_.stature, best.name);
+    doubt(messages::kStatureUnusual.text, result_.stature, best.name);
   }
   for (const FileUnit& unit : kUnits) {
     const double stature = stature_ * unit.metres;
     if (&unit == &best || stature < kPlausibleLow || stature > kPlausibleHigh) continue;
-    doubt("the unit is taken as {}, a stature of {:.2f} m; it could be {}, {:.2f} m", best.name,
-          result_.stature, unit.name, stature);
+    doubt(messages::kUnitGuessed.text, best.name, result_.stature, unit.name, stature);
   }
 }
 
@@ -109,13 +106,13 @@ void PersonMeasurer::check_plausibility() {
   for (const Side side : kBothSides) {
     const bool by_mesh = leg(side).sole.has_value();
     if (sole(side) > kLiftedFoot) {
-      doubt("the {} foot is {:.2f} m above the floor", side_word(side), sole(side));
+      doubt(messages::kFootAbove.text, side_word(side), sole(side));
     } else if (by_mesh && sole(side) > kFileFloor) {
-      doubt("the {} sole is {:.0f} mm above the floor", side_word(side), 1e3 * sole(side));
+      doubt(messages::kSoleAbove.text, side_word(side), 1e3 * sole(side));
     }
     const double hand = norm(arm(side).fingertip - arm(side).wrist);
     if (hand < kShortHand * result_.stature) {
-      doubt("the {} hand is only {:.3f} m long: its fingers are missing", side_word(side), hand);
+      doubt(messages::kShortHand.text, side_word(side), hand);
     }
   }
   constexpr std::array kSegments{"thigh", "shank", "upper arm", "forearm"};
@@ -123,7 +120,7 @@ void PersonMeasurer::check_plausibility() {
   const auto right = segment_lengths(body(), Side::right);
   for (std::size_t i = 0; i < kSegments.size(); ++i) {
     if (abs(left[i] - right[i]) <= kSideAsymmetry * max(left[i], right[i])) continue;
-    doubt("the left {} is {:.3f} m long, the right one {:.3f} m", kSegments[i], left[i], right[i]);
+    doubt(messages::kUnequalSegments.text, kSegments[i], left[i], right[i]);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <shigusa/task.hpp>
 #include <utility>
 
+#include "core/messages.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/minimum_jerk.hpp"
@@ -27,7 +28,7 @@ bool within(const Vec3d& v, double low, double high) {
 Result<void> check_obstacles(const Task& task) {
   if (task.obstacles.size() > kObstaclesMax) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("{} obstacles; allowed are {}", task.obstacles.size(), kObstaclesMax));
+                fmt::format(messages::kObstaclesMost.text, task.obstacles.size(), kObstaclesMax));
   }
   for (const Obstacle& obstacle : task.obstacles) {
     const char* wrong = nullptr;
@@ -37,8 +38,7 @@ Result<void> check_obstacles(const Task& task) {
     if (!is_unit(obstacle.rotation)) wrong = "rotation";
     if (wrong == nullptr) continue;
     return fail(ErrorCode::invalid_argument,
-                fmt::format("{} is out of range: within {:g} m, sizes from 0, a unit quaternion",
-                            wrong, kGoalRange),
+                fmt::format(messages::kObstacleRange.text, wrong, kGoalRange),
                 "obstacle " + obstacle.name.substr(0, 80));
   }
   return {};
@@ -50,9 +50,8 @@ Result<void> check_heels(const Task& task) {
   const bool lift =
       std::any_of(feet.begin(), feet.end(), [](const Foot& foot) { return foot.heel.has_value(); });
   if (!lift || task.preset == Preset::flat) return {};
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("the preset {} knows no heels that lift; flat does", word_of(task.preset)));
+  return fail(ErrorCode::invalid_argument,
+              fmt::format(messages::kNoHeels.text, word_of(task.preset)));
 }
 
 Result<void> check_phases(const Task& task) {
@@ -75,8 +74,8 @@ Result<void> check_numbers(const Task& task) {
   if (task.duration &&
       !(*task.duration >= kTaskDurationMin && *task.duration <= kTaskDurationMax)) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("duration is {} s; allowed are {:g} to {:g} s", *task.duration,
-                            kTaskDurationMin, kTaskDurationMax));
+                fmt::format(messages::kDurationRange.text, *task.duration, kTaskDurationMin,
+                            kTaskDurationMax));
   }
   if (task.evaluations && *task.evaluations < task.genetic.population) {
     return fail(ErrorCode::invalid_argument,
@@ -102,15 +101,11 @@ Result<void> check_timing(const Task& task) {
   }
   const PresetTraits& preset = traits_of(task.preset);
   if (task.ease != 0.0 && preset.layers) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("the preset {} has layers, which keep their own time; flat knows an ease",
-                    preset.word),
-        "ease");
+    return fail(ErrorCode::invalid_argument, fmt::format(messages::kEaseOfLayers.text, preset.word),
+                "ease");
   }
   if (task.gaze_lead == 0.0 || preset.natural) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("the preset {} turns no head to what is looked at", preset.word),
+  return fail(ErrorCode::invalid_argument, fmt::format(messages::kNoGazeLead.text, preset.word),
               "gaze_lead");
 }
 
@@ -135,8 +130,7 @@ Result<void> check_criteria(const CriteriaSettings& criteria) {
     valid = valid && add(user.weight) && user.scale > 0.0;
   }
   if (!valid || sum <= 0.0) {
-    return fail(ErrorCode::invalid_argument,
-                "criteria weights must be finite, 0 or more, and not all 0; scales above 0");
+    return fail(ErrorCode::invalid_argument, std::string(messages::kNoWeights.text));
   }
   if (!scaled) {
     return fail(ErrorCode::invalid_argument, "reference scales of criteria must be above 0");
@@ -211,7 +205,7 @@ CriteriaSettings task_criteria(const Task& task) {
 
 Result<ReachProblem> make_problem(const Task& task) {
   if (task.goals.empty()) {
-    return fail(ErrorCode::invalid_argument, "no goal: give at least one effector's position");
+    return fail(ErrorCode::invalid_argument, std::string(messages::kNoGoal.text));
   }
   SHG_TRY(check_settings(task));
   const BodyModel& body = task.body;

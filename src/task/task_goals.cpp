@@ -11,6 +11,7 @@
 
 #include "body/sole.hpp"
 #include "body/stance.hpp"
+#include "core/messages.hpp"
 
 namespace shigusa {
 namespace {
@@ -40,14 +41,12 @@ Result<int> effector_index(const BodyModel& body, const Goal& goal) {
 
 Result<void> check_turn(const Goal& goal) {
   if (goal.rotation && goal.axis) {
-    return wrong_goal(goal, "has a rotation and an axis; allowed is one of both");
+    return wrong_goal(goal, std::string(messages::kTurnTwice.text));
   }
   if (goal.rotation && !is_unit(*goal.rotation)) {
     const Quatd& q = *goal.rotation;
-    return wrong_goal(goal,
-                      fmt::format("rotation is ({}, {}, {}, {}) of length {}; allowed is a unit "
-                                  "quaternion x, y, z, w",
-                                  q.x, q.y, q.z, q.w, sqrt(squared_length(q))));
+    return wrong_goal(goal, fmt::format(messages::kNoUnitQuaternion.text, q.x, q.y, q.z, q.w,
+                                        sqrt(squared_length(q))));
   }
   if (!goal.axis) return {};
   for (const Vec3d& v : {goal.axis->axis, goal.axis->direction}) {
@@ -63,20 +62,18 @@ Result<void> check_turn(const Goal& goal) {
 
 Result<void> check_goal(const Goal& goal) {
   if (!(goal.load >= 0.0 && goal.load <= kLoadMax)) {
-    return wrong_goal(goal,
-                      fmt::format("load is {} kg; allowed are 0 to {:g} kg", goal.load, kLoadMax));
+    return wrong_goal(goal, fmt::format(messages::kLoadRange.text, goal.load, kLoadMax));
   }
   for (int k = 0; k < 3; ++k) {
     const double x = goal.position[k];
     const double half = goal.tolerance[k];
     if (!(x >= -kGoalRange && x <= kGoalRange)) {
       return wrong_goal(
-          goal, fmt::format("{} coordinate is {}; allowed are finite numbers from -{:g} to {:g} m",
-                            "xyz"[k], x, kGoalRange, kGoalRange));
+          goal, fmt::format(messages::kCoordinateRange.text, "xyz"[k], x, kGoalRange, kGoalRange));
     }
     if (half >= 0.0 && half <= kToleranceMax) continue;
-    return wrong_goal(goal, fmt::format("{} tolerance is {}; allowed are 0 to {:g} m", "xyz"[k],
-                                        half, kToleranceMax));
+    return wrong_goal(goal,
+                      fmt::format(messages::kToleranceRange.text, "xyz"[k], half, kToleranceMax));
   }
   return check_turn(goal);
 }
@@ -155,11 +152,9 @@ Result<void> check_soles(const Task& task, const Kinematics<double>& start) {
       const double least = turn.kind == Turning::axis ? sole.least_height(turn.axis, turn.direction)
                                                       : sole.least_height(turn.goal);
       if (goal.position.y >= least - kSoleSlack) continue;
-      return wrong_goal(goal,
-                        fmt::format("is {:.3f} m high, and its sole would end {:.0f} mm below "
-                                    "the floor; allowed are {:.3f} m and more, as it is turned",
-                                    goal.position.y, 1000.0 * (least - goal.position.y),
-                                    std::ceil(1000.0 * least) / 1000.0));
+      return wrong_goal(goal, fmt::format(messages::kSoleBelowFloor.text, goal.position.y,
+                                          1000.0 * (least - goal.position.y),
+                                          std::ceil(1000.0 * least) / 1000.0));
     }
   }
   return {};
@@ -283,13 +278,8 @@ Result<void> check_rows(const ReachProblem& problem) {
   for (const IkTarget<double>& target : ik_targets(problem)) rows += row_count(target);
   rows += 3 * static_cast<int>(problem.supports.size());
   if (rows <= kMaxIkRows) return {};
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("goals, contacts and supports take {} rows of the IK; allowed are {}: 3 for a "
-                  "position, 3 for a rotation or an axis, 6 for a foot that is not the "
-                  "base, 3 for a support",
-                  rows, kMaxIkRows),
-      "goals");
+  return fail(ErrorCode::invalid_argument,
+              fmt::format(messages::kTooManyRows.text, rows, kMaxIkRows), "goals");
 }
 
 std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals) {

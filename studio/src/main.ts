@@ -8,7 +8,7 @@ import './styles/characters.css';
 import './styles/start.css';
 import './styles/tip.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
-import { preferredLanguage, setLanguage, t } from './i18n';
+import { knowEngine, preferredLanguage, setLanguage, t } from './i18n';
 import { expose } from './inspect';
 import { workOfLink } from './kept/link';
 import { openWork } from './kept/pack';
@@ -52,6 +52,7 @@ async function start(): Promise<void> {
   root.append(waiting);
   try {
     const studio = new Studio(await connect());
+    knowEngine(studio.facts);
     const theme = localStorage.getItem('shigusa.theme');
     studio.store.set({ language: preferredLanguage(), theme: theme === 'light' || theme === 'dark' ? theme : 'auto', start: startsWithCards() && location.hash === '' });
     waiting.remove();

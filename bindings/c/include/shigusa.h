@@ -72,7 +72,9 @@ SHIGUSA_API void shigusa_bytes_free(shigusa_bytes* bytes); /* null is allowed */
  * ([".glb", …]), "media_type", "person", "robot", "clip" (read from it), "written", "rated" (it has
  * frames at the rate asked for), "needs" (formats, of one of which the character must be; none: any
  * will do), "max_bytes" (that are read)}], "timing": [{"name", "low", "high", "of" ("motion": a
- * parameter, or "task"), "sentence"}], "joint_names": [{"name", "bones" ({own: there})}]}. */
+ * parameter, or "task"), "sentence"}], "joint_names": [{"name", "bones" ({own: there})}],
+ * "messages": [{"key", "text" (in English, with {} or {:.2f} for each value)}], of which doubts and
+ * the messages of failures are made, as far as there are keys for them}. */
 SHIGUSA_API shigusa_status shigusa_facts(shigusa_bytes** json);
 
 /* ---- Characters ------------------------------------------------------------------------------ */
@@ -165,10 +167,10 @@ SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, i
 /* Exports with `options`: {"fps": 24, "clip": "Reach", "joint_names": "mixamo", "in_place": true}.
  * fps: frames a second of rated formats, 1 to 240 (60 where none are given); clip: what the
  * animation is called in GLB and VRMA, of all candidates with their numbers after it; joint_names
- * (shigusa_facts): of a built-in body in BVH; in_place: what the hips travel along the floor is left
- * out. The last frame is the first that is not before the motion's end, and exactly its
- * last. The file is read back before it is given: where its nodes are not with the motion there is
- * none (SHIGUSA_UNSUPPORTED). The others have the frames of the series. `options` may be null. */
+ * (shigusa_facts): of a built-in body in BVH; in_place: what the hips travel along the floor is
+ * left out. The last frame is the first that is not before the motion's end, and exactly its last.
+ * The file is read back before it is given: where its nodes are not with the motion there is none
+ * (SHIGUSA_UNSUPPORTED). The others have the frames of the series. `options` may be null. */
 SHIGUSA_API shigusa_status shigusa_result_export_with(const shigusa_result* result,
                                                       int32_t candidate, const char* format,
                                                       const char* options, shigusa_bytes** file);

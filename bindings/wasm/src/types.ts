@@ -215,6 +215,8 @@ export interface Facts {
     readonly [number, number]
   >;
   formats: FormatFacts[];
+  /** Sentences that doubts and failures are made of, with `{}` or `{:.2f}` for each value. */
+  messages: { key: string; text: string }[];
   /** The numbers of timing that a person sets: parameters of a motion, or fields of the task. Sentences in English. */
   timing: { name: string; low: number; high: number; of: 'motion' | 'task'; sentence: string }[];
   /** Whose names joints of built-in bodies may have in files: there, by their own names. */

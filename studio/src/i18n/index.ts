@@ -3,7 +3,9 @@
 import { type BodyWords, englishBody, japaneseBody, type TableWords, tableWords } from './body_words';
 import type { Facts } from '../../../bindings/wasm/src/types';
 import { en, type Key } from './en';
+import { EngineTexts, wordlessMessages } from './engine_text';
 import { ja } from './ja';
+import { messageWord } from './message_words';
 
 export type Language = 'en' | 'ja';
 export type { Key };
@@ -86,11 +88,25 @@ export function engineWord(table: TableWords, word: string): string {
   return words()[table][word] ?? word.replaceAll('_', ' ');
 }
 
+let engineTexts: EngineTexts | null = null;
+
+/** What sentences of the engine are known by. */
+export function knowEngine(facts: Facts): void {
+  engineTexts = new EngineTexts(facts, (value) => messageWord(value, jointName));
+}
+
+/** A sentence of the engine's, a failure's or a doubt, in the page's language. */
+export function engineText(text: string): string {
+  return language === 'ja' && engineTexts ? engineTexts.withPlace(text) : text;
+}
+
 /** Words of the engine's tables that a language has none for: "criteria: work". */
 export function untranslated(facts: Facts, of: Language): string[] {
   const known = of === 'ja' ? japaneseBody : englishBody;
-  return Object.entries(tableWords(facts)).flatMap(([table, all]) =>
+  const ofTables = Object.entries(tableWords(facts)).flatMap(([table, all]) =>
     all.filter((word) => !(word in known[table as TableWords])).map((word) => `${table}: ${word}`));
+  // in English the engine's own sentences are shown
+  return of === 'ja' ? [...ofTables, ...wordlessMessages(facts).map((key) => `messages: ${key}`)] : ofTables;
 }
 
 /** How a motion ends: "stoop, turned left". */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whose body: a built-in one of any size, or a file's; what was understood of it, and mending the bone map.
 import type { CharacterDescription, CharacterSpec } from '../../../bindings/wasm/src/types';
-import { engineWord, jointName, t } from '../i18n';
+import { engineText, engineWord, jointName, t } from '../i18n';
 import { openCharacter, openFile } from '../state/files';
 import { characterEndings, characterFormats, isBuiltIn } from '../state/formats';
 import type { Document } from '../state/model';
@@ -61,7 +61,7 @@ export class BodyPanel implements Panel {
     fill(this.content,
       this.builtIn(spec), this.measures(character),
       h('h3', {}, t('understood')), h('p', {}, movesText(description)),
-      description.doubts.length > 0 ? h('div', {}, h('h4', {}, t('doubts')), h('ul', {}, ...description.doubts.map((doubt) => h('li', {}, doubt)))) : null,
+      description.doubts.length > 0 ? h('div', {}, h('h4', {}, t('doubts')), h('ul', {}, ...description.doubts.map((doubt) => h('li', {}, engineText(doubt))))) : null,
       character.bytes ? this.boneMap(character) : null);
   }
 
