@@ -25,7 +25,7 @@ Result<TaskFile> task_with(const std::string& key, double value) {
   if (key == "tolerance_m") goal[key] = {number, 0, 0};
   if (key == "load_kg") goal[key] = number;
   if (key == "stature_m" || key == "mass_kg" || key == "seat_m") task["character"][key] = number;
-  if (key == "duration_s" || whole) task[key] = number;
+  if (key == "duration_s" || key == "ease" || key == "gaze_lead" || whole) task[key] = number;
   return parse_task(task.dump(), "task");
 }
 
@@ -89,6 +89,23 @@ TEST(Facts, FormatsAreThoseThatAreReadAndWritten) {
     EXPECT_EQ(check_formats({}, {info.format}).has_value(),
               info.written && info.needs == NeededFile::none)
         << info.word;
+  }
+}
+
+TEST(Facts, TimingIsThatOfParametersAndOfTheTask) {
+  std::vector<std::string> names;
+  for (const Json& number : facts().at("timing")) {
+    names.push_back(number.at("name"));
+    EXPECT_LT(number.at("low"), number.at("high")) << names.back();
+    EXPECT_FALSE(number.at("sentence").get<std::string>().empty()) << names.back();
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"delay", "bow", "skew", "sway", "ease", "gaze_lead"}));
+}
+
+TEST(Facts, JointNamesAreOfEachBone) {
+  for (const Json& names : facts().at("joint_names")) {
+    EXPECT_EQ(names.at("bones").size(), 22u) << names;
+    EXPECT_EQ(names.at("name") == "own", names.at("bones").at("hips") == "hips") << names;
   }
 }
 
