@@ -94,7 +94,8 @@ TEST(Facts, FormatsAreThoseThatAreReadAndWritten) {
 
 TEST(Facts, TimingIsThatOfParametersAndOfTheTask) {
   std::vector<std::string> names;
-  for (const Json& number : facts().at("timing")) {
+  const Json all = facts();
+  for (const Json& number : all.at("timing")) {
     names.push_back(number.at("name"));
     EXPECT_LT(number.at("low"), number.at("high")) << names.back();
     EXPECT_FALSE(number.at("sentence").get<std::string>().empty()) << names.back();
@@ -103,7 +104,8 @@ TEST(Facts, TimingIsThatOfParametersAndOfTheTask) {
 }
 
 TEST(Facts, JointNamesAreOfEachBone) {
-  for (const Json& names : facts().at("joint_names")) {
+  const Json all = facts();
+  for (const Json& names : all.at("joint_names")) {
     EXPECT_EQ(names.at("bones").size(), 22u) << names;
     EXPECT_EQ(names.at("name") == "own", names.at("bones").at("hips") == "hips") << names;
   }

@@ -38,6 +38,7 @@ struct Reach {
 
 TaskFile low_reach() {
   TaskFile file;
+  file.character.source = "human";
   file.goals = {{"right_hand", {-0.2, 0.5, 0.5}}};
   return file;
 }

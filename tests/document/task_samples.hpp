@@ -89,7 +89,7 @@ void any_value(const Traits& traits, Value& into) {
     const auto& words = kEnumWords<Value>;
     into = words[*rc::gen::inRange<std::size_t>(0, words.size())].value;
   } else if constexpr (std::same_as<Value, double>) {
-    into = any_number(traits.low, traits.high);
+    into = any_number(traits.low, traits.high) + 0.0;  // -0 counts as not given
   } else if constexpr (std::same_as<Value, Vec3d>) {
     for (int k = 0; k < 3; ++k) into[k] = any_number(traits.low, traits.high);
   } else {
