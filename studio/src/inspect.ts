@@ -31,6 +31,8 @@ export interface Inspection {
   drawn(effector: string): Vec3 | null;
   /** From where the picture is seen. */
   look(): Look;
+  /** Of the contact shadow, 0 to 1, at its darkest place. */
+  contactDarkness(): number;
   /** The ruler as it is drawn. */
   readonly ruler: { height_m: number; texts: string[] } | null;
   /** Joints that are red on the figure. */
@@ -88,6 +90,7 @@ export function expose(studio: Studio, view: View): void {
       return view.headHeight;
     },
     sees: (place) => view.sees(place),
+    contactDarkness: () => view.stage.light.contactDarkness,
     memory: () => studio.engine.memory(),
     look: () => view.look(),
     tip: (kind, name) => (kind === 'parameter' ? parameterTip(name) : criterionTip(name)),

@@ -29,6 +29,7 @@ export interface Palette {
   /** From slow to fast, in even steps of lightness: who cannot tell the hues apart goes by that. */
   speed: readonly Color[];
   light: number; // of the key light
+  rim: number; // of the light from behind
   ambient: number;
 }
 
@@ -53,6 +54,7 @@ export const palettes: Record<'light' | 'dark', Palette> = {
     ruler: new Color('#4a5963'),
     speed: ['#63bfe1', '#7193df', '#955dbc', '#a02262', '#790d14'].map((colour) => new Color(colour)),
     light: 2.3,
+    rim: 0.7,
     ambient: 1.35,
   },
   dark: {
@@ -75,6 +77,7 @@ export const palettes: Record<'light' | 'dark', Palette> = {
     ruler: new Color('#aebbc4'),
     speed: ['#385db8', '#a55bc5', '#f46a86', '#ffa167', '#f0e765'].map((colour) => new Color(colour)),
     light: 2.0,
+    rim: 1.6,
     ambient: 0.85,
   },
 };

@@ -9,7 +9,7 @@ export interface Quality {
 }
 
 const kLevels: readonly Quality[] = [
-  { pixels: 1, shadow: 2048, thumbnails: 40 },
+  { pixels: 1, shadow: 1024, thumbnails: 40 },
   { pixels: 0.8, shadow: 1024, thumbnails: 14 },
   { pixels: 0.55, shadow: 512, thumbnails: 6 },
 ];

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The scene with its light, floor and camera. Draws only when something has changed.
-import {
-  DirectionalLight, HemisphereLight, PCFShadowMap, type PerspectiveCamera, Scene, Vector3, WebGLRenderer,
-} from 'three';
+import { type PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Look } from '../kept/work';
 import type { ViewSettings } from '../state/view_settings';
 import { directionOf, Lens } from './camera';
 import { Floor } from './floor';
+import { Light } from './light';
 import { type Palette, palettes } from './palette';
 import { type Quality, QualityControl } from './quality';
 
@@ -24,9 +23,9 @@ export class Stage {
   readonly orbit: OrbitControls;
   palette: Palette = palettes.light;
   private readonly floor = new Floor();
-  private readonly key = new DirectionalLight(0xffffff, 2);
-  private readonly rim = new DirectionalLight(0xffffff, 0.8);
-  private readonly fill = new HemisphereLight(0xffffff, 0x888888, 1);
+  /** Part of the scene: all that casts shadows. */
+  readonly casters = new Scene();
+  readonly light: Light;
   readonly quality = new QualityControl();
   private drawn: Quality = this.quality.still;
   private dirty = true;
@@ -39,36 +38,19 @@ export class Stage {
 
   constructor(private readonly host: HTMLElement, canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
+    this.light = new Light(this.renderer, this.casters, this.drawn);
+    canvas.addEventListener('webglcontextrestored', () => this.invalidate());
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = false;
     this.orbit.maxPolarAngle = Math.PI * 0.53;
     this.lens.follow(this.orbit);
-    this.orbit.addEventListener('change', () => this.invalidate());
-    this.addLights();
-    this.scene.add(this.floor.object);
+    this.orbit.addEventListener('change', () => this.turned());
+    this.scene.add(this.floor.object, this.light.object, this.casters);
     this.frame(1.741);
     this.paint('light');
     new ResizeObserver(() => this.resize()).observe(host);
     this.resize();
     requestAnimationFrame(this.tick);
-  }
-
-  private addLights(): void {
-    this.key.position.set(-2.2, 4.2, 2.8);
-    this.key.castShadow = true;
-    this.key.shadow.mapSize.set(2048, 2048);
-    this.key.shadow.radius = 5;
-    this.key.shadow.bias = -0.0002;
-    this.key.shadow.normalBias = 0.02;
-    const box = this.key.shadow.camera;
-    box.left = box.bottom = -2;
-    box.right = box.top = 2;
-    box.near = 0.5;
-    box.far = 10;
-    this.rim.position.set(2.5, 2.5, -3);
-    this.scene.add(this.key, this.rim, this.fill);
   }
 
   /** Looks at a body of this stature: from the front right, as strip figures do, if nothing else is said. */
@@ -130,15 +112,18 @@ export class Stage {
   paint(theme: 'light' | 'dark'): void {
     const palette = (this.palette = palettes[theme]);
     this.floor.paint(palette);
-    this.key.intensity = palette.light;
-    this.rim.intensity = theme === 'light' ? 0.7 : 1.6;
-    this.fill.color = palette.sky;
-    this.fill.groundColor = palette.ground;
-    this.fill.intensity = palette.ambient;
+    this.light.paint(palette);
     this.invalidate();
   }
 
+  /** Something may have moved. */
   invalidate(): void {
+    this.light.invalidate();
+    this.dirty = true;
+  }
+
+  /** The camera alone has moved. */
+  private turned(): void {
     this.dirty = true;
   }
 
@@ -170,22 +155,21 @@ export class Stage {
 
   private draw(quality: Quality): void {
     if (quality !== this.drawn) {
-      const { shadow } = this.key;
       this.drawn = quality;
-      shadow.mapSize.set(quality.shadow, quality.shadow);
-      shadow.map?.dispose();
-      shadow.map = null;
+      this.light.setQuality(quality);
       this.resize();
     }
     this.dirty = false;
     this.onDraw();
     this.lens.sync();
+    this.light.update();
     this.renderer.render(this.scene, this.lens.shown);
   }
 
   dispose(): void {
     this.ended = true;
     this.orbit.dispose();
+    this.light.dispose();
     this.renderer.dispose();
   }
 }

@@ -73,8 +73,9 @@ export class View {
       hover: onHover,
       least: (effector, rotation) => this.leastHeight(effector, rotation),
     });
+    this.stage.casters.add(this.obstacles.object);
     const drawn = [
-      this.obstacles, this.overlays, this.otherOverlays, this.strained, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds,
+      this.overlays, this.otherOverlays, this.strained, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds,
     ];
     this.stage.scene.add(...drawn.map(({ object }) => object));
     this.stage.onFrame = (seconds) => this.advance(seconds);
@@ -223,7 +224,7 @@ export class View {
     if (this.figure) disposeFigure(this.figure);
     this.figure = figure;
     if (figure && character) {
-      this.stage.scene.add(figure.object);
+      this.stage.casters.add(figure.object);
       this.nodeOf.clear();
       for (const place of character.description.places) this.nodeOf.set(place.effector, nodeOfBone(character, place.node));
       if (!this.nodeOf.has('right_foot')) this.nodeOf.set('right_foot', nodeOfBone(character, 'right_foot'));
@@ -252,7 +253,7 @@ export class View {
     const figure = await makeFigure(this.character!);
     if (this.other !== null || this.studio.document?.compared == null) return disposeFigure(figure);
     this.other = figure;
-    this.stage.scene.add(figure.object);
+    this.stage.casters.add(figure.object);
     this.colour();
   }
 

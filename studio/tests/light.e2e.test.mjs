@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Light and shadows, and what is left of them when the browser takes the graphics card away for a while.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { openStudio, settled, visit } from './support.mjs';
+
+const { site, browser } = await visit();
+
+/** The mean difference of two pictures' colours, 0 to 255. */
+function difference(page, first, second) {
+  return page.evaluate(async (pictures) => {
+    const [a, b] = await Promise.all(pictures.map(async (base64) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${base64}`;
+      await image.decode();
+      const canvas = new OffscreenCanvas(image.width, image.height);
+      const pen = canvas.getContext('2d');
+      pen.drawImage(image, 0, 0);
+      return pen.getImageData(0, 0, image.width, image.height).data;
+    }));
+    return a.reduce((sum, value, k) => sum + Math.abs(value - b[k]), 0) / a.length;
+  }, [first, second].map((picture) => picture.toString('base64')));
+}
+
+/** The picture once nothing changes any more, as it is drawn finely only then. */
+async function stillPicture(canvas) {
+  for (let last = await canvas.screenshot(); ;) {
+    const next = await canvas.screenshot();
+    if (next.equals(last)) return next;
+    last = next;
+  }
+}
+
+test('feet have their contact shadow, and a lost WebGL context comes back with figure, ghosts and shadows', { timeout: 240_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url, { viewport: { width: 940, height: 520 } });
+  await settled(page);
+  const canvas = page.locator('canvas.view');
+  const bare = await stillPicture(canvas);
+  await page.keyboard.press('g');
+  await page.keyboard.press('p');
+  await page.waitForFunction(() => window.shigusa.ghosts('right_hand').length === 5);
+  const dark = await page.evaluate(() => window.shigusa.contactDarkness());
+  assert.ok(dark > 0.2 && dark < 0.9, `the contact shadow is ${dark} dark`);
+  const before = await stillPicture(canvas);
+  assert.ok((await difference(page, bare, before)) > 1, 'ghosts are seen');
+  await page.evaluate(async () => {
+    const view = document.querySelector('canvas.view');
+    const extension = view.getContext('webgl2').getExtension('WEBGL_lose_context');
+    const event = (name) => new Promise((done) => view.addEventListener(name, done, { once: true }));
+    const lost = event('webglcontextlost');
+    extension.loseContext();
+    await lost;
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const restored = event('webglcontextrestored');
+    extension.restoreContext();
+    await restored;
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  });
+  const after = await stillPicture(canvas);
+  const changed = await difference(page, before, after);
+  assert.ok(changed < 1, `the picture differs by ${changed}`);
+  assert.ok(Math.abs((await page.evaluate(() => window.shigusa.contactDarkness())) - dark) < 0.02);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
