@@ -35,6 +35,8 @@ CharacterRig make_rig(CharacterFile&& file, const PersonStart& found, const Land
   result.rig = {{}, found.map, person.grip_nodes, person.placement, person.landmarks, start};
   result.posed = found.posed.local;
   result.ahead = found.person.placement.ahead;
+  result.frames = file.motion.frames;
+  result.stature_guessed = found.person.stature_guessed;
   for (std::size_t i = 0; i < file.skeleton.nodes.size(); ++i) {
     const int parent = file.skeleton.nodes[i].parent;
     if (result.format == FileFormat::bvh) {

@@ -163,7 +163,12 @@ std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
     json["support_polygon"].push_back({corner.x, corner.z});
   }
   json["capsules"] = capsules_to_json(body);
-  if (spec.rig) json["placement"] = placement_to_json(spec.rig->rig.placement);
+  if (spec.rig) {
+    json["placement"] = placement_to_json(spec.rig->rig.placement);
+    json["animations"] = spec.rig->animations;
+    json["frames"] = spec.rig->frames;
+    json["stature_guessed"] = spec.rig->stature_guessed;
+  }
   json["doubts"] = std::vector<std::string>(body.doubts().begin(), body.doubts().end());
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

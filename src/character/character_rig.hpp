@@ -30,6 +30,8 @@ struct CharacterRig {
   std::vector<int> file_node;         // of glTF: (nodes) indices in the file
   std::vector<std::pair<std::string, int>> vrm_bones;  // of VRM
   std::vector<std::string> animations;                 // of glTF: names of those that it has
+  int frames = 0;                // of BVH's motion, or of the animation that the start is of
+  bool stature_guessed = false;  // no unit makes a person of the file
   std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
 };
 

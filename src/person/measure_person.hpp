@@ -31,6 +31,7 @@ struct Placement {
 struct MeasuredPerson {
   Landmarks landmarks;
   double stature = 0.0;             // m, standing height: measured along the bones, not the posture
+  bool stature_guessed = false;     // no unit makes a person of the file
   Placement placement;              // of the file in shigusa's world
   std::array<int, 2> grip_nodes{};  // left, right: the nodes at the hands' grips
   std::vector<std::string> doubts;  // guesses: the unit, a missing toe, a lifted foot

@@ -66,6 +66,7 @@ Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
   } else {
     result_.placement.unit = kMeanStature / stature_;
     result_.stature = kMeanStature;
+    result_.stature_guessed = true;
     doubt(messages::kStatureGuessed.text, stature_, kShortestPerson, kTallestPerson, kMeanStature);
   }
   return {};

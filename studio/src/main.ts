@@ -7,6 +7,7 @@ import './styles/scene.css';
 import './styles/characters.css';
 import './styles/start.css';
 import './styles/tip.css';
+import './styles/phone.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
 import { knowEngine, preferredLanguage, setLanguage, t } from './i18n';
 import { expose } from './inspect';

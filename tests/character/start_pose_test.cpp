@@ -152,6 +152,39 @@ TEST(StartPose, FrameOfGltfWithoutAnimationsIsRefused) {
   }
 }
 
+json described(const CharacterSpec& spec) {
+  return json::parse(format_character(spec, build_character(spec).value()));
+}
+
+TEST(StartPose, DescriptionTellsWhichMotionsAndFramesThereAre) {
+  const json bvh = described(loaded(spread_bvh(0.0), {.source = "t.bvh"}).value());
+  EXPECT_EQ(bvh["frames"], 2);
+  EXPECT_EQ(bvh["animations"], json::array());
+  const json rest = described(loaded(animated_glb(), {.source = "a.glb"}).value());
+  EXPECT_EQ(rest["frames"], 0);
+  EXPECT_EQ(rest["animations"], json::array({"lift"}));
+  const json lifted = described(loaded(animated_glb(), {.source = "a.glb", .frame = 5}).value());
+  EXPECT_EQ(lifted["frames"], 61);
+  EXPECT_FALSE(described({}).contains("frames"));
+}
+
+TEST(StartPose, DescriptionTellsAStatureThatNoUnitGives) {
+  SkeletonMotion large{standing_figure().skeleton(), {}};
+  for (SkeletonNode& node : large.skeleton.nodes) node.offset = node.offset * 2.0;
+  large.clip.frames = 1;
+  for (const SkeletonNode& node : large.skeleton.nodes) {
+    large.clip.local.push_back({node.offset, {}});
+  }
+  const auto guessed = [&](std::optional<double> stature) {
+    return described(
+        loaded(format_bvh(large), {.source = "large.bvh", .stature = stature}).value());
+  };
+  EXPECT_TRUE(guessed({})["stature_guessed"]);
+  EXPECT_EQ(guessed({})["stature_m"], 1.7);
+  EXPECT_FALSE(guessed(1.5)["stature_guessed"]);
+  EXPECT_FALSE(described(loaded(spread_bvh(0.0), {.source = "t.bvh"}).value())["stature_guessed"]);
+}
+
 struct Bend {
   const char* node;
   Axis axis;

@@ -49,6 +49,12 @@ export interface CharacterDescription {
   /** The parts of the body that nothing should pass through, in the start posture: lines with a thickness. */
   capsules: { name: string; from_m: Vec3; to_m: Vec3; radius_m: number }[];
   placement?: { unit_m: number; origin: Vec3; left: Vec3; up: Vec3; ahead: Vec3 };
+  /** Of a file that was read: the names of a glTF file's animations (one without a name: its index); the frames of the
+   *  motion that the start posture is of, 0 where it is the rest pose; whether no unit makes a person of it, so that
+   *  the stature is a guess. */
+  animations?: string[];
+  frames?: number;
+  stature_guessed?: boolean;
 }
 
 /** Why a motion is not possible: numbers of its kind, and the sentence that says them in English. */

@@ -37,7 +37,7 @@ export const englishBody: BodyWords = {
   },
   parameters: {
     squat: 'Squat', lean: 'Lean', round: 'Round back', twist: 'Twist', elbow: 'Elbow', swivel: 'Elbow out', wrist: 'Wrist',
-    delay: 'Start later', bow: 'Arc upwards', skew: 'Fast early or late', sway: 'Arc sideways', contraction: 'Bend', final: 'Final angle', side: 'Side bend', switch: 'Change at', turn: 'Turn',
+    delay: 'Start later', bow: 'Arc ahead', skew: 'Arc early or late', sway: 'Arc sideways', contraction: 'Bend', final: 'Final angle', side: 'Side bend', switch: 'Change at', turn: 'Turn',
   },
   groups: {
     posture: 'Posture', path: 'Path of the hand', trunk: 'Trunk', legs: 'Legs', arms: 'Arms', right_leg: 'Right leg', left_leg: 'Left leg',
@@ -74,7 +74,7 @@ export const japaneseBody: BodyWords = {
   },
   parameters: {
     squat: 'しゃがみ', lean: '前傾', round: '背中の丸め', twist: 'ひねり', elbow: '肘', swivel: '肘の張り', wrist: '手首',
-    delay: '開始の遅れ', bow: '軌道のふくらみ（上）', skew: '速さの偏り', sway: '軌道のふくらみ（横）', contraction: '曲げ', final: '最終角', side: '側屈', switch: '切り替え', turn: '回転',
+    delay: '開始の遅れ', bow: '軌道のふくらみ（前）', skew: 'ふくらみの位置', sway: '軌道のふくらみ（横）', contraction: '曲げ', final: '最終角', side: '側屈', switch: '切り替え', turn: '回転',
   },
   groups: {
     posture: '姿勢', path: '手の軌道', trunk: '体幹', legs: '脚', arms: '腕', right_leg: '右脚', left_leg: '左脚', right_arm: '右腕', left_arm: '左腕', head: '頭',

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Whose body: a built-in one of any size, or a file's; what was understood of it, and mending the bone map.
+// Whose body: a built-in one of any size, or a file's; what was understood of it.
 import type { CharacterDescription, CharacterSpec } from '../../../bindings/wasm/src/types';
-import { engineText, engineWord, jointName, t } from '../i18n';
+import { engineText, engineWord, t } from '../i18n';
 import { openCharacter, openFile } from '../state/files';
 import { characterEndings, characterFormats, isBuiltIn } from '../state/formats';
 import type { Document } from '../state/model';
-import { isRobot } from '../state/start';
 import type { Studio } from '../state/studio';
 import type { Portraits } from '../view/portraits';
+import { boneMap } from './bone_map';
 import { CharacterList } from './character_list';
 import { button, fill, h, type Panel, select } from './dom';
+import { measures } from './measures';
+import { startPosture } from './start_posture';
 
 /** "moves at 19 joints, in 35 ways" */
 function movesText({ joints }: CharacterDescription): string {
@@ -59,10 +61,11 @@ export class BodyPanel implements Panel {
     this.shown = character;
     const { spec, description } = character;
     fill(this.content,
-      this.builtIn(spec), this.measures(character),
+      this.builtIn(spec),
+      measures(this.studio, character, (more) => this.change(more)), startPosture(character, (more) => this.change(more)),
       h('h3', {}, t('understood')), h('p', {}, movesText(description)),
       description.doubts.length > 0 ? h('div', {}, h('h4', {}, t('doubts')), h('ul', {}, ...description.doubts.map((doubt) => h('li', {}, engineText(doubt))))) : null,
-      character.bytes ? this.boneMap(character) : null);
+      character.bytes ? this.bones(character) : null);
   }
 
   /** Opens a built-in body, as it was left where it was open before. */
@@ -79,44 +82,11 @@ export class BodyPanel implements Panel {
     return h('div', { class: 'fields' }, h('label', {}, h('span', {}, t('builtIn')), choice));
   }
 
-  private measures({ spec, description, bytes }: Document['character']): HTMLElement {
-    const number = (value: number, [low, high]: readonly [number, number], step: string, apply: (value: number) => void): HTMLInputElement => {
-      const input = h('input', {
-        type: 'number', min: String(low), max: String(high), step, value: String(Number(value.toFixed(3))),
-        onChange: () => apply(Math.min(Math.max(Number(input.value) || value, low), high)),
-      });
-      return input;
-    };
-    const { ranges, sexes } = this.studio.facts;
-    const sex = select(t('sex'), sexes.map((name) => [name, engineWord('sexes', name)] as const), spec.sex ?? sexes[0]!, (value) =>
-      this.change({ sex: value as NonNullable<CharacterSpec['sex']> }));
-    const heels = h('input', { type: 'checkbox', checked: spec.heels === true, onChange: () => this.change({ heels: heels.checked }) });
-    if (isRobot(description)) return h('div');
-    return h('div', { class: 'fields' },
-      h('label', {}, h('span', {}, t('stature')), number(description.stature_m, ranges.stature_m, '0.01', (value) => this.change({ stature_m: value })), t('m')),
-      h('label', {}, h('span', {}, t('mass')), number(description.mass_kg, ranges.mass_kg, '1', (value) => this.change({ mass_kg: value })), t('kg')),
-      h('label', {}, h('span', {}, t('sex')), sex),
-      spec.source === 'human' || bytes ? h('label', { class: 'check' }, heels, t('heels')) : null);
-  }
-
-  private boneMap({ spec, description }: Document['character']): HTMLElement {
-    const nodes = [...new Set(description.nodes.map((node) => node.name).filter((name) => name !== ''))];
-    const changed = new Map<string, string>();
-    const apply = button(t('apply'), () => this.change({ map: { ...spec.map, ...Object.fromEntries(changed) } }), { class: 'primary', disabled: true, 'data-key': 'apply map' });
-    const rows = this.studio.facts.bones.map((bone) => {
-      const now = spec.map?.[bone] ?? description.humanoid[bone] ?? '';
-      const known = now === '' || nodes.includes(now) ? nodes : [now, ...nodes];
-      const choice = select(jointName(bone), [['', t('nothing')], ...known.map((name) => [name, name] as const)], now, (name) => {
-        if (name === now || name === '') changed.delete(bone);
-        else changed.set(bone, name);
-        apply.disabled = changed.size === 0;
-      });
-      choice.dataset['bone'] = bone;
-      return h('tr', {}, h('th', { scope: 'row' }, jointName(bone)), h('td', {}, choice));
-    });
-    const details = h('details', { open: this.mapOpen, onToggle: () => void (this.mapOpen = details.open) }, h('summary', {}, t('boneMap')),
-      h('table', { class: 'bones' }, h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, t('bone')), h('th', { scope: 'col' }, t('node')))), h('tbody', {}, ...rows)),
-      h('div', { class: 'buttons' }, apply));
+  /** Stays as open as it was when another map is applied. */
+  private bones(character: Document['character']): HTMLElement {
+    const details = boneMap(this.studio.facts.bones, character, (more) => this.change(more));
+    details.open = this.mapOpen;
+    details.addEventListener('toggle', () => void (this.mapOpen = details.open));
     return details;
   }
 

@@ -53,6 +53,7 @@ export async function openCharacter(studio: Studio, spec: CharacterSpec, bytes?:
   // of the same body in another size or map, goals stay
   const same = old !== null && old.character.spec.source === spec.source && old.character.bytes === bytes;
   const document: Document = same ? { ...fresh, goals: old.goals, weights: old.weights, settings: old.settings } : fresh;
+  if (!same && character.description.stature_guessed === true) studio.store.set({ tab: 'body' }); // where it is asked for
   void studio.begin(document).catch((error: unknown) => studio.fail(error));
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// How tall, how heavy and how strong the body is.
+import type { CharacterSpec } from '../../../bindings/wasm/src/types';
+import { engineWord, t } from '../i18n';
+import type { Document } from '../state/model';
+import { isRobot } from '../state/start';
+import type { Studio } from '../state/studio';
+import { h, select } from './dom';
+
+const kCentimetres = 100; // in a metre
+
+interface Measure {
+  readonly label: string;
+  readonly unit: string;
+  readonly key: string;
+  readonly value: number;
+  readonly range: readonly [number, number];
+  readonly apply: (value: number) => void;
+}
+
+/** A field for a number; one that is out of range is told of and changes nothing. */
+function field(studio: Studio, { label, unit, key, value, range: [low, high], apply }: Measure): HTMLElement {
+  const input = h('input', {
+    type: 'number', min: String(low), max: String(high), step: '1', value: String(Number(value.toFixed(1))), 'data-key': key,
+    onChange: () => {
+      const typed = Number(input.value);
+      if (input.value !== '' && typed >= low && typed <= high) return apply(typed);
+      studio.tell({ kind: 'text', key: 'badRange', values: { what: label, low, high, unit, value: input.value } });
+      input.value = String(Number(value.toFixed(1)));
+    },
+  });
+  return h('label', {}, h('span', {}, label), input, unit);
+}
+
+/** The fields of a character's measures; `change` opens it anew with others. */
+export function measures(
+  studio: Studio, { spec, description, bytes }: Document['character'], change: (more: Partial<CharacterSpec>) => void,
+): HTMLElement | null {
+  if (isRobot(description)) return null;
+  const { ranges, sexes } = studio.facts;
+  const sex = select(t('sex'), sexes.map((name) => [name, engineWord('sexes', name)] as const), spec.sex ?? sexes[0]!, (value) =>
+    change({ sex: value as NonNullable<CharacterSpec['sex']> }));
+  const heels = h('input', { type: 'checkbox', checked: spec.heels === true, onChange: () => change({ heels: heels.checked }) });
+  const stature = field(studio, {
+    label: t('stature'), unit: t('cm'), key: 'stature', value: kCentimetres * description.stature_m,
+    range: [kCentimetres * ranges.stature_m[0], kCentimetres * ranges.stature_m[1]],
+    apply: (value) => change({ stature_m: value / kCentimetres }),
+  });
+  const mass = field(studio, {
+    label: t('mass'), unit: t('kg'), key: 'mass', value: description.mass_kg, range: ranges.mass_kg, apply: (value) => change({ mass_kg: value }),
+  });
+  const guessed = description.stature_guessed === true;
+  return h('div', { class: guessed ? 'fields asked' : 'fields' },
+    guessed ? h('p', {}, t('statureGuessed')) : null, stature, mass, h('label', {}, h('span', {}, t('sex')), sex),
+    spec.source === 'human' || bytes ? h('label', { class: 'check' }, heels, t('heels')) : null);
+}
