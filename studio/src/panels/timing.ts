@@ -6,6 +6,7 @@ import type { Studio } from '../state/studio';
 import { keepTiming, tryTiming } from '../state/timed';
 import { h } from './dom';
 import { Slider } from './slider';
+import { giveTip } from './tooltip';
 
 const kRows = [['ease', 'ease'], ['gaze_lead', 'gazeLead']] as const satisfies readonly (readonly ['ease' | 'gaze_lead', Key])[];
 
@@ -24,8 +25,10 @@ export class TimingSection {
         onEnd: () => this.ended(),
       });
       slider.range.dataset['parameter'] = name;
-      this.element.append(h('div', { class: 'row', title: engineWord('timing', name) },
-        h('div', { class: 'row-head' }, h('span', { class: 'row-name' }, t(key))), slider.element));
+      const label = h('span', { class: 'row-name' }, t(key));
+      const row = h('div', { class: 'row' }, h('div', { class: 'row-head' }, label), slider.element);
+      giveTip(row, label, slider.range, () => ({ text: engineWord('timing', name) }));
+      this.element.append(row);
       return [name, slider] as const;
     });
   }
