@@ -16,6 +16,7 @@ import { SpeedLegend } from './panels/speed_legend';
 import { StartCards } from './panels/start_cards';
 import { Tabs } from './panels/tabs';
 import { TakePanel } from './panels/take';
+import { TakePicture } from './panels/take_picture';
 import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
 import { VerdictLine } from './panels/verdict';
@@ -81,7 +82,7 @@ export class Page {
     notices.element.append(wanted.element);
     const tabs = new Tabs(studio, {
       goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
-      body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio),
+      body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio, new TakePicture(studio, this.view)),
     });
     const top = new TopBar(studio, openHelp);
     const legend = new SpeedLegend(studio);

@@ -78,6 +78,7 @@ export const en = {
   // take away
   takeIntro: 'Saves the chosen motion, unless a button says otherwise.', animation: 'Animation', figure: 'Figure', again: 'Continue later',
   link: 'Copy a link', linkCopied: 'The link is in the clipboard.', linkShown: 'Copy this link:', openResult: 'Open a result …',
+  picture: 'Picture of the view', pictureSize: 'Size', transparent: 'Transparent background', pictureTooLarge: 'The graphics card here draws at most {most} times the size of the view.',
   largeLink: 'This is too much for a link. Save the result instead: it opens to the same.', theLink: 'The link',
   clipName: 'Animation’s name', jointNames: 'Joint names', together: 'All motions in one GLB',
   inPlace: 'In place', inPlaceAbout: 'Leaves out what the hips travel along the floor, for games that move the character themselves.',

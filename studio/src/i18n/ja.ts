@@ -67,6 +67,7 @@ export const ja: Record<Key, string> = {
   plotPicture: '{format} で保存', plotTable: 'すべての数値を {format} で',
   takeIntro: '特に指定がなければ、選んだ動作を保存します。', animation: 'アニメーション', figure: '図', again: '後で続ける',
   link: 'リンクをコピー', linkCopied: 'リンクをコピーしました。', linkShown: 'このリンクをコピーしてください：', openResult: '結果を開く…',
+  picture: '表示の画像', pictureSize: '大きさ', transparent: '背景を透明にする', pictureTooLarge: 'この環境で描ける画像は、表示の {most} 倍までです。',
   largeLink: '内容が多すぎてリンクにできません。代わりに結果を保存してください。開くと同じ状態になります。', theLink: 'リンク',
   clipName: 'アニメーション名', jointNames: '関節の名前', together: 'すべての候補を一つの GLB に',
   inPlace: 'その場（In place）', inPlaceAbout: '腰の水平移動を取り除きます。キャラクターをゲーム側で動かすときに使います。',

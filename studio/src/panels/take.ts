@@ -6,6 +6,7 @@ import type { Studio } from '../state/studio';
 import { canTake, link, missingFiles, motionFormats, save, type Taken, takeAway } from '../state/take_away';
 import { button, fill, h, type Panel } from './dom';
 import { TakeChoices } from './take_choices';
+import type { TakePicture } from './take_picture';
 
 export class TakePanel implements Panel {
   readonly element: HTMLElement;
@@ -14,7 +15,7 @@ export class TakePanel implements Panel {
   private readonly choices: TakeChoices;
   private readonly end: () => void;
 
-  constructor(private readonly studio: Studio) {
+  constructor(private readonly studio: Studio, picture: TakePicture) {
     const input = h('input', {
       type: 'file', accept: '.json', hidden: true, multiple: true,
       onChange: () => {
@@ -34,7 +35,7 @@ export class TakePanel implements Panel {
     groups[0]?.append(this.choices.element);
     groups[2]?.append(h('div', { class: 'take' }, button(t('link'), () => void this.copyLink(), { 'data-format': 'link' }),
       button(t('openResult'), () => input.click()), input), this.shown);
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('takeIntro')), ...groups);
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('takeIntro')), ...groups, picture.element);
     this.end = studio.store.subscribe(() => this.update());
     this.update();
   }

@@ -34,6 +34,7 @@ void main() {
 
 export class Floor {
   readonly object = new Group();
+  private readonly ground: Mesh;
   private readonly surface: ShaderMaterial;
   private readonly shade = new ShadowMaterial({ transparent: true });
 
@@ -47,13 +48,18 @@ export class Floor {
       depthWrite: false,
       uniforms: { floorColor: { value: null }, gridColor: { value: null } },
     });
-    const surface = new Mesh(disc, this.surface);
-    surface.renderOrder = -2;
+    this.ground = new Mesh(disc, this.surface);
+    this.ground.renderOrder = -2;
     const shadow = new Mesh(disc, this.shade);
     shadow.receiveShadow = true;
     shadow.position.y = 0.001;
     shadow.renderOrder = -1;
-    this.object.add(surface, shadow);
+    this.object.add(this.ground, shadow);
+  }
+
+  /** Without it shadows stay. */
+  showSurface(shown: boolean): void {
+    this.ground.visible = shown;
   }
 
   paint(palette: Palette): void {

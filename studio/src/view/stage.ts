@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The scene with its light, floor and camera. Draws only when something has changed.
-import { type PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { type Object3D, type PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Look } from '../kept/work';
 import type { ViewSettings } from '../state/view_settings';
@@ -8,6 +8,7 @@ import { directionOf, Lens } from './camera';
 import { Floor } from './floor';
 import { Light } from './light';
 import { type Palette, palettes } from './palette';
+import { type PictureSettings, pngOfView } from './picture';
 import { type Quality, QualityControl } from './quality';
 
 const kInside = 0.86; // of the picture, from its middle
@@ -164,6 +165,33 @@ export class Stage {
     this.lens.sync();
     this.light.update();
     this.renderer.render(this.scene, this.lens.shown);
+  }
+
+  /** How many times as many pixels the graphics card can draw along each side of the view. */
+  get mostTimes(): number {
+    const gl = this.renderer.getContext();
+    const most = Math.min(gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number, ...(gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array));
+    return most / Math.max(this.host.clientWidth, this.host.clientHeight, 1);
+  }
+
+  /** The view as PNG, without what `hidden` says is for the hand alone. */
+  async picture({ times, transparent }: PictureSettings, hidden: readonly Object3D[]): Promise<Uint8Array> {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    this.renderer.setPixelRatio(times);
+    this.renderer.setSize(width, height, false);
+    this.onDraw();
+    const seen = hidden.filter((item) => item.visible);
+    for (const item of seen) item.visible = false;
+    this.floor.showSurface(!transparent);
+    this.lens.sync();
+    this.light.update();
+    this.renderer.render(this.scene, this.lens.shown);
+    const made = pngOfView(this.renderer.domElement, this.host, transparent);
+    for (const item of seen) item.visible = true;
+    this.floor.showSurface(true);
+    this.resize();
+    this.draw(this.drawn);
+    return made;
   }
 
   dispose(): void {

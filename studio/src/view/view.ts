@@ -17,6 +17,7 @@ import { Obstacles } from './obstacles';
 import { Overlays } from './overlays';
 import { shownTheme } from './palette';
 import { SpeedPath } from './path';
+import type { PictureSettings } from './picture';
 import { Ruler } from './ruler';
 import { Stage } from './stage';
 import { StrainedJoints } from './strained';
@@ -325,6 +326,11 @@ export class View {
   /** Joints that are marked as strained; for tests. */
   get strainedNames(): string[] {
     return this.strained.names;
+  }
+
+  /** As it is seen, but for the handles. */
+  picture(settings: PictureSettings): Promise<Uint8Array> {
+    return this.stage.picture(settings, [this.handles.object]);
   }
 
   /** Where the ghosts have an effector's node, m; for tests. */
