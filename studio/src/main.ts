@@ -11,7 +11,9 @@ import './styles/phone.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
 import { knowEngine, preferredLanguage, setLanguage, t } from './i18n';
 import { expose } from './inspect';
+import { Keeper } from './kept/keeper';
 import { workOfLink } from './kept/link';
+import { recall } from './kept/memory';
 import { openWork } from './kept/pack';
 import { Page } from './page';
 import { h } from './panels/dom';
@@ -25,16 +27,20 @@ function refuse(root: HTMLElement, text: string): void {
   root.replaceChildren(h('div', { class: 'refused', role: 'alert' }, h('h1', {}, t('title')), h('p', {}, text)));
 }
 
-/** Opens the work or the task of the page's address. Where there is none, or a damaged one, all stays as it is. */
-async function openAddress(studio: Studio): Promise<void> {
+/** Opens the work or the task of the page's address, else the last one kept. Where something is open already, a
+ *  damaged link changes nothing. */
+async function openAddress(studio: Studio, keeper: Keeper): Promise<void> {
   const openFirst = async (): Promise<void> => {
-    if (!studio.document) await openCharacter(studio, { source: 'human' });
+    if (!studio.document) await keeper.openLast(() => openCharacter(studio, { source: 'human' }));
   };
   try {
     const work = await workOfLink(location.hash);
     const task = work ? null : taskOfLink(location.hash);
-    if (work) await openWork(studio, work);
-    else if (task) await openTask(studio, task);
+    if (work || task) {
+      const kept = await keeper.openAsNew(() => (work ? openWork(studio, work) : openTask(studio, task!)));
+      // loaded anew, the page has the link's work as it was changed since
+      if (kept) history.replaceState(null, '', location.pathname + location.search);
+    }
   } catch (error) {
     await openFirst();
     if (error instanceof SyntaxError) studio.tell({ kind: 'text', key: 'badLink' });
@@ -54,13 +60,14 @@ async function start(): Promise<void> {
   try {
     const studio = new Studio(await connect());
     knowEngine(studio.facts);
-    const theme = localStorage.getItem('shigusa.theme');
+    const theme = recall('theme');
     studio.store.set({ language: preferredLanguage(), theme: theme === 'light' || theme === 'dark' ? theme : 'auto', start: startsWithCards() && location.hash === '' });
     waiting.remove();
     const page = new Page(studio, root);
     expose(studio, page.view);
-    window.addEventListener('hashchange', () => void openAddress(studio));
-    await openAddress(studio);
+    const keeper = new Keeper(studio);
+    window.addEventListener('hashchange', () => void openAddress(studio, keeper));
+    await openAddress(studio, keeper);
   } catch (error) {
     refuse(root, `${t('engineFailed')} ${failureOf(error)?.message ?? ''}`);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: bars, view and panels put together. Made anew where the language changes.
 import { jointName, setLanguage, t } from './i18n';
+import { remember } from './kept/memory';
 import { WantedBanner } from './kept/wanted_banner';
 import { Keyboard } from './keyboard';
 import { AdjustPanel } from './panels/adjust';
@@ -58,7 +59,7 @@ export class Page {
   private paint(): void {
     const { theme } = this.studio.store.state;
     document.documentElement.dataset['theme'] = shownTheme(theme);
-    localStorage.setItem('shigusa.theme', theme);
+    remember('theme', theme);
     this.view.paint();
     this.thumbnails.paint(this.view.stage.palette);
   }
@@ -66,7 +67,7 @@ export class Page {
   private build(): void {
     const { language } = this.studio.store.state;
     setLanguage(language);
-    localStorage.setItem('shigusa.language', language);
+    remember('language', language);
     document.title = t('title');
     this.keyboard?.dispose();
     for (const panel of this.panels) panel.dispose();

@@ -41,3 +41,18 @@ export async function work(page) {
   await page.keyboard.press('Shift+Digit1');
   await page.waitForFunction(() => window.shigusa.document.compared !== null);
 }
+
+/** Waits until all is kept in the browser. */
+export const saved = (page) => page.waitForFunction(() => window.shigusa.state.saving === 'saved');
+
+/** All records of a store of the browser's database. */
+export const records = (page, store) => page.evaluate((name) => new Promise((done) => {
+  const request = indexedDB.open('shigusa');
+  request.onsuccess = () => {
+    const all = request.result.transaction(name).objectStore(name).getAll();
+    all.onsuccess = () => {
+      request.result.close();
+      done(all.result);
+    };
+  };
+}), store);

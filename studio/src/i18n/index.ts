@@ -2,6 +2,7 @@
 // The language that the page speaks.
 import { type BodyWords, englishBody, japaneseBody, type TableWords, tableWords } from './body_words';
 import type { Facts } from '../../../bindings/wasm/src/types';
+import { recall } from '../kept/memory';
 import { en, type Key } from './en';
 import { EngineTexts, wordlessMessages } from './engine_text';
 import { ja } from './ja';
@@ -22,7 +23,7 @@ export function spokenLanguage(): Language {
 }
 
 export function preferredLanguage(): Language {
-  const kept = localStorage.getItem('shigusa.language');
+  const kept = recall('language');
   if (kept === 'en' || kept === 'ja') return kept;
   return navigator.languages.some((name) => name.startsWith('ja')) && navigator.language.startsWith('ja') ? 'ja' : 'en';
 }

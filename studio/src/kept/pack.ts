@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Turns the document on the table into a work, and a work into the document again.
-import type { Character, CharacterSpec, Facts, Generated, Summary } from '../../../bindings/wasm/src/types';
+import type { Character, CharacterSpec, Generated, Summary } from '../../../bindings/wasm/src/types';
+import { isBuiltIn } from '../state/formats';
 import type { Document, Edit } from '../state/model';
 import { checkedDocumentOf } from '../state/of_task';
 import type { Studio } from '../state/studio';
 import { taskOf } from '../state/task';
 import { initialView } from '../state/view_settings';
-import { digestOf } from './digest';
+import { digestOf, knownDigest } from './digest';
 import type { StoredEdit, StoredMotions, Work } from './work';
 
 /** Other calls of the page may take the place of a replay that waits. */
@@ -25,14 +26,22 @@ function storedEdit({ base, assignments }: Edit, found: Summary): StoredEdit {
 
 /** The document as a work, with the picture of it. */
 export async function workOf(studio: Studio, document: Document): Promise<Work> {
+  if (document.character.bytes) await digestOf(document.character.bytes);
+  return workNow(studio, document)!;
+}
+
+/** The same at once; null where that would take too long. */
+export function workNow(studio: Studio, document: Document): Work | null {
   const { spec, bytes } = document.character;
   const { state } = studio.store;
+  const sha256 = bytes && knownDigest(bytes);
+  if (bytes && sha256 === undefined) return null;
   const summary = document.result?.summary;
   const edits = summary ? Object.entries(document.edits).map(([index, edit]) => [index, storedEdit(edit, summary)] as const) : [];
   return {
     version: 1,
     character: state.wanted?.character === document.character ? state.wanted.work.character
-      : bytes ? { spec, sha256: await digestOf(bytes) } : { spec },
+      : { spec, ...(sha256 !== undefined && { sha256 }) },
     task: taskOf(studio.facts, document),
     ...(summary && { found: storedMotions(summary) }),
     ...(summary?.fewer !== undefined && { fewer: summary.fewer }),
@@ -60,12 +69,12 @@ export async function openWork(studio: Studio, work: Work, files: readonly File[
     for (const [index, edit] of Object.entries(work.edits)) edits[Number(index)] = await editOf(studio, character, edit, result, Number(index));
   }
   const { chosen, compared, picture } = work;
-  const begun = studio.begin({ ...asked, result, edits, chosen, compared: compared === chosen ? null : compared });
+  // a search tells by itself what becomes of it
+  void studio.begin({ ...asked, result, edits, chosen, compared: compared === chosen ? null : compared });
   show(studio, picture);
   studio.store.set({ wanted: own ? null : { work, character } });
   // a search that had not come to its end begins anew
   if (result && work.searching) void studio.search();
-  await begun;
 }
 
 /** The work's own task; where the engine refuses that, the one that its motions were found for. */
@@ -98,10 +107,6 @@ function show(studio: Studio, { look, view, tab, selected, compareMode, overlays
   if (look) studio.eye?.lookFrom(look);
 }
 
-function isBuiltIn(facts: Facts, source: string): boolean {
-  return facts.bodies.some(({ name }) => name === source);
-}
-
 /** Whether the person can stand there without their file. */
 function isMeasured({ found }: Work): boolean {
   const character = found?.task.character;
@@ -112,7 +117,7 @@ function isMeasured({ found }: Work): boolean {
 async function characterOf(studio: Studio, { character: { spec, sha256 } }: Work, files: readonly File[]): Promise<Character | null> {
   const now = studio.document?.character;
   if (sha256 === undefined) {
-    const same = now && !now.bytes && isBuiltIn(studio.facts, spec.source) && JSON.stringify(now.spec) === JSON.stringify(spec);
+    const same = now && !now.bytes && isBuiltIn(studio.facts, spec) && JSON.stringify(now.spec) === JSON.stringify(spec);
     return same ? now : studio.open(spec);
   }
   const isIt = async (name: string, bytes: Uint8Array): Promise<boolean> => (sha256 === '' ? name === spec.source : (await digestOf(bytes)) === sha256);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Six things to begin with, below the view: five tasks and a person's own character. Shown at the first visit and by the button Start.
+import { recall, remember } from '../kept/memory';
 import { t } from '../i18n';
 import { openFile } from '../state/files';
 import { characterEndings } from '../state/formats';
@@ -9,11 +10,11 @@ import { h, iconButton, type Panel } from './dom';
 import { type StartPicture, startPicture } from './start_pictures';
 
 const kCards = ['pick', 'shelf', 'box', 'seated', 'vrm', 'overhead'] as const satisfies readonly StartPicture[];
-const kKept = 'shigusa.start';
+const kKept = 'start';
 
 /** Whether the cards are shown on opening: until a person has closed them. */
 export function startsWithCards(): boolean {
-  return localStorage.getItem(kKept) === null;
+  return recall(kKept) === null;
 }
 
 export class StartCards implements Panel {
@@ -38,7 +39,7 @@ export class StartCards implements Panel {
       if (state.start && previous.dragging && !state.dragging) return studio.store.set({ start: false });
       if (state.start === previous.start) return;
       this.element.hidden = !state.start;
-      if (!state.start) localStorage.setItem(kKept, 'closed');
+      if (!state.start) remember(kKept, 'closed');
     });
     this.element.hidden = !studio.store.state.start;
   }

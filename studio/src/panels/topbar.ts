@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { t } from '../i18n';
+import { SavingPanel } from '../kept/saving_panel';
 import type { Studio } from '../state/studio';
 import { button, h, iconButton, type Panel, select } from './dom';
 
@@ -17,8 +18,10 @@ export class TopBar implements Panel {
       store.set({ language: value }));
     const theme = select(t('theme'), [['auto', t('themeAuto')], ['light', t('themeLight')], ['dark', t('themeDark')]], store.state.theme, (value) =>
       store.set({ theme: value }));
+    const saving = new SavingPanel(studio);
     this.element = h('header', { class: 'topbar' },
       h('h1', {}, h('img', { src: './favicon.svg', alt: '' }), h('span', {}, 'shigusa'), h('small', {}, t('tagline'))),
+      saving.element,
       h('div', { class: 'tools' }, start, undo, redo, mirror),
       h('div', { class: 'tools' }, theme, language, iconButton('help', t('help'), openHelp)));
     const update = (): void => {
@@ -27,7 +30,11 @@ export class TopBar implements Panel {
       redo.disabled = !store.state.canRedo;
       mirror.disabled = !store.state.document?.result;
     };
-    this.end = store.subscribe(update);
+    const end = store.subscribe(update);
+    this.end = () => {
+      end();
+      saving.dispose();
+    };
     update();
   }
 

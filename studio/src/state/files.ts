@@ -94,7 +94,8 @@ export async function openResult(studio: Studio, summary: Summary, beside: reado
 
 export async function openTask(studio: Studio, task: Task): Promise<void> {
   const character = await characterOf(studio, task.character);
-  await studio.begin(await checkedDocumentOf(studio, character, task));
+  // a search tells by itself what becomes of it
+  void studio.begin(await checkedDocumentOf(studio, character, task));
 }
 
 /** The character of a result by its own file, where that came with it. */

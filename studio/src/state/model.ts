@@ -43,6 +43,9 @@ export interface Wanted {
   readonly character: Character | null; // as measured, in place of the file's; null: such a one is not known either
 }
 
+/** none: nothing to keep yet; incomplete: without the character's file; off: the browser keeps nothing. */
+export type Saving = 'none' | 'unsaved' | 'saved' | 'incomplete' | 'off' | 'failed';
+
 export type Tab = 'goals' | 'adjust' | 'criteria' | 'body' | 'plots' | 'take';
 export type CompareMode = 'beside' | 'over';
 
@@ -66,6 +69,8 @@ export interface State {
   readonly search: { fraction: number; best: number } | null;
   readonly opening: string | null; // a file's name
   readonly wanted: Wanted | null;
+  readonly project: string; // its name
+  readonly saving: Saving;
   readonly notice: Notice | null;
   readonly selected: string; // effector
   readonly start: boolean; // the cards to begin with
@@ -94,6 +99,8 @@ export const initialState: State = {
   search: null,
   opening: null,
   wanted: null,
+  project: '',
+  saving: 'none',
   notice: null,
   selected: 'right_hand',
   start: false,

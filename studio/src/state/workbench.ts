@@ -13,6 +13,7 @@ import { Store } from './store';
 export interface Eye {
   look(): Look;
   lookFrom(look: Look): void;
+  onLook(listener: () => void): void;
 }
 
 export class Workbench {

@@ -152,6 +152,10 @@ export class View {
     this.stage.approach(place, Math.max(kApproach * document.character.description.stature_m, kRoom * apart));
   }
 
+  onLook(listener: () => void): void {
+    this.stage.orbit.addEventListener('change', listener);
+  }
+
   onFigure(listener: (figure: Figure | null) => void): void {
     this.listeners.add(listener);
     listener(this.figure);

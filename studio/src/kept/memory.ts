@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Short texts that the browser remembers. One that is told to keep nothing refuses even to be asked.
+
+export type Memory = 'localStorage' | 'sessionStorage'; // of all tabs, of this one
+
+export function recall(key: string, from: Memory = 'localStorage'): string | null {
+  try {
+    return window[from].getItem(`shigusa.${key}`);
+  } catch {
+    return null;
+  }
+}
+
+export function remember(key: string, text: string, into: Memory = 'localStorage'): void {
+  try {
+    window[into].setItem(`shigusa.${key}`, text);
+  } catch {
+    // then not
+  }
+}
