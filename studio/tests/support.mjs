@@ -52,7 +52,12 @@ export async function visit() {
 /** A page that is open, with motions that do not loop, as drawing by software takes all of a machine; `errors` gets what the console complains of. `cards`: as at a first visit, with the cards to begin with. */
 export async function openStudio(browser, url, { cards = false, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, reducedMotion: 'reduce', ...options });
-  if (!cards) await context.addInitScript(() => localStorage.setItem('shigusa.start', 'closed'));
+  if (!cards) {
+    await context.addInitScript(() => {
+      // an empty page has no storage
+      if (location.protocol !== 'about:') localStorage.setItem('shigusa.start', 'closed');
+    });
+  }
   const page = await context.newPage();
   const errors = [];
   page.on('console', (message) => {

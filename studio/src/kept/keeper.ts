@@ -13,6 +13,7 @@ import { readWork, type Work } from './work';
 
 const kEvery = 500; // ms; a crash loses no more
 const kPatience = 8000; // ms until a database that does not answer is taken for none
+const kCloses = 500; // ms until a tab that was closed has let go of its project
 const kReloads = 1500; // ms until a page that is loaded anew has let go of its project
 const kRemembered = 'project';
 
@@ -30,7 +31,8 @@ export class Keeper {
   private saved = 0; // of the changes
   private timer = 0;
   private writing: Promise<void> = Promise.resolve();
-  private readonly files = new Set<string>(); // SHA-256 of those that are kept, or do not fit
+  private readonly files = new Set<string>(); // SHA-256 of those that are kept, or do not fit …
+  private readonly tooLarge = new Set<string>(); // … and of those that do not
 
   constructor(private readonly studio: Studio) {
     this.ready = Promise.race([this.openDatabase(), new Promise<void>((late) => void setTimeout(late, kPatience))]);
@@ -67,7 +69,7 @@ export class Keeper {
     await this.ready;
     const kept = await this.projects?.load(id).catch(() => null);
     if (!kept) return openFirst();
-    const isFree = await this.lock.take(id, own === null ? 0 : kReloads);
+    const isFree = await this.lock.take(id, own === null ? kCloses : kReloads);
     const { name } = kept.project;
     try {
       await this.open(kept.work, kept.bytes);
@@ -114,6 +116,7 @@ export class Keeper {
   /** Another tab has the project. */
   private goOnAsCopy(name: string): void {
     this.project = freshProject(t('copyOf', { name }));
+    this.opened = true;
     this.studio.tell({ kind: 'text', key: 'openElsewhere', values: { name, copy: this.project.name } });
   }
 
@@ -122,8 +125,9 @@ export class Keeper {
   private changed(): void {
     const { document, canUndo } = this.studio.store.state;
     // what opens by itself is nobody's work
-    const isWork = this.opened || canUndo || this.project.revision > 0;
-    if (this.opening > 0 || !document || !isWork) return;
+    if (this.opening > 0 || !document) return;
+    const isWork = this.opened || canUndo || this.project.revision > 0 || document.character.bytes !== undefined;
+    if (!isWork) return;
     if (document.character.bytes) void digestOf(document.character.bytes);
     ++this.changes;
     this.tell('unsaved');
@@ -148,8 +152,8 @@ export class Keeper {
     try {
       if (this.project.revision === 0) await this.lock.take(this.project.id, 0);
       this.remember();
-      const whole = await this.save(this.projects, work, this.fileOf(work));
-      this.done(changes, whole);
+      await this.save(this.projects, work, this.fileOf(work));
+      this.done(changes, work);
     } catch (error) {
       if (error instanceof Conflict) {
         this.goOnAsCopy(this.project.name);
@@ -161,19 +165,17 @@ export class Keeper {
     }
   }
 
-  /** Saves, without the character's file where that does not fit; whether it did. */
-  private async save(projects: ProjectStore, work: Work, file: KeptFile | undefined): Promise<boolean> {
-    let whole = true;
+  /** Saves, without the character's file where that does not fit. */
+  private async save(projects: ProjectStore, work: Work, file: KeptFile | undefined): Promise<void> {
     try {
       await this.send(projects, work, file);
     } catch (error) {
       if (!isQuota(error) || !file) throw error;
       await this.send(projects, work);
       this.studio.tell({ kind: 'text', key: 'fileTooLarge', values: { name: work.character.spec.source } });
-      whole = false;
+      this.tooLarge.add(file.sha256);
     }
     if (file) this.files.add(file.sha256);
-    return whole;
   }
 
   private async send(projects: ProjectStore, work: Work, file?: KeptFile, last = false): Promise<void> {
@@ -206,7 +208,7 @@ export class Keeper {
     this.remember();
     try {
       await this.send(projects, work, this.fileOf(work), hasLocks());
-      this.done(changes, true);
+      this.done(changes, work);
     } catch {
       // told by the timer's try
     }
@@ -217,8 +219,9 @@ export class Keeper {
     remember(kRemembered, this.project.id);
   }
 
-  private done(changes: number, whole: boolean): void {
+  private done(changes: number, { character: { sha256 } }: Work): void {
     this.saved = Math.max(this.saved, changes);
+    const whole = sha256 === undefined || !this.tooLarge.has(sha256);
     this.tell(this.changes > changes ? 'unsaved' : whole ? 'saved' : 'incomplete');
   }
 
