@@ -138,7 +138,7 @@ test('the ruler is as high as the body, and its last number says so', { timeout:
   for (const stature of [1.741, 1.5]) {
     if (stature !== 1.741) {
       await page.click('#tab-body');
-      await page.locator('#panel-body input[type="number"]').first().fill(String(stature));
+      await page.locator('#panel-body input[type="number"]').first().fill(String(100 * stature));
       await page.locator('#panel-body input[type="number"]').first().press('Enter');
       await page.waitForFunction((m) => window.shigusa.document.character.description.stature_m === m, stature, { timeout: 30_000 });
     }
