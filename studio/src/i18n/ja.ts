@@ -70,7 +70,7 @@ export const ja: Record<Key, string> = {
   picture: '表示の画像', pictureSize: '大きさ', transparent: '背景を透明にする', pictureTooLarge: 'この環境で描ける画像は、表示の {most} 倍までです。',
   largeLink: '内容が多すぎてリンクにできません。代わりに結果を保存してください。開くと同じ状態になります。', theLink: 'リンク',
   clipName: 'アニメーション名', jointNames: '関節の名前', together: 'すべての候補を一つの GLB に',
-  inPlace: 'その場（In place）', inPlaceAbout: '腰の水平移動を取り除きます。キャラクターをゲーム側で動かすときに使います。',
+  inPlace: 'その場で動く', inPlaceAbout: '腰の水平移動を取り除きます。キャラクターをゲーム側で動かすときに使います。',
   fps: '毎秒のフレーム数', fpsOf: '{formats} のもの。ほかは動作そのもののフレームです', saved: '{name} を保存しました。', onlyFor: '{formats} ファイルのキャラクター用',
   wanted: 'これは「{name}」を使った作業ですが、そのファイルがここにありません。ファイルを選ぶか、ページにドロップしてください。それまでは同じ寸法の体で表示します。',
   wantedFirst: 'これは「{name}」を使った作業ですが、そのファイルがここにありません。続けるには、ファイルを選ぶか、ページにドロップしてください。',
