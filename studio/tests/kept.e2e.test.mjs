@@ -225,16 +225,16 @@ test('a character is named in a link, and its file asked for', { timeout: 300_00
   assert.equal(await kept(other), changed);
   assert.equal(await banner.isVisible(), false);
 
-  // a work that has no measures yet waits for the file
-  await other.goto('about:blank');
-  await other.goto(packed(JSON.stringify({ ...unpacked(link), found: undefined, chosen: 0, compared: null, edits: {} })));
-  await settled(other);
-  assert.equal((await state(other)).character, 'human');
-  assert.match(await banner.innerText(), /to go on/);
-  await drop(other, 'walker.bvh', bvh);
-  await ofFile(other);
-  await settled(other);
-  assert.equal(JSON.stringify((await state(other)).goals), JSON.stringify(found.task.goals));
+  // a work that has no measures yet waits for the file, where the browser keeps none
+  const elsewhere = await openStudio(browser, packed(JSON.stringify({ ...unpacked(link), found: undefined, chosen: 0, compared: null, edits: {} })));
+  await settled(elsewhere.page);
+  assert.equal((await state(elsewhere.page)).character, 'human');
+  assert.match(await elsewhere.page.locator('.wanted').innerText(), /to go on/);
+  await drop(elsewhere.page, 'walker.bvh', bvh);
+  await ofFile(elsewhere.page);
+  await settled(elsewhere.page);
+  assert.equal(JSON.stringify((await state(elsewhere.page)).goals), JSON.stringify(found.task.goals));
+  await elsewhere.context.close();
 
   // with a result the file may come at once
   const { page: third, context: fresh, errors: more } = await open();
@@ -244,7 +244,7 @@ test('a character is named in a link, and its file asked for', { timeout: 300_00
   await settled(third);
   assert.equal(await kept(third), before);
   assert.equal(await third.locator('.wanted').isVisible(), false);
-  assert.deepEqual([...errors, ...there.errors, ...more], []);
+  assert.deepEqual([...errors, ...there.errors, ...elsewhere.errors, ...more], []);
   await there.context.close();
   await fresh.close();
 });
