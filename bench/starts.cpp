@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shigusa_starts [--again] searches the start tables (src/generate/start_table.hpp) and prints the
-// file of their rows. With --again it begins at the rows that there are, in half the time: after
-// small changes of criteria, and where the parameters are the same.
+// shigusa_starts searches the start tables (src/generate/start_table.hpp) and prints the file of
+// their rows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +29,6 @@ constexpr int kFirstEvaluations = 4000;
 // Each goal is searched again from the best motions for its neighbours, so that a good posture that
 // one search found by chance becomes that of all goals around.
 constexpr int kSweeps = 6;
-constexpr int kSweepsAgain = 3;
 constexpr int kSweepEvaluations = 1600;
 constexpr double kSweepStep = 0.05;
 constexpr double kNeighbour = 1.8 * kSpacing;  // m: of a cube's corners all 26
@@ -93,24 +91,13 @@ void sweep(const BodyModel& body, std::uint64_t seed, std::vector<Place>& places
   });
 }
 
-// The rows that there are around the place.
-std::vector<double> present_rows(const BodyModel& body, const Vec3d& goal) {
-  const GoalSearch searched(body, goal);
-  return nearest_starts(searched.reach(), searched.space(), kNearestStarts);
-}
-
-std::vector<Place> searched_places(const BodyModel& body, bool again) {
+std::vector<Place> searched_places(const BodyModel& body) {
   std::vector<Place> places = places_around(body);
   parallel_for(static_cast<int>(places.size()), 0, [&](int i, int) {
-    Place& place = places[static_cast<std::size_t>(i)];
-    if (again) {
-      search(body, present_rows(body, place.goal),
-             {.evaluations = kSweepEvaluations, .step = kSweepStep, .seed = 1}, place);
-    } else {
-      search(body, {}, {.evaluations = kFirstEvaluations, .seed = 1}, place);
-    }
+    search(body, {}, {.evaluations = kFirstEvaluations, .seed = 1},
+           places[static_cast<std::size_t>(i)]);
   });
-  for (int k = 0; k < (again ? kSweepsAgain : kSweeps); ++k) {
+  for (int k = 0; k < kSweeps; ++k) {
     sweep(body, static_cast<std::uint64_t>(k) + 2, places);
     double sum = 0.0;
     for (const Place& place : places) sum += place.score;
@@ -127,10 +114,10 @@ std::string digits_of(const std::vector<double>& point) {
   return digits;
 }
 
-void print_table(const BodyModel& body, const std::string& name, bool again) {
+void print_table(const BodyModel& body, const std::string& name) {
   const int hand = body.find_effector("right_hand").value();
   std::cout << fmt::format("constexpr StartRow {}[] = {{\n", name);
-  for (const Place& place : searched_places(body, again)) {
+  for (const Place& place : searched_places(body)) {
     const Vec3d at = start_place(body, hand, place.goal).value() * 1000.0;
     std::cout << fmt::format("    {{{{{:.0f}, {:.0f}, {:.0f}}}, \"{}\"}},\n", at.x, at.y, at.z,
                              digits_of(place.point));
@@ -140,12 +127,7 @@ void print_table(const BodyModel& body, const std::string& name, bool again) {
 
 }  // namespace
 
-int main(int count, char** words) {
-  const bool again = count == 2 && std::string_view(words[1]) == "--again";
-  if (count > 1 && !again) {
-    std::cerr << "usage: shigusa_starts [--again]\n";
-    return 2;
-  }
+int main() {
   std::cout << "// SPDX-License-Identifier: MIT\n"
                "// Written by scripts/make_starts; change bench/starts.cpp, not this file.\n"
                "// clang-format off\n"
@@ -154,7 +136,7 @@ int main(int count, char** words) {
   const std::pair<const char*, BodyModel> bodies[] = {
       {"kHalfBody", half_body()}, {"kFullBody", full_body()}, {"kHumanBody", human_body()}};
   for (const auto& [name, body] : bodies) {
-    print_table(body, name, again);
+    print_table(body, name);
     const std::vector<std::string> names = GoalSearch(body, {-0.2, 1.2, 0.4}).space().names();
     SHG_CHECK(names.size() <= kStartCoordinates, "too many coordinates for a row");
     tables +=
