@@ -41,6 +41,8 @@ export interface Inspection {
   ghosts(effector: string): Vec3[];
   /** How the figure is drawn now. */
   figure(): DrawnFigure | null;
+  /** What goals are marked with in the view: axis, box, load, seat. */
+  readonly marks: readonly string[];
   /** Whether a place is in the picture. */
   sees(place: Vec3): boolean;
   /** How far the head is drawn above its joint, m. */
@@ -85,6 +87,9 @@ export function expose(studio: Studio, view: View): void {
     },
     get strained() {
       return view.strainedNames;
+    },
+    get marks() {
+      return view.goalMarks;
     },
     get headHeight() {
       return view.headHeight;

@@ -3,8 +3,7 @@
 import type { Vec3 } from '../../bindings/wasm/src/types';
 import type { ViewMenu } from './panels/view_menu';
 import { ranking } from './state/criteria';
-import { leastHeight } from './state/floor';
-import { goalOf } from './state/model';
+import { leastOf, placeNames, placeOf } from './state/places';
 import type { Studio } from './state/studio';
 
 const kStep = 0.01; // m
@@ -19,7 +18,7 @@ const kMoves: Record<string, Vec3> = {
 
 export class Keyboard {
   private timer = 0;
-  private target: { effector: string; position: Vec3 } | null = null;
+  private target: { name: string; position: Vec3 } | null = null;
 
   constructor(private readonly studio: Studio, private readonly canvas: HTMLElement, private readonly viewMenu: ViewMenu, private readonly openHelp: () => void) {
     document.addEventListener('keydown', this.key);
@@ -85,25 +84,25 @@ export class Keyboard {
     const { document, store } = this.studio;
     if (!document) return false;
     if (event.key === '[' || event.key === ']') {
-      const effectors = document.goals.map((goal) => goal.effector);
-      const now = effectors.indexOf(store.state.selected);
-      const next = (now + (event.key === ']' ? 1 : -1) + effectors.length) % effectors.length;
-      this.studio.select(effectors[next]!);
+      const names = placeNames(document);
+      const next = names.indexOf(store.state.selected) + (event.key === ']' ? 1 : -1);
+      this.studio.select(names[(next + names.length) % names.length]!);
       return true;
     }
     const way = kMoves[event.key];
-    const goal = goalOf(document, store.state.selected) ?? document.goals[0];
-    if (!way || !goal) return false;
+    const name = store.state.selected;
+    const place = placeOf(document, name);
+    if (!way || !place) return false;
     event.preventDefault();
-    const from = this.target?.effector === goal.effector ? this.target.position : goal.position_m;
+    const from = this.target?.name === name ? this.target.position : place;
     const step = event.shiftKey ? kLongStep : kStep;
-    const position: Vec3 = [from[0] + way[0] * step, Math.max(from[1] + way[1] * step, leastHeight(document.character, goal.effector, goal.rotation_xyzw)), from[2] + way[2] * step];
-    this.target = { effector: goal.effector, position };
-    void this.studio.dragGoal(goal.effector, position);
+    const position: Vec3 = [from[0] + way[0] * step, Math.max(from[1] + way[1] * step, leastOf(document, name)), from[2] + way[2] * step];
+    this.target = { name, position };
+    void this.studio.drag(name, position);
     window.clearTimeout(this.timer);
     this.timer = window.setTimeout(() => {
       this.target = null;
-      void this.studio.dropGoal(goal.effector, position);
+      void this.studio.drop(name, position);
     }, kPause);
     return true;
   }

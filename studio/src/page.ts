@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: bars, view and panels put together. Made anew where the language changes.
-import { jointName, setLanguage, t } from './i18n';
+import { setLanguage, t } from './i18n';
+import { placeWords } from './i18n/place_words';
 import { remember } from './kept/memory';
 import { WantedBanner } from './kept/wanted_banner';
 import { Keyboard } from './keyboard';
@@ -41,7 +42,7 @@ export class Page {
   constructor(private readonly studio: Studio, private readonly root: HTMLElement) {
     this.stage.append(this.canvas, this.label);
     root.append(this.stage);
-    this.view = new View(studio, this.stage, this.canvas, (effector, x, y) => this.hover(effector, x, y));
+    this.view = new View(studio, this.stage, this.canvas, (name, x, y) => this.hover(name, x, y));
     this.thumbnails = new Thumbnails(studio, () => this.view.stage.quality.moving.thumbnails);
     studio.store.subscribe((state, previous) => {
       if (state.language !== previous.language) this.build();
@@ -96,10 +97,11 @@ export class Page {
     this.keyboard = new Keyboard(studio, this.canvas, menu, openHelp);
   }
 
-  private hover(effector: string | null, x: number, y: number): void {
-    this.label.hidden = effector === null;
-    if (effector === null) return;
-    this.label.textContent = jointName(effector);
+  private hover(name: string | null, x: number, y: number): void {
+    const { document } = this.studio;
+    this.label.hidden = name === null || document === null;
+    if (name === null || document === null) return;
+    this.label.textContent = placeWords(document, name);
     this.label.style.transform = `translate(${x + 14}px, ${y - 30}px)`;
   }
 

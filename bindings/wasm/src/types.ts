@@ -108,6 +108,7 @@ export interface Summary {
   version: 1;
   status: 'reached' | 'unsteady' | 'unreachable';
   remaining_mm: number;
+  remaining_deg?: number; // of goals that ask for a rotation
   seed: number;
   evaluations: number;
   /** Of the search with other random numbers each; more than 1 of the preset paper alone. */

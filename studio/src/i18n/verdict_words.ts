@@ -2,7 +2,7 @@
 // The engine's verdict on a motion in words that people use.
 import type { Candidate, Reason } from '../../../bindings/wasm/src/types';
 import type { Document } from '../state/model';
-import { fallOf, reasonsOf, shortOf } from '../state/verdict';
+import { fallOf, reasonsOf, shortOf, unturnedOf } from '../state/verdict';
 import { axisName, inSentence, jointName, t } from '.';
 
 /** A joint's freedom in a sentence by its joint alone. */
@@ -45,6 +45,8 @@ export function verdictWords(document: Document, candidate: Candidate): string {
   const [worst] = reasonsOf(document, candidate);
   const short = shortOf(candidate);
   const said = verdict === 'possible' || !worst ? '' : t('because', { verdict: t(verdict), reason: reasonWords(document, candidate, worst) });
-  if (short > 0) return [t('short', { cm: (short / 10).toFixed(1) }), ...(said === '' ? [] : [said])].join(' · ');
+  const unturned = unturnedOf(candidate);
+  const missed = short > 0 ? t('short', { cm: (short / 10).toFixed(1) }) : unturned > 0 ? t('unturned', { deg: unturned.toFixed(0) }) : '';
+  if (missed !== '') return said === '' ? missed : `${missed} · ${said}`;
   return said === '' ? t('possible') : said;
 }

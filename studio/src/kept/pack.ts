@@ -4,6 +4,7 @@ import type { Character, CharacterSpec, Generated, Summary } from '../../../bind
 import { isBuiltIn } from '../state/formats';
 import type { Document, Edit } from '../state/model';
 import { checkedDocumentOf } from '../state/of_task';
+import { placeOf } from '../state/places';
 import type { Studio } from '../state/studio';
 import { taskOf } from '../state/task';
 import { initialView } from '../state/view_settings';
@@ -101,7 +102,7 @@ async function editOf(studio: Studio, character: Character, { assignments, base 
 }
 
 function show(studio: Studio, { look, view, tab, selected, compareMode, overlays, speed, playing, time_s, fps }: Work['picture']): void {
-  const known = studio.document?.goals.some((goal) => goal.effector === selected);
+  const known = studio.document && placeOf(studio.document, selected) !== undefined;
   studio.store.set({ view: { ...initialView, ...view }, tab, compareMode, overlays, speed, playing, fps, ...(known && { selected }) });
   studio.clock.time = time_s;
   if (look) studio.eye?.lookFrom(look);

@@ -3,27 +3,30 @@
 // that a click that begins by leaving a field ends on what it began on.
 import type { Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import { jointName, t } from '../i18n';
-import { leastHeight } from '../state/floor';
 import { chosenCandidate, type Document, goalOf } from '../state/model';
+import { leastOf } from '../state/places';
 import type { Studio } from '../state/studio';
-import { isMet } from '../state/verdict';
+import { isMet, isTurned } from '../state/verdict';
 import { kFarthest } from '../view/handles';
 import type { View } from '../view/view';
 import { fill, h, iconButton, round } from './dom';
+import { GoalMore } from './goal_more';
+import { fieldGroup, NumberField } from './number_field';
 
 const kAxes = ['left', 'up', 'ahead'] as const;
 
 export class GoalRow {
   readonly element: HTMLElement;
   private readonly has: HTMLInputElement;
-  private readonly reached = h('span');
+  private readonly reached = h('span', { class: 'reached' });
   private readonly details = h('div');
-  private readonly axes: readonly HTMLInputElement[];
+  private readonly axes: readonly NumberField[];
   private readonly load: HTMLInputElement;
   private readonly turn: HTMLInputElement;
   private readonly rings: HTMLInputElement;
   private readonly ringsLabel: HTMLElement;
   private readonly remove: HTMLElement;
+  private readonly more: GoalMore;
 
   constructor(private readonly studio: Studio, private readonly view: View, readonly effector: string) {
     const name = jointName(effector);
@@ -31,10 +34,9 @@ export class GoalRow {
     this.has = h('input', {
       type: 'checkbox', ...key('has'), onChange: () => void (this.has.checked ? studio.addGoal(effector) : studio.removeGoal(effector)),
     });
-    this.axes = kAxes.map((axis, index) => {
-      const input = h('input', { type: 'number', step: '0.01', ...key(axis), onChange: () => this.place(input, index) });
-      return input;
-    });
+    this.axes = kAxes.map((axis, index) => new NumberField({
+      key: `${effector} ${axis}`, label: t(axis), low: -kFarthest, high: kFarthest, step: 0.01, digits: 2, onChange: (value) => this.place(value, index),
+    }));
     this.load = h('input', { type: 'number', min: '0', max: String(this.mostLoad), step: '0.5', ...key('load'), onChange: () => this.hold() });
     this.turn = h('input', { type: 'checkbox', ...key('turn'), onChange: () => this.askRotation() });
     this.rings = h('input', {
@@ -45,13 +47,15 @@ export class GoalRow {
     });
     this.ringsLabel = h('label', {}, this.rings, t('rings'));
     this.remove = iconButton('close', `${t('remove')}: ${name}`, () => void studio.removeGoal(effector));
+    this.more = new GoalMore(studio, effector);
     this.details.append(
-      h('div', { class: 'axes' }, ...kAxes.map((axis, index) => h('label', {}, h('span', {}, t(axis)), this.axes[index]))),
+      fieldGroup(name, this.axes),
       h('div', { class: 'extras' },
         effector.endsWith('hand') ? h('label', {}, t('load'), this.load, t('kg')) : null,
-        h('label', {}, this.turn, t('turn')), this.ringsLabel, this.remove));
+        h('label', {}, this.turn, t('turn')), this.ringsLabel),
+      this.more.element);
     this.element = h('div', { class: 'goal', role: 'group', 'aria-label': name },
-      h('div', { class: 'goal-head' }, h('label', {}, this.has, name), this.reached), this.details);
+      h('div', { class: 'goal-head' }, h('label', {}, this.has, name), this.reached, this.remove), this.details);
     this.element.addEventListener('focusin', () => {
       if (this.goal) studio.select(effector);
     });
@@ -72,14 +76,15 @@ export class GoalRow {
     this.has.checked = goal !== undefined;
     this.has.disabled = goal !== undefined && document.goals.length < 2;
     this.details.hidden = goal === undefined;
+    this.remove.hidden = goal === undefined || document.goals.length < 2;
     fill(this.reached);
     if (!goal) return;
-    goal.position_m.forEach((value, index) => show(this.axes[index]!, round(value)));
+    goal.position_m.forEach((value, index) => this.axes[index]!.show(value));
     show(this.load, String(goal.load_kg ?? 0));
     this.turn.checked = goal.rotation_xyzw !== undefined;
     this.rings.checked = this.view.rotate;
     this.ringsLabel.hidden = goal.rotation_xyzw === undefined;
-    this.remove.hidden = document.goals.length < 2;
+    this.more.update(goal);
     this.showReached(document);
   }
 
@@ -89,20 +94,20 @@ export class GoalRow {
     if (!candidate || !reached) return;
     const { verdict } = candidate.summary;
     const met = isMet(reached.error_mm);
-    this.reached.className = !met || verdict === 'impossible' ? 'bad' : verdict === 'strains' ? 'hard' : 'good';
+    const turned = isTurned(reached);
+    const colour = !met || !turned || verdict === 'impossible' ? 'bad' : verdict === 'strains' ? 'hard' : 'good';
+    this.reached.className = `reached ${colour}`;
     const words = verdict === 'impossible' ? t('impossible') : t(verdict === 'strains' ? 'metHard' : 'reachedBy');
-    fill(this.reached, met ? words : t('short', { cm: round(reached.error_mm / 10, 1) }));
+    fill(this.reached, !met ? t('short', { cm: round(reached.error_mm / 10, 1) }) : turned ? words : t('unturned', { deg: round(reached.rotation_error_deg!, 0) }));
   }
 
-  private place(input: HTMLInputElement, index: number): void {
-    const { goal } = this;
-    if (!goal) return;
+  private place(value: number, index: number): void {
+    const { goal, studio: { document } } = this;
+    if (!goal || !document) return;
     const position: Vec3 = [...goal.position_m];
-    if (input.value === '') return show(input, round(position[index]!), true);
-    position[index] = Math.min(Math.max(Number(input.value), -kFarthest), kFarthest);
-    void this.studio.dropGoal(this.effector, position);
-    const { document } = this.studio;
-    const least = document === null ? 0 : leastHeight(document.character, this.effector, goal.rotation_xyzw);
+    position[index] = value;
+    void this.studio.drop(this.effector, position);
+    const least = leastOf(document, this.effector);
     if (position[1] < least) this.studio.tell({ kind: 'text', key: 'onFloor', values: { name: jointName(this.effector), m: least.toFixed(3) } });
   }
 
@@ -118,8 +123,9 @@ export class GoalRow {
     const { document } = this.studio;
     if (!document) return;
     void this.studio.changeGoal(this.effector, (old) => {
-      const { rotation_xyzw: _, ...rest } = old;
-      return this.turn.checked ? { ...rest, rotation_xyzw: this.rotationNow(document) } : rest;
+      const { rotation_xyzw: _, axis, ...rest } = old; // a rotation in place of an axis
+      if (this.turn.checked) return { ...rest, rotation_xyzw: this.rotationNow(document) };
+      return axis === undefined ? rest : { ...rest, axis };
     });
   }
 
@@ -130,7 +136,7 @@ export class GoalRow {
   }
 }
 
-/** Leaves alone what a person is typing, unless told. */
-function show(input: HTMLInputElement, value: string, always = false): void {
-  if (always || document.activeElement !== input || Number(input.value) !== Number(value)) input.value = value;
+/** Leaves alone what a person is typing. */
+function show(input: HTMLInputElement, value: string): void {
+  if (document.activeElement !== input || Number(input.value) !== Number(value)) input.value = value;
 }

@@ -8,6 +8,7 @@ import { withPreset } from '../state/task';
 import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
+import { ThingList } from './things';
 import { VerdictBox } from './verdict';
 
 /** How many times as many motions a search scores as the preset would by itself. */
@@ -18,6 +19,7 @@ const efforts = Object.keys(kEfforts) as Effort[];
 export class GoalsPanel implements Panel {
   readonly element: HTMLElement;
   private readonly list = h('div', { class: 'goal-list' });
+  private readonly things: ThingList;
   private readonly verdict: VerdictBox;
   private readonly duration: HTMLInputElement;
   private readonly method: HTMLSelectElement;
@@ -41,7 +43,8 @@ export class GoalsPanel implements Panel {
       this.change({ evaluations: this.evaluations(this.method.value, key) }));
     this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });
     this.verdict = new VerdictBox(studio);
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element, this.list,
+    this.things = new ThingList(studio);
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element, this.list, this.things.element,
       h('div', { class: 'fields' },
         h('label', {}, h('span', {}, t('duration')), this.duration, t('s')),
         h('label', {}, h('span', {}, t('method')), this.method),
@@ -49,7 +52,7 @@ export class GoalsPanel implements Panel {
         h('label', {}, h('span', {}, t('seedNumber')), this.seed),
         button(t('seed'), () => void studio.searchAgain())));
     this.end = studio.store.subscribe((state, previous) => {
-      if (state.document !== previous.document || state.selected !== previous.selected) this.update();
+      if (state.document !== previous.document || state.trial !== previous.trial || state.selected !== previous.selected) this.update();
     });
     this.update();
   }
@@ -88,7 +91,7 @@ export class GoalsPanel implements Panel {
   }
 
   private update(): void {
-    const { document } = this.studio;
+    const { trial, document, selected } = this.studio.store.state;
     if (!document) return;
     if (document.character !== this.character) {
       this.character = document.character;
@@ -96,7 +99,8 @@ export class GoalsPanel implements Panel {
       fill(this.list, ...this.rows.map((row) => row.element));
     }
     this.verdict.update(document, chosenCandidate(document));
-    for (const row of this.rows) row.update(document, this.studio.store.state.selected);
+    for (const row of this.rows) row.update(trial ?? document, selected);
+    this.things.update(trial ?? document, selected);
     const { settings } = document;
     this.duration.value = settings.duration_s === null ? '' : String(settings.duration_s);
     // as people move, or as the task says

@@ -8,6 +8,7 @@ import type { Studio } from '../state/studio';
 import { h, select } from './dom';
 
 const kCentimetres = 100; // in a metre
+const kChair = 0.26; // statures: the height of a seat at first
 
 interface Measure {
   readonly label: string;
@@ -40,6 +41,15 @@ export function measures(
   const { ranges, sexes } = studio.facts;
   const sex = select(t('sex'), sexes.map((name) => [name, engineWord('sexes', name)] as const), spec.sex ?? sexes[0]!, (value) =>
     change({ sex: value as NonNullable<CharacterSpec['sex']> }));
+  const seated = h('input', {
+    type: 'checkbox', checked: spec.seat_m !== undefined, 'data-key': 'seated',
+    // heels lift of who stands
+    onChange: () => change(seated.checked ? { seat_m: kChair * description.stature_m, heels: undefined } : { seat_m: undefined }),
+  });
+  const seat = spec.seat_m === undefined ? null : field(studio, {
+    label: t('seat'), unit: t('cm'), key: 'seat', value: kCentimetres * spec.seat_m,
+    range: [kCentimetres * ranges.seat_m[0], kCentimetres * ranges.seat_m[1]], apply: (value) => change({ seat_m: value / kCentimetres }),
+  });
   const heels = h('input', { type: 'checkbox', checked: spec.heels === true, onChange: () => change({ heels: heels.checked }) });
   const stature = field(studio, {
     label: t('stature'), unit: t('cm'), key: 'stature', value: kCentimetres * description.stature_m,
@@ -52,5 +62,6 @@ export function measures(
   const guessed = description.stature_guessed === true;
   return h('div', { class: guessed ? 'fields asked' : 'fields' },
     guessed ? h('p', {}, t('statureGuessed')) : null, stature, mass, h('label', {}, h('span', {}, t('sex')), sex),
-    spec.source === 'human' || bytes ? h('label', { class: 'check' }, heels, t('heels')) : null);
+    h('label', { class: 'check' }, seated, t('seated')), seat,
+    spec.seat_m === undefined && (spec.source === 'human' || bytes) ? h('label', { class: 'check' }, heels, t('heels')) : null);
 }

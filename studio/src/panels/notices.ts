@@ -4,7 +4,7 @@ import { engineText, type Key, t } from '../i18n';
 import { reasonWords } from '../i18n/verdict_words';
 import { candidateAt, type Document, type Notice } from '../state/model';
 import type { Studio } from '../state/studio';
-import { reasonsOf } from '../state/verdict';
+import { isMet, reasonsOf } from '../state/verdict';
 import { button, fill, h, iconButton, type Panel, round } from './dom';
 
 export function noticeText(notice: Notice): string {
@@ -17,7 +17,7 @@ export function noticeText(notice: Notice): string {
 /** That no motion is possible, why the chosen one is not, and in what time it would be; of a single one the timeline's head tells. */
 function impossibleText(document: Document | null): string {
   const candidate = document && candidateAt(document, document.chosen);
-  if (!candidate || document.result?.summary.status !== 'unsteady' || candidate.summary.verdict !== 'impossible') return '';
+  if (!candidate || !document.result?.summary.candidates.every(({ verdict }) => verdict === 'impossible') || candidate.summary.verdict !== 'impossible') return '';
   const [worst] = reasonsOf(document, candidate);
   if (!worst) return '';
   const why = t('unsteady', { reason: reasonWords(document, candidate, worst) });
@@ -54,14 +54,14 @@ export class Notices implements Panel {
     this.progress.value = state.search?.fraction ?? 0;
     const best = state.search?.best ?? Infinity;
     this.best.textContent = Number.isFinite(best) && best < 1e6 ? t('best', { score: round(best, 3) }) : '';
-    const short = state.preview !== null && state.dragging && state.previewRemaining_mm > 1;
+    const short = state.preview !== null && state.dragging && !isMet(state.previewRemaining_mm);
     const impossible = state.notice === null ? impossibleText(state.document) : '';
     const text = state.opening !== null ? t('opening', { name: state.opening })
       : short ? t('previewMisses', { cm: round(state.previewRemaining_mm / 10, 1) })
       : state.notice ? noticeText(state.notice) : impossible;
     if (this.message.dataset['text'] === text) return;
     this.message.dataset['text'] = text;
-    const bad = short || impossible !== '' || state.notice?.kind === 'failure' || (state.notice?.kind === 'text' && /unreach|misses|unknown|bad|large/i.test(state.notice.key));
+    const bad = short || impossible !== '' || state.notice?.kind === 'failure' || (state.notice?.kind === 'text' && /unreach|unturned|misses|unknown|bad|large/i.test(state.notice.key));
     this.message.classList.toggle('bad', text !== '' && state.opening === null && bad);
     fill(this.message, ...(text === '' ? [] : [h('span', {}, text), state.opening === null && !short && state.notice ? iconButton('close', t('dismiss'), () => this.studio.tell(null)) : null]));
   }

@@ -6,7 +6,7 @@ import { detailWords, reasonsWords, verdictWords } from '../i18n/verdict_words';
 import { ranking } from '../state/criteria';
 import type { Document } from '../state/model';
 import type { Studio } from '../state/studio';
-import { reasonsOf, shortOf } from '../state/verdict';
+import { reasonsOf, shortOf, unturnedOf } from '../state/verdict';
 import { button, fill, h, type Panel } from './dom';
 
 const kFirst = 3; // reasons that are seen at once
@@ -14,7 +14,7 @@ const kFirst = 3; // reasons that are seen at once
 /** How a verdict is coloured. */
 export function verdictClass(candidate: Candidate): 'good' | 'hard' | 'bad' {
   const { verdict } = candidate.summary;
-  return verdict === 'impossible' || shortOf(candidate) > 0 ? 'bad' : verdict === 'strains' ? 'hard' : 'good';
+  return verdict === 'impossible' || shortOf(candidate) > 0 || unturnedOf(candidate) > 0 ? 'bad' : verdict === 'strains' ? 'hard' : 'good';
 }
 
 /** Which motion is shown, and whether the body could make it. */

@@ -65,6 +65,8 @@ export interface State {
   /** What a drag's quick search found; shown in place of the candidate while it lasts. */
   readonly preview: Candidate | null;
   readonly previewRemaining_mm: number;
+  /** The document as it would be where a drag ended now; shown in place of the document's goals and things. */
+  readonly trial: Document | null;
   readonly dragging: boolean;
   readonly search: { fraction: number; best: number } | null;
   readonly opening: string | null; // a file's name
@@ -72,7 +74,7 @@ export interface State {
   readonly project: string; // its name
   readonly saving: Saving;
   readonly notice: Notice | null;
-  readonly selected: string; // effector
+  readonly selected: string; // effector, or a thing in the way
   readonly start: boolean; // the cards to begin with
   readonly hint: boolean; // the sentence that says what to drag
   readonly playing: boolean;
@@ -95,6 +97,7 @@ export const initialState: State = {
   canRedo: false,
   preview: null,
   previewRemaining_mm: 0,
+  trial: null,
   dragging: false,
   search: null,
   opening: null,

@@ -4,12 +4,13 @@ import type { Candidate, Character, Generated, Goal, Quat, Series, Summary, Task
 import type { History } from './history';
 import { ranking } from './criteria';
 import { exportOptions } from './file_choices';
-import { aboveFloor } from './floor';
 import { candidateAt, type Document, goalOf, withEdits } from './model';
+import { moved, withGoal } from './places';
 import { startOf } from './start';
 import { moreOf, previewTask, taskOf } from './task';
 import { assigned, listed } from './trial';
 import { Timings } from './timings';
+import { isMet, missOf } from './verdict';
 import { Workbench } from './workbench';
 
 export class Studio extends Workbench {
@@ -31,7 +32,7 @@ export class Studio extends Workbench {
     if (this.history === null) return;
     this.cancel();
     const document = step(this.history);
-    this.publish(document, { preview: null, notice: null });
+    this.publish(document, { preview: null, notice: null, dragging: false, trial: null });
     if (document.result === null) void this.search();
   }
 
@@ -41,30 +42,29 @@ export class Studio extends Workbench {
     this.store.set({ selected: effector });
   }
 
-  private withGoal(document: Document, asked: Goal): Document {
-    const goal = aboveFloor(document.character, asked);
-    const others = document.goals.filter((other) => other.effector !== goal.effector);
-    const index = document.goals.findIndex((other) => other.effector === goal.effector);
-    const goals = index < 0 ? [...others, goal] : document.goals.map((old, i) => (i === index ? goal : old));
-    return { ...document, goals };
-  }
-
-  private moved(document: Document, effector: string, position: Vec3, rotation?: Quat): Goal {
-    const goal: Goal = { ...(goalOf(document, effector) ?? { effector }), position_m: position };
-    if (rotation !== undefined) goal.rotation_xyzw = rotation;
-    return goal;
-  }
-
-  /** While a goal is dragged: the body follows by a quick search. */
-  async dragGoal(effector: string, position: Vec3, rotation?: Quat): Promise<void> {
-    const document = this.document;
+  /** While a goal or a thing is dragged: the body follows by a quick search. */
+  async drag(name: string, position: Vec3, rotation?: Quat): Promise<void> {
+    const { document } = this;
     if (document === null) return;
+    this.store.set({ selected: name, hint: false });
+    await this.attempt(moved(document, name, position, rotation));
+  }
+
+  /** It is where it shall be: the whole search. */
+  drop(name: string, position: Vec3, rotation?: Quat): Promise<void> {
+    const { document } = this;
+    if (document === null) return Promise.resolve();
+    this.store.set({ selected: name, hint: false });
+    return this.settle(moved(document, name, position, rotation));
+  }
+
+  /** What a person has in hand, as it would be now. */
+  async attempt(trial: Document): Promise<void> {
     const since = performance.now();
     this.cancel();
-    this.store.set({ dragging: true, selected: effector, hint: false });
-    const trial = this.withGoal(document, this.moved(document, effector, position, rotation));
+    this.store.set({ dragging: true, trial });
     try {
-      const found = await this.engine.preview(document.character, previewTask(this.facts, trial));
+      const found = await this.engine.preview(trial.character, previewTask(this.facts, trial));
       const candidate = found?.candidates[0];
       if (!found || !candidate || !this.store.state.dragging) return;
       this.store.set({ preview: candidate, previewRemaining_mm: found.summary.remaining_mm });
@@ -74,12 +74,10 @@ export class Studio extends Workbench {
     }
   }
 
-  /** A goal is where it shall be: the whole search. */
-  dropGoal(effector: string, position: Vec3, rotation?: Quat): Promise<void> {
-    const document = this.document;
-    if (document === null) return Promise.resolve();
-    this.store.set({ dragging: false, selected: effector, hint: false });
-    this.commit(this.withGoal(document, this.moved(document, effector, position, rotation)));
+  /** A step that asks for other motions. */
+  settle(document: Document): Promise<void> {
+    this.store.set({ dragging: false, trial: null });
+    this.commit(document);
     return this.search();
   }
 
@@ -87,22 +85,19 @@ export class Studio extends Workbench {
   changeGoal(effector: string, change: (goal: Goal) => Goal): Promise<void> {
     const document = this.document;
     const goal = document && goalOf(document, effector);
-    if (!document || !goal) return Promise.resolve();
-    this.commit(this.withGoal(document, change(goal)));
-    return this.search();
+    return document && goal ? this.settle(withGoal(document, change(goal))) : Promise.resolve();
   }
 
   addGoal(effector: string): Promise<void> {
     const document = this.document;
     if (document === null || goalOf(document, effector)) return Promise.resolve();
-    return this.dropGoal(effector, startOf(document.character, effector));
+    return this.drop(effector, startOf(document.character, effector));
   }
 
   removeGoal(effector: string): Promise<void> {
     const document = this.document;
     if (document === null || document.goals.length < 2) return Promise.resolve();
-    this.commit({ ...document, goals: document.goals.filter((goal) => goal.effector !== effector) });
-    return this.search();
+    return this.settle({ ...document, goals: document.goals.filter((goal) => goal.effector !== effector) });
   }
 
   // ---- Search ------------------------------------------------------------------------------------
@@ -132,9 +127,8 @@ export class Studio extends Workbench {
       this.clock.time = 0;
       this.store.set({ preview: null, playing: true });
       void this.warmUp(found);
-      if (result.summary.status === 'unreachable') {
-        this.tell({ kind: 'text', key: 'unreachable', values: { cm: (result.summary.remaining_mm / 10).toFixed(1) } });
-      }
+      const miss = missOf(result.summary);
+      if (miss) this.tell({ kind: 'text', ...miss });
     } catch (error) {
       if (this.running === controller) this.store.set({ preview: null });
       this.fail(error);
@@ -228,7 +222,7 @@ export class Studio extends Workbench {
       const edits = { ...now.edits, [index]: { base, assignments: all, generated } };
       this.commit({ ...now, edits }, drag === undefined ? undefined : `edit ${index} ${drag}`);
       this.timings.add(this.timings.sliderToMotion, since, generated.engine_ms);
-      const missed = generated.summary.status === 'unreachable';
+      const missed = !isMet(generated.summary.remaining_mm);
       this.store.set({
         preview: null,
         notice: missed

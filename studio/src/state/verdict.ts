@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The verdict of the engine as the page tells it: whether a motion ends on its goals, whether a body could make it, and how the
 // body would fall.
-import type { Candidate, Reason } from '../../../bindings/wasm/src/types';
+import type { Candidate, CandidateSummary, Reason, Summary } from '../../../bindings/wasm/src/types';
 import type { Document } from './model';
 
 const kMet = 1; // mm from its goal at most
+const kTurned = 1; // degrees from its rotation at most
 
 /** How far the effector that is farthest from its goal ends, mm; 0 where each goal is met. */
 export function shortOf({ summary }: Candidate): number {
@@ -13,6 +14,20 @@ export function shortOf({ summary }: Candidate): number {
 }
 
 export const isMet = (error_mm: number): boolean => error_mm <= kMet;
+
+type Reached = CandidateSummary['reached'][number];
+export const isTurned = ({ rotation_error_deg = 0 }: Reached): boolean => rotation_error_deg <= kTurned;
+
+/** How far the worst turned effector is from its rotation, degrees; 0 where each is turned as asked for. */
+export function unturnedOf({ summary }: Candidate): number {
+  return Math.max(0, ...summary.reached.filter((reached) => !isTurned(reached)).map(({ rotation_error_deg = 0 }) => rotation_error_deg));
+}
+
+/** What the best motion leaves of its goals, for a message; null where nobody would see it: the engine is stricter. */
+export function missOf({ remaining_mm, remaining_deg = 0 }: Summary): { key: 'unreachable' | 'unturnedBest'; values: Record<string, string> } | null {
+  if (!isMet(remaining_mm)) return { key: 'unreachable', values: { cm: (remaining_mm / 10).toFixed(1) } };
+  return remaining_deg > kTurned ? { key: 'unturnedBest', values: { deg: remaining_deg.toFixed(0) } } : null;
+}
 
 export type Fall = 'fallsForward' | 'fallsBack' | 'fallsLeft' | 'fallsRight' | 'fallsOver';
 

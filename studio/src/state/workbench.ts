@@ -5,7 +5,8 @@ import { failureOf } from '../engine/connect';
 import type { Look } from '../kept/work';
 import { Clock } from './clock';
 import { History } from './history';
-import { candidateAt, chosenCandidate, type Document, goalOf, initialState, type Notice, type State } from './model';
+import { candidateAt, chosenCandidate, type Document, initialState, type Notice, type State } from './model';
+import { placeOf } from './places';
 import { shelved } from './shelf';
 import { Store } from './store';
 
@@ -53,7 +54,7 @@ export class Workbench {
     this.store.set({
       document,
       shelf: shelved(this.store.state.shelf, document),
-      selected: goalOf(document, selected) ? selected : (document.goals[0]?.effector ?? selected),
+      selected: placeOf(document, selected) ? selected : (document.goals[0]?.effector ?? selected),
       canUndo: this.history?.canUndo ?? false,
       canRedo: this.history?.canRedo ?? false,
       ...more,

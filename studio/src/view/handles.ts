@@ -1,41 +1,56 @@
 // SPDX-License-Identifier: MIT
-// Handles that a person drags: a ball at each goal, and a smaller one at each hand, foot and the head that has none yet.
-// The selected goal has arrows along the axes too, and rings where its rotation is asked for.
+// Handles that a person drags: a ball at each goal, a smaller one at each hand, foot and the head that has none yet, and a square at each
+// thing in the way. The selected one has arrows along the axes too, and rings where its rotation is asked for.
 import {
   CanvasTexture, Group, Object3D, Plane, Raycaster, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3,
 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
-import type { Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
+import type { Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Palette } from './palette';
 import type { Stage } from './stage';
 
 const kGrab = 20; // px about a handle's middle
+const kStill = 0.002; // m: less is no drag
 export const kFarthest = 3; // m from the middle
 
 export interface HandleEvents {
-  select(effector: string): void;
-  drag(effector: string, position: Vec3, rotation?: Quat): void;
-  drop(effector: string, position: Vec3, rotation?: Quat): void;
-  hover(effector: string | null, x: number, y: number): void;
-  /** How high a goal must be, m. */
-  least(effector: string, rotation?: Quat): number;
+  select(name: string): void;
+  drag(name: string, position: Vec3, rotation?: Quat): void;
+  drop(name: string, position: Vec3, rotation?: Quat): void;
+  hover(name: string | null, x: number, y: number): void;
+  /** How high it must be, m. */
+  least(name: string, rotation?: Quat): number;
 }
 
-interface Handle {
-  effector: string;
-  sprite: Sprite;
-  goal: boolean;
+/** goal: asked for; free: an effector that no goal is for; thing: one in the way. */
+type Kind = 'goal' | 'free' | 'thing';
+
+/** What can be dragged, and where it is, m. */
+export interface Grip {
+  readonly name: string;
+  readonly kind: Kind;
+  readonly place: Vector3;
+  readonly rotation?: Quat;
 }
+
+interface Handle extends Grip {
+  readonly sprite: Sprite;
+}
+
+const kSizes: Readonly<Record<Kind, number>> = { goal: 0.022, free: 0.016, thing: 0.018 };
+const kSelectedSize = 0.042;
+/** Of a handle's distance from the pointer: goals go before others. */
+const kFar: Readonly<Record<Kind, number>> = { goal: 0.8, free: 1.4, thing: 1.4 };
 
 export class Handles {
   readonly object = new Group();
   private handles: Handle[] = [];
-  private dragged: { handle: Handle; plane: Plane; grip: Vector3; moved: boolean } | null = null;
+  private chosen: Handle | null = null;
+  private dragged: { name: string; plane: Plane; grip: Vector3; from: Vector3; to: Vector3 | null } | null = null;
   private readonly anchor = new Object3D();
   private readonly gizmo: TransformControls;
-  private readonly materials = { goal: disc(), selected: disc(), idle: disc() };
+  private readonly materials = { goal: disc(), free: disc(), thing: disc(), selected: disc(), selectedThing: disc() };
   private readonly ray = new Raycaster();
-  private readonly held = new Vector3(); // where the goal is while the arrows move it
   private rotates = false;
 
   constructor(private readonly stage: Stage, private readonly canvas: HTMLCanvasElement, private readonly events: HandleEvents) {
@@ -61,62 +76,56 @@ export class Handles {
   }
 
   paint(palette: Palette): void {
-    draw(this.materials.goal, `#${palette.goal.getHexString()}`, false);
-    draw(this.materials.selected, `#${palette.goal.getHexString()}`, true);
-    draw(this.materials.idle, `#${palette.idle.getHexString()}`, false);
-    this.materials.idle.opacity = 0.75;
+    const [goal, idle] = [palette.goal, palette.idle].map((colour) => `#${colour.getHexString()}`) as [string, string];
+    draw(this.materials.goal, { colour: goal });
+    draw(this.materials.selected, { colour: goal, selected: true });
+    draw(this.materials.free, { colour: idle });
+    draw(this.materials.thing, { colour: idle, square: true });
+    draw(this.materials.selectedThing, { colour: idle, square: true, selected: true });
+    this.materials.free.opacity = 0.75;
   }
 
-  setEffectors(effectors: readonly string[]): void {
-    for (const { sprite } of this.handles) sprite.removeFromParent();
-    this.handles = effectors.map((effector) => {
-      const sprite = new Sprite(this.materials.idle);
+  update(grips: readonly Grip[], selected: string, rotate: boolean): void {
+    const sprites = this.handles.map(({ sprite }) => sprite);
+    while (sprites.length > grips.length) sprites.pop()!.removeFromParent();
+    while (sprites.length < grips.length) {
+      const sprite = new Sprite(this.materials.free);
       sprite.renderOrder = 10;
       this.object.add(sprite);
-      return { effector, sprite, goal: false };
-    });
-  }
-
-  /** `places`: where effectors without a goal are now, m. */
-  update(goals: readonly Goal[], selected: string, rotate: boolean, places: (effector: string) => Vector3 | null): void {
-    let chosen: Handle | null = null;
-    for (const handle of this.handles) {
-      const goal = goals.find((g) => g.effector === handle.effector);
-      handle.goal = goal !== undefined;
-      const isSelected = handle.effector === selected && handle.goal;
-      handle.sprite.material = isSelected ? this.materials.selected : handle.goal ? this.materials.goal : this.materials.idle;
-      const size = isSelected ? 0.042 : handle.goal ? 0.022 : 0.016;
-      handle.sprite.scale.setScalar(size * this.stage.lens.constantSize);
-      if (isSelected) chosen = handle;
-      if (this.dragged?.handle === handle || (isSelected && this.gizmo.dragging)) continue;
-      const place = goal ? new Vector3(...goal.position_m) : places(handle.effector);
-      handle.sprite.visible = place !== null;
-      if (place) handle.sprite.position.copy(place);
-      if (isSelected) this.anchorAt(goal!);
+      sprites.push(sprite);
     }
-    this.rotates = rotate && goals.find((g) => g.effector === selected)?.rotation_xyzw !== undefined;
+    this.handles = grips.map((grip, index) => ({ ...grip, sprite: sprites[index]! }));
+    this.chosen = this.handles.find(({ name, kind }) => name === selected && kind !== 'free') ?? null;
+    for (const handle of this.handles) {
+      const { kind, place, sprite } = handle;
+      const isChosen = handle === this.chosen;
+      sprite.material = this.materials[isChosen ? (kind === 'thing' ? 'selectedThing' : 'selected') : kind];
+      sprite.scale.setScalar((isChosen ? kSelectedSize : kSizes[kind]) * this.stage.lens.constantSize);
+      sprite.position.copy(place);
+    }
+    if (this.chosen && !this.gizmo.dragging) this.anchorAt(this.chosen);
+    this.rotates = rotate && this.chosen?.kind === 'goal' && this.chosen.rotation !== undefined;
     this.gizmo.camera = this.stage.lens.shown;
     this.gizmo.setMode(this.rotates ? 'rotate' : 'translate');
     this.gizmo.setSpace(this.rotates ? 'local' : 'world');
-    if (chosen && !this.dragged) this.gizmo.attach(this.anchor);
+    if (this.chosen && !this.dragged) this.gizmo.attach(this.anchor);
     else this.gizmo.detach();
   }
 
-  private anchorAt(goal: Goal): void {
-    this.anchor.position.set(...goal.position_m);
-    if (goal.rotation_xyzw) this.anchor.quaternion.set(...goal.rotation_xyzw);
+  private anchorAt({ place, rotation }: Grip): void {
+    this.anchor.position.copy(place);
+    if (rotation) this.anchor.quaternion.set(...rotation);
     else this.anchor.quaternion.identity();
   }
 
   private gizmoMoved(end: boolean): void {
-    const handle = this.handles.find((h) => h.sprite.material === this.materials.selected);
-    if (!handle) return;
+    if (!this.chosen) return;
+    const { name } = this.chosen;
     const rotation = this.rotates ? this.anchor.quaternion.toArray() : undefined;
-    clampPlace(this.anchor.position, this.events.least(handle.effector, rotation));
-    this.held.copy(this.anchor.position);
-    handle.sprite.position.copy(this.held);
-    if (end) this.events.drop(handle.effector, this.held.toArray(), rotation);
-    else this.events.drag(handle.effector, this.held.toArray(), rotation);
+    clampPlace(this.anchor.position, this.events.least(name, rotation));
+    const place = this.anchor.position.toArray();
+    if (end) this.events.drop(name, place, rotation);
+    else this.events.drag(name, place, rotation);
   }
 
   /** The handle under the pointer: the nearest on the screen, goals before others. */
@@ -125,11 +134,10 @@ export class Handles {
     let best: Handle | null = null;
     let least = kGrab;
     for (const handle of this.handles) {
-      if (!handle.sprite.visible) continue;
-      const p = handle.sprite.position.clone().project(this.stage.lens.shown);
+      const p = handle.place.clone().project(this.stage.lens.shown);
       const x = ((p.x + 1) / 2) * box.width + box.left;
       const y = ((1 - p.y) / 2) * box.height + box.top;
-      const far = Math.hypot(event.clientX - x, event.clientY - y) * (handle.goal ? 0.8 : 1.4);
+      const far = Math.hypot(event.clientX - x, event.clientY - y) * kFar[handle.kind];
       if (far < least) {
         least = far;
         best = handle;
@@ -149,19 +157,19 @@ export class Handles {
   private readonly down = (event: PointerEvent): void => {
     if (event.button !== 0 || this.busy) return;
     const handle = this.under(event);
-    if (!handle || (handle.sprite.material === this.materials.selected && this.gizmo.axis?.length === 1)) return;
+    if (!handle || (handle === this.chosen && this.gizmo.axis?.length === 1)) return;
     event.stopImmediatePropagation();
     this.canvas.setPointerCapture(event.pointerId);
     this.stage.orbit.enabled = false;
     this.canvas.focus({ preventScroll: true, focusVisible: false });
     const normal = this.stage.lens.shown.getWorldDirection(new Vector3());
-    const plane = new Plane().setFromNormalAndCoplanarPoint(normal, handle.sprite.position);
+    const plane = new Plane().setFromNormalAndCoplanarPoint(normal, handle.place);
     this.aim(event);
-    const hit = this.ray.ray.intersectPlane(plane, new Vector3()) ?? handle.sprite.position.clone();
-    this.dragged = { handle, plane, grip: handle.sprite.position.clone().sub(hit), moved: false };
+    const hit = this.ray.ray.intersectPlane(plane, new Vector3()) ?? handle.place.clone();
+    this.dragged = { name: handle.name, plane, grip: handle.place.clone().sub(hit), from: handle.place.clone(), to: null };
     this.gizmo.detach();
     this.events.hover(null, 0, 0);
-    this.events.select(handle.effector);
+    this.events.select(handle.name);
   };
 
   private readonly move = (event: PointerEvent): void => {
@@ -170,18 +178,16 @@ export class Handles {
       if (event.buttons !== 0) return;
       const over = this.under(event);
       this.canvas.classList.toggle('grab', over !== null);
-      this.events.hover(over?.effector ?? null, event.offsetX, event.offsetY);
+      this.events.hover(over?.name ?? null, event.offsetX, event.offsetY);
       return;
     }
     this.aim(event);
     const hit = this.ray.ray.intersectPlane(drag.plane, new Vector3());
     if (!hit) return;
-    const place = clampPlace(hit.add(drag.grip), this.events.least(drag.handle.effector));
-    if (!drag.moved && place.distanceTo(drag.handle.sprite.position) < 0.002) return;
-    drag.moved = true;
-    drag.handle.sprite.position.copy(place);
-    this.stage.invalidate();
-    this.events.drag(drag.handle.effector, place.toArray());
+    const place = clampPlace(hit.add(drag.grip), this.events.least(drag.name));
+    if (!drag.to && place.distanceTo(drag.from) < kStill) return;
+    drag.to = place;
+    this.events.drag(drag.name, place.toArray());
   };
 
   private readonly up = (event: PointerEvent): void => {
@@ -190,7 +196,7 @@ export class Handles {
     this.dragged = null;
     this.stage.orbit.enabled = true;
     if (this.canvas.hasPointerCapture(event.pointerId)) this.canvas.releasePointerCapture(event.pointerId);
-    if (drag.moved) this.events.drop(drag.handle.effector, drag.handle.sprite.position.toArray());
+    if (drag.to) this.events.drop(drag.name, drag.to.toArray());
     else this.stage.invalidate();
   };
 
@@ -214,7 +220,13 @@ function disc(): SpriteMaterial {
   return new SpriteMaterial({ map, depthTest: false, depthWrite: false, transparent: true, sizeAttenuation: false });
 }
 
-function draw(material: SpriteMaterial, colour: string, selected: boolean): void {
+interface Drawing {
+  colour: string;
+  square?: boolean;
+  selected?: boolean;
+}
+
+function draw(material: SpriteMaterial, { colour, square = false, selected = false }: Drawing): void {
   const canvas = material.map!.image as HTMLCanvasElement;
   const pen = canvas.getContext('2d')!;
   pen.clearRect(0, 0, 128, 128);
@@ -230,7 +242,9 @@ function draw(material: SpriteMaterial, colour: string, selected: boolean): void
   pen.strokeStyle = 'rgba(255,255,255,0.95)';
   pen.lineWidth = selected ? 6 : 10;
   pen.beginPath();
-  pen.arc(64, 64, selected ? 27 : 50, 0, 7);
+  const reach = selected ? 27 : 50;
+  if (square) pen.rect(64 - reach, 64 - reach, 2 * reach, 2 * reach);
+  else pen.arc(64, 64, reach, 0, 7);
   pen.fill();
   pen.stroke();
   material.map!.needsUpdate = true;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The picture in three dimensions: shows what the state holds, and tells what a person drags.
 import { Box3, Vector3 } from 'three';
-import type { Candidate, Character, Quat, Vec3 } from '../../../bindings/wasm/src/types';
+import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
-import { leastHeight } from '../state/floor';
-import { candidateAt, type Document, goalOf, type State } from '../state/model';
+import { candidateAt, type Document, type State } from '../state/model';
+import { leastOf, placeOf, thingName, thingsOf } from '../state/places';
 import { speedScale } from '../state/speed';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -12,7 +12,8 @@ import { directionOf, type Preset } from './camera';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import { headReach, placesToSee } from './framing';
 import { Ghosts } from './ghosts';
-import { Handles } from './handles';
+import { GoalMarks } from './goal_marks';
+import { type Grip, Handles } from './handles';
 import { Obstacles } from './obstacles';
 import { Overlays } from './overlays';
 import { shownTheme } from './palette';
@@ -45,6 +46,7 @@ export class View {
   private readonly overlays = new Overlays();
   private readonly otherOverlays = new Overlays();
   private readonly strained = new StrainedJoints();
+  private readonly marks = new GoalMarks();
   private readonly ghosts = new Ghosts();
   private readonly ruler = new Ruler();
   private readonly speeds = new SpeedPath();
@@ -64,19 +66,19 @@ export class View {
 
   constructor(
     private readonly studio: Studio, host: HTMLElement, canvas: HTMLCanvasElement,
-    onHover: (effector: string | null, x: number, y: number) => void,
+    onHover: (name: string | null, x: number, y: number) => void,
   ) {
     this.stage = new Stage(host, canvas);
     this.handles = new Handles(this.stage, canvas, {
-      select: (effector) => studio.select(effector),
-      drag: (effector, position, rotation) => void studio.dragGoal(effector, position, rotation),
-      drop: (effector, position, rotation) => void studio.dropGoal(effector, position, rotation),
+      select: (name) => studio.select(name),
+      drag: (name, position, rotation) => void studio.drag(name, position, rotation),
+      drop: (name, position, rotation) => void studio.drop(name, position, rotation),
       hover: onHover,
-      least: (effector, rotation) => this.leastHeight(effector, rotation),
+      least: (name, rotation) => (studio.document ? leastOf(studio.document, name, rotation) : 0),
     });
-    this.stage.casters.add(this.obstacles.object);
+    this.stage.casters.add(this.obstacles.object, this.marks.solids);
     const drawn = [
-      this.overlays, this.otherOverlays, this.strained, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds,
+      this.overlays, this.otherOverlays, this.strained, this.marks, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds,
     ];
     this.stage.scene.add(...drawn.map(({ object }) => object));
     this.stage.onFrame = (seconds) => this.advance(seconds);
@@ -97,6 +99,8 @@ export class View {
     this.overlays.paint(this.stage.palette);
     this.otherOverlays.paint({ ...this.stage.palette, path: this.stage.palette.comparedPath });
     this.strained.paint(this.stage.palette);
+    this.marks.paint(this.stage.palette);
+    this.marks.show(this.studio.document);
     this.handles.paint(this.stage.palette);
     this.obstacles.paint(this.stage.palette);
     this.ghosts.paint(this.stage.palette);
@@ -141,14 +145,16 @@ export class View {
     this.stage.include(document.goals.map((goal) => new Vector3(...goal.position_m)));
   }
 
-  /** The hand, foot or head that is selected, with its goal. */
+  /** What is selected, an effector with its goal. */
   approachSelected(): void {
     const { document, store } = this.studio;
-    const goal = document?.goals.find(({ effector }) => effector === store.state.selected);
-    const place = this.place(store.state.selected) ?? (goal && new Vector3(...goal.position_m));
-    if (!document || !place) return;
-    const apart = goal ? place.distanceTo(new Vector3(...goal.position_m)) : 0;
-    if (goal) place.lerp(new Vector3(...goal.position_m), 0.5);
+    if (!document) return;
+    const { selected } = store.state;
+    const asked = placeOf(document, selected);
+    const place = this.place(selected) ?? (asked && new Vector3(...asked));
+    if (!place) return;
+    const apart = asked ? place.distanceTo(new Vector3(...asked)) : 0;
+    if (asked) place.lerp(new Vector3(...asked), 0.5);
     this.stage.approach(place, Math.max(kApproach * document.character.description.stature_m, kRoom * apart));
   }
 
@@ -159,12 +165,6 @@ export class View {
   onFigure(listener: (figure: Figure | null) => void): void {
     this.listeners.add(listener);
     listener(this.figure);
-  }
-
-  /** How high a goal must be, m, with the rotation that it has where none is given. */
-  private leastHeight(effector: string, rotation?: Quat): number {
-    const { document } = this.studio;
-    return document === null ? 0 : leastHeight(document.character, effector, rotation ?? goalOf(document, effector)?.rotation_xyzw);
   }
 
   private advance(seconds: number): boolean {
@@ -192,9 +192,10 @@ export class View {
   }
 
   private showOverlays(state: State): void {
-    const goals = state.document?.goals ?? [];
-    this.overlays.show(this.studio.shown(), goals);
-    this.obstacles.show(state.document?.settings.more.obstacles);
+    const asked = state.trial ?? state.document;
+    this.overlays.show(this.studio.shown(), state.document?.goals ?? []);
+    this.obstacles.show(asked ? thingsOf(asked) : []);
+    this.marks.show(asked);
     this.otherOverlays.show(this.compared(), []);
     this.strained.show(this.studio.shown(), state.document?.character.description);
   }
@@ -233,7 +234,6 @@ export class View {
       this.nodeOf.clear();
       for (const place of character.description.places) this.nodeOf.set(place.effector, nodeOfBone(character, place.node));
       if (!this.nodeOf.has('right_foot')) this.nodeOf.set('right_foot', nodeOfBone(character, 'right_foot'));
-      this.handles.setEffectors(effectorsOf(character));
       this.overlays.setSupport(character.description);
       this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
       this.ruler.setStature(character.description.stature_m);
@@ -286,10 +286,26 @@ export class View {
     this.overlays.pose(time, state.overlays && !state.dragging);
     this.otherOverlays.pose(time, state.overlays && !state.dragging);
     this.ruler.pose(this.stage.camera, apart / 2, state.view.ruler);
+    this.marks.object.visible = this.marks.solids.visible = apart === 0;
+    this.marks.pose((effector) => this.place(effector));
     this.strained.pose(time, (joint) => this.place(joint.replace(/_ankle$/, '_foot')));
     this.handles.object.position.x = apart / 2;
     this.handles.object.visible = apart === 0; // what is dragged is where the engine has it
-    this.handles.update(document.goals, state.selected, this.rotate, (effector) => this.place(effector));
+    this.handles.update(this.grips(state.trial ?? document), state.selected, this.rotate);
+  }
+
+  /** All that can be dragged. */
+  private grips(asked: Document): Grip[] {
+    const grips: Grip[] = thingsOf(asked).map(({ position_m }, index) => ({ name: thingName(index), kind: 'thing', place: new Vector3(...position_m) }));
+    const { goals, character } = asked;
+    for (const { effector, position_m, rotation_xyzw } of goals) {
+      grips.push({ name: effector, kind: 'goal', place: new Vector3(...position_m), ...(rotation_xyzw && { rotation: rotation_xyzw }) });
+    }
+    for (const effector of effectorsOf(character)) {
+      const place = goals.some((goal) => goal.effector === effector) ? null : this.place(effector);
+      if (place) grips.push({ name: effector, kind: 'free', place });
+    }
+    return grips;
   }
 
   /** Goes back until all of the motion is in the picture; a hand that is dragged must not see the picture move under it. */
@@ -350,6 +366,11 @@ export class View {
     return { low: min.y, high: max.y, closed: closed ? { left: closed('left'), right: closed('right') } : null };
   }
 
+  /** What goals are marked with; for tests. */
+  get goalMarks(): string[] {
+    return this.marks.kinds;
+  }
+
   /** Whether a place is in the picture; for tests. */
   sees(place: Vec3): boolean {
     const p = new Vector3(...place).project(this.stage.camera);
@@ -362,10 +383,10 @@ export class View {
   }
 
   /** Where a handle is in the page, px; for tests. */
-  handleOnScreen(effector: string): [number, number] | null {
+  handleOnScreen(name: string): [number, number] | null {
     const { document } = this.studio;
-    const goal = document?.goals.find((g) => g.effector === effector);
-    const place = goal ? new Vector3(...goal.position_m) : this.place(effector);
+    const asked = document && placeOf(document, name);
+    const place = asked ? new Vector3(...asked) : this.place(name);
     if (!place) return null;
     const box = this.stage.renderer.domElement.getBoundingClientRect();
     const p = place.project(this.stage.lens.shown);

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// How a goal wants its effector turned, by words or by numbers, and the box about it in which any place will do.
+import { Euler, MathUtils, Quaternion } from 'three';
+import type { Goal, GoalAxis, Vec3 } from '../../../bindings/wasm/src/types';
+import { type Key, t } from '../i18n';
+import type { Studio } from '../state/studio';
+import { h, select } from './dom';
+import { fieldGroup, NumberField } from './number_field';
+
+const kAxes = ['none', 'palm', 'thumb', 'fingers', 'other'] as const; // of a hand, by words
+type Axis = (typeof kAxes)[number];
+const kAxisKeys: Readonly<Record<Axis, Key>> = { none: 'axisNone', palm: 'axisPalm', thumb: 'axisThumb', fingers: 'axisFingers', other: 'asInTask' };
+
+const kDirections = ['up', 'down', 'in', 'out', 'ahead', 'back', 'other'] as const;
+type Direction = (typeof kDirections)[number];
+const kDirectionKeys: Readonly<Record<Direction, Key>> = {
+  up: 'facesUp', down: 'facesDown', in: 'facesIn', out: 'facesOut', ahead: 'facesAhead', back: 'facesBack', other: 'asInTask',
+};
+/** What an axis is asked to do first. */
+const kFirst: Readonly<Record<'palm' | 'thumb' | 'fingers', Direction>> = { palm: 'down', thumb: 'up', fingers: 'ahead' };
+
+const kAngles = ['pitch', 'heading', 'roll'] as const; // about the axes to the left, up and ahead
+const kMostAngles = [90, 180, 180]; // degrees
+const kOrder = 'YXZ'; // first the heading, then the pitch in it, then the roll
+const kSides = ['left', 'up', 'ahead'] as const;
+const kMostTolerance = 0.5; // m: half a side
+
+/** The world's direction that is in or out for a hand. */
+function sideways(effector: string, inward: boolean): 'left' | 'right' {
+  return effector.startsWith('left') === inward ? 'right' : 'left';
+}
+
+function axisOf({ axis }: Goal): Axis {
+  if (axis === undefined) return 'none';
+  return typeof axis.axis === 'string' ? axis.axis : 'other';
+}
+
+function directionOf({ axis, effector }: Goal): Direction {
+  if (axis === undefined || typeof axis.direction !== 'string') return 'other';
+  if (axis.direction === 'left' || axis.direction === 'right') return axis.direction === sideways(effector, true) ? 'in' : 'out';
+  return axis.direction;
+}
+
+function inWorld(direction: Direction, { effector, axis }: Goal): GoalAxis['direction'] {
+  switch (direction) {
+    case 'in': return sideways(effector, true);
+    case 'out': return sideways(effector, false);
+    case 'other': return axis?.direction ?? 'up';
+    default: return direction;
+  }
+}
+
+/** A list with one entry that is there only where a task says what the others cannot. */
+function choice<Value extends string>(label: Key, keys: Readonly<Record<Value, Key>>, values: readonly Value[], key: string, change: (value: Value) => void): HTMLSelectElement {
+  const list = select(t(label), values.map((value) => [value, t(keys[value])] as const), values[0]!, change);
+  list.dataset['key'] = key;
+  return list;
+}
+
+function showChoice(list: HTMLSelectElement, value: string): void {
+  list.value = value;
+  for (const option of list.options) option.hidden = option.value === 'other' && value !== 'other';
+}
+
+export class GoalMore {
+  readonly element: HTMLElement;
+  private readonly axis: HTMLSelectElement;
+  private readonly direction: HTMLSelectElement;
+  private readonly facing: HTMLElement;
+  private readonly angles: readonly NumberField[];
+  private readonly turned: HTMLElement;
+  private readonly sides: readonly NumberField[];
+  private readonly tolerance: HTMLDetailsElement;
+  private goal: Goal | null = null;
+
+  constructor(private readonly studio: Studio, private readonly effector: string) {
+    this.axis = choice('facing', kAxisKeys, kAxes, `${effector} axis`, (axis) => this.askAxis(axis));
+    this.direction = choice('direction', kDirectionKeys, kDirections, `${effector} direction`, (direction) => this.face(direction));
+    this.facing = h('div', { class: 'facing', role: 'group', 'aria-label': t('facing') }, h('span', { 'aria-hidden': 'true' }, t('facing')), this.axis, this.direction);
+    this.angles = kAngles.map((angle, index) => new NumberField({
+      key: `${effector} ${angle}`, label: t(angle), low: -kMostAngles[index]!, high: kMostAngles[index]!, step: 1, digits: 0, onChange: (degrees) => this.turn(index, degrees),
+    }));
+    this.turned = fieldGroup(t('turn'), this.angles);
+    this.sides = kSides.map((side, index) => new NumberField({
+      key: `${effector} tolerance ${side}`, label: t(side), low: 0, high: kMostTolerance, step: 1, digits: 1, times: 100, onChange: (half) => this.widen(index, half),
+    }));
+    this.tolerance = h('details', { class: 'tolerance' }, h('summary', {}, t('tolerance')), fieldGroup(t('tolerance'), this.sides));
+    this.element = h('div', {}, this.facing, this.turned, this.tolerance);
+  }
+
+  update(goal: Goal): void {
+    if (goal === this.goal) return;
+    if (goal.tolerance_m && !this.goal?.tolerance_m) this.tolerance.open = true;
+    this.goal = goal;
+    const axis = axisOf(goal);
+    this.facing.hidden = !this.effector.endsWith('hand') && axis === 'none';
+    showChoice(this.axis, axis);
+    showChoice(this.direction, directionOf(goal));
+    this.direction.hidden = axis === 'none';
+    this.turned.hidden = goal.rotation_xyzw === undefined;
+    if (goal.rotation_xyzw) {
+      const { x, y, z } = new Euler().setFromQuaternion(new Quaternion(...goal.rotation_xyzw), kOrder);
+      [x, y, z].forEach((angle, index) => this.angles[index]!.show(MathUtils.radToDeg(angle)));
+    }
+    this.sides.forEach((field, index) => field.show(goal.tolerance_m?.[index] ?? 0));
+  }
+
+  /** In place of a rotation. */
+  private askAxis(axis: Axis): void {
+    void this.studio.changeGoal(this.effector, (old) => {
+      const { axis: before, rotation_xyzw: _, ...rest } = old;
+      if (axis === 'none') return rest;
+      if (axis === 'other') return old;
+      return { ...rest, axis: { axis, direction: before?.direction ?? inWorld(kFirst[axis], old) } };
+    });
+  }
+
+  private face(direction: Direction): void {
+    void this.studio.changeGoal(this.effector, (old) => (old.axis ? { ...old, axis: { ...old.axis, direction: inWorld(direction, old) } } : old));
+  }
+
+  private turn(index: number, degrees: number): void {
+    void this.studio.changeGoal(this.effector, (old) => {
+      if (!old.rotation_xyzw) return old;
+      // the other angles are those of the goal, not of the fields, which are rounded
+      const turned = new Euler().setFromQuaternion(new Quaternion(...old.rotation_xyzw), kOrder);
+      turned[(['x', 'y', 'z'] as const)[index]!] = MathUtils.degToRad(degrees);
+      const { x, y, z, w } = new Quaternion().setFromEuler(turned);
+      return { ...old, rotation_xyzw: [x, y, z, w] };
+    });
+  }
+
+  private widen(index: number, half: number): void {
+    void this.studio.changeGoal(this.effector, (old) => {
+      const { tolerance_m: before = [0, 0, 0], ...rest } = old;
+      const tolerance: Vec3 = [...before];
+      tolerance[index] = half;
+      return tolerance.every((side) => side === 0) ? rest : { ...rest, tolerance_m: tolerance };
+    });
+  }
+}

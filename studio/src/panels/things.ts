@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Things in the way, as numbers: where each is, how large, and away with it.
+import type { Obstacle, Vec3 } from '../../../bindings/wasm/src/types';
+import { t } from '../i18n';
+import { thingWords } from '../i18n/place_words';
+import type { Document } from '../state/model';
+import { thingName, thingsOf, withThing } from '../state/places';
+import type { Studio } from '../state/studio';
+import { withNewThing, withoutThing } from '../state/things';
+import { button, fill, h, iconButton } from './dom';
+import { fieldGroup, NumberField } from './number_field';
+
+const kAxes = ['left', 'up', 'ahead'] as const;
+const kFarthest = 10; // m
+const kLargest = 10; // m
+
+class ThingRow {
+  readonly element: HTMLElement;
+  private readonly name = h('span');
+  private readonly place: readonly NumberField[];
+  private readonly size: readonly NumberField[];
+  private readonly rounding: NumberField;
+
+  constructor(private readonly studio: Studio, private readonly index: number, name: string) {
+    const fields = (what: string, low: number, high: number, change: (axis: number, value: number) => void): NumberField[] =>
+      kAxes.map((axis, k) => new NumberField({
+        key: `thing ${index} ${what} ${axis}`, label: t(axis), low, high, step: 0.01, digits: 2, onChange: (value) => change(k, value),
+      }));
+    this.place = fields('place', -kFarthest, kFarthest, (axis, value) => this.set('position_m', axis, value));
+    this.size = fields('size', 0, kLargest, (axis, value) => this.set('size_m', axis, value));
+    this.rounding = new NumberField({
+      key: `thing ${index} rounding`, label: t('rounding'), low: 0, high: kLargest / 2, step: 0.01, digits: 2, onChange: (radius_m) => this.change({ radius_m }),
+    });
+    const remove = iconButton('close', `${t('remove')}: ${name}`, () => void studio.settle(withoutThing(studio.document!, index)), { 'data-key': `thing ${index} remove` });
+    this.element = h('div', { class: 'goal', role: 'group', 'aria-label': name },
+      h('div', { class: 'goal-head' }, this.name, remove),
+      h('h4', {}, t('thingPlace')), fieldGroup(t('thingPlace'), this.place),
+      h('h4', {}, t('thingSize')), fieldGroup(t('thingSize'), this.size),
+      h('div', { class: 'extras' }, this.rounding.element));
+    this.name.textContent = name;
+    this.element.addEventListener('focusin', () => studio.select(thingName(index)));
+  }
+
+  private change(change: Partial<Obstacle>): void {
+    const { document } = this.studio;
+    if (document) void this.studio.settle(withThing(document, this.index, change));
+  }
+
+  private set(field: 'position_m' | 'size_m', axis: number, value: number): void {
+    const { document } = this.studio;
+    const now: Vec3 = [...(document && thingsOf(document)[this.index]?.[field]) ?? [0, 0, 0]];
+    now[axis] = value;
+    this.change({ [field]: now });
+  }
+
+  update({ position_m, size_m, radius_m = 0 }: Obstacle, isSelected: boolean): void {
+    this.element.classList.toggle('selected', isSelected);
+    this.place.forEach((field, k) => field.show(position_m[k]!));
+    this.size.forEach((field, k) => field.show(size_m?.[k] ?? 0));
+    this.rounding.show(radius_m);
+  }
+}
+
+export class ThingList {
+  readonly element: HTMLElement;
+  private readonly list = h('div');
+  private readonly add: HTMLButtonElement;
+  private rows: ThingRow[] = [];
+  private names = '';
+
+  constructor(private readonly studio: Studio) {
+    this.add = button(t('addThing'), () => this.addOne(), { 'data-key': 'add thing' });
+    this.element = h('section', { class: 'things', 'aria-label': t('things') }, h('h3', {}, t('things')), this.list, this.add);
+  }
+
+  private addOne(): void {
+    const { document } = this.studio;
+    if (!document) return;
+    const index = thingsOf(document).length;
+    void this.studio.settle(withNewThing(document, t('thing')));
+    this.studio.select(thingName(index));
+  }
+
+  update(document: Document, selected: string): void {
+    const things = thingsOf(document);
+    const names = things.map((_, index) => thingWords(document, index));
+    // rows stay while values change, so that a click that begins by leaving a field ends on what it began on
+    if (JSON.stringify(names) !== this.names) {
+      this.names = JSON.stringify(names);
+      this.rows = names.map((name, index) => new ThingRow(this.studio, index, name));
+      fill(this.list, ...this.rows.map(({ element }) => element));
+    }
+    things.forEach((thing, index) => this.rows[index]!.update(thing, selected === thingName(index)));
+    this.add.disabled = things.length >= this.studio.facts.ranges.obstacles[1];
+  }
+}

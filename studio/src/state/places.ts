@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// All that has a place in a document and can be moved there, by names: goals by those of their effectors, things in the way by their numbers.
+import type { Goal, Obstacle, Quat, Vec3 } from '../../../bindings/wasm/src/types';
+import { aboveFloor, leastHeight } from './floor';
+import { type Document, goalOf } from './model';
+
+const kThing = '@thing '; // no effector's name begins so
+const kNone: readonly Obstacle[] = [];
+
+export const thingName = (index: number): string => `${kThing}${index}`;
+
+/** The number of the thing that a name is of; null where it is of a goal. */
+export function thingOf(name: string): number | null {
+  return name.startsWith(kThing) ? Number(name.slice(kThing.length)) : null;
+}
+
+export function thingsOf({ settings }: Document): readonly Obstacle[] {
+  return settings.more.obstacles ?? kNone;
+}
+
+/** The names of all places, goals first. */
+export function placeNames(document: Document): string[] {
+  return [...document.goals.map(({ effector }) => effector), ...thingsOf(document).map((_, index) => thingName(index))];
+}
+
+export function placeOf(document: Document, name: string): Vec3 | undefined {
+  const index = thingOf(name);
+  return index === null ? goalOf(document, name)?.position_m : thingsOf(document)[index]?.position_m;
+}
+
+export function withGoal(document: Document, asked: Goal): Document {
+  const goal = aboveFloor(document.character, asked);
+  const goals = document.goals.map((old) => (old.effector === goal.effector ? goal : old));
+  return { ...document, goals: goals.includes(goal) ? goals : [...goals, goal] };
+}
+
+export function withThings(document: Document, things: readonly Obstacle[]): Document {
+  const { obstacles: _, ...more } = document.settings.more;
+  return { ...document, settings: { ...document.settings, more: things.length === 0 ? more : { ...more, obstacles: [...things] } } };
+}
+
+export function withThing(document: Document, index: number, change: Partial<Obstacle>): Document {
+  const things = [...thingsOf(document)];
+  const thing = things[index];
+  if (!thing) return document;
+  things[index] = { ...thing, ...change };
+  return withThings(document, things);
+}
+
+/** The document with a goal or a thing elsewhere, a goal also turned. */
+export function moved(document: Document, name: string, position: Vec3, rotation?: Quat): Document {
+  const index = thingOf(name);
+  if (index !== null) return withThing(document, index, { position_m: position });
+  const goal: Goal = { ...(goalOf(document, name) ?? { effector: name }), position_m: position };
+  if (rotation !== undefined) goal.rotation_xyzw = rotation;
+  return withGoal(document, goal);
+}
+
+/** How high a thing's middle is where it stands on the floor, m. */
+function standing({ size_m = [0, 0, 0], radius_m = 0, rotation_xyzw: [x, y, z, w] = [0, 0, 0, 1] }: Obstacle): number {
+  const upward = [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)]; // of its axes
+  return radius_m + size_m.reduce((sum, side, k) => sum + Math.abs(upward[k]!) * side, 0) / 2;
+}
+
+/** How high a place must be, m: of a goal with the rotation that it has where none is given. */
+export function leastOf(document: Document, name: string, rotation?: Quat): number {
+  const index = thingOf(name);
+  if (index === null) return leastHeight(document.character, name, rotation ?? goalOf(document, name)?.rotation_xyzw);
+  const thing = thingsOf(document)[index];
+  return thing ? standing(thing) : 0;
+}
