@@ -31,7 +31,7 @@ std::vector<FitKind> fit_kinds() {
           {"weights and postures, straight path", GeneCode::natural, true},
           {"the same, bow and sway", GeneCode::natural},
           {"the same, delay and skew", GeneCode::every},
-          {"the same in two phases, without delay and skew", GeneCode::natural, false, 2}};
+          {"the same in two phases", GeneCode::every, false, 2}};
 }
 
 FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluations) {

@@ -12,7 +12,7 @@ namespace shigusa::bench {
 namespace {
 
 constexpr int kCandidates = 8;
-constexpr int kFitEvaluations = 20000;
+constexpr int kFitEvaluations = 100000;
 constexpr const char* kClip = "cmu_02_06_60hz.bvh";
 
 Chosen chosen(const Recorded& reach, std::string way, const Candidate& candidate) {

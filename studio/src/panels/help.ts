@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { type Key, t } from '../i18n';
-import { button, h } from './dom';
+import { h, iconButton } from './dom';
 
 const kKeys: readonly (readonly [string, Key])[] = [
   ['Space', 'keySpace'], ['1 … 9', 'keyDigits'], ['Shift + 1 … 9', 'keyShiftDigits'], [', .', 'keyFrame'],
@@ -9,10 +9,9 @@ const kKeys: readonly (readonly [string, Key])[] = [
 
 export function helpDialog(): HTMLDialogElement {
   const dialog = h('dialog', { class: 'help', 'aria-labelledby': 'help-title' },
-    h('h2', { id: 'help-title' }, t('helpTitle')),
+    h('header', {}, h('h2', { id: 'help-title' }, t('helpTitle')), iconButton('close', t('close'), () => dialog.close())),
     ...(['help1', 'help2', 'help3', 'help4'] as const).map((key) => h('p', {}, t(key))),
     h('h3', {}, t('keys')),
-    h('dl', {}, ...kKeys.flatMap(([keys, key]) => [h('dt', {}, ...keys.split(' ').map((part) => (/^[+…/]$/.test(part) ? ` ${part} ` : h('kbd', {}, part)))), h('dd', {}, t(key))])),
-    h('div', { class: 'buttons' }, button(t('close'), () => dialog.close(), { class: 'primary' })));
+    h('dl', {}, ...kKeys.flatMap(([keys, key]) => [h('dt', {}, ...keys.split(' ').map((part) => (/^[+…/]$/.test(part) ? ` ${part} ` : h('kbd', {}, part)))), h('dd', {}, t(key))])));
   return dialog;
 }
