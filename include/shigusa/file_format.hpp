@@ -17,7 +17,7 @@ enum class FileFormat { bvh, csv, svg, png, pdf, glb, vrma, vrm, fbx, urdf, mjcf
 enum class NeededFile { none, gltf, vrm };
 
 /// The libraries that a build may lack, and with them the formats that need one.
-enum class NeededLibrary { none, cairo, urdfdom };
+enum class NeededLibrary { none, cairo };
 
 /// The facts of a format. All code that reads, writes, lists or describes files goes by this table;
 /// a format that is written has a function write_as (src/document/export_file.hpp), one of people a
@@ -133,16 +133,14 @@ inline constexpr std::array kFileFormats{
                .media_type = "application/xml",
                .about = "A robot's links and joints.",
                .robot = true,
-               .max_bytes = 16 * kMebibyte,
-               .library = NeededLibrary::urdfdom},
+               .max_bytes = 16 * kMebibyte},
     FormatInfo{.format = FileFormat::mjcf,
                .word = "mjcf",
                .endings = {".xml", ".mjcf"},
                .media_type = "application/xml",
                .about = "A robot as MuJoCo has it.",
                .robot = true,
-               .max_bytes = 4 * kMebibyte,
-               .library = NeededLibrary::urdfdom},
+               .max_bytes = 4 * kMebibyte},
 };
 /// The words of FileFormat.
 template <>

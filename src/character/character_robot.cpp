@@ -67,8 +67,8 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
 Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
                         const std::optional<std::filesystem::path>& folder) {
   const bool mjcf = format_of_file(spec.source) == FileFormat::mjcf;
-  SHG_TRY_ASSIGN(std::string text,
-                 mjcf ? urdf_of_mjcf(bytes, spec, folder) : reduced_urdf(bytes, spec.source));
+  SHG_TRY_ASSIGN(std::string text, mjcf ? urdf_of_mjcf(bytes, spec, folder)
+                                        : reduced_urdf(bytes, spec.source).map(write_xml));
   SHG_TRY_ASSIGN(const ReadRobot read, read_robot(text, spec));
   list_bones(
       read.map, [&](std::size_t link) { return read.robot.links[link].name; }, spec);

@@ -13,11 +13,6 @@ constexpr bool kHasCairo = true;
 #else
 constexpr bool kHasCairo = false;
 #endif
-#ifdef SHIGUSA_HAS_URDF
-constexpr bool kHasUrdfdom = true;
-#else
-constexpr bool kHasUrdfdom = false;
-#endif
 
 // "a, b and c".
 std::string listed(const std::vector<std::string_view>& words, std::string_view last) {
@@ -31,10 +26,7 @@ std::string listed(const std::vector<std::string_view>& words, std::string_view 
 
 }  // namespace
 
-bool is_built_with(NeededLibrary library) {
-  return (library != NeededLibrary::cairo || kHasCairo) &&
-         (library != NeededLibrary::urdfdom || kHasUrdfdom);
-}
+bool is_built_with(NeededLibrary library) { return library != NeededLibrary::cairo || kHasCairo; }
 
 std::string file_ending(const std::string& name) {
   return lower(std::filesystem::path(name).extension().string());

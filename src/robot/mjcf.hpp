@@ -18,7 +18,8 @@ inline constexpr std::size_t kMjcfMaxBytes =
     info_of(FileFormat::mjcf).max_bytes;             // of each of its files
 inline constexpr std::size_t kMjcfMaxTags = 50'000;  // of all of them
 inline constexpr int kMjcfMaxFiles = 32;
-inline constexpr int kMjcfMaxDepth = 64;  // of bodies and frames in one another
+inline constexpr int kMjcfMaxDepth = 64;     // of bodies and frames in one another
+inline constexpr int kMjcfMaxNesting = 100;  // of elements
 inline constexpr int kMjcfMaxLinks = 1024;
 // Lengths, masses, moments and angles beyond this are refused.
 inline constexpr double kMjcfMaxValue = 1e6;
@@ -30,8 +31,8 @@ using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 // Files of that folder and of folders in it; any other is an error.
 [[nodiscard]] MjcfInclude included_from(std::filesystem::path folder);
 
-// Parses the text of an MJCF file, MuJoCo's own format, by tinyxml2, as MuJoCo does. `name` stands
-// for the file in errors, which tell the line, the value seen and what is allowed.
+// Parses the text of an MJCF file, MuJoCo's own format. `name` stands for the file in errors, which
+// tell the line, the value seen and what is allowed.
 //
 // - The robot is the body of the world with the most joints; its own joints, the free one mostly,
 //   are left out: a robot's root is free.
@@ -45,8 +46,6 @@ using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 //   height fields, sites, tendons, sensors, key frames and skins are left out.
 // - What is not given is as in MuJoCo 3: angles in degrees, limits wherever there is a range.
 // - Sliding joints, and those that an equality makes follow another, are kept at 0, with a doubt.
-//
-// Fails with ErrorCode::unsupported in a build without tinyxml2.
 [[nodiscard]] Result<Robot> parse_mjcf(std::string_view text, std::string_view name,
                                        const MjcfInclude& include = {});
 

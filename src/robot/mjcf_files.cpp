@@ -5,6 +5,14 @@
 #include <shigusa/file.hpp>
 
 namespace shigusa {
+namespace {
+
+bool stands_in(const XmlElement& element, const XmlElement& root) {
+  const auto in_child = [&](const XmlElement& child) { return stands_in(element, child); };
+  return &element == &root || std::any_of(root.children.begin(), root.children.end(), in_child);
+}
+
+}  // namespace
 
 std::string shown(std::string_view text) {
   constexpr std::size_t kLongest = 60;
@@ -34,8 +42,8 @@ MjcfInclude included_from(std::filesystem::path folder) {
 MjcfFiles::MjcfFiles(std::string_view text, std::string_view name, const MjcfInclude& include) {
   root_ = parse(text, std::string(name));
   if (root_ == nullptr) return;
-  if (std::string_view(root_->Name()) != "mujoco") {
-    wrong(*root_, "<{}> in place of <mujoco>: this is no MJCF file", root_->Name());
+  if (root_->name != "mujoco") {
+    wrong(*root_, "<{}> in place of <mujoco>: this is no MJCF file", root_->name.substr(0, 60));
   } else {
     follow(*root_, include);
   }
@@ -43,44 +51,33 @@ MjcfFiles::MjcfFiles(std::string_view text, std::string_view name, const MjcfInc
 }
 
 const XmlElement* MjcfFiles::parse(std::string_view text, const std::string& name) {
-  if (const auto checked = check_text(text, kMjcfMaxBytes, name); !checked) {
-    if (!error_) error_ = checked.error();
+  Result<XmlElement> root = parse_xml(text, {kMjcfMaxBytes, kMjcfMaxTags, kMjcfMaxNesting}, name);
+  tags_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'));
+  if (root && tags_ > kMjcfMaxTags) {
+    root = fail(ErrorCode::parse, fmt::format("more than {} tags in a model's files", kMjcfMaxTags),
+                name);
+  }
+  if (!root) {
+    if (!error_) error_ = root.error();
     return nullptr;
   }
-  tags_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'));
-  if (tags_ > kMjcfMaxTags) {
-    return refuse(fmt::format("more than {} tags", kMjcfMaxTags), name);
-  }
-  auto document = std::make_unique<tinyxml2::XMLDocument>();
-  const tinyxml2::XMLError status = document->Parse(text.data(), text.size());
-  const XmlElement* root = document->RootElement();
-  if (status == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
-    return refuse(fmt::format("elements are nested deeper than {}", TINYXML2_MAX_ELEMENT_DEPTH),
-                  fmt::format("line {} of {}", document->ErrorLineNum(), name));
-  }
-  if (status != tinyxml2::XML_SUCCESS || root == nullptr) {
-    return refuse(root == nullptr && status == tinyxml2::XML_SUCCESS
-                      ? "no element: this is no XML file"
-                      : "no well-formed XML: a tag, an attribute or an end is not as it should be",
-                  fmt::format("line {} of {}", document->ErrorLineNum(), name));
-  }
-  files_.emplace_back(name, std::move(document));
-  return root;
+  files_.emplace_back(name, std::make_unique<XmlElement>(*std::move(root)));
+  return files_.back().second.get();
 }
 
 void MjcfFiles::follow(const XmlElement& element, const MjcfInclude& include_file) {
-  for (const XmlElement* e = element.FirstChildElement(); e != nullptr && !error_;
-       e = e->NextSiblingElement()) {
-    if (std::string_view(e->Name()) == "include") {
-      include(*e, include_file);
+  for (const XmlElement& e : element.children) {
+    if (error_) return;
+    if (e.name == "include") {
+      include(e, include_file);
     } else {
-      follow(*e, include_file);
+      follow(e, include_file);
     }
   }
 }
 
 void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_file) {
-  const char* file = element.Attribute("file");
+  const char* file = element.attribute("file");
   if (file == nullptr || *file == '\0') return wrong(element, "<include> names no file");
   const std::string name = file;
   const auto same = [&](const auto& each) { return each.first == name; };
@@ -104,16 +101,10 @@ void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_fi
 }
 
 std::string MjcfFiles::place_of(const XmlElement& element) const {
-  for (const auto& [name, document] : files_) {
-    if (element.GetDocument() != document.get()) continue;
-    return fmt::format("line {} of {}", element.GetLineNum(), name);
+  for (const auto& [name, root] : files_) {
+    if (stands_in(element, *root)) return fmt::format("line {} of {}", element.line, name);
   }
   return {};
-}
-
-std::nullptr_t MjcfFiles::refuse(std::string message, std::string place) {
-  if (!error_) error_ = Error{ErrorCode::parse, std::move(message), std::move(place)};
-  return nullptr;
 }
 
 }  // namespace shigusa

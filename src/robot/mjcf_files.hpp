@@ -2,7 +2,6 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <tinyxml2.h>
 
 #include <map>
 #include <memory>
@@ -11,11 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "io/xml.hpp"
 #include "robot/mjcf.hpp"
 
 namespace shigusa {
-
-using XmlElement = tinyxml2::XMLElement;
 
 // A text in a message: short, and without bytes that a terminal may take amiss.
 [[nodiscard]] std::string shown(std::string_view text);
@@ -32,13 +30,13 @@ class MjcfFiles {
   // Calls visit(element) for each element below, what is included in its place; stops at an error.
   template <class Visit>
   void each(const XmlElement& parent, const Visit& visit) {
-    for (const XmlElement* e = parent.FirstChildElement(); e != nullptr && !error_;
-         e = e->NextSiblingElement()) {
-      const auto included = included_.find(e);
+    for (const XmlElement& e : parent.children) {
+      if (error_) return;
+      const auto included = included_.find(&e);
       if (included != included_.end()) {
         if (included->second != nullptr) each(*included->second, visit);
       } else {
-        visit(*e);
+        visit(e);
       }
     }
   }
@@ -60,9 +58,8 @@ class MjcfFiles {
   void follow(const XmlElement& element, const MjcfInclude& include);
   void include(const XmlElement& element, const MjcfInclude& include);
   [[nodiscard]] std::string place_of(const XmlElement& element) const;
-  std::nullptr_t refuse(std::string message, std::string place);
 
-  std::vector<std::pair<std::string, std::unique_ptr<tinyxml2::XMLDocument>>> files_;
+  std::vector<std::pair<std::string, std::unique_ptr<XmlElement>>> files_;
   const XmlElement* root_ = nullptr;
   std::map<const XmlElement*, const XmlElement*> included_;  // <include>, the other file's root
   std::vector<std::string> absent_;

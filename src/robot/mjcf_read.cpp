@@ -1,20 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "robot/mjcf.hpp"
-
-#ifndef SHIGUSA_HAS_URDF
-
-namespace shigusa {
-
-Result<Robot> parse_mjcf(std::string_view, std::string_view name, const MjcfInclude&) {
-  return fail(ErrorCode::unsupported, "this build of shigusa reads no MJCF", std::string(name));
-}
-
-MjcfInclude included_from(std::filesystem::path) { return {}; }
-
-}  // namespace shigusa
-
-#else
-
 #include <algorithm>
 #include <set>
 
@@ -23,18 +7,19 @@ MjcfInclude included_from(std::filesystem::path) { return {}; }
 #include "math/axes.hpp"
 #include "mjcf_geom.hpp"
 #include "person/humanoid_names.hpp"
+#include "robot/mjcf.hpp"
 
 namespace shigusa {
 namespace {
 
-bool is(const XmlElement& element, std::string_view tag) { return tag == element.Name(); }
+bool is(const XmlElement& element, std::string_view tag) { return tag == element.name; }
 bool is_joint(const XmlElement& element) {
   return is(element, "joint") || is(element, "freejoint");
 }
 
 // An element that may name the class of what stands in it, within one of that class.
 MjcfPart in_class(const XmlElement& element, std::string_view childclass) {
-  const char* named = element.Attribute("childclass");
+  const char* named = element.attribute("childclass");
   return {element, named != nullptr ? named : childclass};
 }
 
@@ -110,7 +95,7 @@ class ModelReader {
 
 void ModelReader::read_robot() {
   if (files_.root() == nullptr) return;
-  const char* model = files_.root()->Attribute("model");
+  const char* model = files_.root()->attribute("model");
   robot_.name = model == nullptr ? name_ : model;
   files_.each(*files_.root(), [&](const XmlElement& e) {
     if (is(e, "worldbody")) find_root({{e, {}}, {}}, 0);
@@ -161,7 +146,7 @@ void ModelReader::list(const Inside& inside, int depth, std::vector<Inside>& con
       if (too_deep(e, depth + 1)) return;
       return list({frame, inside.frame * values_.place(frame)}, depth + 1, content);
     }
-    if (contains(kMakers, e.Name())) unknown_.push_back(e.Name());
+    if (contains(kMakers, e.name)) unknown_.push_back(e.name);
     content.push_back({part, inside.frame});
   });
 }
@@ -219,7 +204,7 @@ int ModelReader::add_link(const std::string& name, const XmlElement& at) {
 }
 
 std::string ModelReader::name_of(const XmlElement& element, const std::string& otherwise) {
-  const char* name = element.Attribute("name");
+  const char* name = element.attribute("name");
   if (name == nullptr || *name == '\0') return otherwise;
   constexpr std::size_t kLongest = 256;
   if (std::string_view(name).size() > kLongest) {
@@ -398,8 +383,8 @@ void ModelReader::follow_equalities() {
   files_.each(*files_.root(), [&](const XmlElement& section) {
     if (!is(section, "equality")) return;
     files_.each(section, [&](const XmlElement& e) {
-      const char* joint = e.Attribute("joint1");
-      if (!is(e, "joint") || joint == nullptr || e.Attribute("joint2") == nullptr) return;
+      const char* joint = e.attribute("joint1");
+      if (!is(e, "joint") || joint == nullptr || e.attribute("joint2") == nullptr) return;
       const auto found = joints_by_name_.find(joint);
       if (found == joints_by_name_.end()) return;
       robot_.joints[found->second].turns = false;
@@ -479,5 +464,3 @@ Result<Robot> parse_mjcf(std::string_view text, std::string_view name, const Mjc
 }
 
 }  // namespace shigusa
-
-#endif

@@ -50,8 +50,8 @@ MjcfValues::MjcfValues(MjcfFiles& files) : files_(files) {
   if (files.root() == nullptr) return;
   bool first = true;
   files.each(*files.root(), [&](const XmlElement& e) {
-    if (std::string_view(e.Name()) != "default") return;
-    const char* name = e.Attribute("class");
+    if (e.name != "default") return;
+    const char* name = e.attribute("class");
     if (first && name != nullptr && main_ != name) {
       classes_.erase(main_);
       main_ = name;
@@ -60,7 +60,7 @@ MjcfValues::MjcfValues(MjcfFiles& files) : files_(files) {
     read_class(e, "", 1);
   });
   files.each(*files.root(), [&](const XmlElement& e) {
-    if (std::string_view(e.Name()) == "compiler") read_compiler(e);
+    if (e.name == "compiler") read_compiler(e);
   });
 }
 
@@ -68,7 +68,7 @@ void MjcfValues::read_compiler(const XmlElement& compiler) {
   const MjcfPart part{compiler, {}};
   const auto word = [&](const char* attribute, std::string_view yes, std::string_view no,
                         bool& value) {
-    const char* text = compiler.Attribute(attribute);
+    const char* text = compiler.attribute(attribute);
     if (text == nullptr) return;
     if (text != yes && text != no) {
       files_.wrong(compiler, "{} is {}; allowed are {} and {}", attribute, shown(text), yes, no);
@@ -80,11 +80,11 @@ void MjcfValues::read_compiler(const XmlElement& compiler) {
   bool local = true;
   word("coordinate", "local", "global", local);
   if (!local) files_.wrong(compiler, "coordinate is 'global', which MuJoCo has given up");
-  if (const char* text = compiler.Attribute("inertiafromgeom")) {
+  if (const char* text = compiler.attribute("inertiafromgeom")) {
     settings_.from_inertial = std::string_view(text) != "true";
     settings_.from_geoms = std::string_view(text) != "false";
   }
-  if (const char* text = compiler.Attribute("eulerseq")) {
+  if (const char* text = compiler.attribute("eulerseq")) {
     settings_.euler = text;
     const auto is_axis = [](char c) { return std::string_view("xyzXYZ").find(c) < 6; };
     if (settings_.euler.size() != 3 ||
@@ -103,13 +103,13 @@ void MjcfValues::read_class(const XmlElement& element, const std::string& above,
   if (depth > kMaxClassDepth) {
     return files_.wrong(element, "classes are nested deeper than {}", kMaxClassDepth);
   }
-  const char* text = element.Attribute("class");
+  const char* text = element.attribute("class");
   if (text == nullptr && depth > 1) return files_.wrong(element, "<default> names no class");
   const std::string name = text == nullptr ? main_ : text;
   Class& read = classes_[name];
   if (name != main_) read.above = above.empty() ? main_ : above;
   files_.each(element, [&](const XmlElement& e) {
-    if (std::string_view(e.Name()) == "default") {
+    if (e.name == "default") {
       read_class(e, name, depth + 1);
       return;
     }
@@ -123,8 +123,8 @@ void MjcfValues::read_class(const XmlElement& element, const std::string& above,
 
 MjcfValues::Found MjcfValues::find(const MjcfPart& part, const char* attribute) const {
   const XmlElement& element = part.element;
-  if (const char* text = element.Attribute(attribute)) return {&element, text, 0};
-  const char* own = element.Attribute("class");
+  if (const char* text = element.attribute(attribute)) return {&element, text, 0};
+  const char* own = element.attribute("class");
   std::string_view name = own != nullptr ? own : part.childclass;
   if (name.empty()) name = main_;
   // a class that is named again within itself has no end
@@ -136,8 +136,8 @@ MjcfValues::Found MjcfValues::find(const MjcfPart& part, const char* attribute) 
     }
     const auto& list = found->second.elements;
     for (auto e = list.rbegin(); e != list.rend(); ++e) {
-      const char* text = (*e)->Attribute(attribute);
-      if (text != nullptr && same_kind((*e)->Name(), element.Name())) return {*e, text, distance};
+      const char* text = (*e)->attribute(attribute);
+      if (text != nullptr && same_kind((*e)->name, element.name)) return {*e, text, distance};
     }
     name = found->second.above;
   }
@@ -156,24 +156,17 @@ bool MjcfValues::has(const MjcfPart& part, const char* attribute) const {
 std::size_t MjcfValues::parse(const Found& found, const char* attribute, std::span<double> values,
                               std::size_t least, double most) {
   if (found.text == nullptr) return 0;
-  const std::string_view text = found.text;
-  std::size_t count = 0;
-  for (std::size_t at = 0;;) {
-    while (at < text.size() && is_blank(text[at])) ++at;
-    if (at == text.size()) break;
-    const std::size_t begin = at;
-    while (at < text.size() && !is_blank(text[at])) ++at;
-    const std::optional<double> value = parse_number(text.substr(begin, at - begin));
-    const bool tame = value && (abs(*value) <= kMjcfMaxValue || abs(*value) == most);
-    if (count == values.size() || !tame) {
-      files_.wrong(*found.at, "{} is {}; it takes {} numbers of up to {:g}", attribute, shown(text),
-                   values.size(), kMjcfMaxValue);
-      return count;
-    }
-    values[count++] = *value;
+  const auto numbers = xml_numbers(found.text, values.size());
+  const auto is_tame = [&](double x) { return abs(x) <= kMjcfMaxValue || abs(x) == most; };
+  if (!numbers || !std::all_of(numbers->begin(), numbers->end(), is_tame)) {
+    files_.wrong(*found.at, "{} is {}; it takes {} numbers of up to {:g}", attribute,
+                 shown(found.text), values.size(), kMjcfMaxValue);
+    return 0;
   }
+  const std::size_t count = numbers->size();
+  std::copy(numbers->begin(), numbers->end(), values.begin());
   if (count < least) {
-    files_.wrong(*found.at, "{} is {}; it takes {} numbers", attribute, shown(text), least);
+    files_.wrong(*found.at, "{} is {}; it takes {} numbers", attribute, shown(found.text), least);
   }
   return count;
 }
@@ -282,7 +275,7 @@ Mat3d MjcfValues::euler(const Vec3d& written) const {
 MjcfActuators::MjcfActuators(MjcfFiles& files, MjcfValues& values) : values_(values) {
   if (files.root() == nullptr) return;
   files.each(*files.root(), [&](const XmlElement& section) {
-    if (std::string_view(section.Name()) != "actuator") return;
+    if (section.name != "actuator") return;
     files.each(section, [&](const XmlElement& e) { read({e, {}}); });
   });
 }
@@ -295,7 +288,7 @@ void MjcfActuators::read(const MjcfPart& part) {
   values_.numbers(part, "gear", gear, 1);
   double force = kInfinity;
   if (const auto ends = values_.range(part, "forcerange", "forcelimited")) force = farther(*ends);
-  const std::string_view tag = part.element.Name();
+  const std::string_view tag = part.element.name;
   const std::string_view bias = values_.word(part, "biastype");
   const std::string_view gain_type = values_.word(part, "gaintype");
   const bool plain =

@@ -116,15 +116,6 @@ void doubt_about(const std::vector<std::string>& names, const char* one, const c
                                      : fmt::format(fmt::runtime(many), names.size(), names[0]));
 }
 
-Result<void> check_text(std::string_view text, std::size_t most, std::string_view name) {
-  if (text.size() > most) {
-    return fail(ErrorCode::parse, fmt::format("{} bytes; {} are allowed", text.size(), most),
-                std::string(name));
-  }
-  if (text.find('\0') == text.npos) return {};
-  return fail(ErrorCode::parse, "a zero byte: this is no text", std::string(name));
-}
-
 std::vector<Transformd> robot_places(const Robot& robot) {
   std::vector<const Robot::Joint*> carrier(robot.links.size(), nullptr);
   for (const Robot::Joint& joint : robot.joints) {

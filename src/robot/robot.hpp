@@ -51,10 +51,6 @@ struct Robot {
 void doubt_about(const std::vector<std::string>& names, const char* one, const char* many,
                  std::vector<std::string>& doubts);
 
-// Fails on a text that is too long or none; `name` stands for its file.
-[[nodiscard]] Result<void> check_text(std::string_view text, std::size_t most,
-                                      std::string_view name);
-
 // Places of the links (links) where all angles are 0, in the root's frame.
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);
 

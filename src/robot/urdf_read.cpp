@@ -5,141 +5,43 @@
 #include <map>
 #include <shigusa/quat.hpp>
 #include <shigusa/transform.hpp>
+#include <utility>
 
 #include "body/link_mass.hpp"
+#include "core/text.hpp"
 #include "math/axes.hpp"
 #include "robot/urdf.hpp"
 
-#ifdef SHIGUSA_HAS_URDF
-#include <console_bridge/console.h>
-#include <urdf_parser/urdf_parser.h>
-
-#include <mutex>
-#endif
-
 namespace shigusa {
-
-#ifndef SHIGUSA_HAS_URDF
-
-Result<Robot> parse_urdf(std::string_view, std::string_view name) {
-  return fail(ErrorCode::unsupported, "this build of shigusa reads no URDF", std::string(name));
-}
-
-#else
-
 namespace {
 
-// Catches what urdfdom writes to its console, which is all that it tells of an error.
-class Console : public console_bridge::OutputHandler {
- public:
-  Console() {
-    console_bridge::useOutputHandler(this);
-    level_ = console_bridge::getLogLevel();
-    console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
-  }
-  ~Console() override {
-    console_bridge::setLogLevel(level_);
-    console_bridge::restorePreviousOutputHandler();
-  }
-  Console(const Console&) = delete;
-  Console& operator=(const Console&) = delete;
-
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    constexpr std::size_t kMost = 300;
-    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || said_.size() > kMost) return;
-    if (!said_.empty()) said_ += "; ";
-    said_ += text.substr(0, kMost);
-    std::replace(said_.begin(), said_.end(), '\n', ' ');
-  }
-  [[nodiscard]] const std::string& said() const { return said_; }
-
- private:
-  std::string said_;
-  console_bridge::LogLevel level_;
-};
-
-// The model as urdfdom has it. Its links own each other, and go one by one: those of a cycle would
-// never go, and a long chain's destructors would fill the stack.
-class Model {
- public:
-  explicit Model(const std::string& text) {
-    // the console is the whole program's
-    static std::mutex one_at_a_time;
-    const std::lock_guard lock(one_at_a_time);
-    Console console;
-    model_ = urdf::parseURDF(text);
-    said_ = console.said();
-  }
-  ~Model() {
-    if (!model_) return;
-    for (auto& [name, link] : model_->links_) {
-      link->child_links.clear();
-      link->child_joints.clear();
-    }
-  }
-  Model(const Model&) = delete;
-  Model& operator=(const Model&) = delete;
-
-  [[nodiscard]] const urdf::ModelInterface* get() const { return model_.get(); }
-  [[nodiscard]] const std::string& said() const { return said_; }
-
- private:
-  urdf::ModelInterfaceSharedPtr model_;
-  std::string said_;
-};
-
-Vec3d vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
-
-Transformd place(const urdf::Pose& pose) {
-  const urdf::Rotation& r = pose.rotation;
-  const double scale = 1.0 / sqrt(r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w);
-  return {to_matrix(Quatd{r.x * scale, r.y * scale, r.z * scale, r.w * scale}),
-          vector(pose.position)};
-}
+constexpr std::string_view kJointTypes[] = {"revolute", "continuous", "prismatic",
+                                            "fixed",    "planar",     "floating"};
 
 bool is_tame(double x) { return abs(x) <= kUrdfMaxValue; }
 bool is_tame(const Vec3d& v) { return is_within(v, kUrdfMaxValue); }
-bool is_tame(const Transformd& x) {
-  return is_tame(x.translation) && is_within(x.rotation, kUrdfMaxValue);
+
+// R = Rz(yaw) Ry(pitch) Rx(roll)
+Mat3d turned(const Vec3d& roll_pitch_yaw) {
+  const SinCos<double> x = sin_cos(0.5 * roll_pitch_yaw.x);
+  const SinCos<double> y = sin_cos(0.5 * roll_pitch_yaw.y);
+  const SinCos<double> z = sin_cos(0.5 * roll_pitch_yaw.z);
+  return to_matrix(Quatd{x.sin * y.cos * z.cos - x.cos * y.sin * z.sin,
+                         x.cos * y.sin * z.cos + x.sin * y.cos * z.sin,
+                         x.cos * y.cos * z.sin - x.sin * y.sin * z.cos,
+                         x.cos * y.cos * z.cos + x.sin * y.sin * z.sin});
 }
 
-// Corners of a box around a collision shape, link frame.
-void add_corners(const urdf::Collision& collision, std::vector<Vec3d>& corners) {
-  if (!collision.geometry) return;
-  Vec3d half{};
-  switch (collision.geometry->type) {
-    case urdf::Geometry::BOX:
-      half = vector(static_cast<const urdf::Box&>(*collision.geometry).dim) * 0.5;
-      break;
-    case urdf::Geometry::SPHERE: {
-      const double r = static_cast<const urdf::Sphere&>(*collision.geometry).radius;
-      half = {r, r, r};
-      break;
-    }
-    case urdf::Geometry::CYLINDER: {
-      const auto& cylinder = static_cast<const urdf::Cylinder&>(*collision.geometry);
-      half = {cylinder.radius, cylinder.radius, 0.5 * cylinder.length};
-      break;
-    }
-    default:
-      return;
-  }
-  const Transformd at = place(collision.origin);
-  for (const Vec3d& corner : box_corners(half)) corners.push_back(at * corner);
-}
-
-class RobotReader {
+class UrdfReader {
  public:
-  RobotReader(const urdf::ModelInterface& model, std::string_view text, std::string_view name)
-      : model_(model), name_(name) {
-    robot_.name = model.getName();
-    order_joints(text);
-  }
+  explicit UrdfReader(std::string_view name) : name_(name) {}
 
-  Result<Robot> read() {
+  Result<Robot> read(const XmlElement& robot) {
+    SHG_TRY_ASSIGN(robot_.name, name_of(robot));
+    SHG_TRY(gather(robot));
     SHG_TRY(take_tree());
-    for (const urdf::Joint* joint : joints_) {
-      SHG_TRY(take_joint(*joint));
+    for (const Hung& joint : joints_) {
+      SHG_TRY(take_joint(joint));
     }
     doubt_about(sliding_, "joint '{}' slides: it keeps its place",
                 "{} joints, '{}' the first, slide: they keep their places", robot_.doubts);
@@ -150,144 +52,283 @@ class RobotReader {
   }
 
  private:
+  // A joint with the links that it holds together.
+  struct Hung {
+    const XmlElement* joint;
+    std::string parent;
+    std::string child;
+  };
+
   template <class... Args>
-  [[nodiscard]] tl::unexpected<Error> wrong(fmt::format_string<Args...> format,
+  [[nodiscard]] tl::unexpected<Error> wrong(const XmlElement& at,
+                                            fmt::format_string<Args...> format,
                                             Args&&... args) const {
-    return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...), name_);
+    return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...),
+                fmt::format("line {} of {}", at.line, name_));
   }
 
-  // urdfdom keeps joints by name; the file's order is that of their tags, whose names may be
-  // escaped
-  void order_joints(std::string_view text) {
-    std::map<std::string, std::size_t> place;
-    for (std::size_t at = text.find("<joint"); at != text.npos; at = text.find("<joint", at + 1)) {
-      const std::string_view tag = text.substr(at, text.find('>', at) - at);
-      const std::size_t name = tag.find("name=");
-      if (name == tag.npos || name + 6 >= tag.size()) continue;
-      const char quote = tag[name + 5];
-      const std::size_t end = tag.find(quote, name + 6);
-      if (end == tag.npos) continue;
-      place.emplace(tag.substr(name + 6, end - name - 6), place.size());
-    }
-    for (const auto& [name, joint] : model_.joints_) joints_.push_back(joint.get());
-    const auto rank = [&](const urdf::Joint* joint) {
-      const auto found = place.find(joint->name);
-      return found == place.end() ? place.size() : found->second;
-    };
-    std::stable_sort(joints_.begin(), joints_.end(),
-                     [&](const urdf::Joint* a, const urdf::Joint* b) { return rank(a) < rank(b); });
+  [[nodiscard]] Result<std::string> name_of(const XmlElement& element) const {
+    const char* name = element.attribute("name");
+    if (name == nullptr || *name == '\0') return wrong(element, "<{}> has no name", element.name);
+    return name;
   }
 
-  // The links, parents first. That each hangs on one joint, and none in a circle, reduced_urdf has
-  // seen by the names as they are written; escaped ones come to light here.
-  Result<void> take_tree() {
-    std::map<std::string, std::vector<const urdf::Joint*> > below;
-    for (const urdf::Joint* joint : joints_) below[joint->parent_link_name].push_back(joint);
-    std::vector<const urdf::Link*> waiting{model_.getRoot().get()};
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
-      SHG_TRY(take_link(*waiting[i]));
-      for (const urdf::Joint* joint : below[waiting[i]->name]) {
-        if (waiting.size() == model_.links_.size()) {
-          return wrong("link '{}' hangs on two joints; one is allowed", joint->child_link_name);
-        }
-        waiting.push_back(model_.getLink(joint->child_link_name).get());
+  // As many numbers as `count` of an attribute; those of `otherwise` where there is none.
+  Result<void> read_numbers(const XmlElement& element, const char* attribute, std::size_t count,
+                            double* numbers) const {
+    const char* text = element.attribute(attribute);
+    if (text == nullptr) return {};
+    const auto read = xml_numbers(text, count);
+    if (!read || read->size() != count) {
+      return wrong(element, "{} of <{}> is '{}'; it takes {} number{}", attribute, element.name,
+                   std::string_view(text).substr(0, 60), count, count == 1 ? "" : "s");
+    }
+    std::copy(read->begin(), read->end(), numbers);
+    return {};
+  }
+
+  [[nodiscard]] Result<Vec3d> vector(const XmlElement& element, const char* attribute,
+                                     const Vec3d& otherwise = {}) const {
+    double v[] = {otherwise.x, otherwise.y, otherwise.z};
+    SHG_TRY(read_numbers(element, attribute, 3, v));
+    return Vec3d{v[0], v[1], v[2]};
+  }
+
+  [[nodiscard]] Result<double> number(const XmlElement& element, const char* attribute,
+                                      std::optional<double> otherwise = std::nullopt) const {
+    if (!otherwise && element.attribute(attribute) == nullptr) {
+      return wrong(element, "<{}> has no {}", element.name, attribute);
+    }
+    double value = otherwise.value_or(0.0);
+    SHG_TRY(read_numbers(element, attribute, 1, &value));
+    return value;
+  }
+
+  // By the <origin> in an element; where its parent is without one.
+  [[nodiscard]] Result<Transformd> place_of(const XmlElement& element) const {
+    const XmlElement* origin = element.child("origin");
+    if (origin == nullptr) return Transformd{};
+    SHG_TRY_ASSIGN(const Vec3d at, vector(*origin, "xyz"));
+    SHG_TRY_ASSIGN(const Vec3d rpy, vector(*origin, "rpy"));
+    if (!is_tame(at) || !is_tame(rpy)) {
+      return wrong(*origin, "the origin has numbers beyond {:g}", kUrdfMaxValue);
+    }
+    return Transformd{turned(rpy), at};
+  }
+
+  // Links and joints by name. Each link hangs on one joint at most.
+  Result<void> gather(const XmlElement& robot) {
+    std::map<std::string, const XmlElement*> joints;
+    for (const XmlElement& element : robot.children) {
+      SHG_TRY_ASSIGN(const std::string name, name_of(element));
+      auto& taken = element.name == "link" ? links_ : joints;
+      if (!taken.emplace(name, &element).second) {
+        return wrong(element, "{} '{}' is there twice", element.name, name);
       }
     }
-    for (const auto& [name, link] : model_.links_) {
-      if (index_.count(name) == 0) {
-        return wrong("link '{}' does not hang on the root '{}'", name, waiting[0]->name);
+    for (const XmlElement& element : robot.children) {
+      if (element.name != "joint") continue;
+      Hung hung{&element, {}, {}};
+      SHG_TRY_ASSIGN(hung.parent, link_of(element, "parent"));
+      SHG_TRY_ASSIGN(hung.child, link_of(element, "child"));
+      if (!above_.emplace(hung.child, hung.parent).second) {
+        return wrong(element, "link '{}' hangs on two joints; one is allowed", hung.child);
       }
+      joints_.push_back(std::move(hung));
     }
     return {};
   }
 
-  Result<void> take_link(const urdf::Link& link) {
-    index_[link.name] = static_cast<int>(robot_.links.size());
+  // The link that a joint hangs on, or carries.
+  [[nodiscard]] Result<std::string> link_of(const XmlElement& joint, const char* end) const {
+    const XmlElement* found = nullptr;
+    for (const XmlElement& child : joint.children) {
+      if (child.name != end) continue;
+      if (found != nullptr) return wrong(child, "a joint with a second <{}>", end);
+      found = &child;
+    }
+    SHG_TRY_ASSIGN(const std::string name, name_of(joint));
+    if (found == nullptr) return wrong(joint, "joint '{}' has no <{}>", name, end);
+    const char* link = found->attribute("link");
+    if (link == nullptr || *link == '\0') return wrong(*found, "<{}> names no link", end);
+    if (links_.count(link) == 0) {
+      return wrong(*found, "joint '{}' names the link '{}', which is not there", name, link);
+    }
+    return link;
+  }
+
+  // The links, parents first.
+  Result<void> take_tree() {
+    std::map<std::string, std::vector<std::string>> below;
+    for (const Hung& joint : joints_) below[joint.parent].push_back(joint.child);
+    std::vector<std::string> order;
+    for (const auto& [name, link] : links_) {
+      if (above_.count(name) == 0) order.push_back(name);
+    }
+    const std::size_t roots = order.size();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const std::vector<std::string>& children = below[order[i]];
+      order.insert(order.end(), children.begin(), children.end());
+    }
+    if (links_.empty()) return fail(ErrorCode::parse, "no <link> in <robot>", name_);
+    for (const auto& [name, link] : links_) {
+      if (contains(order, name)) continue;
+      return wrong(*link, "link '{}' hangs in a circle of joints, or below one", name);
+    }
+    if (roots > 1) {
+      return wrong(*links_[order[1]], "links '{}' and '{}' hang on none; a robot has one root",
+                   order[0], order[1]);
+    }
+    for (const std::string& name : order) {
+      SHG_TRY(take_link(name, *links_[name]));
+    }
+    return {};
+  }
+
+  Result<void> take_link(const std::string& name, const XmlElement& link) {
+    index_[name] = static_cast<int>(robot_.links.size());
     Robot::Link& to = robot_.links.emplace_back();
-    to.name = link.name;
-    for (const auto& collision : link.collision_array) {
-      if (collision) add_corners(*collision, to.corners);
+    to.name = name;
+    for (const XmlElement& child : link.children) {
+      if (child.name == "collision") SHG_TRY(add_corners(child, to));
     }
     for (const Vec3d& corner : to.corners) {
       if (!is_tame(corner)) {
-        return wrong("a collision shape of link '{}' reaches beyond {:g} m", link.name,
+        return wrong(link, "a collision shape of link '{}' reaches beyond {:g} m", name,
                      kUrdfMaxValue);
       }
     }
-    if (!link.inertial) return {};
-    const urdf::Inertial& i = *link.inertial;
-    const Transformd at = place(i.origin);
-    if (!is_tame(i.mass) || i.mass < 0.0) {
-      return wrong("the mass of link '{}' is {} kg; allowed are 0 to {:g}", link.name, i.mass,
-                   kUrdfMaxValue);
+    const XmlElement* inertial = link.child("inertial");
+    return inertial == nullptr ? Result<void>{} : take_mass(*inertial, to);
+  }
+
+  // Corners of a box around a collision shape, link frame.
+  Result<void> add_corners(const XmlElement& collision, Robot::Link& to) const {
+    const XmlElement& shape = collision.child("geometry")->children[0];
+    Vec3d half{};
+    if (shape.name == "box") {
+      if (shape.attribute("size") == nullptr) return wrong(shape, "<box> has no size");
+      SHG_TRY_ASSIGN(const Vec3d size, vector(shape, "size"));
+      half = size * 0.5;
+    } else {
+      SHG_TRY_ASSIGN(const double radius, number(shape, "radius"));
+      half = {radius, radius, radius};
     }
-    const Mat3d inertia{{i.ixx, i.ixy, i.ixz}, {i.ixy, i.iyy, i.iyz}, {i.ixz, i.iyz, i.izz}};
-    if (!is_tame(at) || !is_within(inertia, kUrdfMaxValue)) {
-      return wrong("the inertia of link '{}' has numbers beyond {:g}", link.name, kUrdfMaxValue);
+    if (shape.name == "cylinder") {
+      SHG_TRY_ASSIGN(const double length, number(shape, "length"));
+      half.z = 0.5 * length;
     }
-    to.mass = i.mass;
-    to.com = at.translation;
-    // without mass there is nothing to turn
-    to.inertia = scaled(at.rotation * inertia * transpose(at.rotation), i.mass > 0.0 ? 1.0 : 0.0);
+    SHG_TRY_ASSIGN(const Transformd at, place_of(collision));
+    for (const Vec3d& corner : box_corners(half)) to.corners.push_back(at * corner);
     return {};
   }
 
-  Result<void> take_joint(const urdf::Joint& joint) {
-    Robot::Joint to;
-    to.name = joint.name;
-    to.parent = index_[joint.parent_link_name];
-    to.child = index_[joint.child_link_name];
-    to.origin = place(joint.parent_to_joint_origin_transform);
-    if (!is_tame(to.origin)) {
-      return wrong("the origin of joint '{}' has numbers beyond {:g}", joint.name, kUrdfMaxValue);
+  Result<void> take_mass(const XmlElement& inertial, Robot::Link& to) const {
+    const XmlElement* mass = inertial.child("mass");
+    const XmlElement* inertia = inertial.child("inertia");
+    if (mass == nullptr || inertia == nullptr) {
+      return wrong(inertial, "<inertial> of link '{}' has no <{}>", to.name,
+                   mass == nullptr ? "mass" : "inertia");
     }
-    const bool revolute = joint.type == urdf::Joint::REVOLUTE;
-    to.slides = joint.type == urdf::Joint::PRISMATIC;
-    to.moves = revolute || to.slides || joint.type == urdf::Joint::CONTINUOUS;
-    to.turns = to.moves && !to.slides && !joint.mimic;
-    if (joint.mimic) {
-      mimics_.push_back(joint.name);
-    } else if (!to.turns && joint.type != urdf::Joint::FIXED) {
-      sliding_.push_back(joint.name);
+    SHG_TRY_ASSIGN(to.mass, number(*mass, "value"));
+    if (!is_tame(to.mass) || to.mass < 0.0) {
+      return wrong(*mass, "the mass of link '{}' is {} kg; allowed are 0 to {:g}", to.name, to.mass,
+                   kUrdfMaxValue);
+    }
+    double i[6] = {};
+    constexpr const char* kMoments[] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
+    for (std::size_t k = 0; k < 6; ++k) {
+      SHG_TRY_ASSIGN(i[k], number(*inertia, kMoments[k]));
+    }
+    const Mat3d moments{{i[0], i[1], i[2]}, {i[1], i[3], i[4]}, {i[2], i[4], i[5]}};
+    if (!is_within(moments, kUrdfMaxValue)) {
+      return wrong(*inertia, "the inertia of link '{}' has numbers beyond {:g}", to.name,
+                   kUrdfMaxValue);
+    }
+    SHG_TRY_ASSIGN(const Transformd at, place_of(inertial));
+    to.com = at.translation;
+    // without mass there is nothing to turn
+    to.inertia = scaled(at.rotation * moments * transpose(at.rotation), to.mass > 0.0 ? 1.0 : 0.0);
+    return {};
+  }
+
+  Result<void> take_joint(const Hung& hung) {
+    const XmlElement& joint = *hung.joint;
+    Robot::Joint to;
+    SHG_TRY_ASSIGN(to.name, name_of(joint));
+    to.parent = index_[hung.parent];
+    to.child = index_[hung.child];
+    SHG_TRY_ASSIGN(to.origin, place_of(joint));
+    const char* written = joint.attribute("type");
+    const std::string_view type = written == nullptr ? "" : written;
+    if (!contains(kJointTypes, type)) {
+      return wrong(joint, "joint '{}' has the type '{}'; allowed are {}", to.name,
+                   type.substr(0, 60), fmt::join(kJointTypes, ", "));
+    }
+    const bool revolute = type == "revolute";
+    const bool mimics = joint.child("mimic") != nullptr;
+    to.slides = type == "prismatic";
+    to.moves = revolute || to.slides || type == "continuous";
+    to.turns = to.moves && !to.slides && !mimics;
+    if (mimics) {
+      mimics_.push_back(to.name);
+    } else if (!to.turns && type != "fixed") {
+      sliding_.push_back(to.name);
     }
     if (to.moves) {
-      const Vec3d axis = vector(joint.axis);
-      if (!is_tame(axis) || !(norm(axis) > 1e-6)) {
-        return wrong("the axis of joint '{}' is {} {} {}; it needs a direction", joint.name, axis.x,
-                     axis.y, axis.z);
-      }
-      to.axis = normalized(axis);
+      SHG_TRY(take_axis(joint, to));
       SHG_TRY(take_limits(joint, revolute || to.slides, to));
     }
     robot_.joints.push_back(to);
     return {};
   }
 
-  Result<void> take_limits(const urdf::Joint& joint, bool ends, Robot::Joint& to) const {
-    if (!joint.limits) return {};
-    const urdf::JointLimits& limits = *joint.limits;
-    if (!is_tame(limits.effort) || !is_tame(limits.lower) || !is_tame(limits.upper)) {
-      return wrong("the limits of joint '{}' have numbers beyond {:g}", joint.name, kUrdfMaxValue);
+  Result<void> take_axis(const XmlElement& joint, Robot::Joint& to) const {
+    const XmlElement* element = joint.child("axis");
+    if (element == nullptr) return {};
+    SHG_TRY_ASSIGN(const Vec3d axis, vector(*element, "xyz", to.axis));
+    if (!is_tame(axis) || !(norm(axis) > 1e-6)) {
+      return wrong(*element, "the axis of joint '{}' is {} {} {}; it needs a direction", to.name,
+                   axis.x, axis.y, axis.z);
     }
-    to.effort = max(limits.effort, 0.0);
+    to.axis = normalized(axis);
+    return {};
+  }
+
+  Result<void> take_limits(const XmlElement& joint, bool ends, Robot::Joint& to) const {
+    const XmlElement* limit = joint.child("limit");
+    if (limit == nullptr) {
+      if (!ends) return {};
+      return wrong(joint, "joint '{}' has no <limit>; one that turns or slides has its ends there",
+                   to.name);
+    }
+    SHG_TRY_ASSIGN(const double effort, number(*limit, "effort", 0.0));
+    SHG_TRY_ASSIGN(const double lower, number(*limit, "lower", 0.0));
+    SHG_TRY_ASSIGN(const double upper, number(*limit, "upper", 0.0));
+    if (!is_tame(effort) || !is_tame(lower) || !is_tame(upper)) {
+      return wrong(*limit, "the limits of joint '{}' have numbers beyond {:g}", to.name,
+                   kUrdfMaxValue);
+    }
+    to.effort = max(effort, 0.0);
     if (!ends) return {};
-    if (limits.lower > limits.upper) {
-      return wrong("joint '{}' has the limits {} to {}; the lower one comes first", joint.name,
-                   limits.lower, limits.upper);
+    if (lower > upper) {
+      return wrong(*limit, "joint '{}' has the limits {} to {}; the lower one comes first", to.name,
+                   lower, upper);
     }
-    to.limited = to.slides || limits.upper - limits.lower < kTwoPi;
+    to.limited = to.slides || upper - lower < kTwoPi;
     if (!to.limited) return {};
-    to.lower = limits.lower;
-    to.upper = limits.upper;
+    to.lower = lower;
+    to.upper = upper;
     // a joint that can be at one angle only
     if (to.upper - to.lower < 1e-6) to.turns = false;
     return {};
   }
 
-  const urdf::ModelInterface& model_;
   const std::string name_;
-  std::vector<const urdf::Joint*> joints_;
-  std::map<std::string, int> index_;
+  std::map<std::string, const XmlElement*> links_;
+  std::vector<Hung> joints_;                  // in the file's order
+  std::map<std::string, std::string> above_;  // the link that a link hangs on
+  std::map<std::string, int> index_;          // of links in the robot
   std::vector<std::string> sliding_;
   std::vector<std::string> mimics_;
   Robot robot_;
@@ -296,16 +337,8 @@ class RobotReader {
 }  // namespace
 
 Result<Robot> parse_urdf(std::string_view text, std::string_view name) {
-  SHG_TRY_ASSIGN(const std::string reduced, reduced_urdf(text, name));
-  const Model model(reduced);
-  if (model.get() == nullptr || !model.get()->getRoot()) {
-    return fail(ErrorCode::parse,
-                model.said().empty() ? "no robot that urdfdom can read" : model.said(),
-                std::string(name));
-  }
-  return RobotReader(*model.get(), reduced, name).read();
+  SHG_TRY_ASSIGN(const XmlElement robot, reduced_urdf(text, name));
+  return UrdfReader(name).read(robot);
 }
-
-#endif
 
 }  // namespace shigusa

@@ -27,14 +27,6 @@ std::string origin(const Transformd& x) {
                      numbers(roll_pitch_yaw(x.rotation)));
 }
 
-std::string escaped(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-  }
-  return text;
-}
-
 // The box that eight corners of a link are of, as box_corners numbers them.
 std::string box(const Vec3d* corners) {
   const Vec3d x = corners[1] - corners[0];
@@ -50,7 +42,7 @@ std::string box(const Vec3d* corners) {
 
 void write_link(const Robot::Link& link, std::string& text) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "<link name=\"{}\">", escaped(link.name));
+  fmt::format_to(out, "<link name=\"{}\">", xml_escaped(link.name));
   if (link.mass > 0.0) {
     const Mat3d& i = link.inertia;
     fmt::format_to(out,
@@ -71,9 +63,9 @@ void write_joint(const Robot& robot, const Robot::Joint& joint, std::string& tex
                      : joint.slides             ? "prismatic"
                      : joint.limited || follows ? "revolute"
                                                 : "continuous";
-  const auto name = [&](int link) { return escaped(robot.links[index(link)].name); };
+  const auto name = [&](int link) { return xml_escaped(robot.links[index(link)].name); };
   fmt::format_to(out, "<joint name=\"{}\" type=\"{}\"><parent link=\"{}\"/><child link=\"{}\"/>{}",
-                 escaped(joint.name), type, name(joint.parent), name(joint.child),
+                 xml_escaped(joint.name), type, name(joint.parent), name(joint.child),
                  origin(joint.origin));
   if (joint.moves) {
     fmt::format_to(out,
@@ -81,14 +73,14 @@ void write_joint(const Robot& robot, const Robot::Joint& joint, std::string& tex
                    "velocity=\"0\"/>",
                    numbers(joint.axis), joint.lower, joint.upper, joint.effort);
   }
-  if (follows) fmt::format_to(out, "<mimic joint=\"{}\"/>", escaped(joint.name));
+  if (follows) fmt::format_to(out, "<mimic joint=\"{}\"/>", xml_escaped(joint.name));
   text += "</joint>\n";
 }
 
 }  // namespace
 
 std::string write_urdf(const Robot& robot) {
-  std::string text = fmt::format("<robot name=\"{}\">\n", escaped(robot.name));
+  std::string text = fmt::format("<robot name=\"{}\">\n", xml_escaped(robot.name));
   for (const Robot::Link& link : robot.links) write_link(link, text);
   for (const Robot::Joint& joint : robot.joints) write_joint(robot, joint, text);
   return text + "</robot>\n";

@@ -13,8 +13,8 @@ import { drag, drop, dropAll, openStudio, settled, state, take, visit } from './
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
 const files = existsSync(folder) ? readdirSync(folder).sort() : [];
-/** Files that no person can be read from. */
-const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|BrainStem|\.urdf$|\.xml$|\.tsv$/;
+/** Files that no character can be read from. */
+const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|BrainStem|Acrobot|\.tsv$/;
 
 const { site, browser } = await visit();
 

@@ -3,6 +3,7 @@
 // and every number stays finite.
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
 
 #include "robot/urdf.hpp"
@@ -11,6 +12,12 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
+  if (const auto reduced = reduced_urdf(text, "fuzz.urdf")) {
+    // what results keep is read as it was written
+    const std::string kept = write_xml(*reduced);
+    const auto again = reduced_urdf(kept, "fuzz.urdf");
+    if (!again || write_xml(*again) != kept) std::abort();
+  }
   if (auto robot = parse_urdf(text, "fuzz.urdf")) check_robot(std::move(*robot));
   return 0;
 }

@@ -242,7 +242,7 @@ TEST(Mjcf, WhatNumbersComeToIsBounded) {
 TEST(Mjcf, WhatIsNoModelIsRefused) {
   EXPECT_EQ(error_of("<robot name=\"r\"/>"),
             "line 1 of r.xml: <robot> in place of <mujoco>: this is no MJCF file");
-  EXPECT_THAT(error_of("<mujoco><worldbody>"), HasSubstr("no well-formed XML"));
+  EXPECT_THAT(error_of("<mujoco><worldbody>"), HasSubstr("<worldbody> is never closed"));
   EXPECT_THAT(error_of(""), HasSubstr("r.xml"));
   EXPECT_EQ(error_of("<mujoco/>"), "r.xml: no <body> in <worldbody>");
   EXPECT_THAT(error_of(std::string("<mujoco/>\0", 10)), HasSubstr("a zero byte"));

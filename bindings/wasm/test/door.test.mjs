@@ -29,7 +29,7 @@ test('the engine tells its tables', () => {
   assert.ok(facts.presets.some(({ name }) => name === facts.default_preset));
   const written = new Set(facts.formats.filter((format) => format.written).map(({ name }) => name));
   assert.ok(written.has('svg') && !written.has('png') && !written.has('pdf'), 'there is no cairo here');
-  assert.deepEqual(facts.formats.filter((format) => format.robot), [], 'and no urdfdom');
+  assert.deepEqual(facts.formats.filter((format) => format.robot).map(({ name }) => name), ['urdf', 'mjcf']);
   const [, heaviest] = facts.ranges.load_kg;
   const task = (load_kg) => ({ ...smallTask, goals: [{ ...smallTask.goals[0], load_kg }], evaluations: 8 });
   assert.equal(failureOf(() => door.generate(human, task(heaviest + 1))).code, 'parse');
@@ -126,13 +126,26 @@ test('what is refused has a code and a sentence', () => {
   assert.match(effector.message, /tail/);
   const bytes = new TextEncoder().encode('HIERARCHY\nROOT');
   assert.equal(failureOf(() => door.character({ source: 'a.bvh' }, bytes)).code, 'parse');
-  const robot = new TextEncoder().encode('<robot name="a"><link name="base"/></robot>');
-  assert.equal(failureOf(() => door.character({ source: 'a.urdf' }, robot)).code, 'unsupported');
   const result = door.generate(human, smallTask);
   assert.equal(failureOf(() => result.export(1, 'png')).code, 'unsupported');
   assert.equal(failureOf(() => result.export(99, 'bvh')).code, 'invalid_argument');
   assert.equal(failureOf(() => result.replay(1, ['squat_deg=much'])).code, 'invalid_argument');
   result.free();
+});
+
+test('what is no robot, or a bomb of one, is refused by name', () => {
+  const refused = (source, text, message) => {
+    const failure = failureOf(() => door.character({ source }, new TextEncoder().encode(text)));
+    assert.ok(['parse', 'invalid_argument'].includes(failure.code), failure.code);
+    assert.match(failure.message, message);
+  };
+  refused('a.urdf', '<robot name="a"><link name="base"/></robot>', /no humanoid robot/);
+  refused('a.urdf', '<!DOCTYPE r [<!ENTITY a "b"><!ENTITY c "&a;&a;">]><robot name="&c;"/>', /^line 1 of a.urdf: a document type with definitions/);
+  refused('a.urdf', '<a>'.repeat(100000), /nested deeper than 64 elements/);
+  refused('a.xml', '<a>'.repeat(40000), /nested deeper than 100 elements/);
+  refused('a.urdf', `<robot name="a">${'<a/>'.repeat(200000)}</robot>`, /more than 200000 tags/);
+  refused('a.urdf', ' '.repeat(2 ** 24 + 1), /are allowed/);
+  refused('a.xml', ' '.repeat(2 ** 22 + 1), /are allowed/);
 });
 
 test('a result is restored from its JSON, bit for bit', () => {

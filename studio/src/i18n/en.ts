@@ -69,6 +69,7 @@ export const en = {
   // body
   bodyIntro: 'A built-in body, or drop a character’s file onto the page ({formats}).', builtIn: 'Built-in body',
   characters: 'Characters', statureAndMass: '{cm} cm, {kg} kg', noMesh: 'Its file has no mesh: a mannequin of its size is drawn.',
+  robotRods: 'A robot: drawn as rods.',
   moves: 'Moves at {joints} joints, in {ways} ways.',
   stature: 'Stature', mass: 'Mass', sex: 'Sex (for strength)', heels: 'Let the heels lift', seated: 'Sits on a seat', seat: 'Seat height', cm: 'cm',
   statureGuessed: 'The file does not tell how tall this person is: 170 cm is a guess.', badRange: '{what} is {low} to {high} {unit}, not “{value}”.',

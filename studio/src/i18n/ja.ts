@@ -60,6 +60,7 @@ export const ja: Record<Key, string> = {
   paysLeast: '減点が最小', paysMost: '減点が最大',
   bodyIntro: '内蔵キャラクターを選ぶか、キャラクターのファイル（{formats}）をページにドロップしてください。', builtIn: '内蔵キャラクター',
   characters: 'キャラクター', statureAndMass: '{cm} cm、{kg} kg', noMesh: 'ファイルにメッシュがないため、同じ体格のマネキンで表示しています。',
+  robotRods: 'ロボットです。棒の骨組みで表示します。',
   moves: '関節 {joints} か所が、合わせて {ways} 方向に動きます。',
   stature: '身長', mass: '体重', sex: '性別（筋力）', seated: '座っている', seat: '座面の高さ', heels: 'かかとを上げてよい', cm: 'cm',
   statureGuessed: 'ファイルから身長が分からないため、170 cm と推測しています。', badRange: '{what}は {low}～{high} {unit} です（入力: {value}）。',

@@ -3,6 +3,7 @@
 import { engineWord, t } from '../i18n';
 import { isBuiltIn } from '../state/formats';
 import type { Document } from '../state/model';
+import { isRobot } from '../state/start';
 import type { Studio } from '../state/studio';
 import type { Portraits } from '../view/portraits';
 import { fill, h, iconButton, type Panel, round } from './dom';
@@ -47,7 +48,7 @@ export class CharacterList implements Panel {
       picture.getContext('2d')!.drawImage(portrait.picture, 0, 0);
     }
     const facts = t('statureAndMass', { cm: round(100 * description.stature_m, 0), kg: round(description.mass_kg, 0) });
-    const drawnAs = portrait && document.character.bytes && !portrait.mesh ? h('span', { class: 'quiet' }, t('noMesh')) : null;
+    const drawnAs = portrait && document.character.bytes && !portrait.mesh ? h('span', { class: 'quiet' }, t(isRobot(description) ? 'robotRods' : 'noMesh')) : null;
     const pick = h('button', { type: 'button', class: 'pick-character', 'aria-pressed': String(current), onClick: () => this.goTo(document) },
       picture, h('span', { class: 'about-character' }, h('b', {}, name), h('span', { class: 'quiet' }, facts), drawnAs));
     const remove = current ? null : iconButton('close', `${t('remove')}: ${name}`, () => this.studio.takeOff(document));

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <utility>
+
+#include "core/text.hpp"
+#include "robot/urdf.hpp"
+
+namespace shigusa {
+namespace {
+
+// Elements that are kept, each after the one that it stands in.
+constexpr std::pair<std::string_view, std::string_view> kKept[] = {
+    {"robot", "link"},       {"robot", "joint"},      {"link", "inertial"},
+    {"inertial", "origin"},  {"inertial", "mass"},    {"inertial", "inertia"},
+    {"link", "collision"},   {"collision", "origin"}, {"collision", "geometry"},
+    {"geometry", "box"},     {"geometry", "sphere"},  {"geometry", "cylinder"},
+    {"geometry", "capsule"}, {"joint", "origin"},     {"joint", "parent"},
+    {"joint", "child"},      {"joint", "axis"},       {"joint", "limit"},
+    {"joint", "mimic"}};
+
+// "inf" and "nan" in any case, and numbers of more than kUrdfMaxValue, by their digits.
+bool is_no_limit(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n+-");
+  if (begin == text.npos) return false;
+  text.remove_prefix(begin);
+  const char first = text[0];
+  if (first == 'i' || first == 'I' || first == 'n' || first == 'N') return true;
+  const std::size_t mantissa = std::min(text.find_first_of("eE"), text.size());
+  const std::size_t whole = std::min(text.find('.'), mantissa);
+  const std::size_t zeros = std::min(text.find_first_not_of('0'), whole);
+  long exponent = 0;
+  if (mantissa < text.size()) {
+    std::string_view digits = text.substr(mantissa + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (read.ec == std::errc::result_out_of_range) return !digits.starts_with('-');
+  }
+  constexpr long kDigits = 6;  // of kUrdfMaxValue
+  return static_cast<long>(whole - zeros) + exponent > kDigits;
+}
+
+// A joint's limits. A word for none, "inf" or a number beyond all others, is no limit.
+XmlElement reduced_limit(const XmlElement& limit) {
+  XmlElement reduced{limit.name, {}, {}, limit.line};
+  for (const char* name : {"lower", "upper", "effort", "velocity"}) {
+    const bool angle = name[0] == 'l' || name[0] == 'u';
+    const char* written = limit.attribute(name);
+    const std::string value = written != nullptr && *written != '\0' ? written : angle ? "" : "0";
+    if (value.empty()) continue;
+    const char* none = !angle ? "0" : value.find('-') != value.npos ? "-1000" : "1000";
+    reduced.attributes.emplace_back(name, is_no_limit(value) ? none : value);
+  }
+  return reduced;
+}
+
+// Copies the elements that are kept, and counts them.
+class Reducer {
+ public:
+  explicit Reducer(std::string_view name) : name_(name) {}
+
+  Result<XmlElement> reduce(const XmlElement& element) {
+    if (element.name == "limit") return reduced_limit(element);
+    // without its round ends a capsule is a cylinder
+    XmlElement reduced{element.name == "capsule" ? "cylinder" : element.name,
+                       element.attributes,
+                       {},
+                       element.line};
+    for (const XmlElement& child : element.children) {
+      if (child.name.starts_with("xacro:")) {
+        return wrong(child,
+                     "<{}> is xacro's: expand the file first, as in `xacro FILE > robot.urdf`",
+                     child.name.substr(0, 60));
+      }
+      if (!contains(kKept, std::pair<std::string_view, std::string_view>(element.name, child.name)))
+        continue;
+      SHG_TRY(count(child));
+      SHG_TRY_ASSIGN(XmlElement kept, reduce(child));
+      // a mesh is not read
+      const XmlElement* geometry = kept.name == "collision" ? kept.child("geometry") : nullptr;
+      if (kept.name == "collision" && (geometry == nullptr || geometry->children.empty())) continue;
+      reduced.children.push_back(std::move(kept));
+    }
+    return reduced;
+  }
+
+ private:
+  template <class... Args>
+  [[nodiscard]] tl::unexpected<Error> wrong(const XmlElement& at,
+                                            fmt::format_string<Args...> format,
+                                            Args&&... args) const {
+    return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...),
+                fmt::format("line {} of {}", at.line, name_));
+  }
+
+  Result<void> count(const XmlElement& element) {
+    if (element.name == "link" && ++links_ > kUrdfMaxLinks) {
+      return wrong(element, "more than {} links", kUrdfMaxLinks);
+    }
+    if (element.name == "joint" && ++joints_ > kUrdfMaxLinks) {
+      return wrong(element, "more than {} joints", kUrdfMaxLinks);
+    }
+    return {};
+  }
+
+  std::string_view name_;
+  int links_ = 0;
+  int joints_ = 0;
+};
+
+}  // namespace
+
+Result<XmlElement> reduced_urdf(std::string_view text, std::string_view name) {
+  const XmlLimits limits{kUrdfMaxBytes, kUrdfMaxTags, kUrdfMaxDepth};
+  SHG_TRY_ASSIGN(const XmlElement robot, parse_xml(text, limits, name));
+  if (robot.name != "robot") {
+    return fail(
+        ErrorCode::parse,
+        fmt::format("<{}> in place of <robot>: this is no URDF file", robot.name.substr(0, 60)),
+        fmt::format("line {} of {}", robot.line, name));
+  }
+  return Reducer(name).reduce(robot);
+}
+
+}  // namespace shigusa
