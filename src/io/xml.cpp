@@ -35,8 +35,7 @@ std::string utf8(std::uint32_t code) {
   return {head(0xF0, 18), tail(12), tail(6), tail(0)};
 }
 
-// The character of an entity by what stands between // What stands between & and ;, or nothing
-// where that is no entity. and ;, or nothing where that is none.
+// The character of an entity by what stands between & and ;, or nothing where that is none.
 std::string resolved(std::string_view entity) {
   for (const auto& [name, character] : kEntities) {
     if (entity == name) return std::string(1, character);
