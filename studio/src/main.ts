@@ -10,6 +10,7 @@ import './styles/tip.css';
 import './styles/phone.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
 import { knowEngine, preferredLanguage, setLanguage, t } from './i18n';
+import { isLengthUnit } from './i18n/lengths';
 import { expose } from './inspect';
 import { Keeper } from './kept/keeper';
 import { workOfLink } from './kept/link';
@@ -61,7 +62,8 @@ async function start(): Promise<void> {
     const studio = new Studio(await connect());
     knowEngine(studio.facts);
     const theme = recall('theme');
-    studio.store.set({ language: preferredLanguage(), theme: theme === 'light' || theme === 'dark' ? theme : 'auto', start: startsWithCards() && location.hash === '' });
+    const lengths = recall('lengths');
+    studio.store.set({ language: preferredLanguage(), lengths: isLengthUnit(lengths) ? lengths : 'cm', theme: theme === 'light' || theme === 'dark' ? theme : 'auto', start: startsWithCards() && location.hash === '' });
     waiting.remove();
     const page = new Page(studio, root);
     expose(studio, page.view);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: bars, view and panels put together. Made anew where the language changes.
 import { setLanguage, t } from './i18n';
+import { setLengthUnit } from './i18n/lengths';
 import { placeWords } from './i18n/place_words';
 import { remember } from './kept/memory';
 import { WantedBanner } from './kept/wanted_banner';
@@ -45,7 +46,7 @@ export class Page {
     this.view = new View(studio, this.stage, this.canvas, (name, x, y) => this.hover(name, x, y));
     this.thumbnails = new Thumbnails(studio, () => this.view.stage.quality.moving.thumbnails);
     studio.store.subscribe((state, previous) => {
-      if (state.language !== previous.language) this.build();
+      if (state.language !== previous.language || state.lengths !== previous.lengths) this.build();
       if (state.theme !== previous.theme) this.paint();
     });
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.paint());
@@ -66,9 +67,12 @@ export class Page {
   }
 
   private build(): void {
-    const { language } = this.studio.store.state;
+    const { language, lengths } = this.studio.store.state;
     setLanguage(language);
+    setLengthUnit(lengths);
+    this.view.showUnits();
     remember('language', language);
+    remember('lengths', lengths);
     document.title = t('title');
     this.keyboard?.dispose();
     for (const panel of this.panels) panel.dispose();

@@ -90,7 +90,7 @@ test('a result that is dropped back and a link bring the task again', { timeout:
   const { page, context, errors } = await openStudio(browser, site.url, { permissions: ['clipboard-read', 'clipboard-write'] });
   await settled(page);
   await page.click('#tab-goals');
-  await page.locator('[data-key="right_hand up"]').fill('0.8');
+  await page.locator('[data-key="right_hand up"]').fill('80');
   await page.locator('[data-key="right_hand up"]').press('Enter');
   await page.waitForTimeout(100);
   await settled(page);

@@ -82,9 +82,9 @@ test('things in the way are added, moved by numbers and by hand, resized and rem
   assert.deepEqual(first.size_m, [0.3, 0.3, 0.3]);
   assert.equal(first.position_m[1], 0.15, 'it stands on the floor');
 
-  await type(page, 'thing 0 place left', '-0.5');
-  await type(page, 'thing 0 size up', '0.4');
-  await type(page, 'thing 0 rounding', '0.02');
+  await type(page, 'thing 0 place left', '-50');
+  await type(page, 'thing 0 size up', '40');
+  await type(page, 'thing 0 rounding', '2');
   assert.deepEqual((await things(page))[0], { name: 'box 1', position_m: [-0.5, 0.15, first.position_m[2]], size_m: [0.3, 0.4, 0.3], radius_m: 0.02 });
 
   // by hand, and no deeper than the floor

@@ -28,7 +28,7 @@ test('a search can be cancelled, and the page goes on', { timeout: 120_000 }, as
 test('a goal out of reach is told with what is left, and drawn', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
-  await page.locator('[data-key="right_hand up"]').fill('2.6');
+  await page.locator('[data-key="right_hand up"]').fill('260');
   await page.locator('[data-key="right_hand up"]').press('Enter');
   await page.waitForTimeout(100);
   await settled(page);
@@ -80,9 +80,9 @@ test('a number that is typed counts, and so does the box that is clicked next', 
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
   await page.locator('[data-key="left_hand has"]').click();
-  await page.locator('[data-key="left_hand up"]').fill('1.2');
+  await page.locator('[data-key="left_hand up"]').fill('120');
   await page.locator('[data-key="right_hand up"]').click();
-  await page.locator('[data-key="right_hand up"]').fill('99');
+  await page.locator('[data-key="right_hand up"]').fill('9900');
   await page.locator('[data-key="head has"]').click();
   await page.waitForFunction(() => window.shigusa.document.goals.length === 3);
   await page.locator('[data-key="right_hand has"]').click();
@@ -91,7 +91,7 @@ test('a number that is typed counts, and so does the box that is clicked next', 
   const { goals } = await state(page);
   assert.deepEqual(goals.map((goal) => goal.effector), ['left_hand', 'head']);
   assert.equal(goals[0].position_m[1], 1.2);
-  await page.locator('[data-key="head up"]').fill('99');
+  await page.locator('[data-key="head up"]').fill('9900');
   await page.keyboard.press('Enter');
   assert.equal((await state(page)).goals[1].position_m[1], 3, 'no farther than a drag goes');
   await settled(page);
@@ -203,7 +203,7 @@ test('searches leave nothing behind', { timeout: 1_800_000, skip: !process.env.S
     await field.evaluate((input, value) => {
       input.value = value;
       input.dispatchEvent(new Event('change'));
-    }, String(0.6 + 0.001 * k));
+    }, String(60 + 0.1 * k));
     await settled(page);
     // undo holds sixty steps; from there on nothing may grow
     if (k === 80) [reference, taken] = [await heap(), await engine()];

@@ -6,6 +6,7 @@ import { recall } from '../kept/memory';
 import { en, type Key } from './en';
 import { EngineTexts, wordlessMessages } from './engine_text';
 import { ja } from './ja';
+import { lengths, lengthWords } from './lengths';
 import { messageWord } from './message_words';
 
 export type Language = 'en' | 'ja';
@@ -28,9 +29,13 @@ export function preferredLanguage(): Language {
   return navigator.languages.some((name) => name.startsWith('ja')) && navigator.language.startsWith('ja') ? 'ja' : 'en';
 }
 
+/** {length} stands for metres, and {unit} for what lengths are in where nothing else is said. */
 export function t(key: Key, values: Record<string, string | number> = {}): string {
   const text = (language === 'ja' ? ja : en)[key];
-  return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) => {
+    const value = values[name] ?? (name === 'unit' ? lengths().name : whole);
+    return name === 'length' && typeof value === 'number' ? lengthWords(value) : String(value);
+  });
 }
 
 function words(): BodyWords {

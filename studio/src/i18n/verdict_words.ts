@@ -16,11 +16,11 @@ export function reasonWords(document: Document, candidate: Candidate, reason: Re
     case 'pressure': {
       const fall = reason.verdict === 'impossible' ? fallOf(document, candidate) : null;
       if (fall !== null) return t(fall);
-      return t(reason.verdict === 'impossible' ? 'losesBalance' : 'barelyStands', { cm: ((reason.outside_mm ?? 0) / 10).toFixed(0) });
+      return t(reason.verdict === 'impossible' ? 'losesBalance' : 'barelyStands', { length: (reason.outside_mm ?? 0) / 1000 });
     }
     case 'collision':
       return t('isIn', {
-        limb: inSentence(jointName(reason.limb ?? '')), other: inSentence(jointName(reason.other ?? '')), cm: ((reason.depth_mm ?? 0) / 10).toFixed(1),
+        limb: inSentence(jointName(reason.limb ?? '')), other: inSentence(jointName(reason.other ?? '')), length: (reason.depth_mm ?? 0) / 1000,
       });
     case 'limit':
       return t('isBeyond', { joint: jointOf(reason.joint), deg: Math.round(reason.excess_deg ?? 0) });
@@ -46,7 +46,7 @@ export function verdictWords(document: Document, candidate: Candidate): string {
   const short = shortOf(candidate);
   const said = verdict === 'possible' || !worst ? '' : t('because', { verdict: t(verdict), reason: reasonWords(document, candidate, worst) });
   const unturned = unturnedOf(candidate);
-  const missed = short > 0 ? t('short', { cm: (short / 10).toFixed(1) }) : unturned > 0 ? t('unturned', { deg: unturned.toFixed(0) }) : '';
+  const missed = short > 0 ? t('short', { length: short / 1000 }) : unturned > 0 ? t('unturned', { deg: unturned.toFixed(0) }) : '';
   if (missed !== '') return said === '' ? missed : `${missed} · ${said}`;
   return said === '' ? t('possible') : said;
 }

@@ -99,8 +99,9 @@ export class Keeper {
     this.project = freshProject(t('untitled'));
     this.opened = true;
     this.changed();
+    const { changes } = this;
     await this.write();
-    return this.saved === this.changes;
+    return this.saved >= changes; // more may have come meanwhile, as what its search found
   }
 
   /** Nothing that `open` does is a change of the project that is on the table. */

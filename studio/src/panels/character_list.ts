@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The characters that were opened: a picture of each, and a click to go back to it with what was last done with it.
 import { engineWord, t } from '../i18n';
+import { statureWords } from '../i18n/lengths';
 import { isBuiltIn } from '../state/formats';
 import type { Document } from '../state/model';
 import { isRobot } from '../state/start';
@@ -47,7 +48,7 @@ export class CharacterList implements Panel {
       picture.height = portrait.picture.height;
       picture.getContext('2d')!.drawImage(portrait.picture, 0, 0);
     }
-    const facts = t('statureAndMass', { cm: round(100 * description.stature_m, 0), kg: round(description.mass_kg, 0) });
+    const facts = t('statureAndMass', { stature: statureWords(description.stature_m), kg: round(description.mass_kg, 0) });
     const drawnAs = portrait && document.character.bytes && !portrait.mesh ? h('span', { class: 'quiet' }, t(isRobot(description) ? 'robotRods' : 'noMesh')) : null;
     const pick = h('button', { type: 'button', class: 'pick-character', 'aria-pressed': String(current), onClick: () => this.goTo(document) },
       picture, h('span', { class: 'about-character' }, h('b', {}, name), h('span', { class: 'quiet' }, facts), drawnAs));

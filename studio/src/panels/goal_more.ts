@@ -3,6 +3,8 @@
 import { Euler, MathUtils, Quaternion } from 'three';
 import type { Goal, GoalAxis, Vec3 } from '../../../bindings/wasm/src/types';
 import { type Key, t } from '../i18n';
+import { goalOf } from '../state/model';
+import { withGoal } from '../state/places';
 import type { Studio } from '../state/studio';
 import { h, select } from './dom';
 import { fieldGroup, NumberField } from './number_field';
@@ -50,6 +52,23 @@ function inWorld(direction: Direction, { effector, axis }: Goal): GoalAxis['dire
   }
 }
 
+/** The goal with one of its angles changed. */
+function turned(goal: Goal, index: number, degrees: number): Goal {
+  if (!goal.rotation_xyzw) return goal;
+  // the other angles are those of the goal, not of the fields, which are rounded
+  const angles = new Euler().setFromQuaternion(new Quaternion(...goal.rotation_xyzw), kOrder);
+  angles[(['x', 'y', 'z'] as const)[index]!] = MathUtils.degToRad(degrees);
+  const { x, y, z, w } = new Quaternion().setFromEuler(angles);
+  return { ...goal, rotation_xyzw: [x, y, z, w] };
+}
+
+/** The goal with half a side of its box changed; without a box where none is left. */
+function widened({ tolerance_m = [0, 0, 0], ...rest }: Goal, index: number, half: number): Goal {
+  const tolerance: Vec3 = [...tolerance_m];
+  tolerance[index] = half;
+  return tolerance.every((side) => side === 0) ? rest : { ...rest, tolerance_m: tolerance };
+}
+
 /** A list with one entry that is there only where a task says what the others cannot. */
 function choice<Value extends string>(label: Key, keys: Readonly<Record<Value, Key>>, values: readonly Value[], key: string, change: (value: Value) => void): HTMLSelectElement {
   const list = select(t(label), values.map((value) => [value, t(keys[value])] as const), values[0]!, change);
@@ -68,7 +87,7 @@ export class GoalMore {
   private readonly direction: HTMLSelectElement;
   private readonly facing: HTMLElement;
   private readonly angles: readonly NumberField[];
-  private readonly turned: HTMLElement;
+  private readonly turns: HTMLElement;
   private readonly sides: readonly NumberField[];
   private readonly tolerance: HTMLDetailsElement;
   private goal: Goal | null = null;
@@ -77,15 +96,17 @@ export class GoalMore {
     this.axis = choice('facing', kAxisKeys, kAxes, `${effector} axis`, (axis) => this.askAxis(axis));
     this.direction = choice('direction', kDirectionKeys, kDirections, `${effector} direction`, (direction) => this.face(direction));
     this.facing = h('div', { class: 'facing', role: 'group', 'aria-label': t('facing') }, h('span', { 'aria-hidden': 'true' }, t('facing')), this.axis, this.direction);
-    this.angles = kAngles.map((angle, index) => new NumberField({
-      key: `${effector} ${angle}`, label: t(angle), low: -kMostAngles[index]!, high: kMostAngles[index]!, step: 1, digits: 0, onChange: (degrees) => this.turn(index, degrees),
+    this.angles = kAngles.map((angle, index) => new NumberField(studio, {
+      key: `${effector} ${angle}`, label: t(angle), low: -kMostAngles[index]!, high: kMostAngles[index]!, kind: { step: 1, digits: 0 },
+      change: (document, degrees) => withGoal(document, turned(goalOf(document, effector)!, index, degrees)),
     }));
-    this.turned = fieldGroup(t('turn'), this.angles);
-    this.sides = kSides.map((side, index) => new NumberField({
-      key: `${effector} tolerance ${side}`, label: t(side), low: 0, high: kMostTolerance, step: 1, digits: 1, times: 100, onChange: (half) => this.widen(index, half),
+    this.turns = fieldGroup(t('turn'), this.angles);
+    this.sides = kSides.map((side, index) => new NumberField(studio, {
+      key: `${effector} tolerance ${side}`, label: t(side), low: 0, high: kMostTolerance, kind: 'length',
+      change: (document, half) => withGoal(document, widened(goalOf(document, effector)!, index, half)),
     }));
     this.tolerance = h('details', { class: 'tolerance' }, h('summary', {}, t('tolerance')), fieldGroup(t('tolerance'), this.sides));
-    this.element = h('div', {}, this.facing, this.turned, this.tolerance);
+    this.element = h('div', {}, this.facing, this.turns, this.tolerance);
   }
 
   update(goal: Goal): void {
@@ -97,7 +118,7 @@ export class GoalMore {
     showChoice(this.axis, axis);
     showChoice(this.direction, directionOf(goal));
     this.direction.hidden = axis === 'none';
-    this.turned.hidden = goal.rotation_xyzw === undefined;
+    this.turns.hidden = goal.rotation_xyzw === undefined;
     if (goal.rotation_xyzw) {
       const { x, y, z } = new Euler().setFromQuaternion(new Quaternion(...goal.rotation_xyzw), kOrder);
       [x, y, z].forEach((angle, index) => this.angles[index]!.show(MathUtils.radToDeg(angle)));
@@ -117,25 +138,5 @@ export class GoalMore {
 
   private face(direction: Direction): void {
     void this.studio.changeGoal(this.effector, (old) => (old.axis ? { ...old, axis: { ...old.axis, direction: inWorld(direction, old) } } : old));
-  }
-
-  private turn(index: number, degrees: number): void {
-    void this.studio.changeGoal(this.effector, (old) => {
-      if (!old.rotation_xyzw) return old;
-      // the other angles are those of the goal, not of the fields, which are rounded
-      const turned = new Euler().setFromQuaternion(new Quaternion(...old.rotation_xyzw), kOrder);
-      turned[(['x', 'y', 'z'] as const)[index]!] = MathUtils.degToRad(degrees);
-      const { x, y, z, w } = new Quaternion().setFromEuler(turned);
-      return { ...old, rotation_xyzw: [x, y, z, w] };
-    });
-  }
-
-  private widen(index: number, half: number): void {
-    void this.studio.changeGoal(this.effector, (old) => {
-      const { tolerance_m: before = [0, 0, 0], ...rest } = old;
-      const tolerance: Vec3 = [...before];
-      tolerance[index] = half;
-      return tolerance.every((side) => side === 0) ? rest : { ...rest, tolerance_m: tolerance };
-    });
   }
 }

@@ -4,7 +4,7 @@
 import type { Goal, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import { jointName, t } from '../i18n';
 import { chosenCandidate, type Document, goalOf } from '../state/model';
-import { leastOf } from '../state/places';
+import { leastOf, moved, withGoal } from '../state/places';
 import type { Studio } from '../state/studio';
 import { isMet, isTurned } from '../state/verdict';
 import { kFarthest } from '../view/handles';
@@ -21,7 +21,7 @@ export class GoalRow {
   private readonly reached = h('span', { class: 'reached' });
   private readonly details = h('div');
   private readonly axes: readonly NumberField[];
-  private readonly load: HTMLInputElement;
+  private readonly load: NumberField;
   private readonly turn: HTMLInputElement;
   private readonly rings: HTMLInputElement;
   private readonly ringsLabel: HTMLElement;
@@ -34,10 +34,14 @@ export class GoalRow {
     this.has = h('input', {
       type: 'checkbox', ...key('has'), onChange: () => void (this.has.checked ? studio.addGoal(effector) : studio.removeGoal(effector)),
     });
-    this.axes = kAxes.map((axis, index) => new NumberField({
-      key: `${effector} ${axis}`, label: t(axis), low: -kFarthest, high: kFarthest, step: 0.01, digits: 2, onChange: (value) => this.place(value, index),
+    this.axes = kAxes.map((axis, index) => new NumberField(studio, {
+      key: `${effector} ${axis}`, label: t(axis), low: -kFarthest, high: kFarthest, kind: 'length',
+      change: (document, value) => this.placed(document, value, index), onTyped: (value) => index === 1 && this.tellFloor(value),
     }));
-    this.load = h('input', { type: 'number', min: '0', max: String(this.mostLoad), step: '0.5', ...key('load'), onChange: () => this.hold() });
+    this.load = new NumberField(studio, {
+      key: `${effector} load`, label: t('load'), low: 0, high: studio.facts.ranges.load_kg[1], kind: { step: 0.5, digits: 1 },
+      change: (document, value) => this.loaded(document, value),
+    });
     this.turn = h('input', { type: 'checkbox', ...key('turn'), onChange: () => this.askRotation() });
     this.rings = h('input', {
       type: 'checkbox', ...key('rings'), onChange: () => {
@@ -51,7 +55,7 @@ export class GoalRow {
     this.details.append(
       fieldGroup(name, this.axes),
       h('div', { class: 'extras' },
-        effector.endsWith('hand') ? h('label', {}, t('load'), this.load, t('kg')) : null,
+        effector.endsWith('hand') ? this.load.element : null,
         h('label', {}, this.turn, t('turn')), this.ringsLabel),
       this.more.element);
     this.element = h('div', { class: 'goal', role: 'group', 'aria-label': name },
@@ -59,10 +63,6 @@ export class GoalRow {
     this.element.addEventListener('focusin', () => {
       if (this.goal) studio.select(effector);
     });
-  }
-
-  private get mostLoad(): number { // kg
-    return this.studio.facts.ranges.load_kg[1];
   }
 
   private get goal(): Goal | undefined {
@@ -80,7 +80,7 @@ export class GoalRow {
     fill(this.reached);
     if (!goal) return;
     goal.position_m.forEach((value, index) => this.axes[index]!.show(value));
-    show(this.load, String(goal.load_kg ?? 0));
+    this.load.show(goal.load_kg ?? 0);
     this.turn.checked = goal.rotation_xyzw !== undefined;
     this.rings.checked = this.view.rotate;
     this.ringsLabel.hidden = goal.rotation_xyzw === undefined;
@@ -98,25 +98,24 @@ export class GoalRow {
     const colour = !met || !turned || verdict === 'impossible' ? 'bad' : verdict === 'strains' ? 'hard' : 'good';
     this.reached.className = `reached ${colour}`;
     const words = verdict === 'impossible' ? t('impossible') : t(verdict === 'strains' ? 'metHard' : 'reachedBy');
-    fill(this.reached, !met ? t('short', { cm: round(reached.error_mm / 10, 1) }) : turned ? words : t('unturned', { deg: round(reached.rotation_error_deg!, 0) }));
+    fill(this.reached, !met ? t('short', { length: reached.error_mm / 1000 }) : turned ? words : t('unturned', { deg: round(reached.rotation_error_deg!, 0) }));
   }
 
-  private place(value: number, index: number): void {
-    const { goal, studio: { document } } = this;
-    if (!goal || !document) return;
-    const position: Vec3 = [...goal.position_m];
+  private placed(document: Document, value: number, index: number): Document {
+    const position: Vec3 = [...goalOf(document, this.effector)!.position_m];
     position[index] = value;
-    void this.studio.drop(this.effector, position);
-    const least = leastOf(document, this.effector);
-    if (position[1] < least) this.studio.tell({ kind: 'text', key: 'onFloor', values: { name: jointName(this.effector), m: least.toFixed(3) } });
+    return moved(document, this.effector, position);
   }
 
-  private hold(): void {
-    void this.studio.changeGoal(this.effector, (old) => {
-      const kilograms = Math.min(Math.max(Number(this.load.value) || 0, 0), this.mostLoad);
-      const { load_kg: _, ...rest } = old;
-      return kilograms > 0 ? { ...rest, load_kg: kilograms } : rest;
-    });
+  private tellFloor(height: number): void {
+    const { document } = this.studio;
+    const least = document ? leastOf(document, this.effector) : 0;
+    if (height < least) this.studio.tell({ kind: 'text', key: 'onFloor', values: { name: jointName(this.effector), length: least } });
+  }
+
+  private loaded(document: Document, kilograms: number): Document {
+    const { load_kg: _, ...rest } = goalOf(document, this.effector)!;
+    return withGoal(document, kilograms > 0 ? { ...rest, load_kg: kilograms } : rest);
   }
 
   private askRotation(): void {
@@ -134,9 +133,4 @@ export class GoalRow {
     const reached = chosenCandidate(document)?.summary.reached.find((r) => r.effector === this.effector);
     return reached?.rotation_xyzw ?? [0, 0, 0, 1];
   }
-}
-
-/** Leaves alone what a person is typing. */
-function show(input: HTMLInputElement, value: string): void {
-  if (document.activeElement !== input || Number(input.value) !== Number(value)) input.value = value;
 }

@@ -8,12 +8,14 @@ import { withPreset } from '../state/task';
 import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
+import { scrubbable } from './scrub';
 import { ThingList } from './things';
 import { VerdictBox } from './verdict';
 
 /** How many times as many motions a search scores as the preset would by itself. */
 const kEfforts = { effortQuick: 1 / 3, effortNormal: 1, effortThorough: 10 / 3 } as const;
 type Effort = keyof typeof kEfforts;
+const kSeconds = 0.05; // a step of the duration that is dragged
 const efforts = Object.keys(kEfforts) as Effort[];
 
 export class GoalsPanel implements Panel {
@@ -37,6 +39,12 @@ export class GoalsPanel implements Panel {
         duration_s: this.duration.value === '' ? null : Math.min(Math.max(Number(this.duration.value), least), most),
       }),
     });
+    const durationName = h('span', {}, t('duration'));
+    const inside = (seconds: number): number => Math.min(Math.max(seconds, least), most);
+    scrubbable(this.duration, durationName, {
+      step: kSeconds, begin: () => studio.document?.settings.duration_s ?? studio.chosen()?.summary.duration_s ?? null,
+      move: (seconds) => (this.duration.value = inside(seconds).toFixed(2)), end: (seconds) => this.change({ duration_s: inside(seconds) }), back: () => this.update(),
+    });
     const presets = studio.facts.presets.map(({ name }) => [name, engineWord('presets', name)] as const);
     this.method = select(t('method'), presets, studio.facts.default_preset, (value) => this.search(value));
     this.effort = select(t('effort'), efforts.map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
@@ -46,7 +54,7 @@ export class GoalsPanel implements Panel {
     this.things = new ThingList(studio);
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element, this.list, this.things.element,
       h('div', { class: 'fields' },
-        h('label', {}, h('span', {}, t('duration')), this.duration, t('s')),
+        h('label', {}, durationName, this.duration, t('s')),
         h('label', {}, h('span', {}, t('method')), this.method),
         h('label', {}, h('span', {}, t('effort')), this.effort),
         h('label', {}, h('span', {}, t('seedNumber')), this.seed),

@@ -2,17 +2,19 @@
 // How tall, how heavy and how strong the body is.
 import type { CharacterSpec } from '../../../bindings/wasm/src/types';
 import { engineWord, t } from '../i18n';
+import { lengths, statureWords } from '../i18n/lengths';
 import type { Document } from '../state/model';
 import { isRobot } from '../state/start';
 import type { Studio } from '../state/studio';
 import { h, select } from './dom';
+import { scrubbable } from './scrub';
 
-const kCentimetres = 100; // in a metre
 const kChair = 0.26; // statures: the height of a seat at first
 
 interface Measure {
   readonly label: string;
   readonly unit: string;
+  readonly step: number;
   readonly key: string;
   readonly value: number;
   readonly range: readonly [number, number];
@@ -20,17 +22,23 @@ interface Measure {
 }
 
 /** A field for a number; one that is out of range is told of and changes nothing. */
-function field(studio: Studio, { label, unit, key, value, range: [low, high], apply }: Measure): HTMLElement {
+function field(studio: Studio, { label, unit, step, key, value, range: [low, high], apply }: Measure): HTMLElement {
+  const shown = (number: number): string => String(Number(number.toFixed(1)));
   const input = h('input', {
-    type: 'number', min: String(low), max: String(high), step: '1', value: String(Number(value.toFixed(1))), 'data-key': key,
+    type: 'number', min: shown(low), max: shown(high), step: String(step), value: shown(value), 'data-key': key,
     onChange: () => {
       const typed = Number(input.value);
       if (input.value !== '' && typed >= low && typed <= high) return apply(typed);
-      studio.tell({ kind: 'text', key: 'badRange', values: { what: label, low, high, unit, value: input.value } });
-      input.value = String(Number(value.toFixed(1)));
+      studio.tell({ kind: 'text', key: 'badRange', values: { what: label, low: shown(low), high: shown(high), unit, value: input.value } });
+      input.value = shown(value);
     },
   });
-  return h('label', {}, h('span', {}, label), input, unit);
+  const name = h('span', {}, label);
+  const inside = (number: number): number => Math.min(Math.max(number, low), high);
+  scrubbable(input, name, {
+    step, begin: () => Number(shown(value)), move: (number) => (input.value = shown(inside(number))), end: (number) => apply(inside(number)), back: () => (input.value = shown(value)),
+  });
+  return h('label', {}, name, input, unit);
 }
 
 /** The fields of a character's measures; `change` opens it anew with others. */
@@ -39,6 +47,7 @@ export function measures(
 ): HTMLElement | null {
   if (isRobot(description)) return null;
   const { ranges, sexes } = studio.facts;
+  const { name: unit, perMetre, step } = lengths();
   const sex = select(t('sex'), sexes.map((name) => [name, engineWord('sexes', name)] as const), spec.sex ?? sexes[0]!, (value) =>
     change({ sex: value as NonNullable<CharacterSpec['sex']> }));
   const seated = h('input', {
@@ -47,21 +56,21 @@ export function measures(
     onChange: () => change(seated.checked ? { seat_m: kChair * description.stature_m, heels: undefined } : { seat_m: undefined }),
   });
   const seat = spec.seat_m === undefined ? null : field(studio, {
-    label: t('seat'), unit: t('cm'), key: 'seat', value: kCentimetres * spec.seat_m,
-    range: [kCentimetres * ranges.seat_m[0], kCentimetres * ranges.seat_m[1]], apply: (value) => change({ seat_m: value / kCentimetres }),
+    label: t('seat'), unit, step, key: 'seat', value: perMetre * spec.seat_m,
+    range: [perMetre * ranges.seat_m[0], perMetre * ranges.seat_m[1]], apply: (value) => change({ seat_m: value / perMetre }),
   });
   const heels = h('input', { type: 'checkbox', checked: spec.heels === true, onChange: () => change({ heels: heels.checked }) });
   const stature = field(studio, {
-    label: t('stature'), unit: t('cm'), key: 'stature', value: kCentimetres * description.stature_m,
-    range: [kCentimetres * ranges.stature_m[0], kCentimetres * ranges.stature_m[1]],
-    apply: (value) => change({ stature_m: value / kCentimetres }),
+    label: t('stature'), unit: unit === 'cm' ? unit : `${unit} (${statureWords(description.stature_m)})`, step, key: 'stature', value: perMetre * description.stature_m,
+    range: [perMetre * ranges.stature_m[0], perMetre * ranges.stature_m[1]],
+    apply: (value) => change({ stature_m: value / perMetre }),
   });
   const mass = field(studio, {
-    label: t('mass'), unit: t('kg'), key: 'mass', value: description.mass_kg, range: ranges.mass_kg, apply: (value) => change({ mass_kg: value }),
+    label: t('mass'), unit: t('kg'), step: 1, key: 'mass', value: description.mass_kg, range: ranges.mass_kg, apply: (value) => change({ mass_kg: value }),
   });
   const guessed = description.stature_guessed === true;
   return h('div', { class: guessed ? 'fields asked' : 'fields' },
-    guessed ? h('p', {}, t('statureGuessed')) : null, stature, mass, h('label', {}, h('span', {}, t('sex')), sex),
+    guessed ? h('p', {}, t('statureGuessed', { stature: statureWords(description.stature_m) })) : null, stature, mass, h('label', {}, h('span', {}, t('sex')), sex),
     h('label', { class: 'check' }, seated, t('seated')), seat,
     spec.seat_m === undefined && (spec.source === 'human' || bytes) ? h('label', { class: 'check' }, heels, t('heels')) : null);
 }

@@ -57,7 +57,7 @@ export class Notices implements Panel {
     const short = state.preview !== null && state.dragging && !isMet(state.previewRemaining_mm);
     const impossible = state.notice === null ? impossibleText(state.document) : '';
     const text = state.opening !== null ? t('opening', { name: state.opening })
-      : short ? t('previewMisses', { cm: round(state.previewRemaining_mm / 10, 1) })
+      : short ? t('previewMisses', { length: state.previewRemaining_mm / 1000 })
       : state.notice ? noticeText(state.notice) : impossible;
     if (this.message.dataset['text'] === text) return;
     this.message.dataset['text'] = text;

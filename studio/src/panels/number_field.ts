@@ -1,47 +1,75 @@
 // SPDX-License-Identifier: MIT
-// A number with its name, as it is typed and shown.
+// A number of the document with its name, as it is typed, dragged and shown.
+import { lengths } from '../i18n/lengths';
+import type { Document } from '../state/model';
+import type { Studio } from '../state/studio';
 import { h, round } from './dom';
+import { scrubbable } from './scrub';
 
 export interface NumberSettings {
   readonly key: string; // of the element, for tests
   readonly label: string;
   readonly low: number;
   readonly high: number;
-  readonly step: number;
-  readonly digits: number;
-  readonly times?: number; // the factor from the value to the number that is shown; 1 when not given
-  readonly onChange: (value: number) => void;
+  /** A length is in metres and shown in the unit of lengths; another number is as it is, with its step and digits. */
+  readonly kind: 'length' | { readonly step: number; readonly digits: number };
+  /** The document with another value. */
+  readonly change: (document: Document, value: number) => Document;
+  /** A value was typed. */
+  readonly onTyped?: (value: number) => void;
 }
 
 export class NumberField {
   readonly element: HTMLLabelElement;
   private readonly input: HTMLInputElement;
+  private readonly times: number; // from the value to the number that is shown
+  private readonly digits: number;
   private value = 0;
 
-  constructor(private readonly settings: NumberSettings) {
-    const { key, label, low, high, step } = settings;
+  constructor(private readonly studio: Studio, private readonly settings: NumberSettings) {
+    const { key, label, low, high, kind } = settings;
+    const { perMetre, step, digits } = kind === 'length' ? lengths() : { perMetre: 1, ...kind };
+    this.times = perMetre;
+    this.digits = digits;
     this.input = h('input', {
-      type: 'number', min: String(low * this.times), max: String(high * this.times), step: String(step), 'data-key': key, onChange: () => this.typed(),
+      type: 'number', min: round(low * perMetre, digits), max: round(high * perMetre, digits), step: String(step), 'data-key': key, onChange: () => this.typed(),
     });
-    this.element = h('label', {}, h('span', {}, label), this.input);
+    const name = h('span', {}, label);
+    this.element = h('label', {}, name, this.input);
+    scrubbable(this.input, name, {
+      step,
+      begin: () => Number((this.value * perMetre).toFixed(digits)),
+      move: (number) => this.try(number),
+      end: (number) => void this.settle(this.inside(number)),
+      back: () => studio.abandon(),
+    });
   }
 
-  private get times(): number {
-    return this.settings.times ?? 1;
+  private inside(number: number): number {
+    return Math.min(Math.max(number / this.times, this.settings.low), this.settings.high);
+  }
+
+  private try(number: number): void {
+    const { document } = this.studio;
+    if (document) void this.studio.attempt(this.settings.change(document, this.inside(number)));
+  }
+
+  private settle(value: number): Promise<void> {
+    const { document } = this.studio;
+    return document ? this.studio.settle(this.settings.change(document, value)) : Promise.resolve();
   }
 
   private typed(): void {
-    const { low, high, onChange } = this.settings;
-    const number = this.input.value === '' ? NaN : Number(this.input.value);
-    const value = Math.min(Math.max(number / this.times, low), high);
+    const value = this.inside(this.input.value === '' ? NaN : Number(this.input.value));
     if (Number.isNaN(value)) return this.write();
     this.value = value;
     this.write();
-    onChange(value);
+    void this.settle(value);
+    this.settings.onTyped?.(value);
   }
 
   private write(): void {
-    this.input.value = round(this.value * this.times, this.settings.digits);
+    this.input.value = round(this.value * this.times, this.digits);
   }
 
   /** Leaves alone what a person is typing, unless it is another number. */

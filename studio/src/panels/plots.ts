@@ -3,6 +3,7 @@
 // mass within the feet, the speed of the hand.
 import type { Candidate, JointDescription } from '../../../bindings/wasm/src/types';
 import { engineWord, freedomName, jointName, t } from '../i18n';
+import { lengths } from '../i18n/lengths';
 import { ranking } from '../state/criteria';
 import { columnOf, plotTable, rangeShare, strengthShare } from '../state/plot_table';
 import { effectorPaths } from '../state/speed';
@@ -109,12 +110,13 @@ export class PlotsPanel implements Panel {
     const none = support.columns < 2;
     this.noFeet.hidden = !none;
     if (none) return this.margin.show(null);
+    const { perMetre, name: unit } = lengths();
     const curves = ([['com', 0, '--plot-3'], ['cop', 1, '--plot-2']] as const).map(([key, index, colour]): Curve => ({
-      name: key, label: t(key), side: 'middle', colour: getComputedStyle(document.documentElement).getPropertyValue(colour), values: columnOf(support, index, (value) => value * 100),
+      name: key, label: t(key), side: 'middle', colour: getComputedStyle(document.documentElement).getPropertyValue(colour), values: columnOf(support, index, (value) => value * perMetre),
     }));
-    const [low, high] = rangeOf(curves, -1, 4.4);
-    this.margin.show({ times, low, high, curves, digits: 1, unit: ' cm', levels: [
-      ...(low < -5 ? [{ value: Math.ceil(low), label: String(Math.ceil(low)) }] : []), { value: 0, label: '0' }, { value: Math.floor(high), label: String(Math.floor(high)) },
+    const [low, high] = rangeOf(curves, -0.01 * perMetre, 0.044 * perMetre);
+    this.margin.show({ times, low, high, curves, digits: 1, unit: ` ${unit}`, levels: [
+      ...(low < -0.05 * perMetre ? [{ value: Math.ceil(low), label: String(Math.ceil(low)) }] : []), { value: 0, label: '0' }, { value: Math.floor(high), label: String(Math.floor(high)) },
     ] });
   }
 

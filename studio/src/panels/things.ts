@@ -14,6 +14,13 @@ const kAxes = ['left', 'up', 'ahead'] as const;
 const kFarthest = 10; // m
 const kLargest = 10; // m
 
+/** A thing with another number of its place or size. */
+function along(document: Document, index: number, field: 'position_m' | 'size_m', axis: number, value: number): Document {
+  const now: Vec3 = [...thingsOf(document)[index]?.[field] ?? [0, 0, 0]];
+  now[axis] = value;
+  return withThing(document, index, { [field]: now });
+}
+
 class ThingRow {
   readonly element: HTMLElement;
   private readonly name = h('span');
@@ -21,15 +28,15 @@ class ThingRow {
   private readonly size: readonly NumberField[];
   private readonly rounding: NumberField;
 
-  constructor(private readonly studio: Studio, private readonly index: number, name: string) {
-    const fields = (what: string, low: number, high: number, change: (axis: number, value: number) => void): NumberField[] =>
-      kAxes.map((axis, k) => new NumberField({
-        key: `thing ${index} ${what} ${axis}`, label: t(axis), low, high, step: 0.01, digits: 2, onChange: (value) => change(k, value),
+  constructor(studio: Studio, index: number, name: string) {
+    const fields = (what: string, field: 'position_m' | 'size_m', low: number, high: number): NumberField[] =>
+      kAxes.map((axis, k) => new NumberField(studio, {
+        key: `thing ${index} ${what} ${axis}`, label: t(axis), low, high, kind: 'length', change: (document, value) => along(document, index, field, k, value),
       }));
-    this.place = fields('place', -kFarthest, kFarthest, (axis, value) => this.set('position_m', axis, value));
-    this.size = fields('size', 0, kLargest, (axis, value) => this.set('size_m', axis, value));
-    this.rounding = new NumberField({
-      key: `thing ${index} rounding`, label: t('rounding'), low: 0, high: kLargest / 2, step: 0.01, digits: 2, onChange: (radius_m) => this.change({ radius_m }),
+    this.place = fields('place', 'position_m', -kFarthest, kFarthest);
+    this.size = fields('size', 'size_m', 0, kLargest);
+    this.rounding = new NumberField(studio, {
+      key: `thing ${index} rounding`, label: t('rounding'), low: 0, high: kLargest / 2, kind: 'length', change: (document, radius_m) => withThing(document, index, { radius_m }),
     });
     const remove = iconButton('close', `${t('remove')}: ${name}`, () => void studio.settle(withoutThing(studio.document!, index)), { 'data-key': `thing ${index} remove` });
     this.element = h('div', { class: 'goal', role: 'group', 'aria-label': name },
@@ -39,18 +46,6 @@ class ThingRow {
       h('div', { class: 'extras' }, this.rounding.element));
     this.name.textContent = name;
     this.element.addEventListener('focusin', () => studio.select(thingName(index)));
-  }
-
-  private change(change: Partial<Obstacle>): void {
-    const { document } = this.studio;
-    if (document) void this.studio.settle(withThing(document, this.index, change));
-  }
-
-  private set(field: 'position_m' | 'size_m', axis: number, value: number): void {
-    const { document } = this.studio;
-    const now: Vec3 = [...(document && thingsOf(document)[this.index]?.[field]) ?? [0, 0, 0]];
-    now[axis] = value;
-    this.change({ [field]: now });
   }
 
   update({ position_m, size_m, radius_m = 0 }: Obstacle, isSelected: boolean): void {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The View menu: a button in the corner of the picture, and what it opens.
 import { t } from '../i18n';
+import { lengthUnits } from '../i18n/lengths';
 import type { Studio } from '../state/studio';
 import { kLongestFocal_mm, kMostGhosts, kShortestFocal_mm, kUsualFocal_mm, type ViewSettings } from '../state/view_settings';
 import { type Preset, presets } from '../view/camera';
 import type { View } from '../view/view';
-import { button, h, icon, type Panel } from './dom';
+import { button, h, icon, type Panel, select } from './dom';
 
 const kGap = 6; // px between the button and the menu, and between the menu and the page's edges
 const kUsualGhosts = 5;
@@ -30,7 +31,7 @@ export class ViewMenu implements Panel {
         h('div', { class: 'view-sides' }, ...presets.map((preset) => button(t(preset), () => this.lookFromSide(preset), { 'data-side': preset })),
           button(t('approach'), () => view.approachSelected(), { 'data-view': 'approach' }), button(t('resetCamera'), () => this.reset(), { 'data-view': 'reset' })),
         this.focal(), this.switch('orthographic', t('orthographic'), 'O')),
-      h('section', {}, h('h3', {}, t('viewMotion')), this.ghosts(), this.switch('path', t('viewPath'), 'P'), this.switch('ruler', t('ruler'), 'U')));
+      h('section', {}, h('h3', {}, t('viewMotion')), this.ghosts(), this.switch('path', t('viewPath'), 'P'), this.switch('ruler', t('ruler'), 'U'), this.units()));
     this.opener = h('button', { type: 'button', class: 'view-opener', 'aria-haspopup': 'dialog', popovertarget: 'view-menu' }, icon('eye'), h('span', {}, t('view')));
     this.menu.addEventListener('toggle', () => this.place());
     // Escape closes the menu alone
@@ -120,6 +121,13 @@ export class ViewMenu implements Panel {
       count.textContent = String(ghosts);
     });
     return h('label', { class: 'view-row', title: t('viewGhostsTitle') }, h('span', {}, t('viewGhosts')), range, count, h('kbd', {}, 'G'));
+  }
+
+  private units(): HTMLElement {
+    const { store } = this.studio;
+    const list = select(t('units'), lengthUnits.map((unit) => [unit, t(`unit_${unit}`)] as const), store.state.lengths, (lengths) => store.set({ lengths }));
+    list.dataset['view'] = 'lengths';
+    return h('label', { class: 'view-row' }, h('span', {}, t('units')), list);
   }
 
   private switch(name: Switch, label: string, key: string): HTMLElement {

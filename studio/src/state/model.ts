@@ -2,6 +2,7 @@
 // The page's state. A document is what undo goes back over; it is never changed, only replaced. A session is
 // the rest: what is shown and what is going on.
 import type { Candidate, Character, EngineFailure, Generated, Goal, PresetName, Summary, Task } from '../../../bindings/wasm/src/types';
+import type { LengthUnit } from '../i18n/lengths';
 import type { Work } from '../kept/work';
 import { initialView, type ViewSettings } from './view_settings';
 
@@ -86,6 +87,7 @@ export interface State {
   readonly view: ViewSettings;
   readonly fps: number; // of files that are saved
   readonly files: FileChoices;
+  readonly lengths: LengthUnit; // that they are shown and typed in
   readonly language: 'en' | 'ja';
   readonly theme: 'auto' | 'light' | 'dark';
 }
@@ -117,6 +119,7 @@ export const initialState: State = {
   view: initialView,
   fps: 60,
   files: { clip: '', jointNames: 'own', inPlace: false, together: false },
+  lengths: 'cm',
   language: 'en',
   theme: 'auto',
 };

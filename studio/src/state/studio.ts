@@ -17,6 +17,7 @@ export class Studio extends Workbench {
   readonly timings = new Timings();
   private running: AbortController | null = null;
   private warm = false;
+  private interrupted = false; // a drag has ended a search
 
   // ---- Steps -------------------------------------------------------------------------------------
 
@@ -61,6 +62,7 @@ export class Studio extends Workbench {
   /** What a person has in hand, as it would be now. */
   async attempt(trial: Document): Promise<void> {
     const since = performance.now();
+    this.interrupted ||= this.running !== null;
     this.cancel();
     this.store.set({ dragging: true, trial });
     try {
@@ -72,6 +74,13 @@ export class Studio extends Workbench {
     } catch (error) {
       this.fail(error);
     }
+  }
+
+  /** All is as it was before the drag. */
+  abandon(): void {
+    if (!this.store.state.dragging) return;
+    this.store.set({ dragging: false, trial: null, preview: null });
+    if (this.interrupted) void this.search();
   }
 
   /** A step that asks for other motions. */
@@ -107,6 +116,7 @@ export class Studio extends Workbench {
     const document = this.document;
     if (document === null) return;
     this.cancel();
+    this.interrupted = false;
     const controller = new AbortController();
     this.running = controller;
     const since = performance.now();
@@ -226,7 +236,7 @@ export class Studio extends Workbench {
       this.store.set({
         preview: null,
         notice: missed
-          ? { kind: 'text', key: 'editMisses', values: { cm: (generated.summary.remaining_mm / 10).toFixed(1) } }
+          ? { kind: 'text', key: 'editMisses', values: { length: generated.summary.remaining_mm / 1000 } }
           : null,
       });
     } catch (error) {

@@ -24,8 +24,8 @@ export function unturnedOf({ summary }: Candidate): number {
 }
 
 /** What the best motion leaves of its goals, for a message; null where nobody would see it: the engine is stricter. */
-export function missOf({ remaining_mm, remaining_deg = 0 }: Summary): { key: 'unreachable' | 'unturnedBest'; values: Record<string, string> } | null {
-  if (!isMet(remaining_mm)) return { key: 'unreachable', values: { cm: (remaining_mm / 10).toFixed(1) } };
+export function missOf({ remaining_mm, remaining_deg = 0 }: Summary): { key: 'unreachable' | 'unturnedBest'; values: Record<string, string | number> } | null {
+  if (!isMet(remaining_mm)) return { key: 'unreachable', values: { length: remaining_mm / 1000 } };
   return remaining_deg > kTurned ? { key: 'unturnedBest', values: { deg: remaining_deg.toFixed(0) } } : null;
 }
 

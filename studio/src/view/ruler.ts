@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A ruler beside the figure, as high as it is: a tick each 10 cm, a number each 50 cm, and the stature at its end. It turns
+// A ruler beside the figure, as high as it is: a tick each 10 cm, a number each 50 cm, in inches each 3 and 12, and the stature at its end. It turns
 // with the camera, so that it always stands at the figure's right side in the picture.
 import {
   type Camera, CanvasTexture, DoubleSide, Group, type BufferGeometry, Mesh, MeshBasicMaterial, PlaneGeometry, Sprite, SpriteMaterial, SRGBColorSpace, Vector3,
 } from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import { lengths, statureWords } from '../i18n/lengths';
 import type { Palette } from './palette';
 
 const kAside = 0.37; // statures from the body's middle
-const kStep = 0.1; // m
-const kNumbered = 5; // steps from one number to the next
+/** In units of length: from tick to tick; and ticks from number to number. */
+const kScales = { cm: { step: 10, numbered: 5 }, in: { step: 3, numbered: 4 } } as const;
 const kMostSteps = 60; // of a giant ticks are farther apart
 const kTick = 0.028; // m long
 const kLine = 0.0045; // m thick
@@ -48,7 +49,8 @@ export class Ruler {
     this.build();
   }
 
-  private build(): void {
+  /** Anew, as in another unit of lengths. */
+  build(): void {
     for (const child of [...this.object.children]) {
       child.removeFromParent();
       if (child instanceof Mesh) (child.geometry as BufferGeometry).dispose();
@@ -59,19 +61,21 @@ export class Ruler {
     }
     const height = this.stature_m;
     if (!(height > 0)) return;
-    let step = kStep;
-    while (height / step > kMostSteps) step *= 10;
-    const long = step / kStep; // all of a giant's ruler is larger
+    const { name: unit, perMetre } = lengths();
+    const { step: least, numbered } = kScales[unit];
+    let long = 1;
+    while ((height * perMetre) / (least * long) > kMostSteps) long *= 10;
+    const step = (least * long) / perMetre; // m; all of a giant's ruler is larger
     const parts = [bar(0, kLine * long, 0, height)];
     for (let k = 0; k * step <= height + 1e-9; ++k) {
-      const numbered = k % kNumbered === 0;
+      const isNumbered = k % numbered === 0;
       const thick = kLine * long * 0.8;
       const y = Math.max(k * step, thick / 2);
-      parts.push(bar(-kTick * long * (numbered ? 2 : 1), 0, y - thick / 2, Math.min(y + thick / 2, height)));
+      parts.push(bar(-kTick * long * (isNumbered ? 2 : 1), 0, y - thick / 2, Math.min(y + thick / 2, height)));
       // the last number would stand in the stature's
-      if (numbered && k > 0 && height - k * step > kLetters * long) this.object.add(this.label(String(Math.round(k * step * 100)), k * step, long, 0.75));
+      if (isNumbered && k > 0 && height - k * step > kLetters * long) this.object.add(this.label(String(k * least * long), k * step, long, 0.75));
     }
-    this.object.add(this.label(`${Math.round(height * 100)} cm`, height, long, 1));
+    this.object.add(this.label(statureWords(height), height, long, 1));
     this.scale = new Mesh(mergeGeometries(parts), this.material);
     this.object.add(this.scale, new Mesh(bar(-kAside * height, 0, height - 0.6 * kLine * long, height), this.level));
   }

@@ -109,6 +109,12 @@ export class View {
     this.colour();
   }
 
+  /** In the unit of lengths that is chosen now. */
+  showUnits(): void {
+    this.ruler.build();
+    this.stage.invalidate();
+  }
+
   private colour(): void {
     const { skin, joints, compared } = this.stage.palette;
     if (this.figure) {
