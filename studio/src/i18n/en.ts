@@ -5,7 +5,7 @@ export const en = {
   tagline: 'natural whole-body motion',
   loading: 'Starting the engine …',
   hint: 'Drag the orange ball: the body reaches for it.',
-  hintMore: 'Or drag a small blue one: the other hand, the head, a foot.',
+  hintMore: 'Or drag a small blue one: the other hand, the head, a foot, the hips.',
   gotIt: 'Got it',
   start: 'Start', startWith: 'To begin with', start_pick: 'Pick up', start_shelf: 'Onto a shelf', start_box: 'Lift a box', start_seated: 'Reach seated',
   start_vrm: 'Your character', start_overhead: 'Overhead',
@@ -46,7 +46,7 @@ export const en = {
   goals: 'Goals', adjust: 'Adjust', criteria: 'Criteria', body: 'Body', plots: 'Plots', take: 'Save',
   panels: 'Panels',
   // goals
-  goalsIntro: 'Where the hands, feet and head should end, in {unit} from the floor between the feet.',
+  goalsIntro: 'Where the hands, the feet and other parts should end, in {unit} from the floor between the feet.',
   left: 'left', up: 'up', ahead: 'ahead', load: 'Load, kg', kg: 'kg', turn: 'Set a rotation', rings: 'Turn by rings',
   reachedBy: 'met', short: '{length} short', duration: 'Duration', auto: 'by distance', s: 's',
   method: 'Search', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
@@ -55,6 +55,7 @@ export const en = {
   facesUp: 'up', facesDown: 'down', facesIn: 'in', facesOut: 'out', facesAhead: 'ahead', facesBack: 'back',
   pitch: 'pitch °', heading: 'heading °', roll: 'roll °',
   tolerance: 'Anywhere within ± {unit}', unturned: '{deg}° from its rotation',
+  looksAt: 'Looks at', restOfBody: 'Hips, chest, elbows, knees',
   things: 'Things in the way', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', rounding: 'Rounded by, {unit}',
   remove: 'Remove', seed: 'Search with a new seed', seedNumber: 'Seed',
   // adjust

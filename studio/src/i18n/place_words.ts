@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The names of goals and things, as people say them.
 import type { Document } from '../state/model';
-import { thingOf, thingsOf } from '../state/places';
+import { lookName, thingOf, thingsOf } from '../state/places';
 import { jointName, t } from '.';
 
 /** The name of a thing in the way; the task may have none for it. */
@@ -10,6 +10,7 @@ export function thingWords(document: Document, index: number): string {
 }
 
 export function placeWords(document: Document, name: string): string {
+  if (name === lookName) return t('looksAt');
   const index = thingOf(name);
   return index === null ? jointName(name) : thingWords(document, index);
 }

@@ -2,12 +2,13 @@
 // The goals as numbers, and how motions for them are searched.
 import { engineWord, t } from '../i18n';
 import { chosenCandidate, type Document, type SearchSettings } from '../state/model';
-import { effectorsOf } from '../state/start';
+import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
 import { withPreset } from '../state/task';
 import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
+import { LookRow } from './look_row';
 import { scrubbable } from './scrub';
 import { ThingList } from './things';
 import { VerdictBox } from './verdict';
@@ -21,6 +22,9 @@ const efforts = Object.keys(kEfforts) as Effort[];
 export class GoalsPanel implements Panel {
   readonly element: HTMLElement;
   private readonly list = h('div', { class: 'goal-list' });
+  private readonly rest = h('details', { hidden: true }, h('summary', {}, t('restOfBody')));
+  private readonly restList = h('div');
+  private readonly look: LookRow;
   private readonly things: ThingList;
   private readonly verdict: VerdictBox;
   private readonly duration: HTMLInputElement;
@@ -29,6 +33,8 @@ export class GoalsPanel implements Panel {
   private readonly seed: HTMLInputElement;
   private rows: GoalRow[] = [];
   private character: Document['character'] | null = null;
+  private effectors = '';
+  private goals = 0; // their number
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio, private readonly view: View) {
@@ -51,8 +57,10 @@ export class GoalsPanel implements Panel {
       this.change({ evaluations: this.evaluations(this.method.value, key) }));
     this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });
     this.verdict = new VerdictBox(studio);
+    this.look = new LookRow(studio);
     this.things = new ThingList(studio);
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element, this.list, this.things.element,
+    this.rest.append(this.restList);
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element, this.list, this.rest, this.look.element, this.things.element,
       h('div', { class: 'fields' },
         h('label', {}, durationName, this.duration, t('s')),
         h('label', {}, h('span', {}, t('method')), this.method),
@@ -98,16 +106,36 @@ export class GoalsPanel implements Panel {
     this.studio.tell({ kind: 'text', key: 'badSeed', values: { value: text, most: Number.MAX_SAFE_INTEGER } });
   }
 
+  /** Rows stay while the same effectors can have goals. */
+  private listRows(document: Document): void {
+    const { character, goals } = document;
+    const first = effectorsOf(character);
+    const joints = jointsOf(character);
+    // a task may have goals for any joint
+    const others = goals.map(({ effector }) => effector).filter((effector) => ![...first, ...joints].includes(effector));
+    const rest = [...joints, ...others];
+    const effectors = JSON.stringify([first, rest]);
+    if (character === this.character && effectors === this.effectors) return;
+    this.character = character;
+    this.effectors = effectors;
+    const rows = (names: readonly string[]): GoalRow[] => names.map((effector) => new GoalRow(this.studio, this.view, effector));
+    const [ofFirst, ofRest] = [rows(first), rows(rest)];
+    this.rows = [...ofFirst, ...ofRest];
+    fill(this.list, ...ofFirst.map(({ element }) => element));
+    fill(this.restList, ...ofRest.map(({ element }) => element));
+    this.rest.hidden = rest.length === 0;
+    this.rest.open = goals.some(({ effector }) => rest.includes(effector));
+  }
+
   private update(): void {
     const { trial, document, selected } = this.studio.store.state;
     if (!document) return;
-    if (document.character !== this.character) {
-      this.character = document.character;
-      this.rows = effectorsOf(document.character).map((effector) => new GoalRow(this.studio, this.view, effector));
-      fill(this.list, ...this.rows.map((row) => row.element));
-    }
+    this.listRows(trial ?? document);
+    if (document.goals.length > this.goals && document.goals.some(({ effector }) => !effectorsOf(document.character).includes(effector))) this.rest.open = true;
+    this.goals = document.goals.length;
     this.verdict.update(document, chosenCandidate(document));
     for (const row of this.rows) row.update(trial ?? document, selected);
+    this.look.update(trial ?? document, selected);
     this.things.update(trial ?? document, selected);
     const { settings } = document;
     this.duration.value = settings.duration_s === null ? '' : String(settings.duration_s);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// All that has a place in a document and can be moved there, by names: goals by those of their effectors, things in the way by their numbers.
+// All that has a place in a document and can be moved there, by names: goals by those of their effectors, things in the way by their numbers,
+// and what the eyes are on.
 import type { Goal, Obstacle, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import { aboveFloor, leastHeight } from './floor';
 import { type Document, goalOf } from './model';
 
 const kThing = '@thing '; // no effector's name begins so
 const kNone: readonly Obstacle[] = [];
+
+export const lookName = '@look';
 
 export const thingName = (index: number): string => `${kThing}${index}`;
 
@@ -18,12 +21,23 @@ export function thingsOf({ settings }: Document): readonly Obstacle[] {
   return settings.more.obstacles ?? kNone;
 }
 
+/** Where the eyes are on; undefined where the engine chooses. */
+export function lookOf({ settings }: Document): Vec3 | undefined {
+  return settings.more.look_at_m;
+}
+
+export function withLook(document: Document, place: Vec3 | undefined): Document {
+  const { look_at_m: _, ...more } = document.settings.more;
+  return { ...document, settings: { ...document.settings, more: place ? { ...more, look_at_m: place } : more } };
+}
+
 /** The names of all places, goals first. */
 export function placeNames(document: Document): string[] {
-  return [...document.goals.map(({ effector }) => effector), ...thingsOf(document).map((_, index) => thingName(index))];
+  return [...document.goals.map(({ effector }) => effector), ...(lookOf(document) ? [lookName] : []), ...thingsOf(document).map((_, index) => thingName(index))];
 }
 
 export function placeOf(document: Document, name: string): Vec3 | undefined {
+  if (name === lookName) return lookOf(document);
   const index = thingOf(name);
   return index === null ? goalOf(document, name)?.position_m : thingsOf(document)[index]?.position_m;
 }
@@ -49,6 +63,7 @@ export function withThing(document: Document, index: number, change: Partial<Obs
 
 /** The document with a goal or a thing elsewhere, a goal also turned. */
 export function moved(document: Document, name: string, position: Vec3, rotation?: Quat): Document {
+  if (name === lookName) return withLook(document, position);
   const index = thingOf(name);
   if (index !== null) return withThing(document, index, { position_m: position });
   const goal: Goal = { ...(goalOf(document, name) ?? { effector: name }), position_m: position };
@@ -64,6 +79,7 @@ function standing({ size_m = [0, 0, 0], radius_m = 0, rotation_xyzw: [x, y, z, w
 
 /** How high a place must be, m: of a goal with the rotation that it has where none is given. */
 export function leastOf(document: Document, name: string, rotation?: Quat): number {
+  if (name === lookName) return 0;
   const index = thingOf(name);
   if (index === null) return leastHeight(document.character, name, rotation ?? goalOf(document, name)?.rotation_xyzw);
   const thing = thingsOf(document)[index];

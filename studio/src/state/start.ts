@@ -23,6 +23,14 @@ export function effectorsOf(character: Character): string[] {
   return [...known, ...effectors.filter((name) => !(known as string[]).includes(name))];
 }
 
+/** Joints that goals are asked for now and then, where a body has them. */
+const kJoints = ['hips', 'chest', 'right_elbow', 'left_elbow', 'right_knee', 'left_knee'];
+
+export function jointsOf({ description }: Character): string[] {
+  const named = new Set(description.places.map(({ effector }) => effector));
+  return isRobot(description) ? [] : kJoints.filter((name) => named.has(name));
+}
+
 /** Where an effector is before the motion, m. */
 export function startOf(character: Character, effector: string): Vec3 {
   const of = (name: string): Vec3 | undefined => character.description.places.find((p) => p.effector === name)?.start_m;

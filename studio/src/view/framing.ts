@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The places that a picture must hold beside the goals: the way of the hands, obstacles, and the head as its mesh has it, from the motion's beginning to
-// its end.
+// The places that a picture must hold beside the goals: the way of the hands, obstacles, what is looked at, and the head as its mesh has it, from the
+// motion's beginning to its end.
 import { Box3, Mesh, type Object3D, SkinnedMesh, Vector3 } from 'three';
 import type { Candidate, Obstacle, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Document } from '../state/model';
+import { lookOf } from '../state/places';
 import type { Figure } from './figures';
 import { poseNodes } from './pose';
 
@@ -43,6 +44,8 @@ function cornersOf({ position_m, size_m = [0, 0, 0], radius_m = 0, rotation_xyzw
 /** `reach`: of the head above its joint, m. Leaves the figure's nodes posed at the end. */
 export function placesToSee(document: Document, candidate: Candidate, figure: Figure, head: Object3D | undefined, reach: number): Vector3[] {
   const places = (document.settings.more.obstacles ?? []).flatMap(cornersOf);
+  const look = lookOf(document);
+  if (look) places.push(new Vector3(...look));
   const { effectors } = candidate.series;
   for (const share of kMoments) {
     const row = Math.round(share * (effectors.frames - 1)) * effectors.columns;

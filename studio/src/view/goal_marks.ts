@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Marks of what goals ask for beside a place: the box in which any place will do, the way that a palm or another axis is to face, and
-// the loads that hands carry. And the seat that a body sits on.
-import { ArrowHelper, BoxGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshStandardMaterial, type Object3D, type Vector3Tuple, Vector3 } from 'three';
+// the loads that hands carry. And the line of sight to what is looked at, and the seat that a body sits on.
+import {
+  ArrowHelper, BoxGeometry, BufferGeometry, EdgesGeometry, Group, Line, LineBasicMaterial, LineDashedMaterial, LineSegments, Mesh, MeshStandardMaterial,
+  type Object3D, type Vector3Tuple, Vector3,
+} from 'three';
 import type { Goal, GoalAxis } from '../../../bindings/wasm/src/types';
 import type { Document } from '../state/model';
+import { lookOf } from '../state/places';
 import type { Palette } from './palette';
 
 const kArrow = 0.16; // m
@@ -20,7 +24,7 @@ function directionOf({ direction }: GoalAxis): Vector3 {
   return new Vector3(...(typeof direction === 'string' ? kDirections[direction]! : direction)).normalize();
 }
 
-type Kind = 'axis' | 'box' | 'load' | 'seat';
+type Kind = 'axis' | 'box' | 'load' | 'seat' | 'sight';
 
 export class GoalMarks {
   readonly object = new Group();
@@ -29,25 +33,34 @@ export class GoalMarks {
   private readonly edges = new LineBasicMaterial({ transparent: true, opacity: 0.8 });
   private readonly seat = new MeshStandardMaterial({ roughness: 0.9 });
   private readonly load = new MeshStandardMaterial({ roughness: 0.9 });
+  private readonly sight = new LineDashedMaterial({ dashSize: 0.025, gapSize: 0.025, transparent: true, opacity: 0.7 });
+  private line: Line<BufferGeometry, LineDashedMaterial> | null = null;
+  private look: Vector3 | null = null;
   private loads: { effector: string; box: Mesh; side: number }[] = [];
-  private goals: Document['goals'] | null = null;
-  private character: Document['character'] | null = null;
+  private shown: Document | null = null;
   private palette: Palette | null = null;
 
   paint(palette: Palette): void {
     this.palette = palette;
     this.edges.color = palette.goal;
+    this.sight.color = palette.idle;
     this.seat.color = palette.idle;
     this.load.color = palette.goal.clone().lerp(palette.joints, 0.5);
-    this.goals = null;
+    this.shown = null;
   }
 
   show(document: Document | null): void {
-    if (!document || (document.goals === this.goals && document.character === this.character)) return;
-    this.goals = document.goals;
-    this.character = document.character;
+    if (!document || document === this.shown) return;
+    this.shown = document;
     this.clear();
     for (const goal of document.goals) this.mark(goal);
+    const look = lookOf(document);
+    if (look) {
+      this.look = new Vector3(...look);
+      this.line = new Line(new BufferGeometry().setFromPoints([this.look, this.look]), this.sight);
+      this.line.frustumCulled = false;
+      this.add('sight', this.line, this.object);
+    }
     const seat = document.character.spec.seat_m;
     if (seat !== undefined) this.addSeat(document.character, seat);
   }
@@ -59,6 +72,7 @@ export class GoalMarks {
       mark.removeFromParent();
     }
     this.loads = [];
+    this.line = this.look = null;
   }
 
   private add(kind: Kind, mark: Object3D, to: Group): void {
@@ -95,12 +109,17 @@ export class GoalMarks {
     this.add('seat', box, this.solids);
   }
 
-  /** Loads hang below the hands that carry them. */
+  /** Loads hang below the hands that carry them, and the line of sight begins at the head. */
   pose(placeOf: (effector: string) => Vector3 | null): void {
     for (const { effector, box, side } of this.loads) {
       const place = placeOf(effector);
       box.visible = place !== null;
       if (place) box.position.set(place.x, Math.max(place.y - side / 2, side / 2), place.z);
+    }
+    const head = placeOf('head');
+    if (this.line && this.look && head) {
+      this.line.geometry.setFromPoints([head, this.look]);
+      this.line.computeLineDistances();
     }
   }
 

@@ -22,8 +22,8 @@ export interface HandleEvents {
   least(name: string, rotation?: Quat): number;
 }
 
-/** goal: asked for; free: an effector that no goal is for; thing: one in the way. */
-type Kind = 'goal' | 'free' | 'thing';
+/** goal: asked for; free, joint: a hand, foot or head, or another joint, that no goal is for; look: what the eyes are on; thing: one in the way. */
+type Kind = 'goal' | 'free' | 'joint' | 'look' | 'thing';
 
 /** What can be dragged, and where it is, m. */
 export interface Grip {
@@ -37,10 +37,11 @@ interface Handle extends Grip {
   readonly sprite: Sprite;
 }
 
-const kSizes: Readonly<Record<Kind, number>> = { goal: 0.022, free: 0.016, thing: 0.018 };
+const kSizes: Readonly<Record<Kind, number>> = { goal: 0.022, free: 0.016, joint: 0.011, look: 0.026, thing: 0.018 };
+const kSelected: Readonly<Partial<Record<Kind, 'selectedThing' | 'selectedLook'>>> = { thing: 'selectedThing', look: 'selectedLook' };
 const kSelectedSize = 0.042;
 /** Of a handle's distance from the pointer: goals go before others. */
-const kFar: Readonly<Record<Kind, number>> = { goal: 0.8, free: 1.4, thing: 1.4 };
+const kFar: Readonly<Record<Kind, number>> = { goal: 0.8, free: 1.4, joint: 1.9, look: 1, thing: 1.4 };
 
 export class Handles {
   readonly object = new Group();
@@ -49,7 +50,7 @@ export class Handles {
   private dragged: { name: string; plane: Plane; grip: Vector3; from: Vector3; to: Vector3 | null } | null = null;
   private readonly anchor = new Object3D();
   private readonly gizmo: TransformControls;
-  private readonly materials = { goal: disc(), free: disc(), thing: disc(), selected: disc(), selectedThing: disc() };
+  private readonly materials = { goal: disc(), free: disc(), joint: disc(), look: disc(), thing: disc(), selected: disc(), selectedThing: disc(), selectedLook: disc() };
   private readonly ray = new Raycaster();
   private rotates = false;
 
@@ -80,9 +81,12 @@ export class Handles {
     draw(this.materials.goal, { colour: goal });
     draw(this.materials.selected, { colour: goal, selected: true });
     draw(this.materials.free, { colour: idle });
-    draw(this.materials.thing, { colour: idle, square: true });
-    draw(this.materials.selectedThing, { colour: idle, square: true, selected: true });
-    this.materials.free.opacity = 0.75;
+    draw(this.materials.joint, { colour: idle });
+    draw(this.materials.look, { colour: idle, shape: 'eye' });
+    draw(this.materials.selectedLook, { colour: goal, shape: 'eye', selected: true });
+    draw(this.materials.thing, { colour: idle, shape: 'square' });
+    draw(this.materials.selectedThing, { colour: idle, shape: 'square', selected: true });
+    this.materials.free.opacity = this.materials.joint.opacity = 0.75;
   }
 
   update(grips: readonly Grip[], selected: string, rotate: boolean): void {
@@ -95,11 +99,11 @@ export class Handles {
       sprites.push(sprite);
     }
     this.handles = grips.map((grip, index) => ({ ...grip, sprite: sprites[index]! }));
-    this.chosen = this.handles.find(({ name, kind }) => name === selected && kind !== 'free') ?? null;
+    this.chosen = this.handles.find(({ name, kind }) => name === selected && kind !== 'free' && kind !== 'joint') ?? null;
     for (const handle of this.handles) {
       const { kind, place, sprite } = handle;
       const isChosen = handle === this.chosen;
-      sprite.material = this.materials[isChosen ? (kind === 'thing' ? 'selectedThing' : 'selected') : kind];
+      sprite.material = this.materials[isChosen ? (kSelected[kind] ?? 'selected') : kind];
       sprite.scale.setScalar((isChosen ? kSelectedSize : kSizes[kind]) * this.stage.lens.constantSize);
       sprite.position.copy(place);
     }
@@ -222,11 +226,11 @@ function disc(): SpriteMaterial {
 
 interface Drawing {
   colour: string;
-  square?: boolean;
+  shape?: 'disc' | 'square' | 'eye';
   selected?: boolean;
 }
 
-function draw(material: SpriteMaterial, { colour, square = false, selected = false }: Drawing): void {
+function draw(material: SpriteMaterial, { colour, shape = 'disc', selected = false }: Drawing): void {
   const canvas = material.map!.image as HTMLCanvasElement;
   const pen = canvas.getContext('2d')!;
   pen.clearRect(0, 0, 128, 128);
@@ -243,9 +247,16 @@ function draw(material: SpriteMaterial, { colour, square = false, selected = fal
   pen.lineWidth = selected ? 6 : 10;
   pen.beginPath();
   const reach = selected ? 27 : 50;
-  if (square) pen.rect(64 - reach, 64 - reach, 2 * reach, 2 * reach);
+  if (shape === 'square') pen.rect(64 - reach, 64 - reach, 2 * reach, 2 * reach);
+  else if (shape === 'eye') pen.ellipse(64, 64, 1.15 * reach, 0.7 * reach, 0, 0, 7);
   else pen.arc(64, 64, reach, 0, 7);
   pen.fill();
   pen.stroke();
+  if (shape === 'eye') {
+    pen.fillStyle = 'rgba(255,255,255,0.95)';
+    pen.beginPath();
+    pen.arc(64, 64, 0.32 * reach, 0, 7);
+    pen.fill();
+  }
   material.map!.needsUpdate = true;
 }

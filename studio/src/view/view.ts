@@ -4,9 +4,9 @@ import { Box3, Vector3 } from 'three';
 import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
 import { candidateAt, type Document, type State } from '../state/model';
-import { leastOf, placeOf, thingName, thingsOf } from '../state/places';
+import { leastOf, lookName, lookOf, placeOf, thingName, thingsOf } from '../state/places';
 import { speedScale } from '../state/speed';
-import { effectorsOf } from '../state/start';
+import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
 import { directionOf, type Preset } from './camera';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
@@ -307,10 +307,16 @@ export class View {
     for (const { effector, position_m, rotation_xyzw } of goals) {
       grips.push({ name: effector, kind: 'goal', place: new Vector3(...position_m), ...(rotation_xyzw && { rotation: rotation_xyzw }) });
     }
-    for (const effector of effectorsOf(character)) {
-      const place = goals.some((goal) => goal.effector === effector) ? null : this.place(effector);
-      if (place) grips.push({ name: effector, kind: 'free', place });
-    }
+    const look = lookOf(asked);
+    if (look) grips.push({ name: lookName, kind: 'look', place: new Vector3(...look) });
+    const addFree = (effectors: readonly string[], kind: 'free' | 'joint'): void => {
+      for (const effector of effectors) {
+        const place = goals.some((goal) => goal.effector === effector) ? null : this.place(effector);
+        if (place) grips.push({ name: effector, kind, place });
+      }
+    };
+    addFree(effectorsOf(character), 'free');
+    addFree(jointsOf(character), 'joint');
     return grips;
   }
 
