@@ -43,6 +43,8 @@ export interface Inspection {
   figure(): DrawnFigure | null;
   /** What goals are marked with in the view: axis, box, load, seat. */
   readonly marks: readonly string[];
+  /** What a place that is dragged has snapped to: floor, a thing or a hand. */
+  readonly snapped: string | null;
   /** Whether a place is in the picture. */
   sees(place: Vec3): boolean;
   /** How far the head is drawn above its joint, m. */
@@ -87,6 +89,9 @@ export function expose(studio: Studio, view: View): void {
     },
     get strained() {
       return view.strainedNames;
+    },
+    get snapped() {
+      return view.snappedTo;
     },
     get marks() {
       return view.goalMarks;

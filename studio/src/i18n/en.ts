@@ -55,7 +55,9 @@ export const en = {
   facesUp: 'up', facesDown: 'down', facesIn: 'in', facesOut: 'out', facesAhead: 'ahead', facesBack: 'back',
   pitch: 'pitch °', heading: 'heading °', roll: 'roll °',
   tolerance: 'Anywhere within ± {unit}', unturned: '{deg}° from its rotation',
-  looksAt: 'Looks at', restOfBody: 'Hips, chest, elbows, knees',
+  scrubAbout: 'Drag to the side to change the number: with Shift finer, with Escape back',
+  symmetric: 'Both hands alike', snap: 'Snap', snapAbout: 'What is dragged snaps to the floor, to faces of things and to the other hand; with Ctrl held, the other way round.',
+  looksAt: 'Looks at', restOfBody: 'Hips, back, elbows, knees',
   things: 'Things in the way', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', rounding: 'Rounded by, {unit}',
   remove: 'Remove', seed: 'Search with a new seed', seedNumber: 'Seed',
   // adjust

@@ -4,6 +4,7 @@ import { engineWord, t } from '../i18n';
 import { chosenCandidate, type Document, type SearchSettings } from '../state/model';
 import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
+import { hasBothHands } from '../state/symmetry';
 import { withPreset } from '../state/task';
 import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
@@ -24,6 +25,9 @@ export class GoalsPanel implements Panel {
   private readonly list = h('div', { class: 'goal-list' });
   private readonly rest = h('details', { hidden: true }, h('summary', {}, t('restOfBody')));
   private readonly restList = h('div');
+  private readonly symmetric: HTMLInputElement;
+  private readonly symmetricLabel: HTMLElement;
+  private readonly snap: HTMLInputElement;
   private readonly look: LookRow;
   private readonly things: ThingList;
   private readonly verdict: VerdictBox;
@@ -57,10 +61,14 @@ export class GoalsPanel implements Panel {
       this.change({ evaluations: this.evaluations(this.method.value, key) }));
     this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });
     this.verdict = new VerdictBox(studio);
+    this.symmetric = h('input', { type: 'checkbox', 'data-key': 'symmetric', onChange: () => void studio.setSymmetric(this.symmetric.checked) });
+    this.symmetricLabel = h('label', {}, this.symmetric, t('symmetric'));
+    this.snap = h('input', { type: 'checkbox', 'data-key': 'snap', onChange: () => studio.store.set({ snap: this.snap.checked }) });
     this.look = new LookRow(studio);
     this.things = new ThingList(studio);
     this.rest.append(this.restList);
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element, this.list, this.rest, this.look.element, this.things.element,
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element,
+      h('div', { class: 'goal-ways' }, this.symmetricLabel, h('label', { title: t('snapAbout') }, this.snap, t('snap'))), this.list, this.rest, this.look.element, this.things.element,
       h('div', { class: 'fields' },
         h('label', {}, durationName, this.duration, t('s')),
         h('label', {}, h('span', {}, t('method')), this.method),
@@ -68,7 +76,7 @@ export class GoalsPanel implements Panel {
         h('label', {}, h('span', {}, t('seedNumber')), this.seed),
         button(t('seed'), () => void studio.searchAgain())));
     this.end = studio.store.subscribe((state, previous) => {
-      if (state.document !== previous.document || state.trial !== previous.trial || state.selected !== previous.selected) this.update();
+      if (state.document !== previous.document || state.trial !== previous.trial || state.selected !== previous.selected || state.symmetric !== previous.symmetric || state.snap !== previous.snap) this.update();
     });
     this.update();
   }
@@ -137,6 +145,9 @@ export class GoalsPanel implements Panel {
     for (const row of this.rows) row.update(trial ?? document, selected);
     this.look.update(trial ?? document, selected);
     this.things.update(trial ?? document, selected);
+    this.symmetric.checked = this.studio.store.state.symmetric;
+    this.symmetricLabel.hidden = !hasBothHands(document);
+    this.snap.checked = this.studio.store.state.snap;
     const { settings } = document;
     this.duration.value = settings.duration_s === null ? '' : String(settings.duration_s);
     // as people move, or as the task says

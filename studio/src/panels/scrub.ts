@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A number is changed by dragging its field or its name to the side: finer with Shift, back as it was with Escape. A press without a drag is
 // left to the field, as is a drag in a field that somebody types in.
+import { t } from '../i18n';
 
 const kStart = 4; // px that a press may move and still be none
 const kPixels = 4; // for each step
@@ -27,6 +28,7 @@ interface Drag {
 
 export function scrubbable(input: HTMLInputElement, name: HTMLElement, scrub: Scrub): void {
   let drag: Drag | null = null;
+  name.title = t('scrubAbout');
 
   const rounded = (value: number, fine: boolean): number => {
     const step = scrub.step * (fine ? kFine : 1);

@@ -75,6 +75,8 @@ export interface State {
   readonly project: string; // its name
   readonly saving: Saving;
   readonly notice: Notice | null;
+  readonly symmetric: boolean; // hands' goals move alike
+  readonly snap: boolean; // places that are dragged snap to the floor, things, the other hand
   readonly selected: string; // effector, or a thing in the way
   readonly start: boolean; // the cards to begin with
   readonly hint: boolean; // the sentence that says what to drag
@@ -107,6 +109,8 @@ export const initialState: State = {
   project: '',
   saving: 'none',
   notice: null,
+  symmetric: false,
+  snap: false,
   selected: 'right_hand',
   start: false,
   hint: true,

@@ -7,6 +7,7 @@ import { exportOptions } from './file_choices';
 import { candidateAt, type Document, goalOf, withEdits } from './model';
 import { moved, withGoal } from './places';
 import { startOf } from './start';
+import { madeSymmetric, withMirrorImage } from './symmetry';
 import { moreOf, previewTask, taskOf } from './task';
 import { assigned, listed } from './trial';
 import { Timings } from './timings';
@@ -60,7 +61,8 @@ export class Studio extends Workbench {
   }
 
   /** What a person has in hand, as it would be now. */
-  async attempt(trial: Document): Promise<void> {
+  async attempt(asked: Document): Promise<void> {
+    const trial = this.alike(asked);
     const since = performance.now();
     this.interrupted ||= this.running !== null;
     this.cancel();
@@ -76,6 +78,20 @@ export class Studio extends Workbench {
     }
   }
 
+  /** With the other hand's goal as the mirror image, where hands move alike. */
+  private alike(asked: Document): Document {
+    return this.document && this.store.state.symmetric ? madeSymmetric(this.document, asked) : asked;
+  }
+
+  /** Hands move alike from now on, or each by itself; the hand that is selected shows the other the way. */
+  setSymmetric(symmetric: boolean): Promise<void> {
+    const { document, store } = this;
+    store.set({ symmetric });
+    const hands = [store.state.selected, 'right_hand', 'left_hand'];
+    const hand = hands.find((name) => name.endsWith('_hand') && document && goalOf(document, name));
+    return symmetric && document && hand ? this.settle(withMirrorImage(document, hand)) : Promise.resolve();
+  }
+
   /** All is as it was before the drag. */
   abandon(): void {
     if (!this.store.state.dragging) return;
@@ -86,7 +102,7 @@ export class Studio extends Workbench {
   /** A step that asks for other motions. */
   settle(document: Document): Promise<void> {
     this.store.set({ dragging: false, trial: null });
-    this.commit(document);
+    this.commit(this.alike(document));
     return this.search();
   }
 

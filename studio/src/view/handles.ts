@@ -2,7 +2,7 @@
 // Handles that a person drags: a ball at each goal, a smaller one at each hand, foot and the head that has none yet, and a square at each
 // thing in the way. The selected one has arrows along the axes too, and rings where its rotation is asked for.
 import {
-  CanvasTexture, Group, Object3D, Plane, Raycaster, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3,
+  CanvasTexture, Group, Object3D, Plane, type Ray, Raycaster, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3,
 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Quat, Vec3 } from '../../../bindings/wasm/src/types';
@@ -18,6 +18,8 @@ export interface HandleEvents {
   drag(name: string, position: Vec3, rotation?: Quat): void;
   drop(name: string, position: Vec3, rotation?: Quat): void;
   hover(name: string | null, x: number, y: number): void;
+  /** Where it goes instead, as it snaps; `inverted`: the modifier key is held. */
+  snap(name: string, place: Vector3, inverted: boolean, ray?: Ray): Vector3;
   /** How high it must be, m. */
   least(name: string, rotation?: Quat): number;
 }
@@ -53,6 +55,7 @@ export class Handles {
   private readonly materials = { goal: disc(), free: disc(), joint: disc(), look: disc(), thing: disc(), selected: disc(), selectedThing: disc(), selectedLook: disc() };
   private readonly ray = new Raycaster();
   private rotates = false;
+  private inverted = false; // Ctrl, or Command, is held
 
   constructor(private readonly stage: Stage, private readonly canvas: HTMLCanvasElement, private readonly events: HandleEvents) {
     this.gizmo = new TransformControls(stage.camera, canvas);
@@ -66,6 +69,7 @@ export class Handles {
     this.gizmo.addEventListener('objectChange', () => this.gizmoMoved(false));
     this.object.add(this.anchor, this.gizmo.getHelper());
     canvas.addEventListener('pointerdown', this.down, { capture: true });
+    canvas.addEventListener('pointermove', this.modified, { capture: true });
     canvas.addEventListener('pointermove', this.move);
     canvas.addEventListener('pointerup', this.up);
     canvas.addEventListener('pointercancel', this.up);
@@ -127,7 +131,7 @@ export class Handles {
     const { name } = this.chosen;
     const rotation = this.rotates ? this.anchor.quaternion.toArray() : undefined;
     clampPlace(this.anchor.position, this.events.least(name, rotation));
-    const place = this.anchor.position.toArray();
+    const place = (rotation ? this.anchor.position : this.events.snap(name, this.anchor.position, this.inverted)).toArray();
     if (end) this.events.drop(name, place, rotation);
     else this.events.drag(name, place, rotation);
   }
@@ -176,6 +180,10 @@ export class Handles {
     this.events.select(handle.name);
   };
 
+  private readonly modified = (event: PointerEvent): void => {
+    this.inverted = event.ctrlKey || event.metaKey;
+  };
+
   private readonly move = (event: PointerEvent): void => {
     const drag = this.dragged;
     if (!drag) {
@@ -188,8 +196,9 @@ export class Handles {
     this.aim(event);
     const hit = this.ray.ray.intersectPlane(drag.plane, new Vector3());
     if (!hit) return;
-    const place = clampPlace(hit.add(drag.grip), this.events.least(drag.name));
-    if (!drag.to && place.distanceTo(drag.from) < kStill) return;
+    const aimed = clampPlace(hit.add(drag.grip), this.events.least(drag.name));
+    if (!drag.to && aimed.distanceTo(drag.from) < kStill) return;
+    const place = this.events.snap(drag.name, aimed, this.inverted, this.ray.ray);
     drag.to = place;
     this.events.drag(drag.name, place.toArray());
   };

@@ -5,6 +5,7 @@ import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/type
 import type { Look } from '../kept/work';
 import { candidateAt, type Document, type State } from '../state/model';
 import { leastOf, lookName, lookOf, placeOf, thingName, thingsOf } from '../state/places';
+import { type Ray, type Snap, snapOf } from '../state/snapping';
 import { speedScale } from '../state/speed';
 import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -20,6 +21,7 @@ import { shownTheme } from './palette';
 import { SpeedPath } from './path';
 import type { PictureSettings } from './picture';
 import { Ruler } from './ruler';
+import { SnapMark } from './snap_mark';
 import { Stage } from './stage';
 import { StrainedJoints } from './strained';
 
@@ -47,6 +49,8 @@ export class View {
   private readonly otherOverlays = new Overlays();
   private readonly strained = new StrainedJoints();
   private readonly marks = new GoalMarks();
+  private readonly snapMark = new SnapMark();
+  private snapTo: Snap | null = null;
   private readonly ghosts = new Ghosts();
   private readonly ruler = new Ruler();
   private readonly speeds = new SpeedPath();
@@ -74,11 +78,12 @@ export class View {
       drag: (name, position, rotation) => void studio.drag(name, position, rotation),
       drop: (name, position, rotation) => void studio.drop(name, position, rotation),
       hover: onHover,
+      snap: (name, place, inverted, ray) => this.snapped(name, place, inverted, ray),
       least: (name, rotation) => (studio.document ? leastOf(studio.document, name, rotation) : 0),
     });
     this.stage.casters.add(this.obstacles.object, this.marks.solids);
     const drawn = [
-      this.overlays, this.otherOverlays, this.strained, this.marks, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds,
+      this.overlays, this.otherOverlays, this.strained, this.marks, this.snapMark, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds,
     ];
     this.stage.scene.add(...drawn.map(({ object }) => object));
     this.stage.onFrame = (seconds) => this.advance(seconds);
@@ -100,6 +105,7 @@ export class View {
     this.otherOverlays.paint({ ...this.stage.palette, path: this.stage.palette.comparedPath });
     this.strained.paint(this.stage.palette);
     this.marks.paint(this.stage.palette);
+    this.snapMark.paint(this.stage.palette);
     this.marks.show(this.studio.document);
     this.handles.paint(this.stage.palette);
     this.obstacles.paint(this.stage.palette);
@@ -188,6 +194,7 @@ export class View {
     if (state.compareMode !== previous.compareMode) this.colour();
     if (state.document?.compared !== previous.document?.compared) void this.setOther();
     if (state.dragging && !previous.dragging) this.studio.play(false);
+    if (!state.dragging && previous.dragging) this.snapMark.show(null);
     const { document } = state;
     const before = previous.document;
     const { obstacles } = document?.settings.more ?? {};
@@ -298,6 +305,19 @@ export class View {
     this.handles.object.position.x = apart / 2;
     this.handles.object.visible = apart === 0; // what is dragged is where the engine has it
     this.handles.update(this.grips(state.trial ?? document), state.selected, this.rotate);
+  }
+
+  /** Where a place goes that is dragged there; marks what it snaps to. */
+  private snapped(name: string, place: Vector3, inverted: boolean, ray?: Ray): Vector3 {
+    const { document, store } = this.studio;
+    this.snapTo = document && store.state.snap !== inverted ? snapOf(document, name, place, ray) : null;
+    this.snapMark.show(this.snapTo);
+    return this.snapTo?.place ?? place;
+  }
+
+  /** What the place that is dragged has snapped to: "floor", a thing or a hand; for tests. */
+  get snappedTo(): string | null {
+    return this.snapMark.object.visible ? this.snapTo?.to ?? null : null;
   }
 
   /** All that can be dragged. */
