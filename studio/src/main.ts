@@ -5,6 +5,7 @@ import './styles/panels.css';
 import './styles/verdict.css';
 import './styles/scene.css';
 import './styles/characters.css';
+import './styles/projects.css';
 import './styles/start.css';
 import './styles/tip.css';
 import './styles/phone.css';
@@ -65,9 +66,9 @@ async function start(): Promise<void> {
     const lengths = recall('lengths');
     studio.store.set({ language: preferredLanguage(), lengths: isLengthUnit(lengths) ? lengths : 'cm', theme: theme === 'light' || theme === 'dark' ? theme : 'auto', start: startsWithCards() && location.hash === '' });
     waiting.remove();
-    const page = new Page(studio, root);
-    expose(studio, page.view);
     const keeper = new Keeper(studio);
+    const page = new Page(studio, root, keeper);
+    expose(studio, page.view);
     window.addEventListener('hashchange', () => void openAddress(studio, keeper));
     await openAddress(studio, keeper);
   } catch (error) {

@@ -3,6 +3,7 @@
 import { setLanguage, t } from './i18n';
 import { setLengthUnit } from './i18n/lengths';
 import { placeWords } from './i18n/place_words';
+import type { Keeper } from './kept/keeper';
 import { remember } from './kept/memory';
 import { WantedBanner } from './kept/wanted_banner';
 import { Keyboard } from './keyboard';
@@ -40,11 +41,12 @@ export class Page {
   readonly view: View;
   private readonly thumbnails: Thumbnails;
 
-  constructor(private readonly studio: Studio, private readonly root: HTMLElement) {
+  constructor(private readonly studio: Studio, private readonly root: HTMLElement, private readonly keeper: Keeper) {
     this.stage.append(this.canvas, this.label);
     root.append(this.stage);
     this.view = new View(studio, this.stage, this.canvas, (name, x, y) => this.hover(name, x, y));
     this.thumbnails = new Thumbnails(studio, () => this.view.stage.quality.moving.thumbnails);
+    keeper.follow(this.view, () => this.thumbnails.pictureOf(studio.document?.chosen ?? -1));
     studio.store.subscribe((state, previous) => {
       if (state.language !== previous.language || state.lengths !== previous.lengths) this.build();
       if (state.theme !== previous.theme) this.paint();
@@ -90,7 +92,7 @@ export class Page {
       goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
       body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio, new TakePicture(studio, this.view)),
     });
-    const top = new TopBar(studio, openHelp);
+    const top = new TopBar(studio, this.keeper, openHelp);
     const legend = new SpeedLegend(studio);
     const menu = new ViewMenu(studio, this.view);
     this.panels = [gallery, verdict, timeline, start, notices, wanted, tabs, top, legend, menu];

@@ -1,66 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Keeps the work in the browser while it goes on, and brings the last one back.
+// Which project is on the table: the last one comes back, others are opened, begun and renamed.
 import { t } from '../i18n';
-import type { Saving, State } from '../state/model';
-import type { Studio } from '../state/studio';
-import { isQuota, openDatabase } from './database';
-import { digestOf } from './digest';
-import { hasLocks, ProjectLock } from './lock';
-import { recall, remember } from './memory';
-import { openWork, workNow, workOf } from './pack';
-import { Conflict, freshProject, type KeptFile, type Project, ProjectStore } from './projects';
-import { readWork, type Work } from './work';
+import { openCharacter } from '../state/files';
+import { type Noted, noted, strike } from './journal';
+import { whileFree } from './lock';
+import { forget, recall } from './memory';
+import { openWork } from './pack';
+import { freshProject, type Project, type ProjectStore, type Removed } from './projects';
+import { kRemembered, Saver } from './saver';
+import { readWork } from './work';
 
-const kEvery = 500; // ms; a crash loses no more
-const kPatience = 8000; // ms until a database that does not answer is taken for none
 const kCloses = 500; // ms until a tab that was closed has let go of its project
 const kReloads = 1500; // ms until a page that is loaded anew has let go of its project
-const kRemembered = 'project';
 
-/** Changes of these are changes of the work. */
-const kKept: readonly (keyof State)[] = ['document', 'tab', 'selected', 'compareMode', 'overlays', 'view', 'speed', 'fps'];
-
-export class Keeper {
-  private readonly ready: Promise<void>;
-  private readonly lock = new ProjectLock();
-  private projects: ProjectStore | null = null;
-  private project: Project = freshProject(t('untitled'));
-  private opened = false; // by a person, as a link is
-  private opening = 0;
-  private changes = 0;
-  private saved = 0; // of the changes
-  private timer = 0;
-  private writing: Promise<void> = Promise.resolve();
-  private readonly files = new Set<string>(); // SHA-256 of those that are kept, or do not fit …
-  private readonly tooLarge = new Set<string>(); // … and of those that do not
-
-  constructor(private readonly studio: Studio) {
-    this.ready = Promise.race([this.openDatabase(), new Promise<void>((late) => void setTimeout(late, kPatience))]);
-    studio.store.subscribe((state, previous) => {
-      if (kKept.some((key) => state[key] !== previous[key])) this.changed();
-    });
-    studio.eye?.onLook(() => this.changed());
-    document.addEventListener('visibilitychange', () => {
-      if (document.visibilityState === 'hidden') void this.flush();
-    });
-    window.addEventListener('pagehide', () => void this.flush());
-    window.addEventListener('beforeunload', (event) => {
-      void this.flush();
-      const { saving } = this.studio.store.state;
-      if (saving === 'off' || saving === 'failed') event.preventDefault();
-    });
-  }
-
-  private async openDatabase(): Promise<void> {
-    const database = await openDatabase();
-    if (!database) return;
-    this.projects = new ProjectStore(database);
-    // it may have come late
-    if (this.studio.store.state.saving === 'off') this.changed();
-  }
-
-  // ---- Which project -----------------------------------------------------------------------------
-
+export class Keeper extends Saver {
   /** Brings back the work of this tab, else the one last saved; where there is none, or a damaged one, `openFirst`. */
   async openLast(openFirst: () => Promise<void>): Promise<void> {
     const own = recall(kRemembered, 'sessionStorage');
@@ -68,170 +21,159 @@ export class Keeper {
     if (id === null) return openFirst();
     await this.ready;
     const kept = await this.projects?.load(id).catch(() => null);
-    if (!kept) return openFirst();
+    const last = noted(id, kept?.project.revision ?? 0);
+    const project = kept?.project ?? (last && { ...last.project, revision: 0 });
+    if (!project) return openFirst();
     const isFree = await this.lock.take(id, own === null ? kCloses : kReloads);
-    const { name } = kept.project;
     try {
-      await this.open(kept.work, kept.bytes);
+      await this.openEither(last, kept?.work);
     } catch (error) {
       this.lock.drop();
       await openFirst();
-      return this.studio.fail(error, name);
+      return this.studio.fail(error, project.name);
     }
     // a work that waits for its character's file stays as it is kept
     if (!this.studio.document) return openFirst();
     this.studio.store.set({ start: false });
-    if (!isFree) return this.goOnAsCopy(name);
-    this.project = kept.project;
-    this.tell('saved');
+    this.isPut(project, isFree);
+    if (last) this.changed();
   }
 
-  private open(work: unknown, bytes?: Uint8Array): Promise<void> {
+  /** What was noted last, else what is kept. */
+  private async openEither(last: Noted | null, kept: unknown): Promise<void> {
+    if (!last) return this.open(kept);
+    try {
+      await this.open(last.work);
+    } catch (error) {
+      if (kept === undefined) throw error;
+      await this.open(kept);
+    }
+  }
+
+  private async open(work: unknown): Promise<void> {
     const checked = readWork(work);
-    const files = bytes ? [new File([bytes as BlobPart], checked.character.spec.source)] : [];
-    return this.quietly(() => openWork(this.studio, checked, files));
+    const { spec, sha256 } = checked.character;
+    const bytes = sha256 ? await this.projects?.file(sha256) : undefined;
+    const files = bytes ? [new File([bytes as BlobPart], spec.source)] : [];
+    await this.quietly(() => openWork(this.studio, checked, files));
+  }
+
+  /** A project is on the table; where another tab has it, a copy. */
+  private isPut(project: Project, isFree: boolean): void {
+    if (!isFree) return this.goOnAsCopy(project.name);
+    this.project = project;
+    this.opened = true;
+    this.tell('saved');
   }
 
   /** Opens what a person came with in a project of its own; whether it is kept. */
   async openAsNew(open: () => Promise<void>): Promise<boolean> {
     await this.write();
     await this.quietly(open);
-    this.project = freshProject(t('untitled'));
+    this.studio.forgetSteps();
+    this.project = freshProject(await this.freeName(t('untitled')));
     this.opened = true;
-    this.changed();
+    this.changed(true);
     const { changes } = this;
     await this.write();
     return this.saved >= changes; // more may have come meanwhile, as what its search found
   }
 
-  /** Nothing that `open` does is a change of the project that is on the table. */
-  private async quietly(open: () => Promise<void>): Promise<void> {
-    ++this.opening;
-    try {
-      await open();
-    } finally {
-      --this.opening;
-    }
+  // ---- What the list of projects does ------------------------------------------------------------
+
+  get present(): Project {
+    return { ...this.project, picture: this.picture() ?? this.project.picture };
   }
 
-  /** Another tab has the project. */
-  private goOnAsCopy(name: string): void {
-    this.project = freshProject(t('copyOf', { name }));
-    this.opened = true;
-    this.studio.tell({ kind: 'text', key: 'openElsewhere', values: { name, copy: this.project.name } });
-  }
-
-  // ---- Saving ------------------------------------------------------------------------------------
-
-  private changed(): void {
-    const { document, canUndo } = this.studio.store.state;
-    // what opens by itself is nobody's work
-    if (this.opening > 0 || !document) return;
-    const isWork = this.opened || canUndo || this.project.revision > 0 || document.character.bytes !== undefined;
-    if (!isWork) return;
-    if (document.character.bytes) void digestOf(document.character.bytes);
-    ++this.changes;
-    this.tell('unsaved');
-    if (this.timer === 0) this.timer = window.setTimeout(() => void this.write(), kEvery);
-  }
-
-  /** Saves what is not saved yet, one after the other. */
-  private write(): Promise<void> {
-    window.clearTimeout(this.timer);
-    this.timer = 0;
-    this.writing = this.writing.then(() => this.writeOnce());
-    return this.writing;
-  }
-
-  private async writeOnce(): Promise<void> {
+  async list(): Promise<Project[]> {
     await this.ready;
-    const { document } = this.studio;
-    const { changes } = this;
-    if (!document || this.opening > 0 || this.saved === changes) return;
-    if (!this.projects) return this.keepNothing();
-    const work = await workOf(this.studio, document);
+    return (await this.projects?.list()) ?? [];
+  }
+
+  /** Of files that no project used. */
+  get freedBytes(): number {
+    return this.freed;
+  }
+
+  /** The database with all of the present work; null where the browser keeps nothing, or not all, which is told. */
+  async settledStore(): Promise<ProjectStore | null> {
+    if (this.project.revision > 0 && this.project.picture === undefined && this.picture() !== null) this.changed();
+    await this.write();
+    return this.saved === this.changes ? this.projects : null;
+  }
+
+  /** Puts another project on the table. */
+  async openKept(id: string): Promise<void> {
+    const kept = await (await this.settledStore())?.load(id);
+    if (!kept) return;
+    const before = this.project.id;
+    const isFree = await this.lock.take(id, 0);
     try {
-      if (this.project.revision === 0) await this.lock.take(this.project.id, 0);
-      this.remember();
-      await this.save(this.projects, work, this.fileOf(work));
-      this.done(changes, work);
+      await this.open(kept.work);
     } catch (error) {
-      if (error instanceof Conflict) {
-        this.goOnAsCopy(this.project.name);
-        return this.changed();
-      }
-      this.tell('failed');
-      const why = error instanceof Error ? error.message : String(error);
-      this.studio.tell({ kind: 'text', key: isQuota(error) ? 'storageFull' : 'storageFailed', values: { why } });
+      await this.lock.take(before, 0);
+      return this.studio.fail(error, kept.project.name);
     }
+    this.studio.forgetSteps();
+    this.saved = this.changes;
+    this.isPut(kept.project, isFree);
   }
 
-  /** Saves, without the character's file where that does not fit. */
-  private async save(projects: ProjectStore, work: Work, file: KeptFile | undefined): Promise<void> {
-    try {
-      await this.send(projects, work, file);
-    } catch (error) {
-      if (!isQuota(error) || !file) throw error;
-      await this.send(projects, work);
-      this.studio.tell({ kind: 'text', key: 'fileTooLarge', values: { name: work.character.spec.source } });
-      this.tooLarge.add(file.sha256);
+  /** An empty project, with the person to begin with; it is kept once something is done. */
+  async openNew(): Promise<void> {
+    if (await this.settledStore()) await this.openEmpty();
+  }
+
+  private async openEmpty(): Promise<void> {
+    await this.quietly(() => openCharacter(this.studio, { source: 'human' }));
+    this.studio.forgetSteps();
+    this.lock.drop();
+    for (const memory of ['sessionStorage', 'localStorage'] as const) forget(kRemembered, memory);
+    this.project = freshProject(await this.freeName(t('untitled')));
+    this.opened = false;
+    this.saved = this.changes;
+    this.tell('none');
+  }
+
+  /** Deletes a project; null where another tab has it, or it is gone. The one on the table makes room for the last changed one. */
+  async remove(id: string): Promise<Removed | null> {
+    const store = await this.settledStore();
+    if (!store) return null;
+    let removed: Removed | null = null;
+    const act = async (): Promise<void> => {
+      removed = await store.remove(id);
+      strike(id);
+    };
+    if (id !== this.project.id) {
+      await whileFree(id, act);
+      return removed;
     }
-    if (file) this.files.add(file.sha256);
+    await act();
+    const [next] = await store.list();
+    if (next) await this.openKept(next.id);
+    if (this.project.id === id) await this.openEmpty();
+    return removed;
   }
 
-  private async send(projects: ProjectStore, work: Work, file?: KeptFile, last = false): Promise<void> {
-    const { project } = this;
-    const saved = projects.save(project, work, file, last);
-    // the next one may go out before the answer to this one
-    this.project = { ...project, revision: project.revision + 1 };
-    try {
-      await saved;
-    } catch (error) {
-      if (error instanceof Conflict) throw error;
-      const revision = await projects.revision(project.id);
-      if (this.project.id === project.id) this.project = { ...this.project, revision };
-      throw error;
+  async rename(id: string, name: string): Promise<boolean> {
+    if (id !== this.project.id) return whileFree(id, async () => this.projects?.rename(id, name));
+    await this.renamePresent(name);
+    return true;
+  }
+
+  private async renamePresent(name: string): Promise<void> {
+    this.project = { ...this.project, name };
+    this.opened = true;
+    this.changed(true);
+    await this.write();
+  }
+
+  /** A name that no project has: "Untitled", "Untitled 2", … */
+  async freeName(name: string): Promise<string> {
+    const all = new Set((await this.projects?.list().catch(() => []))?.map((project) => project.name));
+    for (let k = 2, free = name; ; ++k) {
+      if (!all.has(free)) return free;
+      free = `${name} ${k}`;
     }
-  }
-
-  private fileOf({ character: { sha256 } }: Work): KeptFile | undefined {
-    const bytes = this.studio.document?.character.bytes;
-    return sha256 && bytes && !this.files.has(sha256) ? { sha256, bytes } : undefined;
-  }
-
-  /** The page may end now: all that is not saved goes out at once. Where it does not end, its timer tries again. */
-  private async flush(): Promise<void> {
-    const { document } = this.studio;
-    const { changes, projects } = this;
-    if (this.saved === changes || this.opening > 0 || !document || !projects) return;
-    const work = workNow(this.studio, document);
-    if (!work) return;
-    this.remember();
-    try {
-      await this.send(projects, work, this.fileOf(work), hasLocks());
-      this.done(changes, work);
-    } catch {
-      // told by the timer's try
-    }
-  }
-
-  private remember(): void {
-    remember(kRemembered, this.project.id, 'sessionStorage');
-    remember(kRemembered, this.project.id);
-  }
-
-  private done(changes: number, { character: { sha256 } }: Work): void {
-    this.saved = Math.max(this.saved, changes);
-    const whole = sha256 === undefined || !this.tooLarge.has(sha256);
-    this.tell(this.changes > changes ? 'unsaved' : whole ? 'saved' : 'incomplete');
-  }
-
-  private keepNothing(): void {
-    if (this.studio.store.state.saving !== 'off') this.studio.tell({ kind: 'text', key: 'keepsNothing' });
-    this.tell('off');
-  }
-
-  private tell(saving: Saving): void {
-    this.studio.store.set({ saving, project: this.project.name });
   }
 }

@@ -3,6 +3,8 @@
 
 export const hasLocks = (): boolean => 'locks' in navigator;
 
+const lockName = (id: string): string => `shigusa project ${id}`;
+
 export class ProjectLock {
   private release: () => void = () => undefined;
 
@@ -24,7 +26,19 @@ export class ProjectLock {
         });
       };
       const options = patience_ms > 0 ? { signal: AbortSignal.timeout(patience_ms) } : { ifAvailable: true };
-      navigator.locks.request(`shigusa project ${id}`, options, hold).catch(() => resolve(false));
+      navigator.locks.request(lockName(id), options, hold).catch(() => resolve(false));
     });
   }
+}
+
+/** Does something to a project that no tab has; false where one has it. */
+export async function whileFree(id: string, act: () => Promise<void>): Promise<boolean> {
+  if (!hasLocks()) {
+    await act();
+    return true;
+  }
+  return navigator.locks.request(lockName(id), { ifAvailable: true }, async (lock) => {
+    if (lock) await act();
+    return lock !== null;
+  });
 }

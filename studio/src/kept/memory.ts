@@ -18,3 +18,11 @@ export function remember(key: string, text: string, into: Memory = 'localStorage
     // then not
   }
 }
+
+export function forget(key: string, from: Memory = 'localStorage'): void {
+  try {
+    window[from].removeItem(`shigusa.${key}`);
+  } catch {
+    // then there is none
+  }
+}

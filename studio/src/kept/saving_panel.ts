@@ -6,7 +6,7 @@ import type { State } from '../state/model';
 import type { Studio } from '../state/studio';
 
 export class SavingPanel implements Panel {
-  readonly element = h('p', { class: 'saving', title: t('savingWhere') });
+  readonly element = h('span', { class: 'saving' });
   private readonly end: () => void;
 
   constructor(studio: Studio) {

@@ -36,6 +36,11 @@ const kIcons = {
   close: 'M6 6l12 12M18 6 6 18',
   file: 'M6 3h8l4 4v14H6zM14 3v4h4',
   eye: 'M2 12c3-5 6.500-7 10-7s7 2 10 7c-3 5-6.500 7-10 7s-7-2-10-7zM12 9a3 3 0 1 0 .1 0z',
+  folder: 'M3 6h6l2 2.500h10V19H3z',
+  pencil: 'M4 20l1-4L16.500 4.500l3 3L8 19zM14 7l3 3',
+  copy: 'M9 9h11v11H9zM6 15H4V4h11v2',
+  bin: 'M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13M10.500 11v5M13.500 11v5',
+  more: 'M5 11.500a.5.5 0 1 0 .1 0zM12 11.500a.5.5 0 1 0 .1 0zM19 11.500a.5.5 0 1 0 .1 0z',
   path: 'M4 18c4 0 4-10 8-10s4 6 8 6M4 18v.1M20 14v.1',
 } as const;
 export type Icon = keyof typeof kIcons;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 import { t } from '../i18n';
-import { SavingPanel } from '../kept/saving_panel';
+import type { Keeper } from '../kept/keeper';
+import { ProjectMenu } from '../kept/project_menu';
 import type { Studio } from '../state/studio';
 import { button, h, iconButton, type Panel, select } from './dom';
+import { keepPlaced } from './popover';
 
 export class TopBar implements Panel {
   readonly element: HTMLElement;
   private readonly end: () => void;
 
-  constructor(studio: Studio, openHelp: () => void) {
+  constructor(studio: Studio, keeper: Keeper, openHelp: () => void) {
     const { store } = studio;
     const start = button(t('start'), () => store.set({ start: !store.state.start }), { class: 'quiet-button' });
     const undo = iconButton('undo', t('undo'), () => studio.undo());
@@ -18,12 +20,15 @@ export class TopBar implements Panel {
       store.set({ language: value }));
     const theme = select(t('theme'), [['auto', t('themeAuto')], ['light', t('themeLight')], ['dark', t('themeDark')]], store.state.theme, (value) =>
       store.set({ theme: value }));
-    const saving = new SavingPanel(studio);
+    const projects = new ProjectMenu(studio, keeper);
+    const choices = h('div', { id: 'page-menu', class: 'tools page-menu', popover: 'auto', role: 'group', 'aria-label': t('more') },
+      start, theme, language, iconButton('help', t('help'), openHelp));
+    // on narrow screens these are behind a button
+    const more = iconButton('more', t('more'), () => undefined, { popovertarget: 'page-menu', class: 'icon-button page-opener' });
     this.element = h('header', { class: 'topbar' },
       h('h1', {}, h('img', { src: './favicon.svg', alt: '' }), h('span', {}, 'shigusa'), h('small', {}, t('tagline'))),
-      saving.element,
-      h('div', { class: 'tools' }, start, undo, redo, mirror),
-      h('div', { class: 'tools' }, theme, language, iconButton('help', t('help'), openHelp)));
+      projects.element, h('div', { class: 'tools' }, undo, redo, mirror), more, choices);
+    const unplace = keepPlaced(choices, more, 'below');
     const update = (): void => {
       start.setAttribute('aria-pressed', String(store.state.start));
       undo.disabled = !store.state.canUndo;
@@ -33,7 +38,8 @@ export class TopBar implements Panel {
     const end = store.subscribe(update);
     this.end = () => {
       end();
-      saving.dispose();
+      unplace();
+      projects.dispose();
     };
     update();
   }

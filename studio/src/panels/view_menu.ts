@@ -7,8 +7,8 @@ import { kLongestFocal_mm, kMostGhosts, kShortestFocal_mm, kUsualFocal_mm, type 
 import { type Preset, presets } from '../view/camera';
 import type { View } from '../view/view';
 import { button, h, icon, type Panel, select } from './dom';
+import { keepPlaced } from './popover';
 
-const kGap = 6; // px between the button and the menu, and between the menu and the page's edges
 const kUsualGhosts = 5;
 
 type Switch = 'orthographic' | 'ruler' | 'path';
@@ -23,6 +23,7 @@ export class ViewMenu implements Panel {
   private readonly opener: HTMLButtonElement;
   private readonly updates: (() => void)[] = [];
   private last = presets.indexOf('threeQuarters'); // side that was looked from
+  private readonly unplace: () => void;
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio, private readonly view: View) {
@@ -33,30 +34,13 @@ export class ViewMenu implements Panel {
         this.focal(), this.switch('orthographic', t('orthographic'), 'O')),
       h('section', {}, h('h3', {}, t('viewMotion')), this.ghosts(), this.switch('path', t('viewPath'), 'P'), this.switch('ruler', t('ruler'), 'U'), this.units()));
     this.opener = h('button', { type: 'button', class: 'view-opener', 'aria-haspopup': 'dialog', popovertarget: 'view-menu' }, icon('eye'), h('span', {}, t('view')));
-    this.menu.addEventListener('toggle', () => this.place());
-    // Escape closes the menu alone
-    this.menu.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape') event.stopPropagation();
-    });
-    window.addEventListener('resize', this.place);
+    this.unplace = keepPlaced(this.menu, this.opener, 'above');
     this.element = h('div', { class: 'view-corner' }, this.opener, this.menu);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.view !== previous.view) this.update();
     });
     this.update();
   }
-
-  /** Above its button where there is room, always inside the page. */
-  private readonly place = (): void => {
-    if (!this.menu.matches(':popover-open')) return;
-    const from = this.opener.getBoundingClientRect();
-    const { style } = this.menu;
-    style.maxHeight = `${window.innerHeight - 2 * kGap}px`;
-    const { offsetWidth: width, offsetHeight: height } = this.menu;
-    const inside = (value: number, most: number): number => Math.max(Math.min(value, most - kGap), kGap);
-    style.left = `${inside(from.right - width, window.innerWidth - width)}px`;
-    style.top = `${inside(from.top - kGap - height, window.innerHeight - height)}px`;
-  };
 
   /** What a key does here; undefined where it does nothing. */
   actionOf(event: KeyboardEvent): (() => void) | undefined {
@@ -143,7 +127,7 @@ export class ViewMenu implements Panel {
   }
 
   dispose(): void {
-    window.removeEventListener('resize', this.place);
+    this.unplace();
     this.end();
   }
 }

@@ -41,6 +41,14 @@ export class Workbench {
     this.forget();
   }
 
+  /** Another work is on the table: undo goes back no further. */
+  forgetSteps(): void {
+    if (this.history === null) return;
+    this.history.reset(this.history.value);
+    this.publish(this.history.value);
+    this.forget();
+  }
+
   /** What came of the last step. */
   protected amend(document: Document): void {
     this.history?.amend(document);

@@ -10,6 +10,7 @@ import type { Palette } from './palette';
 import { Portraits } from './portraits';
 
 const kPictures = 16; // of a film
+const kKeptHeight = 96; // px, of a picture in a list
 const kPlayed = 60; // ms between changes of what is shown
 const kRest = 0.7; // s at a motion's end
 
@@ -94,6 +95,19 @@ export class Thumbnails {
     }
     this.camera.position.copy(middle).add(new Vector3(-0.62, 0.22, 1).normalize().multiplyScalar(away));
     this.camera.lookAt(middle);
+  }
+
+  /** A candidate at its end, small, as a data URL; null until it is drawn. */
+  pictureOf(index: number): string | null {
+    const film = this.films[index];
+    if (!film?.drawn[kPictures - 1]) return null;
+    const width = film.pictures.width / kPictures;
+    const { height } = film.pictures;
+    const canvas = globalThis.document.createElement('canvas');
+    canvas.height = kKeptHeight;
+    canvas.width = Math.max(Math.round((kKeptHeight * width) / height), 1);
+    canvas.getContext('2d')!.drawImage(film.pictures, (kPictures - 1) * width, 0, width, height, 0, 0, canvas.width, canvas.height);
+    return canvas.toDataURL('image/png');
   }
 
   private readonly tick = (now: number): void => {
