@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: bars, view and panels put together. Made anew where the language changes.
-import { setLanguage, t } from './i18n';
+import { fetchLanguage, type Language, setLanguage, t } from './i18n';
 import { placeWords } from './i18n/place_words';
 import { remember } from './kept/memory';
 import { WantedBanner } from './kept/wanted_banner';
@@ -45,7 +45,7 @@ export class Page {
     this.view = new View(studio, this.stage, this.canvas, (name, x, y) => this.hover(name, x, y));
     this.thumbnails = new Thumbnails(studio, () => this.view.stage.quality.moving.thumbnails);
     studio.store.subscribe((state, previous) => {
-      if (state.language !== previous.language) this.build();
+      if (state.language !== previous.language) void this.speak(previous.language);
       if (state.theme !== previous.theme) this.paint();
     });
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.paint());
@@ -55,6 +55,18 @@ export class Page {
     this.dropFiles();
     this.build();
     this.paint();
+  }
+
+  /** In the language that was chosen; in the one before where that cannot be fetched. */
+  private async speak(before: Language): Promise<void> {
+    const { store } = this.studio;
+    try {
+      await fetchLanguage(store.state.language);
+    } catch (error) {
+      store.set({ language: before });
+      return this.studio.fail(error);
+    }
+    this.build();
   }
 
   private paint(): void {
