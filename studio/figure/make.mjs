@@ -4,8 +4,10 @@
 // bytes each time. src/view/mannequin_file.ts reads it.
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import { kStature, makeBody } from './body.mjs';
 import { bones, measures, otherSide } from './bones.mjs';
+import { packCorners, packNumbers, walk } from './pack.mjs';
 import { paintOf } from './paint.mjs';
 import { ontoSurface, Remesher } from './remesh.mjs';
 import { wantedEdge } from './size.mjs';
@@ -17,6 +19,9 @@ const kGrid = 0.0055; // m
 const kRounds = 8;
 const kMorphs = { female: { female: 1 }, heavy: { fat: 1 }, light: { fat: -1 } };
 const kPaint = 0.0002; // m a step
+const kStep = 2 ** -13; // m
+const kShiftStep = 2 ** -12; // m
+const kWeightSum = 85; // a third of 255
 
 const body = makeBody();
 
@@ -64,6 +69,15 @@ function volume({ triangles }, positions) {
 
 const rounded = (value) => (typeof value === 'number' ? Number(value.toFixed(6)) : value);
 
+/** Weights whose sum is kWeightSum, in the ratios of those of 255: what rounding leaves goes to the greatest. */
+function shared(weights) {
+  const parts = weights.map((weight) => Math.round((kWeightSum * weight) / 255));
+  const greatest = weights.indexOf(Math.max(...weights));
+  parts[greatest] += kWeightSum - parts.reduce((sum, part) => sum + part, 0);
+  return parts;
+}
+
+/** The file's content, which is written deflated. */
 export function makeFile() {
   const mesh = makeMesh();
   const skin = skinOf(body.parts, mesh);
@@ -71,30 +85,30 @@ export function makeFile() {
   const names = Object.keys(kMorphs);
   const moved = (shifts) => mesh.positions.map((place, v) => place.map((value, k) => value + shifts[v][k]));
   const volumes = { male: volume(mesh, mesh.positions), ...Object.fromEntries(names.map((name, k) => [name, volume(mesh, moved(morphs[k]))])) };
-  const greatest = Math.max(...morphs.flat(2).map(Math.abs));
   const count = mesh.positions.length;
   const head = {
-    stature: kStature, vertices: count, triangles: mesh.triangles.length, low: kBox.low, high: kBox.high, morphs: names, volumes, morphReach: greatest,
+    stature: kStature, vertices: count, triangles: mesh.triangles.length, step: kStep, morphs: names, shiftStep: kShiftStep, volumes, weightSum: kWeightSum,
     paint: kPaint, measures, bones, otherSide,
   };
   const json = Buffer.from(JSON.stringify(head, (_, value) => rounded(value)));
-  const positions = new Uint16Array(mesh.positions.flatMap((place) => place.map((value, k) => Math.round((65535 * (value - kBox.low[k])) / (kBox.high[k] - kBox.low[k])))));
-  const shifts = new Int16Array(morphs.flatMap((one) => one.flatMap((shift) => shift.map((value) => Math.round((32767 * value) / greatest)))));
-  const step = (value) => Math.min(Math.max(Math.round(value / kPaint) + 128, 0), 255);
-  const corners = new Uint16Array(mesh.triangles.flat());
-  const indices = new Uint8Array(skin.flatMap((one) => one.indices));
-  const weights = new Uint8Array(skin.flatMap((one) => one.weights));
-  const paint = new Uint8Array(paintOf(body.parts, mesh).flat().map(step));
-  // whole words first, so that each array lies on its own bounds
+  const { corners, order } = walk(mesh.triangles, count);
+  const paints = paintOf(body.parts, mesh);
+  const numbers = (row) => packNumbers(corners, order.map(row));
   const size = Buffer.alloc(4);
   size.writeUInt32LE(json.length);
-  const pad = Buffer.alloc((4 - (json.length % 4)) % 4, ' ');
-  return Buffer.concat([size, json, pad, ...[positions, shifts, corners, indices, weights, paint].map((array) => Buffer.from(array.buffer))]);
+  return Buffer.concat([
+    size, json, packCorners(corners),
+    numbers((v) => mesh.positions[v].map((value) => Math.round(value / kStep))),
+    numbers((v) => morphs.flatMap((one) => one[v].map((value) => Math.round(value / kShiftStep)))),
+    numbers((v) => shared(skin[v].weights)),
+    numbers((v) => paints[v].map((value) => Math.min(Math.max(Math.round(value / kPaint), -128), 127))),
+    Buffer.from([0, 1, 2, 3].flatMap((k) => order.map((v) => skin[v].indices[k]))),
+  ]);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const path = process.argv[2] ?? fileURLToPath(new URL('../src/view/mannequin.bin', import.meta.url));
-  const file = makeFile();
+  const file = deflateRawSync(makeFile(), { level: 9 });
   writeFileSync(path, file);
   console.log(`${path}: ${file.length} bytes`);
 }

@@ -18,7 +18,7 @@ export interface Inspection {
   readonly words: readonly string[];
   readonly facts: Facts;
   /** Words of the engine that the page has none for, by language. */
-  readonly untranslated: Record<Language, string[]>;
+  untranslated(language: Language): Promise<string[]>;
   readonly timings: Timings;
   readonly time: number;
   /** Bytes that the engine's modules have taken. */
@@ -77,7 +77,7 @@ export function expose(studio: Studio, view: View): void {
       return studio.document?.result?.candidates.map((c) => c.summary.final_posture.words) ?? [];
     },
     facts: studio.facts,
-    untranslated: { en: untranslated(studio.facts, 'en'), ja: untranslated(studio.facts, 'ja') },
+    untranslated: (language) => untranslated(studio.facts, language),
     get timings() {
       return studio.timings;
     },

@@ -10,7 +10,7 @@ import './styles/start.css';
 import './styles/tip.css';
 import './styles/phone.css';
 import { browserSupport, connect, failureOf } from './engine/connect';
-import { knowEngine, preferredLanguage, setLanguage, t } from './i18n';
+import { fetchLanguage, knowEngine, preferredLanguage, setLanguage, t } from './i18n';
 import { isLengthUnit } from './i18n/lengths';
 import { expose } from './inspect';
 import { Keeper } from './kept/keeper';
@@ -54,6 +54,7 @@ async function openAddress(studio: Studio, keeper: Keeper): Promise<void> {
 
 async function start(): Promise<void> {
   const root = document.getElementById('app')!;
+  await fetchLanguage(preferredLanguage());
   setLanguage(preferredLanguage());
   const support = browserSupport();
   if (support !== 'ok') return refuse(root, t(support === 'no-wasm' ? 'noWasm' : support === 'no-simd' ? 'noSimd' : 'noWebgl'));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: bars, view and panels put together. Made anew where the language changes.
-import { setLanguage, t } from './i18n';
+import { fetchLanguage, type Language, setLanguage, t } from './i18n';
 import { setLengthUnit } from './i18n/lengths';
 import { placeWords } from './i18n/place_words';
 import type { Keeper } from './kept/keeper';
@@ -48,7 +48,8 @@ export class Page {
     this.thumbnails = new Thumbnails(studio, () => this.view.stage.quality.moving.thumbnails);
     keeper.follow(this.view, () => this.thumbnails.pictureOf(studio.document?.chosen ?? -1));
     studio.store.subscribe((state, previous) => {
-      if (state.language !== previous.language || state.lengths !== previous.lengths) this.build();
+      if (state.language !== previous.language) void this.speak(previous.language);
+      else if (state.lengths !== previous.lengths) this.build();
       if (state.theme !== previous.theme) this.paint();
     });
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.paint());
@@ -58,6 +59,18 @@ export class Page {
     this.dropFiles();
     this.build();
     this.paint();
+  }
+
+  /** In the language that was chosen; in the one before where that cannot be fetched. */
+  private async speak(before: Language): Promise<void> {
+    const { store } = this.studio;
+    try {
+      await fetchLanguage(store.state.language);
+    } catch (error) {
+      store.set({ language: before });
+      return this.studio.fail(error);
+    }
+    this.build();
   }
 
   private paint(): void {

@@ -48,6 +48,18 @@ export function endOfNode(glb, name, animation = 0) {
   return place;
 }
 
+const kComponents = { 5121: ['getUint8', 1, 255], 5123: ['getUint16', 2, 65535], 5125: ['getUint32', 4, 1], 5126: ['getFloat32', 4, 1] };
+
+/** All values of an accessor, each a list. */
+export function valuesOf({ json, binary, view }, accessor) {
+  const { bufferView, byteOffset = 0, count, type, componentType, normalized } = json.accessors[accessor];
+  const { byteOffset: start = 0, byteStride } = json.bufferViews[bufferView];
+  const [read, bytes, most] = kComponents[componentType];
+  const stride = byteStride ?? bytes * kSizes[type];
+  return Array.from({ length: count }, (_, n) => Array.from({ length: kSizes[type] }, (__, k) =>
+    view[read](binary + start + byteOffset + n * stride + bytes * k, true) / (normalized ? most : 1)));
+}
+
 /** The translations of a node in its parent, key by key. */
 export function translationsOf({ json, binary, view }, name, animation = 0) {
   const { channels, samplers } = json.animations[animation];

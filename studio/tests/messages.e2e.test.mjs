@@ -18,7 +18,7 @@ const wrong = [
 test('what the engine refuses is told in Japanese, with its numbers', { timeout: 180_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url, { locale: 'ja-JP' });
   await settled(page);
-  const lacking = await page.evaluate(() => window.shigusa.untranslated.ja.filter((word) => word.startsWith('messages')));
+  const lacking = await page.evaluate(async () => (await window.shigusa.untranslated('ja')).filter((word) => word.startsWith('messages')));
   assert.deepEqual(lacking, []);
   for (const [name, bytes, said] of wrong) {
     await page.evaluate(() => document.querySelector('.message .icon-button')?.click());

@@ -35,6 +35,7 @@ test('a goal that only a falling body gets to is not called met', { timeout: 120
   assert.ok(Math.abs(time - reasons.find(({ kind }) => kind === 'pressure').time_s) < 1e-9);
   assert.equal(playing, false);
   await page.locator('.topbar select').last().selectOption('ja');
+  await page.waitForFunction(() => document.documentElement.lang === 'ja');
   assert.match(await page.locator('.verdict-line').innerText(), /実行不可能：前に倒れます/);
   assert.match(await page.locator('.goal.selected .goal-head').innerText(), /実行不可能/);
   assert.deepEqual(errors, []);

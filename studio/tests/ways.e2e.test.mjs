@@ -155,7 +155,9 @@ test('Japanese: nothing is left in English', { timeout: 120_000 }, async () => {
 test('what nobody has translated is in the engine\'s words', { timeout: 120_000 }, async (t) => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
-  const { untranslated, facts } = await page.evaluate(() => ({ untranslated: window.shigusa.untranslated, facts: window.shigusa.facts }));
+  const { untranslated, facts } = await page.evaluate(async () => ({
+    untranslated: { en: await window.shigusa.untranslated('en'), ja: await window.shigusa.untranslated('ja') }, facts: window.shigusa.facts,
+  }));
   for (const [language, words] of Object.entries(untranslated)) t.diagnostic(`${language} lacks: ${words.join(', ') || 'nothing'}`);
   await page.click('#tab-criteria');
   const names = await page.locator('#panel-criteria .row-name').allInnerTexts();

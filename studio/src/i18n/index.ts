@@ -4,15 +4,19 @@ import { type BodyWords, englishBody, japaneseBody, type TableWords, tableWords 
 import type { Facts } from '../../../bindings/wasm/src/types';
 import { recall } from '../kept/memory';
 import { en, type Key } from './en';
-import { EngineTexts, wordlessMessages } from './engine_text';
-import { ja } from './ja';
+import type { EngineTexts } from './engine_text';
 import { lengths, lengthWords } from './lengths';
-import { messageWord } from './message_words';
 
 export type Language = 'en' | 'ja';
 export type { Key };
 
 let language: Language = 'en';
+let japanese: typeof import('./japanese') | null = null;
+
+/** Fetches what a language needs; before it is set. */
+export async function fetchLanguage(next: Language): Promise<void> {
+  if (next === 'ja') japanese ??= await import('./japanese');
+}
 
 export function setLanguage(next: Language): void {
   language = next;
@@ -31,7 +35,7 @@ export function preferredLanguage(): Language {
 
 /** {length} stands for metres, and {unit} for what lengths are in where nothing else is said. */
 export function t(key: Key, values: Record<string, string | number> = {}): string {
-  const text = (language === 'ja' ? ja : en)[key];
+  const text = (language === 'ja' ? japanese!.ja : en)[key];
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => {
     const value = values[name] ?? (name === 'unit' ? lengths().name : whole);
     return name === 'length' && typeof value === 'number' ? lengthWords(value) : String(value);
@@ -94,25 +98,30 @@ export function engineWord(table: TableWords, word: string): string {
   return words()[table][word] ?? word.replaceAll('_', ' ');
 }
 
+let engineFacts: Facts | null = null;
 let engineTexts: EngineTexts | null = null;
 
 /** What sentences of the engine are known by. */
 export function knowEngine(facts: Facts): void {
-  engineTexts = new EngineTexts(facts, (value) => messageWord(value, jointName));
+  engineFacts = facts;
 }
 
 /** A sentence of the engine's, a failure's or a doubt, in the page's language. */
 export function engineText(text: string): string {
-  return language === 'ja' && engineTexts ? engineTexts.withPlace(text) : text;
+  if (language !== 'ja' || !japanese || !engineFacts) return text;
+  const { EngineTexts: Texts, messageWord } = japanese;
+  engineTexts ??= new Texts(engineFacts, (value) => messageWord(value, jointName));
+  return engineTexts.withPlace(text);
 }
 
 /** Words of the engine's tables that a language has none for: "criteria: work". */
-export function untranslated(facts: Facts, of: Language): string[] {
+export async function untranslated(facts: Facts, of: Language): Promise<string[]> {
+  await fetchLanguage(of);
   const known = of === 'ja' ? japaneseBody : englishBody;
   const ofTables = Object.entries(tableWords(facts)).flatMap(([table, all]) =>
     all.filter((word) => !(word in known[table as TableWords])).map((word) => `${table}: ${word}`));
   // in English the engine's own sentences are shown
-  return of === 'ja' ? [...ofTables, ...wordlessMessages(facts).map((key) => `messages: ${key}`)] : ofTables;
+  return of === 'ja' ? [...ofTables, ...japanese!.wordlessMessages(facts).map((key) => `messages: ${key}`)] : ofTables;
 }
 
 /** How a motion ends: "stoop, turned left". */

@@ -3,6 +3,7 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../../bindings/wasm/src/types';
 import address from './mannequin.bin?url';
+import { Unpacker } from './mannequin_pack';
 
 /** What moves the skin: a node of the body, a follower of a joint (`of`), which turns by a part of it, or a finger's bone. */
 export interface SkinBone {
@@ -19,10 +20,10 @@ interface Head {
   stature: number;
   vertices: number;
   triangles: number;
-  low: Vec3;
-  high: Vec3;
+  step: number; // m
   morphs: string[];
-  morphReach: number;
+  shiftStep: number; // m
+  weightSum: number;
   volumes: Record<string, number>;
   paint: number;
   measures: Record<string, number>;
@@ -39,29 +40,15 @@ export interface MannequinMesh extends Head {
   corners: Uint16Array;
 }
 
-/** The file's arrays in their order, from the end of its head on. */
-function readArrays(buffer: ArrayBuffer, start: number, { vertices: n, triangles, morphs }: Head) {
-  let at = start;
-  const take = <T>(bytes: number, make: (offset: number) => T): T => {
-    const array = make(at);
-    at += bytes;
-    return array;
-  };
-  return {
-    positions: take(6 * n, (o) => new Uint16Array(buffer, o, 3 * n)),
-    shifts: take(6 * n * morphs.length, (o) => new Int16Array(buffer, o, 3 * n * morphs.length)),
-    corners: take(6 * triangles, (o) => new Uint16Array(buffer, o, 3 * triangles)),
-    skin: take(4 * n, (o) => new Uint8Array(buffer, o, 4 * n)),
-    weights: take(4 * n, (o) => new Uint8Array(buffer, o, 4 * n)),
-    paints: take(3 * n, (o) => new Uint8Array(buffer, o, 3 * n)),
-  };
-}
-
 /** The half that is in the file, and its mirror image, which share the vertices in the plane of symmetry. */
 function decode(buffer: ArrayBuffer): MannequinMesh {
   const size = new DataView(buffer).getUint32(0, true);
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, size))) as Head;
-  const half = readArrays(buffer, 4 + 4 * Math.ceil(size / 4), head);
+  const pack = new Unpacker(new Uint8Array(buffer, 4 + size), head.vertices);
+  const half = {
+    corners: pack.triangles(head.triangles), positions: pack.numbers(3), shifts: pack.numbers(3 * head.morphs.length), weights: pack.numbers(4), paints: pack.numbers(3),
+    skin: pack.raw(4 * head.vertices),
+  };
   const source: number[] = []; // of each vertex, the one in the file
   const other: number[] = []; // of each in the file, its image
   for (let v = 0; v < head.vertices; ++v) source.push(v);
@@ -76,11 +63,9 @@ function decode(buffer: ArrayBuffer): MannequinMesh {
     for (let k = 0; k < 3 * all; ++k) out[k] = sign(Math.floor(k / 3), k % 3) * value(source[Math.floor(k / 3)]!, k % 3);
     return out;
   };
-  const { low, high, morphReach } = head;
   const shifts: Record<string, Float32Array> = {};
   head.morphs.forEach((name, m) => {
-    const first = 3 * m * head.vertices;
-    shifts[name] = vectors((v, axis) => (half.shifts[first + 3 * v + axis]! * morphReach) / 32767);
+    shifts[name] = vectors((v, axis) => head.shiftStep * half.shifts[3 * (head.morphs.length * v + m) + axis]!);
   });
   const corners = new Uint16Array(2 * half.corners.length);
   corners.set(half.corners);
@@ -90,13 +75,13 @@ function decode(buffer: ArrayBuffer): MannequinMesh {
   }
   return {
     ...head, shifts, corners,
-    positions: vectors((v, axis) => low[axis]! + ((high[axis]! - low[axis]!) * half.positions[3 * v + axis]!) / 65535),
+    positions: vectors((v, axis) => head.step * half.positions[3 * v + axis]!),
     skin: Uint8Array.from({ length: 4 * all }, (_, k) => {
-      const bone = half.skin[4 * source[k >> 2]! + (k & 3)]!;
+      const bone = half.skin[head.vertices * (k & 3) + source[k >> 2]!]!;
       return k >> 2 < head.vertices ? bone : head.otherSide[bone]!;
     }),
-    weights: Uint8Array.from({ length: 4 * all }, (_, k) => half.weights[4 * source[k >> 2]! + (k & 3)]!),
-    paints: Float32Array.from({ length: 3 * all }, (_, k) => (half.paints[3 * source[Math.floor(k / 3)]! + (k % 3)]! - 128) * head.paint),
+    weights: Uint8Array.from({ length: 4 * all }, (_, k) => (255 / head.weightSum) * half.weights[4 * source[k >> 2]! + (k & 3)]!),
+    paints: Float32Array.from({ length: 3 * all }, (_, k) => half.paints[3 * source[Math.floor(k / 3)]! + (k % 3)]! * head.paint),
   };
 }
 
@@ -107,7 +92,7 @@ export function loadMannequin(): Promise<MannequinMesh> {
   loading ??= (async () => {
     const answer = await fetch(address);
     if (!answer.ok) throw new Error(`${address}: ${answer.status}`);
-    return decode(await answer.arrayBuffer());
+    return decode(await new Response(answer.body!.pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer());
   })();
   loading.catch(() => (loading = null));
   return loading;
