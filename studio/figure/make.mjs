@@ -93,6 +93,7 @@ export function makeFile() {
   const json = Buffer.from(JSON.stringify(head, (_, value) => rounded(value)));
   const { corners, order } = walk(mesh.triangles, count);
   const paints = paintOf(body.parts, mesh);
+  const weights = skin.map((one) => shared(one.weights));
   const numbers = (row) => packNumbers(corners, order.map(row));
   const size = Buffer.alloc(4);
   size.writeUInt32LE(json.length);
@@ -100,9 +101,10 @@ export function makeFile() {
     size, json, packCorners(corners),
     numbers((v) => mesh.positions[v].map((value) => Math.round(value / kStep))),
     numbers((v) => morphs.flatMap((one) => one[v].map((value) => Math.round(value / kShiftStep)))),
-    numbers((v) => shared(skin[v].weights)),
+    numbers((v) => weights[v]),
     numbers((v) => paints[v].map((value) => Math.min(Math.max(Math.round(value / kPaint), -128), 127))),
-    Buffer.from([0, 1, 2, 3].flatMap((k) => order.map((v) => skin[v].indices[k]))),
+    // what moves nothing of a vertex is the first bone
+    Buffer.from([0, 1, 2, 3].flatMap((k) => order.map((v) => (weights[v][k] > 0 ? skin[v].indices[k] : 0)))),
   ]);
 }
 
