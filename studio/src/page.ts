@@ -4,6 +4,7 @@ import { fetchLanguage, type Language, setLanguage, t } from './i18n';
 import { setLengthUnit } from './i18n/lengths';
 import { placeWords } from './i18n/place_words';
 import type { Keeper } from './kept/keeper';
+import { Library } from './kept/library';
 import { remember } from './kept/memory';
 import { WantedBanner } from './kept/wanted_banner';
 import { Keyboard } from './keyboard';
@@ -38,6 +39,7 @@ export class Page {
   private readonly canvas = h('canvas', { class: 'view', tabIndex: 0, role: 'application' });
   private readonly stage = h('div', { class: 'stage' });
   private readonly label = h('div', { class: 'handle-label', hidden: true });
+  private readonly library = new Library();
   readonly view: View;
   private readonly thumbnails: Thumbnails;
 
@@ -102,7 +104,7 @@ export class Page {
     const wanted = new WantedBanner(studio);
     notices.element.append(wanted.element);
     const tabs = new Tabs(studio, {
-      goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
+      goals: new GoalsPanel(studio, this.view, this.library), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
       body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio, new TakePicture(studio, this.view)),
     });
     const top = new TopBar(studio, this.keeper, openHelp);

@@ -59,6 +59,10 @@ export const en = {
   symmetric: 'Both hands alike', snap: 'Snap', snapAbout: 'What is dragged snaps to the floor, to faces of things and to the other hand; with Ctrl held, the other way round.',
   looksAt: 'Looks at', restOfBody: 'Hips, back, elbows, knees',
   things: 'Things in the way', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', rounding: 'Rounded by, {unit}',
+  library: 'Library', libraryIntro: 'Goals, with what stands in the way, and start postures, for any project. A click uses one.',
+  keepGoals: 'Keep these goals', keepStart: 'Keep the start posture', startPostureName: 'Start posture', goalsCount: 'Goals: {n}',
+  exportLibrary: 'Save the library', importLibrary: 'Add from a file …', importedLibrary: 'Added from the file: {n}',
+  unknownGoals: 'This body has none of the parts that “{name}” has goals for.', otherPosture: '“{name}” is a posture of “{source}”: open that character first.',
   remove: 'Remove', seed: 'Search with a new seed', seedNumber: 'Seed',
   // adjust
   adjustIntro: 'How the body gets there. The goal stays met while you change it; the mark is what the search found.',

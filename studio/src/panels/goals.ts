@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The goals as numbers, and how motions for them are searched.
 import { engineWord, t } from '../i18n';
+import type { Library } from '../kept/library';
 import { chosenCandidate, type Document, type SearchSettings } from '../state/model';
 import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -11,6 +12,7 @@ import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
 import { LookRow } from './look_row';
 import { scrubbable } from './scrub';
+import { LibrarySection } from './library';
 import { ThingList } from './things';
 import { VerdictBox } from './verdict';
 
@@ -41,7 +43,7 @@ export class GoalsPanel implements Panel {
   private goals = 0; // their number
   private readonly end: () => void;
 
-  constructor(private readonly studio: Studio, private readonly view: View) {
+  constructor(private readonly studio: Studio, private readonly view: View, library: Library) {
     const [least, most] = studio.facts.ranges.duration_s;
     this.duration = h('input', {
       type: 'number', min: String(least), max: String(most), step: '0.1', placeholder: t('auto'), 'data-key': 'duration',
@@ -74,7 +76,8 @@ export class GoalsPanel implements Panel {
         h('label', {}, h('span', {}, t('method')), this.method),
         h('label', {}, h('span', {}, t('effort')), this.effort),
         h('label', {}, h('span', {}, t('seedNumber')), this.seed),
-        button(t('seed'), () => void studio.searchAgain())));
+        button(t('seed'), () => void studio.searchAgain())),
+      new LibrarySection(studio, view, library).element);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document !== previous.document || state.trial !== previous.trial || state.selected !== previous.selected || state.symmetric !== previous.symmetric || state.snap !== previous.snap) this.update();
     });

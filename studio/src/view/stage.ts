@@ -8,7 +8,7 @@ import { directionOf, Lens } from './camera';
 import { Floor } from './floor';
 import { Light } from './light';
 import { type Palette, palettes } from './palette';
-import { type PictureSettings, pngOfView } from './picture';
+import { type PictureSettings, pngOfView, smallPicture } from './picture';
 import { type Quality, QualityControl } from './quality';
 
 const kInside = 0.86; // of the picture, from its middle
@@ -172,6 +172,12 @@ export class Stage {
     const gl = this.renderer.getContext();
     const most = Math.min(gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number, ...(gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array));
     return most / Math.max(this.host.clientWidth, this.host.clientHeight, 1);
+  }
+
+  /** The middle of the view, small and square, as a data URL. */
+  small(side: number): string {
+    this.draw(this.drawn);
+    return smallPicture(this.renderer.domElement, this.host, side);
   }
 
   /** The view as PNG, without what `hidden` says is for the hand alone. */

@@ -27,6 +27,7 @@ import { StrainedJoints } from './strained';
 
 const kApproach = 0.75; // statures from what is selected
 const kRoom = 2.4; // times what has to be in the picture
+const kSmallSide = 112; // px, of a picture in a list
 const kBeside = 0.55; // shares of the stature between two that are compared
 
 /** Of the body's name for a bone the node: of a file by its bone map, a hand for its grip. */
@@ -383,6 +384,16 @@ export class View {
   /** As it is seen, but for the handles. */
   picture(settings: PictureSettings): Promise<Uint8Array> {
     return this.stage.picture(settings, [this.handles.object]);
+  }
+
+  /** The middle of it as a data URL, for lists; at a time of the motion where one is given, s. */
+  smallPicture(time?: number): string {
+    const { clock } = this.studio;
+    const now = clock.time;
+    if (time !== undefined) clock.time = time;
+    const picture = this.stage.small(kSmallSide);
+    clock.time = now;
+    return picture;
   }
 
   /** Where the ghosts have an effector's node, m; for tests. */
