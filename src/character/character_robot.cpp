@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "character_file.hpp"
+#include "core/messages.hpp"
 #include "humanoid_request.hpp"
 #include "robot/mjcf.hpp"
 #include "robot/settled_posture.hpp"
@@ -27,7 +28,8 @@ Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
   SHG_TRY_ASSIGN(const HumanoidMap asked, requested_bones(spec.map, links, name));
   Result<HumanoidMap> map = find_humanoid(robot, asked);
   if (!map) {
-    return fail(map.error().code, "no humanoid robot: " + map.error().to_string(), name);
+    return fail(map.error().code, fmt::format(messages::kNoHumanoid.text, map.error().to_string()),
+                name);
   }
   SHG_TRY(check_likeness(limbs_of(robot, *map), spec.map, name));
   return ReadRobot{with_ankles(std::move(robot), *map), std::move(*map)};
@@ -57,9 +59,7 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
   for (const auto& option : persons) {
     if (!option.given) continue;
     return fail(ErrorCode::invalid_argument,
-                fmt::format("{} is of a person, and {} is a robot, which has its own: leave it out",
-                            option.what, spec.source),
-                "character");
+                fmt::format(messages::kOptionOfPerson.text, option.what, spec.source), "character");
   }
   return {};
 }

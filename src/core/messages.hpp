@@ -220,58 +220,251 @@ inline constexpr MessageText kOwnJointNames{
 inline constexpr MessageText kCannotLeave{"cannot_leave",
                                           "read back, {} is {} are allowed (frame {}): this "
                                           "character cannot leave so; leave the format out"};
+inline constexpr MessageText kJointSlides{"joint_slides", "joint {} slides: it keeps its place"};
+inline constexpr MessageText kJointsSlide{"joints_slide",
+                                          "{} joints, {} the first, slide: they keep their places"};
+inline constexpr MessageText kJointFollows{"joint_follows",
+                                           "joint {} follows another joint: it keeps the angle 0"};
+inline constexpr MessageText kJointsFollow{
+    "joints_follow", "{} joints, {} the first, follow other joints: they keep the angle 0"};
+inline constexpr MessageText kFileAbsent{
+    "file_absent", "the file includes {}, which is not here: it was read without it"};
+inline constexpr MessageText kFilesAbsent{
+    "files_absent",
+    "the file includes {} files that are not here, {} the first: it was read without them"};
+inline constexpr MessageText kElementLeftOut{"element_left_out", "<{}> is left out"};
+inline constexpr MessageText kElementsLeftOut{
+    "elements_left_out", "{} elements that make bodies, {} the first, are left out"};
+inline constexpr MessageText kBodyApart{"body_apart",
+                                        "body {} of the world is no part of the robot"};
+inline constexpr MessageText kBodiesApart{
+    "bodies_apart", "{} bodies of the world, {} the first, are no part of the robot"};
+inline constexpr MessageText kRootHeld{"root_held",
+                                       "joint {} holds the root to the world: it is left out"};
+inline constexpr MessageText kRootsHeld{
+    "roots_held", "{} joints, {} the first, hold the root to the world: they are left out"};
+inline constexpr MessageText kMeshMass{"mesh_mass",
+                                       "body {} has its mass from a mesh, which is not read"};
+inline constexpr MessageText kMeshMasses{
+    "mesh_masses", "{} bodies, {} the first, have their mass from meshes, which are not read"};
+inline constexpr MessageText kJointStill{
+    "joint_still", "joint {} is of no limb, or of fingers, toes or face: it keeps its angle"};
+inline constexpr MessageText kJointsStill{
+    "joints_still",
+    "{} joints, {} the first, each is of no limb, or of fingers, toes or face: it keeps its angle"};
+inline constexpr MessageText kJointUnlimited{
+    "joint_unlimited", "joint {} has no limits in the file: it gets a person's"};
+inline constexpr MessageText kJointsUnlimited{
+    "joints_unlimited",
+    "{} joints, {} the first, each has no limits in the file: it gets a person's"};
+inline constexpr MessageText kLinkMassless{
+    "link_massless", "link {} has no mass in the file, nor what is fixed to it: it weighs nothing"};
+inline constexpr MessageText kLinksMassless{"links_massless",
+                                            "{} links, {} the first, each has no mass in the file, "
+                                            "nor what is fixed to it: it weighs nothing"};
+inline constexpr MessageText kNoEffort{
+    "no_effort",
+    "the file has no effort, or an impossible one, for {} of the freedoms, {} the first: they get "
+    "a person's, by the weight"};
+inline constexpr MessageText kSolesGuessed{
+    "soles_guessed",
+    "the feet have no shapes to tell their soles: they are as long and broad as a person's"};
+inline constexpr MessageText kFootInAir{
+    "foot_in_air", "one foot is in the air where all angles are 0: it carries nothing"};
+inline constexpr MessageText kArmEnds{
+    "arm_ends", "link '{}' ends its arm: the hand is taken to be {:.2f} m on, {}"};
+inline constexpr MessageText kTwiceItsCentre{"twice_its_centre",
+                                             "twice as far as its centre of mass"};
+inline constexpr MessageText kWhereShapesEnd{"where_shapes_end", "where its shapes end"};
+inline constexpr MessageText kAnklesAdded{"ankles_added",
+                                          "the legs have no ankles: joints that the file lacks, "
+                                          "'{}' the first, are added, about the axes of the knees"};
+inline constexpr MessageText kFeetNotFlat{
+    "feet_not_flat", "its limits do not let both feet stand flat as the file places them"};
+inline constexpr MessageText kStraightKnees{
+    "straight_knees",
+    "it stands with straight knees: its limits do not let them bend above flat feet"};
+inline constexpr MessageText kNoHumanoid{"no_humanoid", "no humanoid robot: {}"};
+inline constexpr MessageText kNoMass{
+    "no_mass", "no link has a mass; a motion is chosen by its torques and needs them"};
+inline constexpr MessageText kNoTurningJoint{
+    "no_turning_joint",
+    "no turning joint is the {}; a body needs hips, knees, ankles, shoulders and elbows that turn"};
+inline constexpr MessageText kOptionOfPerson{
+    "option_of_person", "{} is of a person, and {} is a robot, which has its own: leave it out"};
+inline constexpr MessageText kNoXml{"no_xml", "no element: this is no XML file"};
+inline constexpr MessageText kNoUrdf{"no_urdf", "<{}> in place of <robot>: this is no URDF file"};
+inline constexpr MessageText kNoMjcf{"no_mjcf", "<{}> in place of <mujoco>: this is no MJCF file"};
+inline constexpr MessageText kXmlNeverClosed{"xml_never_closed", "<{}> is never closed"};
+inline constexpr MessageText kXmlTagOpen{"xml_tag_open", "a tag is never closed"};
+inline constexpr MessageText kXmlCloses{"xml_closes", "</{}> closes {}"};
+inline constexpr MessageText kXmlDeep{"xml_deep", "<{}> is nested deeper than {} elements"};
+inline constexpr MessageText kXmlDefinitions{"xml_definitions",
+                                             "a document type with definitions; none is read"};
+inline constexpr MessageText kXmlTags{"xml_tags", "more than {} tags"};
+inline constexpr MessageText kBytesAllowed{"bytes_allowed", "{} bytes; {} are allowed"};
+inline constexpr MessageText kZeroByte{"zero_byte", "a zero byte: this is no text"};
+inline constexpr MessageText kXacro{
+    "xacro", "<{}> is xacro's: expand the file first, as in `xacro FILE > robot.urdf`"};
+inline constexpr MessageText kLinkAbsent{"link_absent",
+                                         "joint '{}' names the link '{}', which is not there"};
+inline constexpr MessageText kLinkCircle{"link_circle",
+                                         "link '{}' hangs in a circle of joints, or below one"};
+inline constexpr MessageText kLinkTwice{"link_twice",
+                                        "link '{}' hangs on two joints; one is allowed"};
+inline constexpr MessageText kTwoRoots{"two_roots",
+                                       "links '{}' and '{}' hang on none; a robot has one root"};
 
 // All of them.
-inline constexpr std::array kAll{kNoNodes,          kNoSkeleton,
-                                 kOneNode,          kNodesAtOnePoint,
-                                 kSeveralRoots,     kFeetBackwards,
-                                 kByShape,          kAllLimbs,
-                                 kTheRest,          kMapWithoutLimb,
-                                 kLooseEnd,         kEndByPlace,
-                                 kSidesGuessed,     kNoLimb,
-                                 kNoBoneBelow,      kMapWithoutHips,
-                                 kLimbsElsewhere,   kNoNeck,
-                                 kNoHead,           kNoLength,
-                                 kUpFollowed,       kNoUpright,
-                                 kDoesNotStand,     kNoFacing,
-                                 kWasMirrored,      kFootGuessed,
-                                 kHandGuessed,      kHeadGuessed,
-                                 kStatureRange,     kStatureGuessed,
-                                 kStatureUnusual,   kUnitGuessed,
-                                 kFootAbove,        kSoleAbove,
-                                 kShortHand,        kUnequalSegments,
-                                 kOddSegments,      kOddLimbs,
-                                 kFourLegs,         kBroad,
-                                 kLongTrunk,        kOddArms,
-                                 kFootLifted,       kStartOutside,
-                                 kNoPerson,         kOutOfRange,
-                                 kMirroredFile,     kOtherPerson,
-                                 kSeatOfOneSide,    kRestOfNoAnimation,
-                                 kNoAnimationFrame, kToesGuessed,
-                                 kNoFrame,          kOneFrame,
-                                 kFrames,           kBindPose,
-                                 kNotStanding,      kStandingAnimation,
-                                 kArmsSpread,       kNoGltf,
-                                 kGltfVersion,      kNoGltfNodes,
-                                 kRigidLimbs,       kUnevenScale,
-                                 kEmptyFile,        kMeshNotRead,
-                                 kVrmMapWrong,      kGlbCut,
-                                 kEmptyBvh,         kBvhFound,
-                                 kBvhEnds,          kBvhCut,
-                                 kFbxNoBone,        kNoFbx,
-                                 kOldFbx,           kTurnTwice,
-                                 kNoUnitQuaternion, kLoadRange,
-                                 kCoordinateRange,  kToleranceRange,
-                                 kSoleBelowFloor,   kTooManyRows,
-                                 kObstaclesMost,    kObstacleRange,
-                                 kNoHeels,          kDurationRange,
-                                 kEaseOfLayers,     kNoGazeLead,
-                                 kNoWeights,        kNoGoal,
-                                 kHandsAlone,       kFewerRuns,
-                                 kFewerJolts,       kOneSide,
-                                 kNoCandidate,      kFileNeeded,
-                                 kOtherCharacters,  kLongClipName,
-                                 kOwnJointNames,    kCannotLeave};
+inline constexpr std::array kAll{kNoNodes,
+                                 kNoSkeleton,
+                                 kOneNode,
+                                 kNodesAtOnePoint,
+                                 kSeveralRoots,
+                                 kFeetBackwards,
+                                 kByShape,
+                                 kAllLimbs,
+                                 kTheRest,
+                                 kMapWithoutLimb,
+                                 kLooseEnd,
+                                 kEndByPlace,
+                                 kSidesGuessed,
+                                 kNoLimb,
+                                 kNoBoneBelow,
+                                 kMapWithoutHips,
+                                 kLimbsElsewhere,
+                                 kNoNeck,
+                                 kNoHead,
+                                 kNoLength,
+                                 kUpFollowed,
+                                 kNoUpright,
+                                 kDoesNotStand,
+                                 kNoFacing,
+                                 kWasMirrored,
+                                 kFootGuessed,
+                                 kHandGuessed,
+                                 kHeadGuessed,
+                                 kStatureRange,
+                                 kStatureGuessed,
+                                 kStatureUnusual,
+                                 kUnitGuessed,
+                                 kFootAbove,
+                                 kSoleAbove,
+                                 kShortHand,
+                                 kUnequalSegments,
+                                 kOddSegments,
+                                 kOddLimbs,
+                                 kFourLegs,
+                                 kBroad,
+                                 kLongTrunk,
+                                 kOddArms,
+                                 kFootLifted,
+                                 kStartOutside,
+                                 kNoPerson,
+                                 kOutOfRange,
+                                 kMirroredFile,
+                                 kOtherPerson,
+                                 kSeatOfOneSide,
+                                 kRestOfNoAnimation,
+                                 kNoAnimationFrame,
+                                 kToesGuessed,
+                                 kNoFrame,
+                                 kOneFrame,
+                                 kFrames,
+                                 kBindPose,
+                                 kNotStanding,
+                                 kStandingAnimation,
+                                 kArmsSpread,
+                                 kNoGltf,
+                                 kGltfVersion,
+                                 kNoGltfNodes,
+                                 kRigidLimbs,
+                                 kUnevenScale,
+                                 kEmptyFile,
+                                 kMeshNotRead,
+                                 kVrmMapWrong,
+                                 kGlbCut,
+                                 kEmptyBvh,
+                                 kBvhFound,
+                                 kBvhEnds,
+                                 kBvhCut,
+                                 kFbxNoBone,
+                                 kNoFbx,
+                                 kOldFbx,
+                                 kTurnTwice,
+                                 kNoUnitQuaternion,
+                                 kLoadRange,
+                                 kCoordinateRange,
+                                 kToleranceRange,
+                                 kSoleBelowFloor,
+                                 kTooManyRows,
+                                 kObstaclesMost,
+                                 kObstacleRange,
+                                 kNoHeels,
+                                 kDurationRange,
+                                 kEaseOfLayers,
+                                 kNoGazeLead,
+                                 kNoWeights,
+                                 kNoGoal,
+                                 kHandsAlone,
+                                 kFewerRuns,
+                                 kFewerJolts,
+                                 kOneSide,
+                                 kNoCandidate,
+                                 kFileNeeded,
+                                 kOtherCharacters,
+                                 kLongClipName,
+                                 kOwnJointNames,
+                                 kCannotLeave,
+                                 kJointSlides,
+                                 kJointsSlide,
+                                 kJointFollows,
+                                 kJointsFollow,
+                                 kFileAbsent,
+                                 kFilesAbsent,
+                                 kElementLeftOut,
+                                 kElementsLeftOut,
+                                 kBodyApart,
+                                 kBodiesApart,
+                                 kRootHeld,
+                                 kRootsHeld,
+                                 kMeshMass,
+                                 kMeshMasses,
+                                 kJointStill,
+                                 kJointsStill,
+                                 kJointUnlimited,
+                                 kJointsUnlimited,
+                                 kLinkMassless,
+                                 kLinksMassless,
+                                 kNoEffort,
+                                 kSolesGuessed,
+                                 kFootInAir,
+                                 kArmEnds,
+                                 kTwiceItsCentre,
+                                 kWhereShapesEnd,
+                                 kAnklesAdded,
+                                 kFeetNotFlat,
+                                 kStraightKnees,
+                                 kNoHumanoid,
+                                 kNoMass,
+                                 kNoTurningJoint,
+                                 kOptionOfPerson,
+                                 kNoXml,
+                                 kNoUrdf,
+                                 kNoMjcf,
+                                 kXmlNeverClosed,
+                                 kXmlTagOpen,
+                                 kXmlCloses,
+                                 kXmlDeep,
+                                 kXmlDefinitions,
+                                 kXmlTags,
+                                 kBytesAllowed,
+                                 kZeroByte,
+                                 kXacro,
+                                 kLinkAbsent,
+                                 kLinkCircle,
+                                 kLinkTwice,
+                                 kTwoRoots};
 
 }  // namespace messages
 }  // namespace shigusa

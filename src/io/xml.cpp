@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <shigusa/words.hpp>
 
+#include "core/messages.hpp"
 #include "core/text.hpp"
 
 namespace shigusa {
@@ -80,8 +81,8 @@ class XmlReader {
       counted_ = at_;
       SHG_TRY(take_markup());
     }
-    if (!open_.empty()) return wrong("<{}> is never closed", shortened(open_.back()->name));
-    if (top_.children.empty()) return wrong("no element: this is no XML file");
+    if (!open_.empty()) return wrong(messages::kXmlNeverClosed.text, shortened(open_.back()->name));
+    if (top_.children.empty()) return wrong(messages::kNoXml.text);
     return std::move(top_.children[0]);
   }
 
@@ -107,7 +108,7 @@ class XmlReader {
     if (rest.starts_with("<?")) return skip_to("?>", "<?");
     if (rest.starts_with("<!")) {
       if (rest.substr(0, rest.find('>')).find('[') != rest.npos) {
-        return wrong("a document type with definitions; none is read");
+        return wrong(messages::kXmlDefinitions.text);
       }
       return skip_to(">", "<!");
     }
@@ -122,7 +123,7 @@ class XmlReader {
         quote = 0;
       }
     }
-    if (end >= text_.size()) return wrong("a tag is never closed");
+    if (end >= text_.size()) return wrong(messages::kXmlTagOpen.text);
     const std::string_view tag = text_.substr(at_ + 1, end - at_ - 1);
     at_ = end + 1;
     return tag.starts_with('/') ? close(tag.substr(1)) : open(tag);
@@ -143,7 +144,7 @@ class XmlReader {
                    shortened(top_.children[0].name));
     }
     if (static_cast<int>(open_.size()) >= limits_.depth) {
-      return wrong("<{}> is nested deeper than {} elements", shortened(name), limits_.depth);
+      return wrong(messages::kXmlDeep.text, shortened(name), limits_.depth);
     }
     // no element that is open has siblings behind it, so none moves when one is added
     XmlElement& above = open_.empty() ? top_ : *open_.back();
@@ -188,7 +189,7 @@ class XmlReader {
   Result<void> close(std::string_view tag) {
     while (!tag.empty() && is_blank(tag.back())) tag.remove_suffix(1);
     if (open_.empty() || open_.back()->name != tag) {
-      return wrong("</{}> closes {}", shortened(tag),
+      return wrong(messages::kXmlCloses.text, shortened(tag),
                    open_.empty() ? "nothing" : "<" + shortened(open_.back()->name) + ">");
     }
     open_.pop_back();
@@ -240,13 +241,13 @@ Result<XmlElement> parse_xml(std::string_view text, const XmlLimits& limits,
   const std::string place(name);
   if (text.size() > limits.bytes) {
     return fail(ErrorCode::parse,
-                fmt::format("{} bytes; {} are allowed", text.size(), limits.bytes), place);
+                fmt::format(messages::kBytesAllowed.text, text.size(), limits.bytes), place);
   }
   if (text.find('\0') != text.npos) {
-    return fail(ErrorCode::parse, "a zero byte: this is no text", place);
+    return fail(ErrorCode::parse, std::string(messages::kZeroByte.text), place);
   }
   if (static_cast<std::size_t>(std::count(text.begin(), text.end(), '<')) > limits.tags) {
-    return fail(ErrorCode::parse, fmt::format("more than {} tags", limits.tags), place);
+    return fail(ErrorCode::parse, fmt::format(messages::kXmlTags.text, limits.tags), place);
   }
   return XmlReader(text, limits, name).read();
 }

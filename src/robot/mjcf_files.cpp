@@ -14,16 +14,6 @@ bool stands_in(const XmlElement& element, const XmlElement& root) {
 
 }  // namespace
 
-std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  std::string result;
-  for (const char c : text.substr(0, kLongest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x20 || byte == 0x7F ? '?' : c;
-  }
-  return text.size() > kLongest ? "'" + result + "…'" : "'" + result + "'";
-}
-
 MjcfInclude included_from(std::filesystem::path folder) {
   return [folder = std::move(folder)](const std::string& file) -> Result<std::string> {
     namespace fs = std::filesystem;
@@ -43,7 +33,7 @@ MjcfFiles::MjcfFiles(std::string_view text, std::string_view name, const MjcfInc
   root_ = parse(text, std::string(name));
   if (root_ == nullptr) return;
   if (root_->name != "mujoco") {
-    wrong(*root_, "<{}> in place of <mujoco>: this is no MJCF file", root_->name.substr(0, 60));
+    wrong(*root_, messages::kNoMjcf.text, root_->name.substr(0, 60));
   } else {
     follow(*root_, include);
   }

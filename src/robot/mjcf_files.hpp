@@ -15,9 +15,6 @@
 
 namespace shigusa {
 
-// A text in a message: short, and without bytes that a terminal may take amiss.
-[[nodiscard]] std::string shown(std::string_view text);
-
 // A model's XML files, with those that they include, and the first error that was met in them.
 class MjcfFiles {
  public:

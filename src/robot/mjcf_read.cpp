@@ -437,23 +437,16 @@ tl::unexpected<Error> ModelReader::no_body() const {
 }
 
 void ModelReader::tell() {
-  const auto doubt = [&](std::vector<std::string> names, const char* one, const char* many) {
-    for (std::string& name : names) name = shown(name);
-    doubt_about(names, one, many, robot_.doubts);
-  };
-  doubt(files_.absent(), "the file includes {}, which is not here: it was read without it",
-        "the file includes {} files that are not here, {} the first: it was read without them");
-  doubt(unknown_, "<{}> is left out", "{} elements that make bodies, {} the first, are left out");
-  doubt(other_bodies_, "body {} of the world is no part of the robot",
-        "{} bodies of the world, {} the first, are no part of the robot");
-  doubt(root_held_by_, "joint {} holds the root to the world: it is left out",
-        "{} joints, {} the first, hold the root to the world: they are left out");
-  doubt(sliding_, "joint {} slides: it keeps its place",
-        "{} joints, {} the first, slide: they keep their places");
-  doubt(following_, "joint {} follows another joint: it keeps the angle 0",
-        "{} joints, {} the first, follow other joints: they keep the angle 0");
-  doubt(meshes_, "body {} has its mass from a mesh, which is not read",
-        "{} bodies, {} the first, have their mass from meshes, which are not read");
+  using namespace messages;
+  const auto doubt = [&](const std::vector<std::string>& names, const MessageText& one,
+                         const MessageText& many) { doubt_about(names, one, many, robot_.doubts); };
+  doubt(files_.absent(), kFileAbsent, kFilesAbsent);
+  doubt(unknown_, kElementLeftOut, kElementsLeftOut);
+  doubt(other_bodies_, kBodyApart, kBodiesApart);
+  doubt(root_held_by_, kRootHeld, kRootsHeld);
+  doubt(sliding_, kJointSlides, kJointsSlide);
+  doubt(following_, kJointFollows, kJointsFollow);
+  doubt(meshes_, kMeshMass, kMeshMasses);
 }
 
 }  // namespace

@@ -109,11 +109,22 @@ std::array<Vec3d, 8> box_corners(const Vec3d& half) {
   return corners;
 }
 
-void doubt_about(const std::vector<std::string>& names, const char* one, const char* many,
-                 std::vector<std::string>& doubts) {
+void doubt_about(const std::vector<std::string>& names, const MessageText& one,
+                 const MessageText& many, std::vector<std::string>& doubts) {
   if (names.empty()) return;
-  doubts.push_back(names.size() == 1 ? fmt::format(fmt::runtime(one), names[0])
-                                     : fmt::format(fmt::runtime(many), names.size(), names[0]));
+  const std::string first = shown(names[0]);
+  doubts.push_back(names.size() == 1 ? fmt::format(fmt::runtime(one.text), first)
+                                     : fmt::format(fmt::runtime(many.text), names.size(), first));
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string result;
+  for (const char c : text.substr(0, kLongest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7F ? '?' : c;
+  }
+  return text.size() > kLongest ? "'" + result + "…'" : "'" + result + "'";
 }
 
 std::vector<Transformd> robot_places(const Robot& robot) {
@@ -142,11 +153,10 @@ Robot with_hands(Robot robot) {
     const std::string hand = name.side == NameSide::left ? "left_hand" : "right_hand";
     const std::optional<Vec3d> end = forearm_end(robot.links[i]);
     if (!end || taken(hand)) continue;
-    robot.doubts.push_back(
-        fmt::format("link '{}' ends its arm: the hand is taken to be {:.2f} m on, {}",
-                    robot.links[i].name, norm(*end),
-                    robot.links[i].corners.empty() ? "twice as far as its centre of mass"
-                                                   : "where its shapes end"));
+    robot.doubts.push_back(fmt::format(messages::kArmEnds.text, robot.links[i].name, norm(*end),
+                                       robot.links[i].corners.empty()
+                                           ? messages::kTwiceItsCentre.text
+                                           : messages::kWhereShapesEnd.text));
     Robot::Joint fixed{.name = hand + "_fixed",
                        .parent = static_cast<int>(i),
                        .child = static_cast<int>(robot.links.size()),
@@ -176,10 +186,7 @@ Robot with_ankles(Robot robot, const HumanoidMap& map) {
     added.push_back(robot.joints[index(first)].name);
   }
   if (!added.empty()) {
-    robot.doubts.push_back(fmt::format(
-        "the legs have no ankles: joints that the file lacks, '{}' the first, are added, about the "
-        "axes of the knees",
-        added[0]));
+    robot.doubts.push_back(fmt::format(messages::kAnklesAdded.text, added[0]));
   }
   return robot;
 }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/messages.hpp"
+
 namespace shigusa {
 
 // A robot as files describe it: links that joints hold together. Metres, kilograms, radians, in the
@@ -47,9 +49,12 @@ struct Robot {
 [[nodiscard]] std::array<Vec3d, 8> box_corners(const Vec3d& half);
 
 // Adds a doubt about things of these names: `one` with the name, or `many` with the number and the
-// first name.
-void doubt_about(const std::vector<std::string>& names, const char* one, const char* many,
-                 std::vector<std::string>& doubts);
+// first name, as they are shown.
+void doubt_about(const std::vector<std::string>& names, const MessageText& one,
+                 const MessageText& many, std::vector<std::string>& doubts);
+
+// A name in a message: in quotes, short, and without bytes that a terminal may take amiss.
+[[nodiscard]] std::string shown(std::string_view text);
 
 // Places of the links (links) where all angles are 0, in the root's frame.
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);

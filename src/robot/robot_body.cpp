@@ -274,8 +274,7 @@ Result<void> RobotBuilder::add_masses() {
     body_.mass += sum.mass;
   }
   if (!(body_.mass > 0.0)) {
-    return fail(ErrorCode::unsupported,
-                "no link has a mass; a motion is chosen by its torques and needs them");
+    return fail(ErrorCode::unsupported, std::string(messages::kNoMass.text));
   }
   // no joint holds all the weight at an arm as long as the robot: such an effort stands for none
   const double most = body_.mass * kGravity * body_.stature;

@@ -162,9 +162,7 @@ class JointFinder {
       const bool needed = std::string_view(part) != "clavicle" && std::string_view(part) != "wrist";
       if (needed && limb.begins[k] >= end) {
         return fail(ErrorCode::unsupported,
-                    fmt::format("no turning joint is the {}{}; a body needs hips, knees, ankles, "
-                                "shoulders and elbows that turn",
-                                name, part));
+                    fmt::format(messages::kNoTurningJoint.text, name + std::string(part)));
       }
       ++k;
     }

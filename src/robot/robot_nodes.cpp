@@ -223,28 +223,15 @@ void RobotBuilder::add_robot_frame() {
 }
 
 void RobotBuilder::tell() {
-  const auto doubt = [&](const std::string& noun, const std::vector<std::string>& names,
-                         const std::string& what) {
-    doubt_about(names, (noun + " '{}' " + what).c_str(),
-                ("{} " + noun + "s, '{}' the first, each " + what).c_str(), body_.doubts);
-  };
-  doubt("joint", still_names_, "is of no limb, or of fingers, toes or face: it keeps its angle");
-  doubt("joint", unlimited_, "has no limits in the file: it gets a person's");
+  using namespace messages;
+  doubt_about(still_names_, kJointStill, kJointsStill, body_.doubts);
+  doubt_about(unlimited_, kJointUnlimited, kJointsUnlimited, body_.doubts);
   if (!weak_.empty()) {
-    body_.doubts.push_back(
-        fmt::format("the file has no effort, or an impossible one, for {} of the freedoms, {} the "
-                    "first: they get a person's, by the weight",
-                    weak_.size(), weak_[0]));
+    body_.doubts.push_back(fmt::format(kNoEffort.text, weak_.size(), weak_[0]));
   }
-  doubt("link", massless_, "has no mass in the file, nor what is fixed to it: it weighs nothing");
-  if (soles_[0].guessed || soles_[1].guessed) {
-    body_.doubts.push_back(
-        "the feet have no shapes to tell their soles: they are as long and "
-        "broad as a person's");
-  }
-  if (body_.feet.size() < 2) {
-    body_.doubts.push_back("one foot is in the air where all angles are 0: it carries nothing");
-  }
+  doubt_about(massless_, kLinkMassless, kLinksMassless, body_.doubts);
+  if (soles_[0].guessed || soles_[1].guessed) body_.doubts.emplace_back(kSolesGuessed.text);
+  if (body_.feet.size() < 2) body_.doubts.emplace_back(kFootInAir.text);
 }
 
 }  // namespace shigusa

@@ -7,6 +7,7 @@
 
 #include "body/posture_modes.hpp"
 #include "core/index.hpp"
+#include "core/messages.hpp"
 #include "kinematics/weighted_ik.hpp"
 
 namespace shigusa {
@@ -131,15 +132,14 @@ std::vector<double> settled_posture(const BodyModel& body, std::vector<std::stri
   const std::vector<double> zero(body.start().begin(), body.start().end());
   std::vector<double> angles = zero;
   if (!settler.walk(angles, zero)) {
-    doubts.emplace_back("its limits do not let both feet stand flat as the file places them");
+    doubts.emplace_back(messages::kFeetNotFlat.text);
   }
   for (const PostureMode& mode : posture_modes(body)) {
     if (mode.name != "squat") continue;
     std::vector<double> bent = angles;
     for (std::size_t d = 0; d < bent.size(); ++d) bent[d] += kStandingKnee * mode.direction[d];
     if (!allowed(body, bent) || !settler.walk(angles, bent)) {
-      doubts.emplace_back(
-          "it stands with straight knees: its limits do not let them bend above flat feet");
+      doubts.emplace_back(messages::kStraightKnees.text);
     }
   }
   const std::vector<IkTarget<double>> arms = settler.hanging(angles);

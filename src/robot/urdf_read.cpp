@@ -43,11 +43,9 @@ class UrdfReader {
     for (const Hung& joint : joints_) {
       SHG_TRY(take_joint(joint));
     }
-    doubt_about(sliding_, "joint '{}' slides: it keeps its place",
-                "{} joints, '{}' the first, slide: they keep their places", robot_.doubts);
-    doubt_about(mimics_, "joint '{}' follows another joint: it keeps the angle 0",
-                "{} joints, '{}' the first, follow other joints: they keep the angle 0",
-                robot_.doubts);
+    using namespace messages;
+    doubt_about(sliding_, kJointSlides, kJointsSlide, robot_.doubts);
+    doubt_about(mimics_, kJointFollows, kJointsFollow, robot_.doubts);
     return std::move(robot_);
   }
 
@@ -132,7 +130,7 @@ class UrdfReader {
       SHG_TRY_ASSIGN(hung.parent, link_of(element, "parent"));
       SHG_TRY_ASSIGN(hung.child, link_of(element, "child"));
       if (!above_.emplace(hung.child, hung.parent).second) {
-        return wrong(element, "link '{}' hangs on two joints; one is allowed", hung.child);
+        return wrong(element, messages::kLinkTwice.text, hung.child);
       }
       joints_.push_back(std::move(hung));
     }
@@ -152,7 +150,7 @@ class UrdfReader {
     const char* link = found->attribute("link");
     if (link == nullptr || *link == '\0') return wrong(*found, "<{}> names no link", end);
     if (links_.count(link) == 0) {
-      return wrong(*found, "joint '{}' names the link '{}', which is not there", name, link);
+      return wrong(*found, messages::kLinkAbsent.text, name, link);
     }
     return link;
   }
@@ -173,11 +171,10 @@ class UrdfReader {
     if (links_.empty()) return fail(ErrorCode::parse, "no <link> in <robot>", name_);
     for (const auto& [name, link] : links_) {
       if (contains(order, name)) continue;
-      return wrong(*link, "link '{}' hangs in a circle of joints, or below one", name);
+      return wrong(*link, messages::kLinkCircle.text, name);
     }
     if (roots > 1) {
-      return wrong(*links_[order[1]], "links '{}' and '{}' hang on none; a robot has one root",
-                   order[0], order[1]);
+      return wrong(*links_[order[1]], messages::kTwoRoots.text, order[0], order[1]);
     }
     for (const std::string& name : order) {
       SHG_TRY(take_link(name, *links_[name]));

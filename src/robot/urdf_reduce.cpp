@@ -71,9 +71,7 @@ class Reducer {
                        element.line};
     for (const XmlElement& child : element.children) {
       if (child.name.starts_with("xacro:")) {
-        return wrong(child,
-                     "<{}> is xacro's: expand the file first, as in `xacro FILE > robot.urdf`",
-                     child.name.substr(0, 60));
+        return wrong(child, messages::kXacro.text, child.name.substr(0, 60));
       }
       if (!contains(kKept, std::pair<std::string_view, std::string_view>(element.name, child.name)))
         continue;
@@ -117,10 +115,8 @@ Result<XmlElement> reduced_urdf(std::string_view text, std::string_view name) {
   const XmlLimits limits{kUrdfMaxBytes, kUrdfMaxTags, kUrdfMaxDepth};
   SHG_TRY_ASSIGN(const XmlElement robot, parse_xml(text, limits, name));
   if (robot.name != "robot") {
-    return fail(
-        ErrorCode::parse,
-        fmt::format("<{}> in place of <robot>: this is no URDF file", robot.name.substr(0, 60)),
-        fmt::format("line {} of {}", robot.line, name));
+    return fail(ErrorCode::parse, fmt::format(messages::kNoUrdf.text, robot.name.substr(0, 60)),
+                fmt::format("line {} of {}", robot.line, name));
   }
   return Reducer(name).reduce(robot);
 }
