@@ -3,6 +3,7 @@
 import { setLanguage, t } from './i18n';
 import { placeWords } from './i18n/place_words';
 import type { Keeper } from './kept/keeper';
+import { Library } from './kept/library';
 import { remember } from './kept/memory';
 import { WantedBanner } from './kept/wanted_banner';
 import { Keyboard } from './keyboard';
@@ -19,6 +20,7 @@ import { SpeedLegend } from './panels/speed_legend';
 import { StartCards } from './panels/start_cards';
 import { Tabs } from './panels/tabs';
 import { TakePanel } from './panels/take';
+import { TakeFilm } from './panels/take_film';
 import { TakePicture } from './panels/take_picture';
 import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
@@ -37,6 +39,7 @@ export class Page {
   private readonly canvas = h('canvas', { class: 'view', tabIndex: 0, role: 'application' });
   private readonly stage = h('div', { class: 'stage' });
   private readonly label = h('div', { class: 'handle-label', hidden: true });
+  private readonly library = new Library();
   readonly view: View;
   private readonly thumbnails: Thumbnails;
 
@@ -85,8 +88,8 @@ export class Page {
     const wanted = new WantedBanner(studio);
     notices.element.append(wanted.element);
     const tabs = new Tabs(studio, {
-      goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
-      body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio, new TakePicture(studio, this.view)),
+      goals: new GoalsPanel(studio, this.view, this.library), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
+      body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio, new TakePicture(studio, this.view), new TakeFilm(studio, this.view)),
     });
     const top = new TopBar(studio, this.keeper, openHelp);
     const legend = new SpeedLegend(studio);

@@ -28,9 +28,12 @@ export interface Removed {
 /** Somebody else has saved the project meanwhile. */
 export class Conflict extends Error {}
 
+export function freshId(): string {
+  return [...crypto.getRandomValues(new Uint8Array(12))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
 export function freshProject(name: string): Project {
-  const digits = [...crypto.getRandomValues(new Uint8Array(12))].map((byte) => byte.toString(16).padStart(2, '0'));
-  return { id: digits.join(''), name, revision: 0, changed_ms: Date.now() };
+  return { id: freshId(), name, revision: 0, changed_ms: Date.now() };
 }
 
 export class ProjectStore {

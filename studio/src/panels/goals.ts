@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The goals as numbers, and how motions for them are searched.
 import { engineWord, t } from '../i18n';
+import type { Library } from '../kept/library';
 import { chosenCandidate, type Document, type SearchSettings } from '../state/model';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -8,6 +9,7 @@ import { withPreset } from '../state/task';
 import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
+import { LibrarySection } from './library';
 import { ThingList } from './things';
 import { VerdictBox } from './verdict';
 
@@ -29,7 +31,7 @@ export class GoalsPanel implements Panel {
   private character: Document['character'] | null = null;
   private readonly end: () => void;
 
-  constructor(private readonly studio: Studio, private readonly view: View) {
+  constructor(private readonly studio: Studio, private readonly view: View, library: Library) {
     const [least, most] = studio.facts.ranges.duration_s;
     this.duration = h('input', {
       type: 'number', min: String(least), max: String(most), step: '0.1', placeholder: t('auto'), 'data-key': 'duration',
@@ -50,7 +52,8 @@ export class GoalsPanel implements Panel {
         h('label', {}, h('span', {}, t('method')), this.method),
         h('label', {}, h('span', {}, t('effort')), this.effort),
         h('label', {}, h('span', {}, t('seedNumber')), this.seed),
-        button(t('seed'), () => void studio.searchAgain())));
+        button(t('seed'), () => void studio.searchAgain())),
+      new LibrarySection(studio, view, library).element);
     this.end = studio.store.subscribe((state, previous) => {
       if (state.document !== previous.document || state.trial !== previous.trial || state.selected !== previous.selected) this.update();
     });

@@ -9,6 +9,7 @@ import { speedScale } from '../state/speed';
 import { effectorsOf } from '../state/start';
 import type { Studio } from '../state/studio';
 import { directionOf, type Preset } from './camera';
+import { film, type FilmSettings, type Scene as FilmScene } from './film';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import { headReach, placesToSee } from './framing';
 import { Ghosts } from './ghosts';
@@ -25,6 +26,7 @@ import { StrainedJoints } from './strained';
 
 const kApproach = 0.75; // statures from what is selected
 const kRoom = 2.4; // times what has to be in the picture
+const kSmallSide = 112; // px, of a picture in a list
 const kBeside = 0.55; // shares of the stature between two that are compared
 
 /** Of the body's name for a bone the node: of a file by its bone map, a hand for its grip. */
@@ -351,6 +353,37 @@ export class View {
   /** As it is seen, but for the handles. */
   picture(settings: PictureSettings): Promise<Uint8Array> {
     return this.stage.picture(settings, [this.handles.object]);
+  }
+
+  /** A film of it, without the handles; playing stops. */
+  async film(settings: FilmSettings, signal: AbortSignal, progress: (share: number) => void): Promise<Uint8Array> {
+    const { clock } = this.studio;
+    this.studio.play(false);
+    const shown = clock.time;
+    const { draw, end } = this.stage.film(settings.size, settings.transparent, [this.handles.object]);
+    const scene: FilmScene = {
+      duration: clock.duration,
+      draw: (pen, time, turn) => {
+        clock.time = time ?? shown;
+        draw(pen, turn);
+      },
+    };
+    try {
+      return await film(scene, settings, signal, progress);
+    } finally {
+      clock.time = shown;
+      end();
+    }
+  }
+
+  /** The middle of it as a data URL, for lists; at a time of the motion where one is given, s. */
+  smallPicture(time?: number): string {
+    const { clock } = this.studio;
+    const now = clock.time;
+    if (time !== undefined) clock.time = time;
+    const picture = this.stage.small(kSmallSide);
+    clock.time = now;
+    return picture;
   }
 
   /** Where the ghosts have an effector's node, m; for tests. */
