@@ -21,6 +21,7 @@ import { SpeedLegend } from './panels/speed_legend';
 import { StartCards } from './panels/start_cards';
 import { Tabs } from './panels/tabs';
 import { TakePanel } from './panels/take';
+import { TakeFilm } from './panels/take_film';
 import { TakePicture } from './panels/take_picture';
 import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
@@ -105,7 +106,7 @@ export class Page {
     notices.element.append(wanted.element);
     const tabs = new Tabs(studio, {
       goals: new GoalsPanel(studio, this.view, this.library), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
-      body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio, new TakePicture(studio, this.view)),
+      body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio, new TakePicture(studio, this.view), new TakeFilm(studio, this.view)),
     });
     const top = new TopBar(studio, this.keeper, openHelp);
     const legend = new SpeedLegend(studio);

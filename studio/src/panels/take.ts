@@ -6,6 +6,7 @@ import type { Studio } from '../state/studio';
 import { canTake, link, missingFiles, motionFormats, save, type Taken, takeAway } from '../state/take_away';
 import { button, fill, h, type Panel } from './dom';
 import { TakeChoices } from './take_choices';
+import type { TakeFilm } from './take_film';
 import type { TakePicture } from './take_picture';
 
 export class TakePanel implements Panel {
@@ -15,7 +16,7 @@ export class TakePanel implements Panel {
   private readonly choices: TakeChoices;
   private readonly end: () => void;
 
-  constructor(private readonly studio: Studio, picture: TakePicture) {
+  constructor(private readonly studio: Studio, picture: TakePicture, private readonly film: TakeFilm) {
     const input = h('input', {
       type: 'file', accept: '.json', hidden: true, multiple: true,
       onChange: () => {
@@ -35,7 +36,7 @@ export class TakePanel implements Panel {
     groups[0]?.append(this.choices.element);
     groups[2]?.append(h('div', { class: 'take' }, button(t('link'), () => void this.copyLink(), { 'data-format': 'link' }),
       button(t('openResult'), () => input.click()), input), this.shown);
-    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('takeIntro')), ...groups, picture.element);
+    this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('takeIntro')), ...groups, picture.element, film.element);
     this.end = studio.store.subscribe(() => this.update());
     this.update();
   }
@@ -79,6 +80,7 @@ export class TakePanel implements Panel {
 
   dispose(): void {
     this.choices.dispose();
+    this.film.dispose();
     this.end();
   }
 }

@@ -26,14 +26,19 @@ function fillBackground(pen: CanvasRenderingContext2D, host: HTMLElement): void 
   pen.restore();
 }
 
+/** A picture of the size of the pen's canvas, in the place of what was there. */
+export function onBackground(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement, host: HTMLElement, transparent: boolean): void {
+  if (transparent) pen.clearRect(0, 0, pen.canvas.width, pen.canvas.height);
+  else fillBackground(pen, host);
+  pen.drawImage(drawn, 0, 0);
+}
+
 /** `drawn`: the picture as it was just drawn, before the browser shows it. */
 export async function pngOfView(drawn: HTMLCanvasElement, host: HTMLElement, transparent: boolean): Promise<Uint8Array> {
   const canvas = document.createElement('canvas');
   canvas.width = drawn.width;
   canvas.height = drawn.height;
-  const pen = canvas.getContext('2d')!;
-  if (!transparent) fillBackground(pen, host);
-  pen.drawImage(drawn, 0, 0);
+  onBackground(canvas.getContext('2d')!, drawn, host, transparent);
   const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'));
   if (!blob) throw new Error('the picture could not be made');
   return new Uint8Array(await blob.arrayBuffer());

@@ -8,7 +8,7 @@ import { directionOf, Lens } from './camera';
 import { Floor } from './floor';
 import { Light } from './light';
 import { type Palette, palettes } from './palette';
-import { type PictureSettings, pngOfView, smallPicture } from './picture';
+import { onBackground, type PictureSettings, pngOfView, smallPicture } from './picture';
 import { type Quality, QualityControl } from './quality';
 
 const kInside = 0.86; // of the picture, from its middle
@@ -32,6 +32,7 @@ export class Stage {
   private dirty = true;
   private last = 0;
   private rested = 0; // s since something moved
+  private filming = false;
   private ended = false;
   /** Called before each picture with the time since the last one, s; true: something moves. */
   onFrame: (seconds: number) => boolean = () => false;
@@ -130,7 +131,7 @@ export class Stage {
 
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || this.filming) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2) * this.drawn.pixels);
     this.renderer.setSize(width, height, false);
     this.lens.resize(width / height);
@@ -142,6 +143,7 @@ export class Stage {
     requestAnimationFrame(this.tick);
     const seconds = (now - this.last) / 1000;
     this.last = now;
+    if (this.filming) return;
     if (this.onFrame(Math.min(seconds, 0.1))) this.dirty = true;
     if (this.dirty) {
       // a picture after a rest says nothing of speed
@@ -185,6 +187,14 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = this.host;
     this.renderer.setPixelRatio(times);
     this.renderer.setSize(width, height, false);
+    this.drawBare(transparent, hidden);
+    const made = pngOfView(this.renderer.domElement, this.host, transparent);
+    this.resize();
+    this.draw(this.drawn);
+    return made;
+  }
+
+  private drawBare(transparent: boolean, hidden: readonly Object3D[]): void {
     this.onDraw();
     const seen = hidden.filter((item) => item.visible);
     for (const item of seen) item.visible = false;
@@ -192,12 +202,40 @@ export class Stage {
     this.lens.sync();
     this.light.update();
     this.renderer.render(this.scene, this.lens.shown);
-    const made = pngOfView(this.renderer.domElement, this.host, transparent);
     for (const item of seen) item.visible = true;
     this.floor.showSurface(true);
-    this.resize();
-    this.draw(this.drawn);
-    return made;
+  }
+
+  /** Draws nothing but pictures of a film until it ends, of this size, px; of each `turn` says how far the camera has gone round, rad.
+   *  Returns how a picture is put onto a canvas, and what ends the film. */
+  film([width, height]: readonly [number, number], transparent: boolean, hidden: readonly Object3D[]): { draw: (pen: CanvasRenderingContext2D, turn: number) => void; end: () => void } {
+    const { camera, orbit, renderer, host } = this;
+    const from = camera.position.clone();
+    const away = from.clone().sub(orbit.target);
+    this.filming = true;
+    orbit.enabled = false;
+    renderer.setPixelRatio(1);
+    renderer.setSize(width, height, false);
+    this.lens.resize(width / height);
+    const look = (turn: number): void => {
+      camera.position.copy(away).applyAxisAngle(camera.up, turn).add(orbit.target);
+      camera.lookAt(orbit.target);
+    };
+    return {
+      draw: (pen, turn) => {
+        look(turn);
+        this.drawBare(transparent, hidden);
+        onBackground(pen, renderer.domElement, host, transparent);
+      },
+      end: () => {
+        camera.position.copy(from);
+        camera.lookAt(orbit.target);
+        this.filming = false;
+        orbit.enabled = true;
+        this.resize();
+        this.draw(this.drawn);
+      },
+    };
   }
 
   dispose(): void {

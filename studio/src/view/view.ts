@@ -10,6 +10,7 @@ import { speedScale } from '../state/speed';
 import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
 import { directionOf, type Preset } from './camera';
+import { film, type FilmSettings, type Scene as FilmScene } from './film';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import { headReach, placesToSee } from './framing';
 import { Ghosts } from './ghosts';
@@ -384,6 +385,27 @@ export class View {
   /** As it is seen, but for the handles. */
   picture(settings: PictureSettings): Promise<Uint8Array> {
     return this.stage.picture(settings, [this.handles.object]);
+  }
+
+  /** A film of it, without the handles; playing stops. */
+  async film(settings: FilmSettings, signal: AbortSignal, progress: (share: number) => void): Promise<Uint8Array> {
+    const { clock } = this.studio;
+    this.studio.play(false);
+    const shown = clock.time;
+    const { draw, end } = this.stage.film(settings.size, settings.transparent, [this.handles.object]);
+    const scene: FilmScene = {
+      duration: clock.duration,
+      draw: (pen, time, turn) => {
+        clock.time = time ?? shown;
+        draw(pen, turn);
+      },
+    };
+    try {
+      return await film(scene, settings, signal, progress);
+    } finally {
+      clock.time = shown;
+      end();
+    }
   }
 
   /** The middle of it as a data URL, for lists; at a time of the motion where one is given, s. */
