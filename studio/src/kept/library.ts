@@ -2,6 +2,7 @@
 // Goals and start postures that a person keeps under a name, to be used in any project: in the browser's database, and as JSON to
 // be carried elsewhere. Others may have written a file that comes in: `readLibrary` checks all that the page itself reads.
 import type { CharacterSpec, Goal, Obstacle } from '../../../bindings/wasm/src/types';
+import { fieldsOf, kFarthest, need } from './check';
 import { answer, completed, openDatabase } from './database';
 import { freshId } from './projects';
 
@@ -25,18 +26,6 @@ const kLongestName = 80;
 const kLongestPicture = 60_000; // letters
 const kMostGoals = 40;
 const kMostThings = 100;
-const kFarthest = 100; // m
-
-type Fields = Record<string, unknown>;
-
-function need(holds: boolean, place: string, allowed: string): asserts holds {
-  if (!holds) throw new SyntaxError(`${place} must be ${allowed}`);
-}
-
-function fieldsOf(value: unknown, place: string): Fields {
-  need(typeof value === 'object' && value !== null && !Array.isArray(value), place, 'an object { … }');
-  return value as Fields;
-}
 
 function listOf(value: unknown, place: string, least: number, most: number): unknown[] {
   need(Array.isArray(value) && value.length >= least && value.length <= most, place, `a list of ${least} to ${most}`);

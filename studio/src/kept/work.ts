@@ -5,6 +5,7 @@
 import type { CharacterSpec, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import type { CompareMode, Tab } from '../state/model';
 import { type ViewSettings, wrongSetting } from '../state/view_settings';
+import { fieldsOf, kFarthest, need } from './check';
 
 /** From where the picture is seen. */
 export interface Look {
@@ -53,18 +54,6 @@ export interface Work {
 
 const kTabs: readonly Tab[] = ['goals', 'adjust', 'criteria', 'body', 'plots', 'take'];
 const kModes: readonly CompareMode[] = ['beside', 'over'];
-const kFarthest = 100; // m
-
-type Fields = Record<string, unknown>;
-
-function need(holds: boolean, place: string, allowed: string): asserts holds {
-  if (!holds) throw new SyntaxError(`${place} must be ${allowed}`);
-}
-
-function fieldsOf(value: unknown, place: string): Fields {
-  need(typeof value === 'object' && value !== null && !Array.isArray(value), place, 'an object { … }');
-  return value as Fields;
-}
 
 const isNumber = (value: unknown, low: number, high: number): value is number => typeof value === 'number' && value >= low && value <= high;
 const isPoint = (value: unknown): value is Vec3 => Array.isArray(value) && value.length === 3 && value.every((x) => isNumber(x, -kFarthest, kFarthest));
