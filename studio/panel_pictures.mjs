@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // panel_pictures.mjs FOLDER: every panel of the built page in both languages, light and dark, at five sizes, to be looked at: a
-// picture of each and a sheet of all at one size. Prints what text is cut off or lies over other text, and fails where any is.
+// picture of each and a sheet of all at one size. Prints what text is cut off or lies over other text, and what axe finds serious
+// on a desk and on a phone; fails where anything is found.
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { launch, openStudio, serve, settled } from './tests/support.mjs';
+import { seriousFindings } from './tests/axe.mjs';
 import { clippedText } from './tests/clipped.mjs';
 
 const kSizes = [[390, 844], [844, 390], [768, 1024], [1280, 720], [1920, 1080]];
 const kTabs = ['goals', 'criteria', 'body', 'plots', 'adjust', 'take'];
 const kLanguages = ['en', 'ja'];
 const kThemes = ['light', 'dark'];
+const kAxeSizes = ['390x844', '1280x720']; // what axe finds hardly goes by the size
 const kAcross = { wide: 3, tall: 4 }; // pictures in a row of a sheet
 const kSheet = 1800; // px
 
@@ -29,7 +32,11 @@ const kStates = [
   ['hint', async (page) => page.locator('.start > .icon-button').click()],
   ...kTabs.map((tab) => [tab, async (page) => page.locator(`#tab-${tab}`).click()]),
   ['compare', async (page) => page.locator('.card .icon-button.compare').nth(1).click()],
-  ['view', async (page) => page.locator('.view-opener').click()],
+  ['projects', async (page) => page.locator('.project-opener').click()],
+  ['view', async (page) => {
+    await page.keyboard.press('Escape');
+    await page.locator('.view-opener').click();
+  }],
   ['help', async (page) => {
     await page.keyboard.press('Escape');
     await page.keyboard.press('Shift+?');
@@ -49,6 +56,7 @@ if (findings > 0) {
 }
 
 async function photograph(width, height, language, theme) {
+  const size = `${width}x${height}`;
   const isPhone = Math.min(width, height) < 500;
   const { page, context } = await openStudio(browser, site.url, {
     viewport: { width, height }, locale: language === 'ja' ? 'ja-JP' : 'en-GB', colorScheme: theme, cards: true, hasTouch: isPhone, isMobile: isPhone,
@@ -60,14 +68,15 @@ async function photograph(width, height, language, theme) {
     await page.waitForTimeout(600); // to be drawn
     const bytes = await page.screenshot();
     shots.push([name, bytes]);
-    await writeFile(join(folder, `${width}x${height}-${language}-${theme}-${name}.png`), bytes);
-    for (const finding of await clippedText(page)) {
+    await writeFile(join(folder, `${size}-${language}-${theme}-${name}.png`), bytes);
+    const serious = kAxeSizes.includes(size) ? await seriousFindings(page, 'body') : [];
+    for (const finding of [...await clippedText(page), ...serious]) {
       ++findings;
-      console.log(`${width}x${height} ${language} ${theme} ${name}: ${finding}`);
+      console.log(`${size} ${language} ${theme} ${name}: ${finding}`);
     }
   }
   await context.close();
-  await sheet(`${width}x${height}-${language}-${theme}`, width > height ? kAcross.wide : kAcross.tall, shots);
+  await sheet(`${size}-${language}-${theme}`, width > height ? kAcross.wide : kAcross.tall, shots);
 }
 
 /** All pictures of a size beside one another. */

@@ -41,6 +41,10 @@ test('joint ranges of plots are those of the verdict, on the floor too', { timeo
   assert.ok(shares.length > 40);
   for (const [name, values] of shares) assert.ok(Math.max(...values) < 1.002 && Math.min(...values) > -0.002, `${name}: ${Math.max(...values)}`);
   assert.ok(Math.max(...columns['left_hip.flexion.angle_deg']) > 85, 'a hip bends further with the knee bent');
+  const colour = () => page.locator('.plot polyline').first().getAttribute('stroke');
+  const light = await colour();
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.waitForFunction((before) => document.querySelector('.plot polyline').getAttribute('stroke') !== before, light);
   assert.deepEqual(errors, []);
   await context.close();
 });

@@ -54,12 +54,16 @@ export class PlotsPanel implements Panel {
     const draw = (): void => this.draw();
     const observer = new ResizeObserver(draw);
     observer.observe(this.element);
+    const system = matchMedia('(prefers-color-scheme: dark)');
+    const recolour = (): void => this.update();
+    system.addEventListener('change', recolour);
     this.ends = [
       studio.store.subscribe((state, previous) => {
         if (state.document !== previous.document || state.preview !== previous.preview || state.theme !== previous.theme) this.update();
       }),
       studio.clock.subscribe(draw),
       () => observer.disconnect(),
+      () => system.removeEventListener('change', recolour),
     ];
     this.update();
   }
