@@ -159,7 +159,7 @@ test('files leave at the frames a second that are chosen', { timeout: 120_000 },
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
   await page.click('#tab-take');
-  const rate = page.getByLabel('Frames a second');
+  const rate = page.getByLabel('Frames a second', { exact: true });
   assert.equal(await rate.inputValue(), '60');
   await rate.selectOption('24');
   assert.match((await take(page, 'bvh')).toString(), /Frame Time: 0\.041666666666666664/);

@@ -30,9 +30,11 @@ export class TakeFilm {
       element.dataset['film'] = key;
       return h('label', {}, h('span', {}, label), element);
     };
-    const size = select(t('pictureSize'), sizes.map((name) => [name, name] as const), this.size, (value) => (this.size = value));
-    const fps = select(t('fps'), kRates.map((rate) => [rate, rate] as const), '30', (value) => (this.fps = Number(value)));
-    const plays = select(t('filmPlays'), kPlays.map((count) => [count, count === '0' ? t('filmHeld') : t('filmTimes', { n: count })] as const), '1',
+    // other parts of the panel have fields of these names too
+    const ofFilm = (label: string): string => `${t('film')} · ${label}`;
+    const size = select(ofFilm(t('pictureSize')), sizes.map((name) => [name, name] as const), this.size, (value) => (this.size = value));
+    const fps = select(ofFilm(t('fps')), kRates.map((rate) => [rate, rate] as const), '30', (value) => (this.fps = Number(value)));
+    const plays = select(ofFilm(t('filmPlays')), kPlays.map((count) => [count, count === '0' ? t('filmHeld') : t('filmTimes', { n: count })] as const), '1',
       (value) => (this.plays = Number(value)));
     this.turntable = h('input', { type: 'checkbox', 'data-film': 'turntable' });
     this.transparent = h('input', { type: 'checkbox', 'data-film': 'transparent' });
