@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What others may have written is checked before it is used; a SyntaxError names the place, and what is allowed there.
+// The page checks by these rules what others may have written; a SyntaxError names the place, and what is allowed there.
 
 export const kFarthest = 100; // m
 
