@@ -18,9 +18,12 @@ struct ReadRobot {
   HumanoidMap map;
 };
 
-Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
-  const std::string name = std::filesystem::path(spec.source).filename().string();
-  SHG_TRY_ASSIGN(Robot robot, parse_urdf(urdf, name));
+std::string file_name(const CharacterSpec& spec) {
+  return std::filesystem::path(spec.source).filename().string();
+}
+
+Result<ReadRobot> read_robot(Robot robot, const CharacterSpec& spec) {
+  const std::string name = file_name(spec);
   robot = with_hands(std::move(robot));
   robot.name = name;
   std::vector<std::string> links;
@@ -35,13 +38,27 @@ Result<ReadRobot> read_robot(std::string_view urdf, const CharacterSpec& spec) {
   return ReadRobot{with_ankles(std::move(robot), *map), std::move(*map)};
 }
 
-// A robot of an MJCF file as URDF, in which results keep robots.
-Result<std::string> urdf_of_mjcf(std::string_view bytes, CharacterSpec& spec,
+// A robot's file, as it was read and as the URDF in which results keep it.
+struct RobotFile {
+  Robot robot;
+  std::string urdf;
+};
+
+// Errors name the lines of the file, and not of what is kept of it.
+Result<RobotFile> read_urdf_file(std::string_view bytes, const std::string& name) {
+  SHG_TRY_ASSIGN(const XmlElement reduced, reduced_urdf(bytes, name));
+  SHG_TRY_ASSIGN(Robot robot, robot_of_urdf(reduced, name));
+  return RobotFile{std::move(robot), write_xml(reduced)};
+}
+
+Result<RobotFile> read_mjcf_file(std::string_view bytes, CharacterSpec& spec,
                                  const std::optional<std::filesystem::path>& folder) {
   SHG_TRY_ASSIGN(Robot robot,
                  parse_mjcf(bytes, spec.source, folder ? included_from(*folder) : MjcfInclude{}));
   spec.doubts = std::move(robot.doubts);
-  return write_urdf(robot);
+  std::string urdf = write_urdf(robot);
+  SHG_TRY_ASSIGN(Robot kept, parse_urdf(urdf, file_name(spec)));
+  return RobotFile{std::move(kept), std::move(urdf)};
 }
 
 }  // namespace
@@ -67,17 +84,18 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
 Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
                         const std::optional<std::filesystem::path>& folder) {
   const bool mjcf = format_of_file(spec.source) == FileFormat::mjcf;
-  SHG_TRY_ASSIGN(std::string text, mjcf ? urdf_of_mjcf(bytes, spec, folder)
-                                        : reduced_urdf(bytes, spec.source).map(write_xml));
-  SHG_TRY_ASSIGN(const ReadRobot read, read_robot(text, spec));
+  SHG_TRY_ASSIGN(RobotFile file, mjcf ? read_mjcf_file(bytes, spec, folder)
+                                      : read_urdf_file(bytes, file_name(spec)));
+  SHG_TRY_ASSIGN(const ReadRobot read, read_robot(std::move(file.robot), spec));
   list_bones(
       read.map, [&](std::size_t link) { return read.robot.links[link].name; }, spec);
-  spec.urdf = std::move(text);
+  spec.urdf = std::move(file.urdf);
   return {};
 }
 
 Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
-  SHG_TRY_ASSIGN(const ReadRobot read, read_robot(*spec.urdf, spec));
+  SHG_TRY_ASSIGN(Robot robot, parse_urdf(*spec.urdf, file_name(spec)));
+  SHG_TRY_ASSIGN(const ReadRobot read, read_robot(std::move(robot), spec));
   SHG_TRY_ASSIGN(const BodyModel body,
                  build_robot(read.robot, read.map).map_error(within(spec.source)));
   BodyDefinition standing = body.definition();

@@ -252,6 +252,10 @@ Result<XmlElement> parse_xml(std::string_view text, const XmlLimits& limits,
   return XmlReader(text, limits, name).read();
 }
 
+std::string place_of(const XmlElement& element, std::string_view name) {
+  return fmt::format("line {} of {}", element.line, name);
+}
+
 std::string write_xml(const XmlElement& element) {
   XmlElement outer{element.name, element.attributes, {}, 0};
   std::string out;

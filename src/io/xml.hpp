@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <optional>
 #include <shigusa/result.hpp>
@@ -38,6 +40,17 @@ struct XmlElement {
 // type with definitions is refused, and any other entity stays as it is written.
 [[nodiscard]] Result<XmlElement> parse_xml(std::string_view text, const XmlLimits& limits,
                                            std::string_view name);
+
+// The place of an element for errors: its line of the file that `name` stands for.
+[[nodiscard]] std::string place_of(const XmlElement& element, std::string_view name);
+
+// An error of what is wrong with an element of that file.
+template <class... Args>
+[[nodiscard]] tl::unexpected<Error> fail_at(const XmlElement& element, std::string_view name,
+                                            fmt::format_string<Args...> format, Args&&... args) {
+  return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...),
+              place_of(element, name));
+}
 
 // The element as a text that parse_xml reads as the same element, each of its children on a line.
 [[nodiscard]] std::string write_xml(const XmlElement& element);

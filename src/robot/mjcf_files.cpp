@@ -92,7 +92,7 @@ void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_fi
 
 std::string MjcfFiles::place_of(const XmlElement& element) const {
   for (const auto& [name, root] : files_) {
-    if (stands_in(element, *root)) return fmt::format("line {} of {}", element.line, name);
+    if (stands_in(element, *root)) return shigusa::place_of(element, name);
   }
   return {};
 }

@@ -25,6 +25,9 @@ inline constexpr double kUrdfMaxValue = 1e6;
 // gives the same robot as the file.
 [[nodiscard]] Result<XmlElement> reduced_urdf(std::string_view text, std::string_view name);
 
+// The robot of what reduced_urdf leaves of a file, whose lines errors name.
+[[nodiscard]] Result<Robot> robot_of_urdf(const XmlElement& reduced, std::string_view name);
+
 // Parses the text of a URDF file. `name` stands for the file in errors, which name the line, the
 // link or joint, the value seen and what is allowed. Files that urdfdom refuses are refused too.
 // Sliding, planar, floating and mimic joints are kept at 0, with a doubt.

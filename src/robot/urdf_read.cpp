@@ -57,17 +57,10 @@ class UrdfReader {
     std::string child;
   };
 
-  template <class... Args>
-  [[nodiscard]] tl::unexpected<Error> wrong(const XmlElement& at,
-                                            fmt::format_string<Args...> format,
-                                            Args&&... args) const {
-    return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...),
-                fmt::format("line {} of {}", at.line, name_));
-  }
-
   [[nodiscard]] Result<std::string> name_of(const XmlElement& element) const {
     const char* name = element.attribute("name");
-    if (name == nullptr || *name == '\0') return wrong(element, "<{}> has no name", element.name);
+    if (name == nullptr || *name == '\0')
+      return fail_at(element, name_, "<{}> has no name", element.name);
     return name;
   }
 
@@ -78,8 +71,9 @@ class UrdfReader {
     if (text == nullptr) return {};
     const auto read = xml_numbers(text, count);
     if (!read || read->size() != count) {
-      return wrong(element, "{} of <{}> is '{}'; it takes {} number{}", attribute, element.name,
-                   std::string_view(text).substr(0, 60), count, count == 1 ? "" : "s");
+      return fail_at(element, name_, "{} of <{}> is '{}'; it takes {} number{}", attribute,
+                     element.name, std::string_view(text).substr(0, 60), count,
+                     count == 1 ? "" : "s");
     }
     std::copy(read->begin(), read->end(), numbers);
     return {};
@@ -95,7 +89,7 @@ class UrdfReader {
   [[nodiscard]] Result<double> number(const XmlElement& element, const char* attribute,
                                       std::optional<double> otherwise = std::nullopt) const {
     if (!otherwise && element.attribute(attribute) == nullptr) {
-      return wrong(element, "<{}> has no {}", element.name, attribute);
+      return fail_at(element, name_, "<{}> has no {}", element.name, attribute);
     }
     double value = otherwise.value_or(0.0);
     SHG_TRY(read_numbers(element, attribute, 1, &value));
@@ -109,7 +103,7 @@ class UrdfReader {
     SHG_TRY_ASSIGN(const Vec3d at, vector(*origin, "xyz"));
     SHG_TRY_ASSIGN(const Vec3d rpy, vector(*origin, "rpy"));
     if (!is_tame(at) || !is_tame(rpy)) {
-      return wrong(*origin, "the origin has numbers beyond {:g}", kUrdfMaxValue);
+      return fail_at(*origin, name_, "the origin has numbers beyond {:g}", kUrdfMaxValue);
     }
     return Transformd{turned(rpy), at};
   }
@@ -121,7 +115,7 @@ class UrdfReader {
       SHG_TRY_ASSIGN(const std::string name, name_of(element));
       auto& taken = element.name == "link" ? links_ : joints;
       if (!taken.emplace(name, &element).second) {
-        return wrong(element, "{} '{}' is there twice", element.name, name);
+        return fail_at(element, name_, "{} '{}' is there twice", element.name, name);
       }
     }
     for (const XmlElement& element : robot.children) {
@@ -130,7 +124,7 @@ class UrdfReader {
       SHG_TRY_ASSIGN(hung.parent, link_of(element, "parent"));
       SHG_TRY_ASSIGN(hung.child, link_of(element, "child"));
       if (!above_.emplace(hung.child, hung.parent).second) {
-        return wrong(element, messages::kLinkTwice.text, hung.child);
+        return fail_at(element, name_, messages::kLinkTwice.text, hung.child);
       }
       joints_.push_back(std::move(hung));
     }
@@ -142,15 +136,15 @@ class UrdfReader {
     const XmlElement* found = nullptr;
     for (const XmlElement& child : joint.children) {
       if (child.name != end) continue;
-      if (found != nullptr) return wrong(child, "a joint with a second <{}>", end);
+      if (found != nullptr) return fail_at(child, name_, "a joint with a second <{}>", end);
       found = &child;
     }
     SHG_TRY_ASSIGN(const std::string name, name_of(joint));
-    if (found == nullptr) return wrong(joint, "joint '{}' has no <{}>", name, end);
+    if (found == nullptr) return fail_at(joint, name_, "joint '{}' has no <{}>", name, end);
     const char* link = found->attribute("link");
-    if (link == nullptr || *link == '\0') return wrong(*found, "<{}> names no link", end);
+    if (link == nullptr || *link == '\0') return fail_at(*found, name_, "<{}> names no link", end);
     if (links_.count(link) == 0) {
-      return wrong(*found, messages::kLinkAbsent.text, name, link);
+      return fail_at(*found, name_, messages::kLinkAbsent.text, name, link);
     }
     return link;
   }
@@ -171,10 +165,10 @@ class UrdfReader {
     if (links_.empty()) return fail(ErrorCode::parse, "no <link> in <robot>", name_);
     for (const auto& [name, link] : links_) {
       if (contains(order, name)) continue;
-      return wrong(*link, messages::kLinkCircle.text, name);
+      return fail_at(*link, name_, messages::kLinkCircle.text, name);
     }
     if (roots > 1) {
-      return wrong(*links_[order[1]], messages::kTwoRoots.text, order[0], order[1]);
+      return fail_at(*links_[order[1]], name_, messages::kTwoRoots.text, order[0], order[1]);
     }
     for (const std::string& name : order) {
       SHG_TRY(take_link(name, *links_[name]));
@@ -191,8 +185,8 @@ class UrdfReader {
     }
     for (const Vec3d& corner : to.corners) {
       if (!is_tame(corner)) {
-        return wrong(link, "a collision shape of link '{}' reaches beyond {:g} m", name,
-                     kUrdfMaxValue);
+        return fail_at(link, name_, "a collision shape of link '{}' reaches beyond {:g} m", name,
+                       kUrdfMaxValue);
       }
     }
     const XmlElement* inertial = link.child("inertial");
@@ -204,7 +198,7 @@ class UrdfReader {
     const XmlElement& shape = collision.child("geometry")->children[0];
     Vec3d half{};
     if (shape.name == "box") {
-      if (shape.attribute("size") == nullptr) return wrong(shape, "<box> has no size");
+      if (shape.attribute("size") == nullptr) return fail_at(shape, name_, "<box> has no size");
       SHG_TRY_ASSIGN(const Vec3d size, vector(shape, "size"));
       half = size * 0.5;
     } else {
@@ -224,13 +218,13 @@ class UrdfReader {
     const XmlElement* mass = inertial.child("mass");
     const XmlElement* inertia = inertial.child("inertia");
     if (mass == nullptr || inertia == nullptr) {
-      return wrong(inertial, "<inertial> of link '{}' has no <{}>", to.name,
-                   mass == nullptr ? "mass" : "inertia");
+      return fail_at(inertial, name_, "<inertial> of link '{}' has no <{}>", to.name,
+                     mass == nullptr ? "mass" : "inertia");
     }
     SHG_TRY_ASSIGN(to.mass, number(*mass, "value"));
     if (!is_tame(to.mass) || to.mass < 0.0) {
-      return wrong(*mass, "the mass of link '{}' is {} kg; allowed are 0 to {:g}", to.name, to.mass,
-                   kUrdfMaxValue);
+      return fail_at(*mass, name_, "the mass of link '{}' is {} kg; allowed are 0 to {:g}", to.name,
+                     to.mass, kUrdfMaxValue);
     }
     double i[6] = {};
     constexpr const char* kMoments[] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
@@ -239,8 +233,8 @@ class UrdfReader {
     }
     const Mat3d moments{{i[0], i[1], i[2]}, {i[1], i[3], i[4]}, {i[2], i[4], i[5]}};
     if (!is_within(moments, kUrdfMaxValue)) {
-      return wrong(*inertia, "the inertia of link '{}' has numbers beyond {:g}", to.name,
-                   kUrdfMaxValue);
+      return fail_at(*inertia, name_, "the inertia of link '{}' has numbers beyond {:g}", to.name,
+                     kUrdfMaxValue);
     }
     SHG_TRY_ASSIGN(const Transformd at, place_of(inertial));
     to.com = at.translation;
@@ -259,8 +253,8 @@ class UrdfReader {
     const char* written = joint.attribute("type");
     const std::string_view type = written == nullptr ? "" : written;
     if (!contains(kJointTypes, type)) {
-      return wrong(joint, "joint '{}' has the type '{}'; allowed are {}", to.name,
-                   type.substr(0, 60), fmt::join(kJointTypes, ", "));
+      return fail_at(joint, name_, "joint '{}' has the type '{}'; allowed are {}", to.name,
+                     type.substr(0, 60), fmt::join(kJointTypes, ", "));
     }
     const bool revolute = type == "revolute";
     const bool mimics = joint.child("mimic") != nullptr;
@@ -285,8 +279,8 @@ class UrdfReader {
     if (element == nullptr) return {};
     SHG_TRY_ASSIGN(const Vec3d axis, vector(*element, "xyz", to.axis));
     if (!is_tame(axis) || !(norm(axis) > 1e-6)) {
-      return wrong(*element, "the axis of joint '{}' is {} {} {}; it needs a direction", to.name,
-                   axis.x, axis.y, axis.z);
+      return fail_at(*element, name_, "the axis of joint '{}' is {} {} {}; it needs a direction",
+                     to.name, axis.x, axis.y, axis.z);
     }
     to.axis = normalized(axis);
     return {};
@@ -296,21 +290,22 @@ class UrdfReader {
     const XmlElement* limit = joint.child("limit");
     if (limit == nullptr) {
       if (!ends) return {};
-      return wrong(joint, "joint '{}' has no <limit>; one that turns or slides has its ends there",
-                   to.name);
+      return fail_at(joint, name_,
+                     "joint '{}' has no <limit>; one that turns or slides has its ends there",
+                     to.name);
     }
     SHG_TRY_ASSIGN(const double effort, number(*limit, "effort", 0.0));
     SHG_TRY_ASSIGN(const double lower, number(*limit, "lower", 0.0));
     SHG_TRY_ASSIGN(const double upper, number(*limit, "upper", 0.0));
     if (!is_tame(effort) || !is_tame(lower) || !is_tame(upper)) {
-      return wrong(*limit, "the limits of joint '{}' have numbers beyond {:g}", to.name,
-                   kUrdfMaxValue);
+      return fail_at(*limit, name_, "the limits of joint '{}' have numbers beyond {:g}", to.name,
+                     kUrdfMaxValue);
     }
     to.effort = max(effort, 0.0);
     if (!ends) return {};
     if (lower > upper) {
-      return wrong(*limit, "joint '{}' has the limits {} to {}; the lower one comes first", to.name,
-                   lower, upper);
+      return fail_at(*limit, name_, "joint '{}' has the limits {} to {}; the lower one comes first",
+                     to.name, lower, upper);
     }
     to.limited = to.slides || upper - lower < kTwoPi;
     if (!to.limited) return {};
@@ -333,9 +328,13 @@ class UrdfReader {
 
 }  // namespace
 
+Result<Robot> robot_of_urdf(const XmlElement& reduced, std::string_view name) {
+  return UrdfReader(name).read(reduced);
+}
+
 Result<Robot> parse_urdf(std::string_view text, std::string_view name) {
-  SHG_TRY_ASSIGN(const XmlElement robot, reduced_urdf(text, name));
-  return UrdfReader(name).read(robot);
+  SHG_TRY_ASSIGN(const XmlElement reduced, reduced_urdf(text, name));
+  return robot_of_urdf(reduced, name);
 }
 
 }  // namespace shigusa

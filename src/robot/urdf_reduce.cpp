@@ -71,7 +71,7 @@ class Reducer {
                        element.line};
     for (const XmlElement& child : element.children) {
       if (child.name.starts_with("xacro:")) {
-        return wrong(child, messages::kXacro.text, child.name.substr(0, 60));
+        return fail_at(child, name_, messages::kXacro.text, child.name.substr(0, 60));
       }
       if (!contains(kKept, std::pair<std::string_view, std::string_view>(element.name, child.name)))
         continue;
@@ -86,20 +86,12 @@ class Reducer {
   }
 
  private:
-  template <class... Args>
-  [[nodiscard]] tl::unexpected<Error> wrong(const XmlElement& at,
-                                            fmt::format_string<Args...> format,
-                                            Args&&... args) const {
-    return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...),
-                fmt::format("line {} of {}", at.line, name_));
-  }
-
   Result<void> count(const XmlElement& element) {
     if (element.name == "link" && ++links_ > kUrdfMaxLinks) {
-      return wrong(element, "more than {} links", kUrdfMaxLinks);
+      return fail_at(element, name_, "more than {} links", kUrdfMaxLinks);
     }
     if (element.name == "joint" && ++joints_ > kUrdfMaxLinks) {
-      return wrong(element, "more than {} joints", kUrdfMaxLinks);
+      return fail_at(element, name_, "more than {} joints", kUrdfMaxLinks);
     }
     return {};
   }
@@ -115,8 +107,7 @@ Result<XmlElement> reduced_urdf(std::string_view text, std::string_view name) {
   const XmlLimits limits{kUrdfMaxBytes, kUrdfMaxTags, kUrdfMaxDepth};
   SHG_TRY_ASSIGN(const XmlElement robot, parse_xml(text, limits, name));
   if (robot.name != "robot") {
-    return fail(ErrorCode::parse, fmt::format(messages::kNoUrdf.text, robot.name.substr(0, 60)),
-                fmt::format("line {} of {}", robot.line, name));
+    return fail_at(robot, name, messages::kNoUrdf.text, robot.name.substr(0, 60));
   }
   return Reducer(name).reduce(robot);
 }

@@ -157,5 +157,16 @@ TEST_F(RobotCharacter, ThatIsNoHumanoidIsToldSo) {
   EXPECT_THAT(task.error().to_string(), HasSubstr("arm.urdf: no humanoid robot"));
 }
 
+// The reader counts lines in the file, and not in what a result keeps of it.
+TEST_F(RobotCharacter, ErrorsNameTheLinesOfTheFile) {
+  file_.character.source = folder_.put("two.urdf",
+                                       "\n<robot name='two'>\n<!-- a comment -->\n\n"
+                                       "<link name='hips'/>\n<joint name='neck' type='fixed'>"
+                                       "<parent link='hips'/><child link='head'/></joint></robot>");
+  const Result<Task> task = make_task(file_, {});
+  ASSERT_FALSE(task);
+  EXPECT_THAT(task.error().to_string(), HasSubstr("line 6 of two.urdf: joint 'neck'"));
+}
+
 }  // namespace
 }  // namespace shigusa
