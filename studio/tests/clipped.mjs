@@ -30,13 +30,13 @@ export function clippedText(page) {
         if (!top || !element.contains(top)) continue; // something lies over it
         const cut = Math.max(seen.left - line.left, line.right - seen.right, seen.top - line.top, line.bottom - seen.bottom);
         if (cut > kSlack && !scrolls) findings.push(`cut off by ${cut.toFixed(0)} px: ${text.slice(0, 40)}`);
-        texts.push({ text, node, ...seen });
+        texts.push({ text, node, layer: element.closest(':popover-open, dialog'), ...seen });
       }
     }
     for (let i = 0; i < texts.length; ++i) {
       for (let j = i + 1; j < texts.length; ++j) {
         const [a, b] = [texts[i], texts[j]];
-        if (a.node === b.node) continue;
+        if (a.node === b.node || a.layer !== b.layer) continue; // a menu may cover a part of what lies below
         const over = Math.min(a.right - b.left, b.right - a.left, a.bottom - b.top, b.bottom - a.top);
         if (over > 2 * kSlack) findings.push(`“${a.text.slice(0, 30)}” and “${b.text.slice(0, 30)}” overlap by ${over.toFixed(0)} px`);
       }
