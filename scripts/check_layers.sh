@@ -64,7 +64,7 @@ BEGIN {
   n = split(outside, list, " ")
   for (i = 1; i <= n; ++i) allow(list[i], "shigusa " all)
 
-  face("core", "result progress random words field parallel")
+  face("core", "message result progress random words field parallel")
   face("math", "scalar vec3 mat3 quat transform")
   face("body", "skeleton body_model body_build goal")
   face("motion", "motion")

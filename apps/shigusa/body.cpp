@@ -45,7 +45,7 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
   for (const auto& [node, bone, share] : twist_shares(spec)) {
     print_out("{:<18} {}, {:.0f} % along {}\n", "twist bone", printable(node), 100.0 * share, bone);
   }
-  for (const std::string& doubt : body.doubts()) print_out("note: {}\n", printable(doubt));
+  for (const Message& doubt : body.doubts()) print_out("note: {}\n", printable(doubt.text));
 }
 
 }  // namespace

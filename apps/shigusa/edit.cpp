@@ -102,8 +102,10 @@ Result<int> edit(const EditOptions& options) {
                  export_settings(options.files, stored.task.character,
                                  usual_settings(stored, options.candidate, file)));
   const auto begin = std::chrono::steady_clock::now();
-  const Result<GenerateResult> generation =
-      replay(task, stored, options.candidate, options.assignments);
+  const Result<GenerateResult> generation = [&]() -> Result<GenerateResult> {
+    SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
+    return replay(player, stored, options.candidate, options.assignments);
+  }();
   if (!generation) {
     const Error& error = generation.error();
     const auto& given = options.assignments;

@@ -31,7 +31,6 @@ constexpr std::pair<const char*, const char*> kHeaders[] = {
     {"Referrer-Policy", "no-referrer"},
     {"Cross-Origin-Opener-Policy", "same-origin"},
     {"Cross-Origin-Resource-Policy", "same-origin"},
-    {"Cache-Control", "no-cache"},
     {"Accept-Ranges", "none"},
     {"Connection", "close"},
 };
@@ -40,7 +39,11 @@ struct Reply {
   unsigned status;
   std::string_view bytes;
   const char* type = "text/plain";
+  const char* cache = "no-cache";
 };
+
+// These files have what they hold in their names, so a browser need not ask for one again.
+constexpr std::string_view kLasting = "/assets/";
 
 struct Hosts {
   int count = 0;
@@ -140,6 +143,7 @@ bool PageServer::answer(MHD_Connection* connection, std::string_view path,
     reply = {MHD_HTTP_NOT_FOUND, "The page has no such file.\n"};
   } else {
     reply = {MHD_HTTP_OK, file->second.bytes, file->second.type.c_str()};
+    if (path.starts_with(kLasting)) reply.cache = "max-age=31536000, immutable";
   }
   const auto destroy = [](MHD_Response* response) { MHD_destroy_response(response); };
   const std::unique_ptr<MHD_Response, decltype(destroy)> response(
@@ -151,6 +155,7 @@ bool PageServer::answer(MHD_Connection* connection, std::string_view path,
     MHD_add_response_header(response.get(), name, value);
   }
   MHD_add_response_header(response.get(), "Content-Type", reply.type);
+  MHD_add_response_header(response.get(), "Cache-Control", reply.cache);
   if (reply.status == MHD_HTTP_METHOD_NOT_ALLOWED) {
     MHD_add_response_header(response.get(), "Allow", "GET, HEAD");
   }

@@ -139,14 +139,15 @@ std::string headline(const FinishedRun& run) {
 // Tells the user on stderr how the result differs from what is asked for.
 void note_run(const FinishedRun& run) {
   const auto& [file, task, generation, info] = run;
-  for (const std::string& doubt : task.body.doubts()) note(task.body.name(), doubt);
+  for (const Message& doubt : task.body.doubts()) note(task.body.name(), doubt.text);
   if (generation.replay_differs > 0) {
     note("search", fmt::format("{} of {} candidates scored up to {:.4f} otherwise in the search's "
                                "single precision than in double, whose scores are given",
                                generation.replay_differs, generation.candidates.size(),
                                generation.replay_difference));
   }
-  if (generation.meets_goals() && !generation.fewer.empty()) note("candidates", generation.fewer);
+  if (generation.meets_goals() && !generation.fewer.empty())
+    note("candidates", generation.fewer.text);
   if (generation.slowed) {
     note("duration", fmt::format("{:.2f} s, as nothing that was found is possible in less",
                                  generation.duration));

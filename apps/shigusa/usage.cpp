@@ -36,11 +36,11 @@ std::string usage_message(const CLI::App& app, const CLI::App& command,
   if (&command == &app) {
     const std::vector<std::string> names = command_names(app);
     if (unknown.empty()) return fmt::format("give a command: {}", fmt::join(names, ", "));
-    return is_option ? unknown_name("option", unknown.front(), option_names(app))
-                     : unknown_name("command", unknown.front(), names);
+    return is_option ? unknown_name("option", unknown.front(), option_names(app)).text
+                     : unknown_name("command", unknown.front(), names).text;
   }
   if (unknown.empty()) return error.what();
-  return is_option ? unknown_name("option", unknown.front(), option_names(command))
+  return is_option ? unknown_name("option", unknown.front(), option_names(command)).text
                    : fmt::format("'{}' is one argument too many", unknown.front().substr(0, 80));
 }
 

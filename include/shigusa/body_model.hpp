@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <shigusa/message.hpp>
 #include <shigusa/transform.hpp>
 #include <span>
 #include <string>
@@ -164,7 +165,7 @@ struct BodyDefinition {
   std::vector<BodyNode> nodes;           ///< of the skeleton that it is written as
   std::vector<double> start;             ///< (dofs) rad, the posture that motions start from
   std::optional<RobotFrame> robot;       ///< of a body from a robot's file
-  std::vector<std::string> doubts;       ///< what was guessed when the body was made, for a person
+  std::vector<Message> doubts;           ///< what was guessed when the body was made, for a person
   std::vector<NodePlace> places;         ///< of nodes that are no effectors' own
 };
 
@@ -217,7 +218,7 @@ class BodyModel {
   /// (dofs) rad, the posture that motions start from.
   [[nodiscard]] std::span<const double> start() const { return definition_.start; }
   /// Sentences for a person: guesses that making the body took.
-  [[nodiscard]] std::span<const std::string> doubts() const { return definition_.doubts; }
+  [[nodiscard]] std::span<const Message> doubts() const { return definition_.doubts; }
   /// Where the robot of a file is; empty of a person.
   [[nodiscard]] const std::optional<RobotFrame>& robot() const { return definition_.robot; }
 

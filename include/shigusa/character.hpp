@@ -10,6 +10,7 @@
 #include <shigusa/field.hpp>
 #include <shigusa/file_format.hpp>
 #include <shigusa/human_body.hpp>
+#include <shigusa/message.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
@@ -83,7 +84,7 @@ struct CharacterSpec {
   /// of a person: nodes of the file that are not where the body has those of their names, hips and
   /// chest mostly (m, world, in the start posture): goals are for the file's
   std::vector<std::pair<std::string, Vec3d>> places{};
-  std::vector<std::string> doubts{};  ///< what was guessed in measuring, or left out of MJCF
+  std::vector<Message> doubts{};  ///< what was guessed in measuring, or left out of MJCF
   /// what measuring found: humanoid bone and the file's node for it; not kept in files
   std::vector<std::pair<std::string, std::string>> humanoid{};
   /// the file's skeleton, shared by the copies of a spec; not kept in files either

@@ -61,16 +61,17 @@ struct Layer;
 [[nodiscard]] Result<std::vector<std::string>> parse_assignments(std::string_view text,
                                                                  std::string_view name);
 
-/// Motions of stored parameters; `task` is make_task of the result's. Candidates count from 1;
-/// these fail where there is none of that number, naming how many there are.
+/// Motions of stored parameters; the player is of the result's task (make_task). Candidates count
+/// from 1; these fail where there is none of that number, naming how many there are.
 
 /// One candidate's motion with the assignments (see assign_parameter) to its parameters, which stay
 /// changed.
-[[nodiscard]] Result<GenerateResult> replay(const Task& task, StoredResult& stored, int candidate,
+[[nodiscard]] Result<GenerateResult> replay(MotionPlayer& player, StoredResult& stored,
+                                            int candidate,
                                             std::span<const std::string> assignments = {});
 /// All of them, in the result's order. Fails with ErrorCode::cancelled where it is stopped between
 /// two of them; scores that it reports are of the first.
-[[nodiscard]] Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
+[[nodiscard]] Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
                                                 const Progress& progress = {});
 
 /// Takes task and parameters to the other side (see mirrored). The facts about files stay, and

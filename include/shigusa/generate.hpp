@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <shigusa/message.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/parameters.hpp>
 #include <shigusa/progress.hpp>
@@ -115,7 +117,7 @@ struct GenerateResult {
   /// At least one: the possible ones first, then the impossible ones, each by score, the lowest
   /// first.
   std::vector<Candidate> candidates;
-  std::string fewer;      ///< why there are fewer than asked for; else empty
+  Message fewer;          ///< why there are fewer than asked for; else empty
   double duration = 0.0;  ///< s
   /// The task gives no duration, and nothing that was found is possible in the usual one: this is
   /// one in which something is. See played_task.
@@ -193,10 +195,30 @@ inline constexpr double kEdgeTolerance = 5e-3;
 /// angles of free arms.
 [[nodiscard]] Result<GenerateResult> generate(const Task& task, const Progress& progress = {});
 
-/// Generates one motion from given values of the plan's parameters (plan_of), without a search: the
-/// parameter editor (paper, section 4.2 and figure 7). The hand still meets its goal, or comes as
-/// near as the given locks allow; the status tells. Fails on a task that is wrong, and where
-/// check_parameters does.
+/// Makes motions of one task from given values of the plan's parameters (plan_of), without a
+/// search: the parameter editor (paper, section 4.2 and figure 7). Work that depends on the task
+/// alone is done once: the posture that is known to arrive, and the ways around the body. A motion
+/// is the same, whatever was played before it.
+class MotionPlayer {
+ public:
+  /// Fails on a task that is wrong.
+  [[nodiscard]] static Result<MotionPlayer> of(Task task);
+  MotionPlayer(MotionPlayer&&) noexcept;             ///< takes over all of the other's
+  MotionPlayer& operator=(MotionPlayer&&) noexcept;  ///< takes over all of the other's
+  ~MotionPlayer();
+
+  [[nodiscard]] const Task& task() const;  ///< as it was given
+  /// The hand still meets its goal, or comes as near as the given locks allow; the status tells.
+  /// Fails where check_parameters does.
+  [[nodiscard]] Result<GenerateResult> play(const Parameters& parameters);
+
+ private:
+  struct Made;
+  explicit MotionPlayer(std::unique_ptr<Made> made);
+  std::unique_ptr<Made> made_;
+};
+
+/// One motion of a MotionPlayer of the task.
 [[nodiscard]] Result<GenerateResult> regenerate(const Task& task, const Parameters& parameters);
 
 }  // namespace shigusa

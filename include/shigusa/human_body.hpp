@@ -4,6 +4,7 @@
 #include <shigusa/body_build.hpp>
 #include <shigusa/body_model.hpp>
 #include <shigusa/landmarks.hpp>
+#include <shigusa/message.hpp>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,7 @@ inline constexpr double kLiftedFoot = 0.05;
 /// the pelvis tips over them and turns no further. The legs below are one piece with their thighs,
 /// and where their soles are on the floor these are a part of what bears the body.
 [[nodiscard]] BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
-                                    std::vector<std::string> doubts = {});
+                                    std::vector<Message> doubts = {});
 
 /// Each foot of the standing full body is turned out by this: 14° between the feet (McIlroy and
 /// Maki, Clinical Biomechanics 12 (1997) 66-70). The half body's foot points straight ahead.

@@ -134,7 +134,7 @@ struct Request {
   std::optional<std::vector<std::string>> contacts{};
   /// Things that the criterion `collision` sees.
   std::vector<Obstacle> obstacles{};
-  /// Hands that rest on something, each another one.
+  /// Hands that may rest on something, each another one.
   std::vector<Support> supports{};
   std::optional<double> duration{};  ///< s
   double ease = 0.0;                 ///< see its field
@@ -211,9 +211,10 @@ inline constexpr FieldTable kFields<Request>{
                .mirroring = Mirroring::other_side}},
         Field{"support",
               &Request::supports,
-              "Of the preset flat: hands without a goal that rest on the thigh, or on an obstacle "
-              "by its name. What they press with, from 0 to 0.25 of the body's weight, is a "
-              "parameter, such as left_hand.support; below 0 the hand stays free.",
+              "Of the preset flat: hands without a goal that may rest on the thigh, or on an "
+              "obstacle by its name, and do where it pays. What they press with, from 0 to 0.25 of "
+              "the body's weight, is a parameter, such as left_hand.support; below 0 the hand "
+              "stays free.",
               {.high = kSupportsMax,
                .option = "--support",
                .form = "HAND=PLACE",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <tl/expected.hpp>
@@ -22,13 +23,15 @@ enum class ErrorCode {
 /// "line 12 of walk.bvh"; `message` names the value seen and the values allowed.
 struct Error {
   ErrorCode code = ErrorCode::invalid_argument;  ///< the kind
-  std::string message;                           ///< for a person
+  Message message;                               ///< for a person
   std::string place;                             ///< where it is, or empty
 
   /// One line for a person: "line 12 of walk.bvh: ...".
   [[nodiscard]] std::string to_string() const {
-    return place.empty() ? message : place + ": " + message;
+    return place.empty() ? message.text : place + ": " + message.text;
   }
+  /// The same, of which a page can word the message.
+  [[nodiscard]] Message to_message() const;
 };
 
 /// A value, or the reason why there is none. Used for files, users and networks; a caller's broken
@@ -37,7 +40,7 @@ template <class T>
 using Result = tl::expected<T, Error>;
 
 /// Makes an error to be returned as a Result.
-[[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, std::string message,
+[[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, Message message,
                                                 std::string place = {}) {
   return tl::unexpected<Error>(Error{code, std::move(message), std::move(place)});
 }

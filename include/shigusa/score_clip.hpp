@@ -6,6 +6,7 @@
 #include <optional>
 #include <shigusa/character.hpp>
 #include <shigusa/generate.hpp>
+#include <shigusa/message.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
@@ -44,12 +45,12 @@ struct ClipRequest {
 
 /// The score of a clip's motion on a body.
 struct ClipScore {
-  Score score;                      ///< by the settings' criteria
-  Motion motion;                    ///< smoothed; of the frames that are scored, without effectors
-  ClipFit fit;                      ///< as recorded, with the frames around
-  MotionMeasures measures;          ///< what the motion asks of the body
-  FinalPosture final_posture;       ///< how it ends
-  std::vector<std::string> doubts;  ///< that make the figures worth less
+  Score score;                  ///< by the settings' criteria
+  Motion motion;                ///< smoothed; of the frames that are scored, without effectors
+  ClipFit fit;                  ///< as recorded, with the frames around
+  MotionMeasures measures;      ///< what the motion asks of the body
+  FinalPosture final_posture;   ///< how it ends
+  std::vector<Message> doubts;  ///< that make the figures worth less
 };
 
 /// Ties a skeleton to a body.

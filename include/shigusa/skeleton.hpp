@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <shigusa/message.hpp>
 #include <shigusa/quat.hpp>
 #include <shigusa/transform.hpp>
 #include <string>
@@ -93,7 +94,7 @@ inline constexpr int kHumanoidBoneCount = 22;
 /// Which node of a skeleton is which bone; the node's origin is the bone's proximal joint.
 struct HumanoidMap {
   std::array<int, kHumanoidBoneCount> node;  ///< node index, or -1 where the skeleton has none
-  std::vector<std::string> doubts;           ///< sentences for a person: guesses that may be wrong
+  std::vector<Message> doubts;               ///< sentences for a person: guesses that may be wrong
 
   /// No bone is known.
   HumanoidMap() { node.fill(-1); }

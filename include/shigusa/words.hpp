@@ -17,8 +17,8 @@ namespace shigusa {
                                             std::span<const std::string> known);
 
 /// "unknown effector 'right_hnad'; did you mean 'right_hand'? Known: left_hand, right_hand".
-[[nodiscard]] std::string unknown_name(std::string_view kind, std::string_view name,
-                                       std::span<const std::string> known);
+[[nodiscard]] Message unknown_name(std::string_view kind, std::string_view name,
+                                   std::span<const std::string> known);
 
 /// The number that the whole text writes, "-0.5", "+1e3", ".5" or "inf", nearest double. It has a
 /// point in every locale that the program may have chosen. A number too large for a double becomes

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "body/body_constants.hpp"
-#include "body/coupled_limits.hpp"
 #include "body/joint_name.hpp"
 #include "core/check.hpp"
 #include "core/index.hpp"
@@ -102,9 +101,12 @@ BodyModel::BodyModel(BodyDefinition definition)
 }
 
 double upper_limit(const BodyModel& body, int dof, std::span<const double> angles) {
-  CoupledLimits<double> limits(body);
-  limits.update(angles);
-  return body.dof(dof).upper + limits.added()[index(dof)];
+  double added = 0.0;
+  for (const LimitCoupling& c : body.couplings()) {
+    if (c.dof != dof) continue;
+    added += clamp(angles[index(c.driver)] * (1.0 / c.driver_full), 0.0, 1.0) * c.gain;
+  }
+  return body.dof(dof).upper + added;
 }
 
 BodyModel with_places(const BodyModel& body, std::vector<NodePlace> places) {

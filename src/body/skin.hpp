@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/message.hpp>
 #include <shigusa/vec3.hpp>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ struct SkinVertex {
 // A character's mesh, as a reader of any file format gives it.
 struct Skin {
   std::vector<SkinVertex> vertices;  // none where the file has no mesh, or none that is read
-  std::vector<std::string> doubts;   // parts that were not read, and why
+  std::vector<Message> doubts;       // parts that were not read, and why
 };
 
 }  // namespace shigusa

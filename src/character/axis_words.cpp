@@ -3,6 +3,8 @@
 #include <shigusa/goal.hpp>
 #include <shigusa/words.hpp>
 
+#include "core/say.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -28,9 +30,7 @@ std::span<const std::string> direction_words() { return kDirections; }
 Result<Vec3d> hand_axis(std::string_view word, std::string_view effector) {
   const bool left = effector == "left_hand" || effector == "left_wrist";
   if (!left && effector != "right_hand" && effector != "right_wrist") {
-    return fail(ErrorCode::invalid_argument,
-                "is of left_hand and right_hand; " + std::string(effector.substr(0, 80)) +
-                    " takes a rotation, or an axis as a vector",
+    return fail(ErrorCode::invalid_argument, say("hand_axis_alone", effector.substr(0, 80)),
                 std::string(word));
   }
   if (word == kAxes[0]) return Vec3d{left ? -1.0 : 1.0, 0, 0};
@@ -49,8 +49,7 @@ Result<Vec3d> direction_named(std::string_view word) {
 Result<Quatd> rotation_pointing(const Vec3d& a, const Vec3d& to_a, const Vec3d& b,
                                 const Vec3d& to_b) {
   if (!(norm(cross(normalized(to_a), normalized(to_b))) > kAlong)) {
-    return fail(ErrorCode::invalid_argument,
-                "two axes of a hand are square to each other and cannot point along one line");
+    return fail(ErrorCode::invalid_argument, say("square_axes"));
   }
   return to_quat(frame_of(to_a, to_b) * transpose(frame_of(a, b)));
 }

@@ -11,7 +11,7 @@
 #include "character_heels.hpp"
 #include "character_places.hpp"
 #include "character_robot.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "person/at_ease.hpp"
 #include "person/finger_bones.hpp"
 #include "person/landmark_points.hpp"
@@ -22,8 +22,12 @@ namespace {
 Result<void> check_range(const char* what, const std::optional<double>& value, double low,
                          double high, const char* unit) {
   if (!value || (*value >= low && *value <= high)) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format(messages::kOutOfRange.text, what, *value, unit, low, high, unit),
+  if (std::string_view(unit) == "m") {
+    return fail(ErrorCode::invalid_argument,
+                say("length_out_of_range", what, Metres{*value}, Metres{low}, Metres{high}),
+                "character");
+  }
+  return fail(ErrorCode::invalid_argument, say("out_of_range", what, *value, unit, low, high, unit),
               "character");
 }
 
@@ -94,8 +98,8 @@ Result<void> check_source(const CharacterSpec& spec) {
   if (is_complete(spec) || character_format(spec.source) != nullptr) return {};
   const std::vector<std::string> names(kBuiltInCharacters.begin(), kBuiltInCharacters.end());
   return fail(ErrorCode::invalid_argument,
-              unknown_name("character", spec.source, names) + ", or a file that ends in " +
-                  format_endings([](const FormatInfo& info) { return info.person || info.robot; }),
+              say("unknown_character", unknown_name("character", spec.source, names),
+                  format_endings([](const FormatInfo& info) { return info.person || info.robot; })),
               "character");
 }
 
@@ -131,7 +135,7 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
   }
   if (start.placement.mirrored()) {
-    spec.doubts.push_back(std::string(messages::kMirroredFile.text));
+    spec.doubts.push_back(say("mirrored_file"));
   }
   CharacterRig rig = make_rig(std::move(file), found, *spec.landmarks);
   rig.rig.twists = find_twist_bones(rig.skeleton, world, found.map);
@@ -157,8 +161,7 @@ int rig_node(const CharacterSpec& spec, std::string_view body_node) {
 Result<void> attach_rig(CharacterSpec& spec, const CharacterSpec& measured) {
   constexpr double kSame = 1e-6;  // m
   if (!spec.landmarks || !measured.rig || apart(*spec.landmarks, *measured.landmarks) > kSame) {
-    return fail(ErrorCode::invalid_argument, fmt::format(messages::kOtherPerson.text, spec.source),
-                measured.source);
+    return fail(ErrorCode::invalid_argument, say("other_person", spec.source), measured.source);
   }
   spec.rig = measured.rig;
   return {};
@@ -201,8 +204,7 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
     extent = spec.source == "half_body" ? BodyExtent::half : BodyExtent::full;
   }
   if (spec.seat && extent == BodyExtent::half) {
-    return fail(ErrorCode::invalid_argument, std::string(messages::kSeatOfOneSide.text),
-                "character");
+    return fail(ErrorCode::invalid_argument, say("seat_of_one_side"), "character");
   }
   SHG_TRY(check_heels(spec, extent));
   const HumanSettings settings{.name = spec.source,

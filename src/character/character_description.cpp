@@ -6,6 +6,7 @@
 #include "core/index.hpp"
 #include "criteria/support_zone.hpp"
 #include "io/json_reader.hpp"
+#include "io/message_json.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/rig.hpp"
 #include "kinematics/skeleton_motion.hpp"
@@ -169,7 +170,8 @@ std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
     json["frames"] = spec.rig->frames;
     json["stature_guessed"] = spec.rig->stature_guessed;
   }
-  json["doubts"] = std::vector<std::string>(body.doubts().begin(), body.doubts().end());
+  json["doubts"] = texts_to_json(body.doubts());
+  json["doubt_messages"] = messages_to_json(body.doubts());
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -6,7 +6,7 @@
 #include <shigusa/file.hpp>
 
 #include "core/check.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "io/by_format.hpp"
 #include "io/fbx.hpp"
 #include "io/gltf_animation.hpp"
@@ -36,12 +36,10 @@ Result<std::optional<std::string>> animation_of(const CharacterSpec& spec,
   if (!spec.frame) return spec.animation;
   if (*spec.frame == kRestPose) {
     if (!spec.animation) return std::optional<std::string>{};
-    return fail(ErrorCode::invalid_argument, std::string(messages::kRestOfNoAnimation.text),
-                spec.source);
+    return fail(ErrorCode::invalid_argument, say("rest_of_no_animation"), spec.source);
   }
   if (!spec.animation && animations.empty()) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kNoAnimationFrame.text, *spec.frame), spec.source);
+    return fail(ErrorCode::invalid_argument, say("no_animation_frame", *spec.frame), spec.source);
   }
   return spec.animation ? spec.animation : std::optional<std::string>("");
 }
@@ -77,7 +75,7 @@ Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec&
   character.doubts.insert(character.doubts.end(), rest.doubts.begin(), rest.doubts.end());
   if (const auto fits = check_animations_fit(bytes, name); !fits) {
     character.rig.not_glb = fits.error().message;
-    character.doubts.push_back("motions cannot leave as GLB: " + character.rig.not_glb);
+    character.doubts.push_back(say("not_as_glb", character.rig.not_glb));
   }
   return {};
 }
@@ -85,8 +83,7 @@ Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec&
 }  // namespace
 
 tl::unexpected<Error> holds_one_motion(const std::string& name) {
-  return fail(ErrorCode::invalid_argument,
-              "holds one motion without a name: leave the animation out", name);
+  return fail(ErrorCode::invalid_argument, say("one_motion"), name);
 }
 
 const FormatInfo* character_format(const std::string& name) {

@@ -35,7 +35,7 @@ struct CharacterFile {
   SkeletonClip motion;                 // of BVH, or an animation of glTF; no frames: there is none
   std::vector<GltfPlace> posed;        // (nodes) of glTF, in the motion's frame asked for
   HumanoidMap given;                   // by the file itself
-  std::vector<std::string> doubts;     // of reading
+  std::vector<Message> doubts;         // of reading
   CharacterRig rig;                    // its format, and what that alone has
   std::vector<SkinVertex> skin;        // of glTF, at rest,
   std::vector<SkinVertex> bound_skin;  // where it was bound,

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "person/human_frames.hpp"
 #include "person/landmark_points.hpp"
 
@@ -17,13 +17,13 @@ constexpr double kShortestPart = 0.02;
 }  // namespace
 
 Result<void> check_heels(const CharacterSpec& spec, BodyExtent extent) {
-  const char* wrong = nullptr;
-  if (spec.heels && spec.seat) wrong = "heels are of people who stand, and these sit";
   if (spec.heels && extent != BodyExtent::human) {
-    wrong = "heels lift of the body human alone: it has all joints of a foot";
+    return fail(ErrorCode::invalid_argument, say("heels_of_human"), "character");
   }
-  if (wrong == nullptr) return {};
-  return fail(ErrorCode::invalid_argument, wrong, "character");
+  if (spec.heels && spec.seat) {
+    return fail(ErrorCode::invalid_argument, say("heels_who_sit"), "character");
+  }
+  return {};
 }
 
 Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& map,
@@ -36,10 +36,7 @@ Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& 
         side == Side::left ? HumanoidBone::left_toes : HumanoidBone::right_toes;
     if (map[bone] < 0) {
       return fail(ErrorCode::invalid_argument,
-                  fmt::format("heels lift about the toes, and no node is found to be {}: with "
-                              "--map {}=NODE one is",
-                              humanoid_bone_name(bone), humanoid_bone_name(bone)),
-                  file);
+                  say("heels_no_toes", humanoid_bone_name(bone), humanoid_bone_name(bone)), file);
     }
     const Vec3d at = person.placement.to_world(world[index(map[bone])].translation);
     Landmarks::Leg& leg = start.landmarks.leg(side);
@@ -51,15 +48,14 @@ Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& 
     const double to_joint = dot(*leg.toes - leg.ankle, ahead);
     if (!(to_joint >= kShortestPart)) {
       return fail(ErrorCode::invalid_argument,
-                  fmt::format("heels lift about the toes, and {} stands {:.3f} m ahead of its "
-                              "ankle; allowed are {:g} m and more",
-                              humanoid_bone_name(bone), to_joint, kShortestPart),
+                  say("heels_short_toes", humanoid_bone_name(bone), Metres{to_joint},
+                      Metres{kShortestPart}),
                   file);
     }
     if (dot(leg.toe - *leg.toes, ahead) >= kShortestPart) continue;
     leg.toe = *leg.toes + ahead * (to_joint * (1.0 / kToesShare - 1.0));
     leg.toe.y = min(leg.toes->y, max(sole.y + leg.ankle.y, 0.0));
-    start.doubts.push_back(fmt::format(messages::kToesGuessed.text, humanoid_bone_name(bone)));
+    start.doubts.push_back(say("toes_guessed", humanoid_bone_name(bone)));
   }
   return {};
 }

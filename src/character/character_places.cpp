@@ -5,6 +5,7 @@
 
 #include "character/character_rig.hpp"
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/rig.hpp"
 #include "math/axes.hpp"
@@ -71,8 +72,7 @@ void read_places(JsonReader& character, std::vector<std::pair<std::string, Vec3d
   JsonReader reader = character.object("places_m");
   const Json& points = character.value("places_m");
   if (!points.is_object() || points.size() > kPlacesMax) {
-    return character.wrong(
-        "places_m", fmt::format("must be an object {{ … }} of at most {} points", kPlacesMax));
+    return character.wrong("places_m", say("points_object", kPlacesMax));
   }
   for (const auto& item : points.items()) {
     auto& place = places.emplace_back(item.key(), Vec3d{});

@@ -32,7 +32,7 @@ struct CharacterRig {
   std::vector<std::string> animations;                 // of glTF: names of those that it has
   int frames = 0;                // of BVH's motion, or of the animation that the start is of
   bool stature_guessed = false;  // no unit makes a person of the file
-  std::string not_glb;  // why its glTF file cannot leave with animations; empty where it can
+  Message not_glb;  // why its glTF file cannot leave with animations; empty where it can
 };
 
 // The node of the character's file that a node of the body is ("right_foot", "right_hand_grip"), or

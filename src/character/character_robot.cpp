@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "character_file.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "humanoid_request.hpp"
 #include "robot/mjcf.hpp"
 #include "robot/settled_posture.hpp"
@@ -31,8 +31,7 @@ Result<ReadRobot> read_robot(Robot robot, const CharacterSpec& spec) {
   SHG_TRY_ASSIGN(const HumanoidMap asked, requested_bones(spec.map, links, name));
   Result<HumanoidMap> map = find_humanoid(robot, asked);
   if (!map) {
-    return fail(map.error().code, fmt::format(messages::kNoHumanoid.text, map.error().to_string()),
-                name);
+    return fail(map.error().code, say("no_humanoid", map.error().to_message()), name);
   }
   SHG_TRY(check_likeness(limbs_of(robot, *map), spec.map, name));
   return ReadRobot{with_ankles(std::move(robot), *map), std::move(*map)};
@@ -75,8 +74,8 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
                  {"frame", spec.frame.has_value()}};
   for (const auto& option : persons) {
     if (!option.given) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kOptionOfPerson.text, option.what, spec.source), "character");
+    return fail(ErrorCode::invalid_argument, say("option_of_person", option.what, spec.source),
+                "character");
   }
   return {};
 }

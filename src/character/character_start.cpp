@@ -5,7 +5,7 @@
 
 #include "body/anthropometry.hpp"
 #include "character_file.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "humanoid_request.hpp"
 #include "io/gltf_animation.hpp"
 #include "person/at_ease.hpp"
@@ -50,10 +50,8 @@ Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonCli
 Result<int> frame_of(const SkeletonClip& clip, const CharacterSpec& spec) {
   const int frame = spec.frame.value_or(0);
   if (frame >= 0 && frame < clip.frames) return frame;
-  const std::string has = clip.frames == 1 ? std::string(messages::kOneFrame.text)
-                                           : fmt::format(messages::kFrames.text, clip.frames - 1);
-  return fail(ErrorCode::invalid_argument, fmt::format(messages::kNoFrame.text, frame, has),
-              spec.source);
+  const std::string has = clip.frames == 1 ? say("one_frame") : say("frames", clip.frames - 1);
+  return fail(ErrorCode::invalid_argument, say("no_frame", frame, has), spec.source);
 }
 
 FilePose pose_at(const CharacterFile& file, int frame) {
@@ -90,7 +88,7 @@ Result<PersonStart> measure_at_rest(const CharacterFile& file, const CharacterSp
   if (!file.bound || (person && rests(*person))) return person;
   Result<PersonStart> bound = measure_in(file, spec, *file.bound, file.bound_skin);
   if (!bound || !rests(*bound)) return person;
-  bound->start.doubts.push_back(std::string(messages::kBindPose.text));
+  bound->start.doubts.push_back(say("bind_pose"));
   return bound;
 }
 
@@ -117,8 +115,7 @@ Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec&
     if (rests(found)) return found;
     const std::string better = standing_animation(file, found);
     found.start.doubts.push_back(
-        fmt::format(messages::kNotStanding.text,
-                    better.empty() ? "" : fmt::format(messages::kStandingAnimation.text, better)));
+        say("not_standing", better.empty() ? "" : say("standing_animation", better)));
     return found;
   }
   SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
@@ -139,7 +136,7 @@ Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& 
   Result<PersonStart> found = measure_in(file, spec, pose_at(file, frame), {});
   if (!found || spec.frame || !spreads_arms(found->person.landmarks)) return found;
   found->eased = true;
-  found->start.doubts.push_back(std::string(messages::kArmsSpread.text));
+  found->start.doubts.push_back(say("arms_spread"));
   return found;
 }
 

@@ -8,7 +8,7 @@
 #include <shigusa/file.hpp>
 #include <shigusa/words.hpp>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "person/landmark_points.hpp"
 #include "person/likeness.hpp"
 
@@ -64,7 +64,7 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
                                     const std::vector<int>& indices) {
   const std::vector<std::string> bones = bone_names();
   HumanoidMap map;
-  const auto wrong = [](std::string message) {
+  const auto wrong = [](Message message) {
     return fail(ErrorCode::invalid_argument, std::move(message), "map");
   };
   for (const auto& [bone_name, node_name] : request) {
@@ -73,13 +73,14 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
     const int place = named_node(node_name, nodes, indices);
     if (place < 0) {
       const std::string_view near = nearest_name(node_name, nodes);
-      return wrong(fmt::format("{} has no '{}' for {}{}", file, node_name.substr(0, 80), bone_name,
-                               near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+      const std::string name = node_name.substr(0, 80);
+      return wrong(near.empty() ? say("no_node_of_name", file, name, bone_name)
+                                : say("no_node_of_name_near", file, name, bone_name, near));
     }
     int& taken = map.node[static_cast<std::size_t>(bone - bones.begin())];
-    if (taken >= 0) return wrong(fmt::format("{} is told twice", bone_name));
+    if (taken >= 0) return wrong(say("bone_twice", bone_name));
     if (std::find(map.node.begin(), map.node.end(), place) != map.node.end()) {
-      return wrong(fmt::format("'{}' is told to be two bones", node_name));
+      return wrong(say("node_of_two_bones", node_name));
     }
     taken = place;
   }
@@ -88,16 +89,13 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
 
 Result<void> check_likeness(const Landmarks& figure, const BoneRequest& request,
                             const std::string& file) {
-  const std::string why = request.empty() ? unlike_a_person(figure) : "";
+  const Message why = request.empty() ? unlike_a_person(figure) : Message();
   if (why.empty()) return {};
-  return fail(ErrorCode::invalid_argument, fmt::format(messages::kNoPerson.text, why), file);
+  return fail(ErrorCode::invalid_argument, say("no_person", why), file);
 }
 
 Result<BoneRequest> bone_request(const Json& json) {
-  const auto wrong = [] {
-    return fail(ErrorCode::invalid_argument,
-                R"(must be an object of bones and nodes: {"right_hand": "Bone_17"})");
-  };
+  const auto wrong = [] { return fail(ErrorCode::invalid_argument, say("bones_object")); };
   if (!json.is_object()) return wrong();
   BoneRequest request;
   for (const auto& [bone, node] : json.items()) {
@@ -113,10 +111,7 @@ Result<BoneRequest> read_bone_request(const std::filesystem::path& path) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (BoneRequest bones = bones_of_text(text); begin == text.npos || text[begin] != '{') {
     if (!bones.empty()) return bones;
-    return fail(ErrorCode::invalid_argument,
-                "names no bones: it is neither an object of bones and nodes "
-                R"({"right_hand": "Bone_17"}, nor what `shigusa body` prints)",
-                name);
+    return fail(ErrorCode::invalid_argument, say("names_no_bones"), name);
   }
   SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   const auto answer = json.find("humanoid");

@@ -23,7 +23,7 @@ namespace shigusa {
 
 // Takes an error to one of that file.
 [[nodiscard]] inline auto within(const std::string& file) {
-  return [&file](const Error& error) { return Error{error.code, error.to_string(), file}; };
+  return [&file](const Error& error) { return Error{error.code, error.to_message(), file}; };
 }
 
 // {"right_hand": "Bone_17", …}; fails on anything but an object of texts.

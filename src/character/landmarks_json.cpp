@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "body/anthropometry.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 
@@ -57,7 +58,7 @@ void check_segments(JsonReader& reader, const Landmarks& p) {
     for (const double length : {norm(leg.hip - leg.knee), norm(leg.knee - leg.ankle),
                                 norm(arm.shoulder - arm.elbow), norm(arm.elbow - arm.wrist),
                                 norm(leg.toe - leg.ankle), norm(arm.fingertip - arm.wrist)}) {
-      if (length < kShortest) reader.wrong("landmarks_m", "two joints of a limb coincide");
+      if (length < kShortest) reader.wrong("landmarks_m", say("limb_coincides"));
     }
   }
 }
@@ -69,15 +70,14 @@ void read_sole(JsonReader& landmarks, const char* name, std::optional<SoleOutlin
   SoleOutline& read = sole.emplace();
   std::vector<Vec3d> corners;
   landmarks.vectors(name, corners, read.size(), kLengthRange);
-  if (corners.size() != read.size()) return landmarks.wrong(name, "must be four corners");
+  if (corners.size() != read.size()) return landmarks.wrong(name, say("four_corners"));
   std::copy(corners.begin(), corners.end(), read.begin());
   for (std::size_t i = 0; i < read.size(); ++i) {
     const Vec3d side = read[(i + 1) % 4] - read[i];
     const Vec3d next = read[(i + 2) % 4] - read[(i + 1) % 4];
     const double turn = side.z * next.x - side.x * next.z;  // about +Y
     if (turn > kShortest * kShortest) continue;
-    return landmarks.wrong(name,
-                           "must be the four corners of a sole, counter-clockwise from above");
+    return landmarks.wrong(name, say("sole_corners"));
   }
 }
 

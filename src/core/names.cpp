@@ -3,6 +3,8 @@
 #include <shigusa/words.hpp>
 #include <vector>
 
+#include "core/say.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -43,18 +45,14 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
   return alike ? best : std::string_view{};
 }
 
-std::string unknown_name(std::string_view kind, std::string_view name,
-                         std::span<const std::string> known) {
-  std::string text = "unknown " + std::string(kind) + " '";
-  text += std::string(name.substr(0, kLongestName)) + "'";
-  if (const std::string_view nearest = nearest_name(name, known); !nearest.empty()) {
-    text += "; did you mean '" + std::string(nearest) + "'?";
-  } else {
-    text += ".";
-  }
-  text += " Known: ";
-  for (std::size_t i = 0; i < known.size(); ++i) text += (i == 0 ? "" : ", ") + known[i];
-  return text;
+Message unknown_name(std::string_view kind, std::string_view name,
+                     std::span<const std::string> known) {
+  std::string all;
+  for (std::size_t i = 0; i < known.size(); ++i) all += (i == 0 ? "" : ", ") + known[i];
+  const std::string_view cut = name.substr(0, kLongestName);
+  const std::string_view nearest = nearest_name(name, known);
+  return nearest.empty() ? say("unknown_name", kind, cut, all)
+                         : say("unknown_name_near", kind, cut, nearest, all);
 }
 
 }  // namespace shigusa

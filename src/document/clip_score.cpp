@@ -10,6 +10,7 @@
 #include "character/character_file.hpp"
 #include "character/character_heels.hpp"
 #include "character/humanoid_request.hpp"
+#include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "criteria/motion_frame.hpp"
 #include "criteria/support_margin.hpp"
@@ -33,7 +34,7 @@ constexpr double kGoesAsFar = 0.9;
 struct MotionFile {
   SkeletonMotion motion;
   HumanoidMap given;  // by the file itself
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
 };
 
 Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
@@ -50,10 +51,10 @@ Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
 Result<void> check_clip_name(const std::string& name) {
   const std::optional<FileFormat> format = format_of_file(name);
   if (format && info_of(*format).clip) return {};
-  return fail(ErrorCode::invalid_argument,
-              "is no clip that can be scored; allowed are " +
-                  format_endings([](const FormatInfo& info) { return info.clip; }, "and"),
-              name);
+  return fail(
+      ErrorCode::invalid_argument,
+      say("no_clip", format_endings([](const FormatInfo& info) { return info.clip; }, "and")),
+      name);
 }
 
 struct MeasuredFile {
@@ -65,18 +66,16 @@ Result<MeasuredFile> measure(const MotionFile& file, int frame, const BoneReques
                              const MeasureSettings& settings, const std::string& name) {
   const auto& [skeleton, clip] = file.motion;
   if (frame < 0 || frame >= clip.frames) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format("frame {} does not exist; the file has 0 to {}", frame, clip.frames - 1), name);
+    return fail(ErrorCode::invalid_argument, say("no_frame_of", frame, clip.frames - 1), name);
   }
   const std::vector<Transformd> world = world_transforms(skeleton, clip, frame);
   std::vector<std::string> nodes;
   for (const SkeletonNode& node : skeleton.nodes) nodes.push_back(node.name);
   SHG_TRY_ASSIGN(const HumanoidMap asked, requested_bones(bones, nodes, name));
   const Result<HumanoidMap> map = find_humanoid(skeleton, world, file.given, asked);
-  if (!map) return fail(map.error().code, map.error().to_string(), name);
+  if (!map) return fail(map.error().code, map.error().to_message(), name);
   Result<MeasuredPerson> person = measure_person(skeleton, world, *map, settings);
-  if (!person) return fail(person.error().code, person.error().to_string(), name);
+  if (!person) return fail(person.error().code, person.error().to_message(), name);
   return MeasuredFile{*map, std::move(*person)};
 }
 
@@ -206,21 +205,16 @@ void doubt(const ScoreSettings& settings, ClipScore& result) {
   const ClipFit& fit = result.fit;
   for (const FootTravel& foot : fit.feet) {
     if (foot.travel <= kFootSteps) continue;
-    result.doubts.push_back(fmt::format(
-        "the {} moves by {:.1f} cm{}: score the frames in which the feet stand (--frames)",
-        foot.foot, 100.0 * foot.travel,
-        foot.base ? ", and the body stands on it, which cannot follow" : ""));
+    const double travel_cm = 100.0 * foot.travel;
+    result.doubts.push_back(foot.base ? say("base_travels", foot.foot, travel_cm)
+                                      : say("foot_travels", foot.foot, travel_cm));
   }
   if (fit.mean_distance > kFollowsBadly) {
-    result.doubts.push_back(
-        fmt::format("the body's joints are {:.1f} cm from the recorded ones on average: another "
-                    "motion is scored",
-                    100.0 * fit.mean_distance));
+    result.doubts.push_back(say("joints_far", 100.0 * fit.mean_distance));
   }
   const Clip& clip = fit.clip;
   if (settings.cutoff > 0.0 && settings.cutoff * clip.frame_time >= kLowPassShare) {
-    result.doubts.push_back(fmt::format("{:.1f} frames a second are too few to smooth at {:g} Hz",
-                                        1.0 / clip.frame_time, settings.cutoff));
+    result.doubts.push_back(say("frames_too_few", 1.0 / clip.frame_time, settings.cutoff));
   }
 }
 
@@ -262,8 +256,8 @@ Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string&
                                       CharacterSpec character, int first,
                                       const std::string& animation) {
   if (is_robot(character)) {
-    return fail(ErrorCode::invalid_argument,
-                character.source + " is a robot; recorded motion is scored on people", "character");
+    return fail(ErrorCode::invalid_argument, say("robot_not_scored", character.source),
+                "character");
   }
   SHG_TRY(check_clip_name(name));
   SHG_TRY_ASSIGN(MotionFile file, parse_motion(bytes, name, animation));
@@ -277,20 +271,13 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   const int last = settings.last.value_or(clip.frames - 1);
   if (settings.first < 0 || last < settings.first || last >= clip.frames) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("the frames {} to {} are none; the file has 0 to {}", settings.first,
-                            last, clip.frames - 1),
-                "frames");
+                say("frames_none", settings.first, last, clip.frames - 1), "frames");
   }
   if (!(clip.frame_time > 0.0)) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("a frame time of {:g} s has no speeds; allowed is more than 0",
-                            clip.frame_time),
-                "clip");
+    return fail(ErrorCode::invalid_argument, say("no_speeds", clip.frame_time), "clip");
   }
   if (!(settings.cutoff >= 0.0) || !is_finite(settings.cutoff)) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("is {:g} Hz; allowed is 0, for none, or more", settings.cutoff),
-                "smoothing");
+    return fail(ErrorCode::invalid_argument, say("smoothing_range", settings.cutoff), "smoothing");
   }
   const int around = static_cast<int>(min(kAround / clip.frame_time, 1000.0)) + 1;
   ClipScore result;

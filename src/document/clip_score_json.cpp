@@ -2,6 +2,7 @@
 #include <shigusa/score_clip.hpp>
 #include <shigusa/task_file.hpp>
 
+#include "io/message_json.hpp"
 #include "measures_json.hpp"
 #include "task_values.hpp"
 
@@ -67,9 +68,8 @@ std::string format_clip_score(const std::string& clip, const RecordedMotion& rec
   json["follows"] = follows_to_json(score.fit, settings.first);
   json["feet"] = feet_to_json(recorded, score.fit);
   add_measures(recorded.body, score.measures, score.final_posture, json);
-  const auto measured = recorded.body.doubts();
-  json["doubts"] = std::vector<std::string>(measured.begin(), measured.end());
-  for (const std::string& doubt : score.doubts) json["doubts"].push_back(doubt);
+  json["doubts"] = texts_to_json(recorded.body.doubts());
+  for (const Message& doubt : score.doubts) json["doubts"].push_back(doubt.text);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

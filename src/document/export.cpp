@@ -6,7 +6,7 @@
 #include <shigusa/words.hpp>
 
 #include "character/character_rig.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "export_file.hpp"
 #include "io/by_format.hpp"
 #include "io/json_reader.hpp"
@@ -75,11 +75,10 @@ Result<void> check_formats(const CharacterSpec& character, const std::vector<Fil
   for (const FileFormat format : formats) {
     const FormatInfo& info = info_of(format);
     const std::string asked = "the format " + std::string(info.word);
-    if (!info.written) return fail(ErrorCode::unsupported, "is read alone", asked);
+    if (!info.written) return fail(ErrorCode::unsupported, say("read_alone"), asked);
     if (info.needs == NeededFile::none) continue;
     if (!character.rig && character.landmarks) {
-      return fail(ErrorCode::invalid_argument,
-                  fmt::format(messages::kFileNeeded.text, character.source), asked);
+      return fail(ErrorCode::invalid_argument, say("file_needed", character.source), asked);
     }
     const bool can = character.rig && is_file(character.rig->format, info.needs);
     if (can && format == FileFormat::glb && !character.rig->not_glb.empty()) {
@@ -88,18 +87,16 @@ Result<void> check_formats(const CharacterSpec& character, const std::vector<Fil
     if (can) continue;
     const std::string files = info.needs == NeededFile::vrm ? endings_for<NeededFile::vrm>()
                                                             : endings_for<NeededFile::gltf>();
-    return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kOtherCharacters.text, files, character.source), asked);
+    return fail(ErrorCode::invalid_argument, say("other_characters", files, character.source),
+                asked);
   }
   return {};
 }
 
 Result<void> check_rate(double rate, std::string_view place) {
   if (rate >= kRateMin && rate <= kRateMax) return {};
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("is {:g} frames a second; allowed are {:g} to {:g}", rate, kRateMin, kRateMax),
-      std::string(place));
+  return fail(ErrorCode::invalid_argument, say("rate_range", rate, kRateMin, kRateMax),
+              std::string(place));
 }
 
 Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
@@ -139,12 +136,10 @@ Result<void> check_file_settings(const CharacterSpec& character, FileFormat form
   constexpr std::size_t kClipNameMax = 200;
   if (settings.animation.size() > kClipNameMax) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kLongClipName.text, settings.animation.size(), kClipNameMax),
-                "the clip's name");
+                say("long_clip_name", settings.animation.size(), kClipNameMax), "the clip's name");
   }
   if (settings.names == JointNames::own || !character.rig || !info_of(format).rated) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format(messages::kOwnJointNames.text, character.source), "joint names");
+  return fail(ErrorCode::invalid_argument, say("own_joint_names", character.source), "joint names");
 }
 
 Result<MadeFile> unread(Result<std::string> bytes) {

@@ -8,6 +8,7 @@
 #include "core/messages.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "io/json_text.hpp"
+#include "io/message_json.hpp"
 #include "joint_names.hpp"
 
 namespace shigusa {
@@ -173,12 +174,20 @@ std::string format_facts() {
   json["bones"] = bones_to_json();
   json["ranges"] = ranges_to_json();
   json["timing"] = timing_to_json();
-  for (const MessageText& message : messages::kAll) {
-    json["messages"].push_back({{"key", message.key}, {"text", message.text}});
+  for (const auto& table : messages::kAll) {
+    for (const MessageText& message : table) {
+      json["messages"].push_back({{"key", message.key}, {"text", message.text}});
+    }
   }
   json["joint_names"] = joint_names_to_json();
   for (const FormatInfo& format : kFileFormats) json["formats"].push_back(format_to_json(format));
   return json.dump(2) + "\n";
+}
+
+std::string format_failure(const Error& error) {
+  const Json json{{"place", error.place}, {"message", message_to_json(error.message)}};
+  // names from files may hold anything; what is not UTF-8 is replaced
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace shigusa

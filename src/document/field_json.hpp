@@ -7,7 +7,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/say.hpp"
 #include "io/json_reader.hpp"
+#include "io/message_json.hpp"
 
 namespace shigusa {
 
@@ -38,9 +40,9 @@ void end_item(JsonReader&, const std::vector<Item>&) {}
 template <class Item>
 void read_list(JsonReader& holder, const char* key, std::vector<Item>& into, std::uint64_t most) {
   const Json& list = holder.value(key);
-  if (!list.is_array()) return holder.wrong(key, fmt::format("must be a list [ … ] of {}", key));
+  if (!list.is_array()) return holder.wrong(key, say("must_be_list_of", key));
   if (list.size() > most) {
-    return holder.wrong(key, fmt::format("are {}; allowed are {} at most", list.size(), most));
+    return holder.wrong(key, say("at_most", list.size(), most));
   }
   for (std::size_t i = 0; i < list.size(); ++i) {
     JsonReader reader(list[i], holder.place_of(fmt::format("{}[{}]", key, i)));
@@ -60,8 +62,7 @@ void read_whole_number(JsonReader& reader, const char* key, const Traits& traits
   }
   into = static_cast<Number>(traits.word.value);
   if (reader.value(key) == traits.word.word) return;
-  reader.wrong(
-      key, fmt::format("must be a whole number from {}, or \"{}\"", traits.low, traits.word.word));
+  reader.wrong(key, say("whole_number_or", traits.low, traits.word.word));
 }
 
 // The value of a member that the object has.
@@ -83,6 +84,10 @@ void read_value(JsonReader& reader, const char* key, const Traits& traits, Value
     reader.text(key, into);
   } else if constexpr (std::same_as<Value, std::vector<std::string>>) {
     reader.texts(key, into);
+  } else if constexpr (std::same_as<Value, std::vector<Message>>) {
+    std::vector<std::string> texts;
+    reader.texts(key, texts);
+    into.assign(texts.begin(), texts.end());
   } else if constexpr (std::same_as<Value, Vec3d>) {
     reader.vector(key, into, traits.low, traits.high);
   } else if constexpr (std::same_as<Value, Quatd>) {
@@ -123,6 +128,8 @@ template <class Value>
     Json list = Json::array();
     for (const auto& item : value) list.push_back(fields_to_json(item));
     return list;
+  } else if constexpr (std::same_as<Value, std::vector<Message>>) {
+    return texts_to_json(value);
   } else {
     return value;
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/say.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -79,7 +81,7 @@ std::vector<Placed> below(std::span<const Placed> all, std::size_t depth, const 
 void read_locked(JsonReader& reader, std::span<const Placed> weights) {
   for (const Placed& weight : weights) *weight.parameter.locked = false;
   if (!reader.has(kLocked)) return;
-  if (!reader.value(kLocked).is_array()) reader.wrong(kLocked, "must be a list [ … ] of texts");
+  if (!reader.value(kLocked).is_array()) reader.wrong(kLocked, say("list_of_texts"));
   for (const Json& name : reader.value(kLocked)) {
     const auto joint = std::find_if(weights.begin(), weights.end(), [&name](const Placed& known) {
       return name.is_string() && known.path.back() == name.get<std::string>();
@@ -87,7 +89,7 @@ void read_locked(JsonReader& reader, std::span<const Placed> weights) {
     if (joint != weights.end()) {
       *joint->parameter.locked = true;
     } else {
-      reader.wrong(kLocked, "names a freedom that this body does not have");
+      reader.wrong(kLocked, say("no_such_freedom"));
     }
   }
 }
@@ -154,7 +156,7 @@ Result<Parameters> read_parameters(std::span<const Layer> plan, const Json& cand
                                    const std::string& place) {
   const auto member = candidate.is_object() ? candidate.find("parameters") : candidate.end();
   if (!candidate.is_object() || member == candidate.end()) {
-    return fail(ErrorCode::parse, "is missing", place + ".parameters");
+    return fail(ErrorCode::parse, say("is_missing"), place + ".parameters");
   }
   JsonReader reader(*member, place + ".parameters");
   Parameters values = start_values(plan);

@@ -9,7 +9,7 @@
 #include "character/character_places.hpp"
 #include "character/character_rig.hpp"
 #include "character_export.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "io/gltf_animation.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
@@ -56,9 +56,8 @@ bool is_twist_segment(std::string_view body_node) {
   });
 }
 
-tl::unexpected<Error> unreadable(const char* format, const std::string& why) {
-  return fail(ErrorCode::unsupported,
-              fmt::format("cannot be read back: {}; leave the format out", why),
+tl::unexpected<Error> unreadable(const char* format, const Message& why) {
+  return fail(ErrorCode::unsupported, say("not_read_back", why),
               std::string("the format ") + format);
 }
 
@@ -172,11 +171,11 @@ ReadBackCheck::FileMotion ReadBackCheck::file_motion(const char* format, const S
 
 Result<ReadBack> ReadBackCheck::bvh(std::string_view bytes) const {
   const Result<BvhFile> file = parse_bvh_file(bytes, "bvh");
-  if (!file) return unreadable("bvh", file.error().to_string());
+  if (!file) return unreadable("bvh", file.error().to_message());
   const SkeletonMotion& motion = file->motion;
   const Skeleton own = character_.rig ? character_.rig->skeleton : body_skeleton(body_);
   const std::vector<int> order = bvh_order(own);
-  if (order.size() != motion.skeleton.nodes.size()) return unreadable("bvh", "it has other nodes");
+  if (order.size() != motion.skeleton.nodes.size()) return unreadable("bvh", say("other_nodes"));
   FileMotion back = file_motion("bvh", motion.clip, motion.skeleton, kBvhDigits);
   for (std::size_t k = 0; k < order.size(); ++k) {
     back.node_of[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
@@ -191,10 +190,10 @@ Result<ReadBack> ReadBackCheck::bvh(std::string_view bytes) const {
 Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& animation) const {
   const Result<GltfMotion> file = parse_gltf_animation(
       bytes, "glb", {.animation = animation, .frame_rate = 1.0 / clip_.frame_time});
-  if (!file) return unreadable("glb", file.error().to_string());
+  if (!file) return unreadable("glb", file.error().to_message());
   const CharacterRig& rig = *character_.rig;
   const SkeletonMotion& motion = file->motion;
-  if (file->character.file_node != rig.file_node) return unreadable("glb", "it has other nodes");
+  if (file->character.file_node != rig.file_node) return unreadable("glb", say("other_nodes"));
   FileMotion back = file_motion("glb", motion.clip, motion.skeleton, kFloatDigits);
   back.places = [&](int frame) {
     return in_world(world_transforms(motion.skeleton, motion.clip, frame), rig.rig.placement.unit);
@@ -207,7 +206,7 @@ Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& a
 Result<ReadBack> ReadBackCheck::vrma(std::string_view bytes) const {
   const Result<GltfMotion> file =
       parse_gltf_animation(bytes, "vrma", {.frame_rate = 1.0 / clip_.frame_time});
-  if (!file) return unreadable("vrma", file.error().to_string());
+  if (!file) return unreadable("vrma", file.error().to_message());
   const CharacterRig& rig = *character_.rig;
   const SkeletonMotion& motion = file->motion;
   std::vector<int> bone_of(rig.skeleton.nodes.size(), -1);
@@ -238,9 +237,8 @@ Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
                                         const std::vector<Mark>& marks) const {
   const double rate = 1.0 / clip_.frame_time;
   if (file.frames != clip_.frames || abs(file.frame_time * rate - 1.0) > 1e-9) {
-    return unreadable(file.format,
-                      fmt::format("it has {} frames of {:g} s and not {} of {:g} s", file.frames,
-                                  file.frame_time, clip_.frames, clip_.frame_time));
+    return unreadable(file.format, say("other_frames", file.frames, file.frame_time, clip_.frames,
+                                       clip_.frame_time));
   }
   ReadBack back;
   Kinematics<double> now(body_);
@@ -262,9 +260,7 @@ Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
       most = max(most, off);
       const Allowance allowed = allowance(file, places, node);
       if (off > allowed.length) {
-        return wrong_by(
-            file, mark, frame,
-            fmt::format("{:.4f} mm off the motion; {:.4f} mm", 1e3 * off, 1e3 * allowed.length));
+        return wrong_by(file, mark, frame, say("off_the_motion", 1e3 * off, 1e3 * allowed.length));
       }
       if (!mark.turns) continue;
       const auto turns =
@@ -276,8 +272,7 @@ Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
       back.turn = max(back.turn, turned);
       if (turned > allowed.turn) {
         return wrong_by(file, mark, frame,
-                        fmt::format("turned by {:.5f}° against the motion; {:.5f}°",
-                                    degrees(turned), degrees(allowed.turn)));
+                        say("turned_against", degrees(turned), degrees(allowed.turn)));
       }
     }
   }
@@ -302,9 +297,8 @@ ReadBackCheck::Allowance ReadBackCheck::allowance(const FileMotion& file, const 
 }
 
 tl::unexpected<Error> ReadBackCheck::wrong_by(const FileMotion& file, const Mark& mark, int frame,
-                                              const std::string& how) {
-  return fail(ErrorCode::unsupported,
-              fmt::format(messages::kCannotLeave.text, mark.name, how, frame),
+                                              const Message& how) {
+  return fail(ErrorCode::unsupported, say("cannot_leave", mark.name, how, frame),
               std::string("the format ") + file.format);
 }
 

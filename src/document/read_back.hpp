@@ -74,7 +74,7 @@ class ReadBackCheck {
                                          const std::vector<Mark>& marks) const;
   [[nodiscard]] static Allowance allowance(const FileMotion& file, const Places& places, int node);
   [[nodiscard]] static tl::unexpected<Error> wrong_by(const FileMotion& file, const Mark& mark,
-                                                      int frame, const std::string& how);
+                                                      int frame, const Message& how);
   [[nodiscard]] Places in_world(Places places, double unit) const;
   // The point whose travel along the floor the file leaves out: the hips, or a body's first node.
   [[nodiscard]] Mark hips() const;

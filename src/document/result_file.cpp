@@ -7,6 +7,8 @@
 
 #include "character/character_rig.hpp"
 #include "character_export.hpp"
+#include "core/say.hpp"
+#include "io/message_json.hpp"
 #include "measures_json.hpp"
 #include "parameters_json.hpp"
 #include "task/plan_of.hpp"
@@ -170,11 +172,10 @@ Result<CandidateFiles> read_files(const Json& candidate, const std::string& plac
     if (!candidate.is_object() || !candidate.contains(key)) return {};
     const Json& object = candidate[key];
     const std::string at = place + "." + key;
-    if (!object.is_object()) return fail(ErrorCode::parse, "must be an object { … }", at);
+    if (!object.is_object()) return fail(ErrorCode::parse, say("must_be_object"), at);
     for (const auto& [format, text] : object.items()) {
       if (text.is_string() && take(format, text.template get<std::string>())) continue;
-      return fail(ErrorCode::parse, std::string("must be ") + allowed,
-                  at + "." + format.substr(0, 20));
+      return fail(ErrorCode::parse, say("must_be", allowed), at + "." + format.substr(0, 20));
     }
     return {};
   };
@@ -196,7 +197,7 @@ Result<CandidateFiles> read_files(const Json& candidate, const std::string& plac
 Result<void> read_rate(const Json& candidate, const std::string& place, double& rate) {
   if (!candidate.contains("fps")) return {};
   const Json& fps = candidate["fps"];
-  if (!fps.is_number()) return fail(ErrorCode::parse, "must be a number", place);
+  if (!fps.is_number()) return fail(ErrorCode::parse, say("must_be_a_number"), place);
   rate = fps.get<double>();
   return check_rate(rate, place);
 }
@@ -205,9 +206,8 @@ Result<void> check_version(const Json& json, const std::string& place) {
   const auto version = json.find("version");
   if (version != json.end() && *version == kResultVersion) return {};
   return fail(ErrorCode::parse,
-              fmt::format("version is {}; allowed is {}",
-                          version == json.end() ? "missing" : version->dump().substr(0, 60),
-                          kResultVersion),
+              say("version_is", version == json.end() ? "missing" : version->dump().substr(0, 60),
+                  kResultVersion),
               place);
 }
 
@@ -215,18 +215,14 @@ Result<void> check_version(const Json& json, const std::string& place) {
 Result<void> check_character(const CharacterSpec& character, const std::string& place) {
   if (is_complete(character)) return {};
   return fail(ErrorCode::parse,
-              is_robot(character) ? "urdf is missing: a result holds the robot as read"
-                                  : "landmarks_m is missing: a result holds the person as measured",
-              place);
+              is_robot(character) ? say("urdf_missing") : say("landmarks_missing"), place);
 }
 
 Result<void> check_count(const Json& candidates, const std::string& place) {
-  if (candidates.empty()) return fail(ErrorCode::parse, "candidates is an empty list", place);
+  if (candidates.empty()) return fail(ErrorCode::parse, say("candidates_empty"), place);
   if (candidates.size() <= kResultMaxCandidates) return {};
-  return fail(
-      ErrorCode::parse,
-      fmt::format("{} candidates; up to {} are allowed", candidates.size(), kResultMaxCandidates),
-      place);
+  return fail(ErrorCode::parse, say("candidates_most", candidates.size(), kResultMaxCandidates),
+              place);
 }
 
 }  // namespace
@@ -277,9 +273,12 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
     json["candidates"].push_back(candidate_to_json(run, plan, i, files));
   }
-  if (!generation.fewer.empty()) json["fewer"] = generation.fewer;
+  if (!generation.fewer.empty()) {
+    json["fewer"] = generation.fewer.text;
+    json["fewer_message"] = message_to_json(generation.fewer);
+  }
   json["search_detail"] = search_to_json(plan, generation);
-  json["doubts"] = std::vector<std::string>(task.body.doubts().begin(), task.body.doubts().end());
+  json["doubts"] = texts_to_json(task.body.doubts());
   json["task"] = task_to_json(played_task(file, generation));
   // names from files may hold anything; what is not UTF-8 is replaced
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -290,7 +289,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   const std::string place(name);
   if (!json.is_object() || !json.contains("task") || !json.contains("candidates") ||
       !json["candidates"].is_array()) {
-    return fail(ErrorCode::parse, "not a result of shigusa: it has no task and candidates", place);
+    return fail(ErrorCode::parse, say("no_result"), place);
   }
   SHG_TRY(check_version(json, place));
   StoredResult result;
@@ -303,7 +302,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   SHG_TRY(check_count(candidates, place));
   SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
   const Result<Plan> plan = plan_of(body, result.task);
-  if (!plan) return fail(ErrorCode::parse, plan.error().to_string(), place + ": task");
+  if (!plan) return fail(ErrorCode::parse, plan.error().to_message(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);
     SHG_TRY_ASSIGN(result.files.emplace_back(), read_files(candidates[i], at));

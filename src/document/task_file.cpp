@@ -3,6 +3,7 @@
 #include <shigusa/file.hpp>
 #include <shigusa/task_file.hpp>
 
+#include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "layers/assignment.hpp"
 #include "task_json.hpp"
@@ -19,12 +20,11 @@ BodyExtent usual_extent(Preset preset) {
 
 void check_character(JsonReader& reader, const CharacterSpec& c) {
   if (const auto known = check_source(c); !known) reader.wrong("source", known.error().message);
-  if (c.urdf && c.landmarks) reader.wrong("urdf", "is of a robot, and landmarks_m of a person");
+  if (c.urdf && c.landmarks) reader.wrong("urdf", say("landmarks_beside_urdf"));
   for (const char* key :
        {"extent", "frame", "animation", "map", "doubts", "landmarks_m", "places_m", "urdf"}) {
     if (!reader.has(key) || !is_built_in(c)) continue;
-    reader.wrong(key,
-                 "is of a character from a file, and " + c.source + " is built in: leave it out");
+    reader.wrong(key, say("of_a_file", c.source));
   }
 }
 

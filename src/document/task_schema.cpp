@@ -113,6 +113,10 @@ class Definitions {
     return {{"type", "array"}, {"items", {{"type", "string"}}}};
   }
   template <class Traits>
+  Json of(const Traits& traits, const std::vector<Message>&) {
+    return of(traits, std::vector<std::string>{});
+  }
+  template <class Traits>
   Json of(const Traits& traits, const Vec3d&) {
     if (traits.low == -kGoalRange && traits.high == kGoalRange) return reference("point");
     return numbers_schema(number_schema(traits.low, traits.high), 3);

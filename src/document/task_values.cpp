@@ -7,6 +7,7 @@
 #include "character/character_places.hpp"
 #include "character/humanoid_request.hpp"
 #include "character/landmarks_json.hpp"
+#include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 
 namespace shigusa {
@@ -20,7 +21,7 @@ void read_axis(JsonReader& reader, const char* key, Vec3d& into, Named&& named) 
     return reader.vector(key, into, kGoalRange);
   }
   const Result<Vec3d> vector = named(reader.value(key).get<std::string>());
-  if (!vector) return reader.wrong(key, vector.error().to_string());
+  if (!vector) return reader.wrong(key, vector.error().to_message());
   into = *vector;
 }
 
@@ -28,7 +29,7 @@ void read_axis(JsonReader& reader, const char* key, Vec3d& into, Named&& named) 
 
 void read_composite(JsonReader& goal, const char* key, GoalAxis& axis) {
   if (goal.has("rotation_xyzw")) {
-    return goal.wrong(key, "stands beside rotation_xyzw; allowed is one of both");
+    return goal.wrong(key, say("beside_rotation"));
   }
   std::string effector;
   goal.text("effector", effector);
@@ -63,7 +64,7 @@ void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteri
     sum += criterion.weight(criteria);
   });
   if (sum <= 0.0) {
-    reader.wrong("", "all weights are 0; allowed are weights of which one or more is above 0");
+    reader.wrong("", say("all_weights_zero"));
   }
   task.absorb(reader.finish());
 }
@@ -80,7 +81,7 @@ void read_composite(JsonReader& character, const char*, std::optional<Landmarks>
 
 void read_composite(JsonReader& character, const char* key, Places& places) {
   if (!character.has("landmarks_m")) {
-    return character.wrong(key, "is of a person with landmarks_m, and there are none");
+    return character.wrong(key, say("of_landmarks"));
   }
   read_places(character, places);
 }
@@ -112,8 +113,7 @@ void end_item(JsonReader& goal, const std::vector<Goal>& goals) {
   const std::string& effector = goals.back().effector;
   const auto same = [&](const Goal& earlier) { return earlier.effector == effector; };
   if (std::none_of(goals.begin(), goals.end() - 1, same)) return;
-  goal.wrong("effector", "is a second goal for '" + effector.substr(0, 80) +
-                             "'; allowed is one for each effector");
+  goal.wrong("effector", say("second_goal", effector.substr(0, 80)));
 }
 
 void begin_item(std::vector<Obstacle>& obstacles) {

@@ -6,6 +6,7 @@
 
 #include "character/character_rig.hpp"
 #include "character_export.hpp"
+#include "core/say.hpp"
 #include "export_file.hpp"
 #include "in_place.hpp"
 #include "joint_names.hpp"
@@ -23,10 +24,7 @@ Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
       character.rig ? character.rig->rig.nodes.size() : task.body.nodes().size();
   const auto frames = static_cast<std::size_t>(frames_at(clip.duration(), rate));
   if (frames * nodes <= kBvhMaxTransforms) return motion_at(task.body, candidate, rate);
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("{} frames of {} nodes are more than a file may hold, {}: ask for fewer "
-                          "frames a second by --fps",
-                          frames, nodes, kBvhMaxTransforms));
+  return fail(ErrorCode::invalid_argument, say("file_frames", frames, nodes, kBvhMaxTransforms));
 }
 
 // A file that `make` makes of the motion at the rate that is asked for, read back by `check`.

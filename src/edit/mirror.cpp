@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "body/joint_name.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "layers/plan.hpp"
 
 namespace shigusa {
@@ -69,14 +69,13 @@ std::string mirrored_name(std::string_view name) {
 
 Result<TaskFile> mirrored(TaskFile task) {
   if (is_robot(task.character)) {
-    return fail(ErrorCode::unsupported,
-                task.character.source + " is a robot, whose mirror image is another robot");
+    return fail(ErrorCode::unsupported, say("robot_mirror", task.character.source));
   }
   SHG_TRY_ASSIGN(const BodyModel body, build_character(task.character));
   for (const Dof& dof : body.dofs()) {
     if (body.find_dof(mirrored_name(dof.name))) continue;
-    return fail(ErrorCode::unsupported, fmt::format(messages::kOneSide.text, body.name(), dof.name,
-                                                    mirrored_name(dof.name)));
+    return fail(ErrorCode::unsupported,
+                say("one_side", body.name(), dof.name, mirrored_name(dof.name)));
   }
   mirror_fields<Request>(task);
   return task;

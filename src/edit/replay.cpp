@@ -5,7 +5,7 @@
 #include <shigusa/edit.hpp>
 #include <utility>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "io/json_text.hpp"
 #include "layers/assignment.hpp"
 #include "task/plan_of.hpp"
@@ -21,41 +21,38 @@ Result<std::vector<std::string>> parse_assignments(std::string_view text, std::s
   SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   const auto is_text = [](const Json& item) { return item.is_string(); };
   if (!json.is_array() || !std::all_of(json.begin(), json.end(), is_text)) {
-    return fail(ErrorCode::parse, "must be a list [ … ] of texts such as \"squat_deg=60\"",
-                std::string(name));
+    return fail(ErrorCode::parse, say("assignments_list"), std::string(name));
   }
   return json.get<std::vector<std::string>>();
 }
 
-Result<GenerateResult> replay(const Task& task, StoredResult& stored, int candidate,
+Result<GenerateResult> replay(MotionPlayer& player, StoredResult& stored, int candidate,
                               std::span<const std::string> assignments) {
   if (candidate < 1 || candidate > count_of(stored)) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kNoCandidate.text, candidate, count_of(stored)));
+    return fail(ErrorCode::invalid_argument, say("no_candidate", candidate, count_of(stored)));
   }
-  SHG_TRY_ASSIGN(const Plan plan, plan_of(task));
+  SHG_TRY_ASSIGN(const Plan plan, plan_of(player.task()));
   Parameters& parameters = stored.candidates[static_cast<std::size_t>(candidate - 1)];
   for (const std::string& assignment : assignments) {
     if (const auto ok = assign_parameter(plan, assignment, parameters); !ok) {
       return fail(ok.error().code, ok.error().message, assignment);
     }
   }
-  return regenerate(task, parameters);
+  return player.play(parameters);
 }
 
-Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
+Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
                                   const Progress& progress) {
-  Result<GenerateResult> all = replay(task, stored, 1);
+  Result<GenerateResult> all = replay(player, stored, 1);
   for (int k = 2; all && k <= count_of(stored); ++k) {
     if (progress.report) {
       progress.report({"replay", static_cast<double>(k - 1) / count_of(stored), k - 1,
                        all->candidates.front().score.total});
     }
     if (progress.cancelled()) {
-      return fail(ErrorCode::cancelled,
-                  fmt::format("stopped after {} of {} candidates", k - 1, count_of(stored)));
+      return fail(ErrorCode::cancelled, say("stopped_after", k - 1, count_of(stored)));
     }
-    Result<GenerateResult> next = replay(task, stored, k);
+    Result<GenerateResult> next = replay(player, stored, k);
     if (!next) return next;
     all->candidates.push_back(std::move(next->candidates.front()));
     // a goal that one candidate misses is missed; a motion that one makes is possible

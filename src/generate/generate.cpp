@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "candidate.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "delivery.hpp"
 #include "joint_progress.hpp"
 #include "pareto.hpp"
@@ -48,20 +48,19 @@ void finish(bool in_reach, GenerateResult& generation) {
 
 // Fails where the task asks for something that its preset does not know.
 Result<void> check_choices(const Task& task) {
-  const auto wrong = [&](const char* what) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("the preset {} {}", word_of(task.preset), what));
+  const auto wrong = [&](const Message& what) {
+    return fail(ErrorCode::invalid_argument, say("preset_cannot", word_of(task.preset), what));
   };
-  if (task.pareto && task.preset != Preset::flat) return wrong("knows no Pareto front; flat does");
+  if (task.pareto && task.preset != Preset::flat) return wrong(say("no_pareto"));
   if (!traits_of(task.preset).layers) return {};
-  if (task.generator != MotionGenerator::weighted_ik) return wrong("knows weighted IK only");
-  if (task.own_search) return wrong("takes no search of one's own");
+  if (task.generator != MotionGenerator::weighted_ik) return wrong(say("weighted_ik_only"));
+  if (task.own_search) return wrong(say("no_own_search"));
   for (const Goal& goal : task.goals) {
     const auto index = task.body.find_effector(goal.effector);
     if (!index || *index < static_cast<int>(task.body.effectors().size())) continue;
-    return wrong("brings hands to their goals; flat takes other joints too");
+    return wrong(say("hands_only"));
   }
-  if (task.contacts) return wrong("keeps all feet where they are; flat lets one go");
+  if (task.contacts) return wrong(say("feet_kept"));
   return {};
 }
 
@@ -165,10 +164,9 @@ void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
   std::stable_sort(all.begin(), all.end(), ranks_before);
   const auto most = static_cast<std::size_t>(task.candidates);
   if (all.size() > most) all.erase(all.begin() + task.candidates, all.end());
-  generation.fewer.clear();
+  generation.fewer = {};
   if (all.size() == most) return;
-  generation.fewer =
-      fmt::format(messages::kFewerRuns.text, all.size(), task.candidates, generation.runs);
+  generation.fewer = say("fewer_runs", all.size(), task.candidates, generation.runs);
 }
 
 // Searches once; `on_all`: on all approaches where the first leads to nothing possible.
@@ -226,17 +224,6 @@ Candidate played(Planner& planner, const Parameters& values) {
   }
   if (other_postures) planner.go_by_other_posture(0);
   return best;
-}
-
-// Plays values without a search.
-Result<GenerateResult> play_values(const PreparedTask& task, const Parameters& values) {
-  SHG_TRY_ASSIGN(const std::unique_ptr<Planner> planner, make_planner(task));
-  SHG_TRY(check_parameters(planner->plan(), values));
-  GenerateResult generation;
-  generation.duration = planner->duration();
-  generation.candidates.push_back(played(*planner, values));
-  finish(planner->in_reach(), generation);
-  return generation;
 }
 
 // The candidates as the task plays them, which has another duration.
@@ -302,7 +289,7 @@ void try_gentler(const PreparedTask& task, GenerateResult& found) {
     drop_jolts(found);
     const auto left = static_cast<int>(found.candidates.size());
     if (found.fewer.empty() && left < task.candidates) {
-      found.fewer = fmt::format(messages::kFewerJolts.text, left, task.candidates, found.jolting);
+      found.fewer = say("fewer_jolts", left, task.candidates, found.jolting);
     }
     found.gentled = true;
   }
@@ -348,9 +335,39 @@ Result<GenerateResult> generate(const Task& task, const Progress& progress) {
   return found;
 }
 
+struct MotionPlayer::Made {
+  Task task;
+  PreparedTask ready;
+  std::unique_ptr<Planner> planner;  // of `ready`
+};
+
+Result<MotionPlayer> MotionPlayer::of(Task task) {
+  SHG_TRY_ASSIGN(PreparedTask ready, prepared(task));
+  auto made = std::make_unique<Made>(Made{std::move(task), std::move(ready), nullptr});
+  SHG_TRY_ASSIGN(made->planner, make_planner(made->ready));
+  return MotionPlayer(std::move(made));
+}
+
+MotionPlayer::MotionPlayer(std::unique_ptr<Made> made) : made_(std::move(made)) {}
+MotionPlayer::MotionPlayer(MotionPlayer&&) noexcept = default;
+MotionPlayer& MotionPlayer::operator=(MotionPlayer&&) noexcept = default;
+MotionPlayer::~MotionPlayer() = default;
+
+const Task& MotionPlayer::task() const { return made_->task; }
+
+Result<GenerateResult> MotionPlayer::play(const Parameters& values) {
+  Planner& planner = *made_->planner;
+  SHG_TRY(check_parameters(planner.plan(), values));
+  GenerateResult generation;
+  generation.duration = planner.duration();
+  generation.candidates.push_back(played(planner, values));
+  finish(planner.in_reach(), generation);
+  return generation;
+}
+
 Result<GenerateResult> regenerate(const Task& task, const Parameters& values) {
-  SHG_TRY_ASSIGN(const PreparedTask ready, prepared(task));
-  return play_values(ready, values);
+  SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
+  return player.play(values);
 }
 
 }  // namespace shigusa

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "approaches.hpp"
+#include "core/say.hpp"
 #include "layers/plan.hpp"
 #include "planner.hpp"
 #include "rollout/reachability.hpp"
@@ -55,11 +56,7 @@ Parameters body_parameters(const LayeredProblem& problem, const Parameters& laye
 
 Result<void> check_layers(const Task& task) {
   if (task.fixed) {
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format(
-            "parameters can be fixed with the other presets; edit a result of the preset {}",
-            word_of(task.preset)));
+    return fail(ErrorCode::invalid_argument, say("fixed_elsewhere", word_of(task.preset)));
   }
   SHG_TRY(plan_of(task));
   return {};

@@ -143,7 +143,6 @@ void ParameterSpace::add(const Parameter& parameter, const std::vector<bool>& us
       gene.start = parameter.value();
       break;
     case ParameterKind::support:
-      gene.lower = 0.0;  // a hand that is asked to rest does; an edit may free it
       gene.start = kSupportStart;
       break;
     case ParameterKind::contraction:

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "candidate.hpp"
+#include "core/say.hpp"
 #include "joint_progress.hpp"
 
 namespace shigusa {
@@ -187,11 +188,7 @@ void search_front(const Task& task, Planner& planner, std::size_t approach,
   const std::size_t size = front.size();
   generation.candidates = spread_over(std::move(front), task.candidates);
   if (static_cast<int>(size) >= task.candidates) return;
-  generation.fewer = fmt::format(
-      "{} of {} candidates: of {} motions that were kept, the others are no better by any "
-      "criterion "
-      "than one of these, or end within 10° of one",
-      size, task.candidates, kept);
+  generation.fewer = say("fewer_pareto", size, task.candidates, kept);
 }
 
 }  // namespace shigusa

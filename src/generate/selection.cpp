@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "selection.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <string_view>
+#include <optional>
+#include <utility>
+
+#include "core/say.hpp"
 
 namespace shigusa {
 
@@ -61,26 +62,23 @@ int count_similar(const Selection& selection, std::span<const Candidate> candida
   return std::max(static_cast<int>(alike) - taken, 0);
 }
 
-std::string why_fewer(const Task& task, const GenerateResult& generation,
-                      const Selection& selection) {
+Message why_fewer(const Task& task, const GenerateResult& generation, const Selection& selection) {
   if (static_cast<int>(generation.candidates.size()) >= task.candidates) return {};
   const bool by_end = traits_of(task.preset).natural;
-  std::vector<std::string> reasons;
-  const auto add = [&](int count, std::string_view what) {
-    if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
+  std::optional<Message> reasons;
+  const auto add = [&](int count, Message reason) {
+    if (count > 0) reasons = reasons ? say("and_more", *reasons, reason) : std::move(reason);
   };
-  add(by_end ? selection.similar : generation.near_copies,
-      by_end ? "end within 5° of a better one" : "move as a better one does");
-  add(selection.worse, fmt::format("score over {} worse than the best", kCandidateSpread));
-  add(generation.jolting, "jolt");
-  add(generation.strange, "end as nobody does who need not");
-  add(generation.over_limit, "pass a joint's limit");
-  add(generation.collided, "pass deeper through the body, an obstacle or the floor");
-  add(generation.missed, "miss the goal, leave the path or move a foot when replayed");
-  return fmt::format(
-      "{} of {} candidates: of the others that were kept, {}", generation.candidates.size(),
-      task.candidates,
-      reasons.empty() ? "there are none" : fmt::format("{}", fmt::join(reasons, "; ")));
+  const int similar = by_end ? selection.similar : generation.near_copies;
+  add(similar, by_end ? say("fewer_alike", similar) : say("fewer_near_copies", similar));
+  add(selection.worse, say("fewer_worse", selection.worse, kCandidateSpread));
+  add(generation.jolting, say("fewer_jolting", generation.jolting));
+  add(generation.strange, say("fewer_strange", generation.strange));
+  add(generation.over_limit, say("fewer_over_limit", generation.over_limit));
+  add(generation.collided, say("fewer_collided", generation.collided));
+  add(generation.missed, say("fewer_missed", generation.missed));
+  return say("fewer_kept", generation.candidates.size(), task.candidates,
+             reasons ? *reasons : say("fewer_none"));
 }
 
 }  // namespace shigusa

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/generate.hpp>
+#include <shigusa/message.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ struct Selection {
                                 int taken);
 
 // Why there are fewer candidates than the task asks for; empty where there are not.
-[[nodiscard]] std::string why_fewer(const Task& task, const GenerateResult& generation,
-                                    const Selection& selection);
+[[nodiscard]] Message why_fewer(const Task& task, const GenerateResult& generation,
+                                const Selection& selection);
 
 }  // namespace shigusa

@@ -3,6 +3,7 @@
 
 #include "approaches.hpp"
 #include "candidate.hpp"
+#include "core/say.hpp"
 #include "planner.hpp"
 #include "rollout/smooth_motion.hpp"
 #include "task/make_problem.hpp"
@@ -21,12 +22,11 @@ Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
   Parameters values = task.fixed->values;
   SHG_TRY(check_parameters(plan, values));
   if (task.fixed->set.size() != parameters_of(plan, values).size()) {
-    return fail(ErrorCode::invalid_argument, "fixed parameters are of another body");
+    return fail(ErrorCode::invalid_argument, say("fixed_of_another"));
   }
   const ParameterSpace space(problem, gene_code(task), task.fixed, task.phases);
   if (space.genes() > 0) return {};
-  return fail(ErrorCode::invalid_argument,
-              "every parameter is fixed: there is nothing to search, an edit plays them");
+  return fail(ErrorCode::invalid_argument, say("all_fixed"));
 }
 
 class WholeBodyPlanner : public Planner {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 #include "node_names.hpp"
 
@@ -124,15 +124,15 @@ class BvhReader {
     bool channels = false;
   };
 
-  bool fail_here(std::string message) {
+  bool fail_here(Message message) {
     error_ = {ErrorCode::parse, std::move(message),
               fmt::format("line {} of {}", cursor_.line(), name_)};
     return false;
   }
 
   bool unexpected(std::string_view token, std::string_view expected) {
-    if (token.empty()) return fail_here(fmt::format(messages::kBvhEnds.text, expected));
-    return fail_here(fmt::format(messages::kBvhFound.text, shown_token(token), expected));
+    if (token.empty()) return fail_here(say("bvh_ends", expected));
+    return fail_here(say("bvh_found", shown_token(token), expected));
   }
 
   bool expect(std::string_view word) {
@@ -146,8 +146,7 @@ class BvhReader {
     if (!parsed) return unexpected(token, what);
     value = *parsed;
     if (value >= -kBvhMaxValue && value <= kBvhMaxValue) return true;
-    return fail_here(fmt::format("{} is not between {:g} and {:g}", shown_token(token),
-                                 -kBvhMaxValue, kBvhMaxValue));
+    return fail_here(say("not_between", shown_token(token), -kBvhMaxValue, kBvhMaxValue));
   }
 
   SkeletonNode& node(int index) { return motion_.skeleton.nodes[static_cast<std::size_t>(index)]; }
@@ -156,7 +155,7 @@ class BvhReader {
     std::string_view token = cursor_.token();
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (token.starts_with(kByteOrderMark)) token.remove_prefix(kByteOrderMark.size());
-    if (token.empty()) return fail_here(std::string(messages::kEmptyBvh.text));
+    if (token.empty()) return fail_here(say("empty_bvh"));
     if (!same_word(token, "HIERARCHY")) return unexpected(token, "HIERARCHY");
     for (;;) {
       token = cursor_.token();
@@ -187,12 +186,11 @@ class BvhReader {
   bool open_node(int parent, bool end_site) {
     const int index = static_cast<int>(motion_.skeleton.nodes.size());
     if (index == kBvhMaxNodes) {
-      return fail_here(fmt::format("more than {} joints and end sites", kBvhMaxNodes));
+      return fail_here(say("bvh_joints_most", kBvhMaxNodes));
     }
     const std::string_view name = cursor_.rest_of_line();
     if (name.size() > kMaxNameBytes) {
-      return fail_here(fmt::format("a name of {} bytes, {}; up to {} are allowed", name.size(),
-                                   shown_token(name), kMaxNameBytes));
+      return fail_here(say("bvh_name", name.size(), shown_token(name), kMaxNameBytes));
     }
     motion_.skeleton.nodes.push_back(
         {end_site ? std::string() : names_.take(name), parent, {}, end_site});
@@ -204,7 +202,7 @@ class BvhReader {
   bool close_node() {
     const int index = open_.back();
     if (!seen_[static_cast<std::size_t>(index)].offset) {
-      return fail_here(fmt::format("{} has no OFFSET", described(index)));
+      return fail_here(say("no_offset", described(index)));
     }
     open_.pop_back();
     return true;
@@ -215,7 +213,7 @@ class BvhReader {
   }
 
   bool once(bool& seen, int index, std::string_view what) {
-    if (seen) return fail_here(fmt::format("{} has a second {}", described(index), what));
+    if (seen) return fail_here(say("has_second", described(index), what));
     seen = true;
     return true;
   }
@@ -272,8 +270,7 @@ class BvhReader {
     if (!expect("Frame") || !expect("Time") || !expect(":")) return false;
     if (!number(time, "the frame time in seconds")) return false;
     if (time >= kMinFrameTime && time <= kMaxFrameTime) return true;
-    return fail_here(fmt::format("a frame time of {:g} s; {:g} to {:g} are allowed", time,
-                                 kMinFrameTime, kMaxFrameTime));
+    return fail_here(say("frame_time", time, kMinFrameTime, kMaxFrameTime));
   }
 
   [[nodiscard]] std::size_t value_count() const {
@@ -281,22 +278,19 @@ class BvhReader {
   }
 
   bool too_few(std::size_t found) {
-    return fail_here(fmt::format(messages::kBvhCut.text, found, value_count(), motion_.clip.frames,
-                                 channels_.size()));
+    return fail_here(say("bvh_cut", found, value_count(), motion_.clip.frames, channels_.size()));
   }
 
   // before memory is taken: can the text hold the values, and the memory the result?
   bool values_fit() {
     if (channels_.empty() && motion_.clip.frames > 1) {
-      return fail_here(fmt::format("{} frames, but no joint has a channel; 1 is allowed then",
-                                   motion_.clip.frames));
+      return fail_here(say("no_channels", motion_.clip.frames));
     }
     const std::size_t transforms =
         static_cast<std::size_t>(motion_.clip.frames) * motion_.skeleton.nodes.size();
     if (transforms > kBvhMaxTransforms) {
-      return fail_here(fmt::format("{} frames of {} joints and end sites; their product may be {}",
-                                   motion_.clip.frames, motion_.skeleton.nodes.size(),
-                                   kBvhMaxTransforms));
+      return fail_here(say("frames_of_joints", motion_.clip.frames, motion_.skeleton.nodes.size(),
+                           kBvhMaxTransforms));
     }
     // a value takes a digit and, but for the last, a blank
     if (cursor_.bytes_left() + 1 >= 2 * value_count()) return true;
@@ -322,8 +316,7 @@ class BvhReader {
   bool nothing_follows() {
     std::string_view token = cursor_.token();
     if (token.empty()) return true;
-    fail_here(fmt::format("found {} after the last of the {} values of {} frames",
-                          shown_token(token), value_count(), motion_.clip.frames));
+    fail_here(say("found_after", shown_token(token), value_count(), motion_.clip.frames));
     std::size_t extra = 0;
     while (!token.empty() && parse_number(token) && extra <= channels_.size()) {
       ++extra;
@@ -339,9 +332,8 @@ class BvhReader {
       const std::optional<double> value = parse_number(token);
       // the comparison is false for NaN
       if (!value || !(*value >= -kBvhMaxValue && *value <= kBvhMaxValue)) {
-        return fail_here(fmt::format("{}, value {} of frame {}, is not a number from {:g} to {:g}",
-                                     shown_token(token), i + 1, frame + 1, -kBvhMaxValue,
-                                     kBvhMaxValue));
+        return fail_here(say("value_no_number", shown_token(token), i + 1, frame + 1, -kBvhMaxValue,
+                             kBvhMaxValue));
       }
       apply(channels_[i], *value, local[channels_[i].node]);
     }
@@ -373,9 +365,7 @@ class BvhReader {
 
 Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name) {
   if (text.size() > kBvhMaxBytes) {
-    return fail(ErrorCode::parse,
-                fmt::format("{} bytes; up to {} are allowed", text.size(), kBvhMaxBytes),
-                std::string(name));
+    return fail(ErrorCode::parse, say("bytes_most", text.size(), kBvhMaxBytes), std::string(name));
   }
   return BvhReader(text, name).read();
 }

@@ -8,7 +8,7 @@
 #include <shigusa/quat.hpp>
 
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "fbx_records.hpp"
 #include "glb.hpp"
 #include "io/gltf_json.hpp"
@@ -114,7 +114,7 @@ class FbxReader {
     if (!list_models() || !connect() || !check_tree()) return tl::unexpected(*error_);
     choose_nodes();
     if (joints_.empty()) {
-      wrong(messages::kFbxNoBone.text);
+      wrong(say("fbx_no_bone"));
       return tl::unexpected(*error_);
     }
     GltfJson nodes = GltfJson::array();
@@ -125,9 +125,8 @@ class FbxReader {
   }
 
  private:
-  template <class... Args>
-  bool wrong(fmt::format_string<Args...> format, Args&&... args) {
-    error_ = Error{ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...), name_};
+  bool wrong(Message message) {
+    error_ = Error{ErrorCode::parse, std::move(message), name_};
     return false;
   }
 
@@ -149,7 +148,7 @@ class FbxReader {
       if (section.name != "Objects") continue;
       for (const FbxRecord& model : section.within) {
         if (static_cast<int>(models_.size()) == kFbxMaxNodes) {
-          return wrong("more than {} models", kFbxMaxNodes);
+          return wrong(say("fbx_models_most", kFbxMaxNodes));
         }
         const int place = static_cast<int>(models_.size());
         models_.push_back({model.integer(0),
@@ -159,11 +158,11 @@ class FbxReader {
                            -1,
                            {}});
         if (!by_id_.emplace(model.integer(0), place).second) {
-          return wrong("two models have the id {}", model.integer(0));
+          return wrong(say("fbx_same_id", model.integer(0)));
         }
       }
     }
-    return !models_.empty() || wrong("no model: there is no skeleton in this file");
+    return !models_.empty() || wrong(say("fbx_no_model"));
   }
 
   // A model that hangs on several ones is taken where it is connected first.
@@ -190,7 +189,7 @@ class FbxReader {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       std::size_t steps = 0;
       for (int at = models_[i].parent; at >= 0; at = models_[index(at)].parent) {
-        if (++steps > models_.size()) return wrong("{} hangs in a circle", described(i));
+        if (++steps > models_.size()) return wrong(say("hangs_in_circle", described(i)));
       }
     }
     return true;
@@ -232,7 +231,7 @@ class FbxReader {
     const Properties p(settings == nullptr ? nullptr : settings->find("Properties70"), nullptr);
     const double unit = p.number("UnitScaleFactor", 1.0) * 0.01;
     if (!(unit > 0.0) || !(unit < kFbxMaxValue)) {
-      return wrong("UnitScaleFactor is {}; it is above 0", unit * 100.0);
+      return wrong(say("unit_scale", unit * 100.0));
     }
     Mat3d axes;
     Vec3d* columns[] = {&axes.cx, &axes.cy, &axes.cz};
@@ -244,7 +243,7 @@ class FbxReader {
       const double from = p.number(axis, k);
       const int file = from == 0.0 ? 0 : from == 1.0 ? 1 : from == 2.0 ? 2 : -1;
       if (file < 0 || std::exchange(taken[index(file)], true)) {
-        return wrong("CoordAxis, UpAxis and FrontAxis are not 0, 1 and 2 in some order");
+        return wrong(say("fbx_axes"));
       }
       Vec3d& column = *columns[file];
       column = {};
@@ -261,11 +260,11 @@ class FbxReader {
     const Model& model = models_[i];
     for (const char* turns : {"Lcl Rotation", "PreRotation", "PostRotation"}) {
       if (is_within(model.properties.vector(turns), kFbxMaxValue)) continue;
-      return wrong("{} is turned by more than {:g} degrees", described(i), kFbxMaxValue);
+      return wrong(say("turned_more", described(i), kFbxMaxValue));
     }
     Place place = place_of(model.properties);
     if (!is_within(place.at, kFbxMaxValue) || !is_within(place.scale, kFbxMaxValue)) {
-      return wrong("{} stands or is scaled beyond {:g}", described(i), kFbxMaxValue);
+      return wrong(say("stands_beyond", described(i), kFbxMaxValue));
     }
     if (model.parent < 0 && !to_metres(place)) return false;
     GltfJson node{{"name", std::string(model.name)}};

@@ -10,7 +10,7 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 
 namespace shigusa {
@@ -58,7 +58,7 @@ class Reader {
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
  protected:
-  bool wrong(std::string message, std::string place) {
+  bool wrong(Message message, std::string place) {
     if (!error_) error_ = Error{ErrorCode::parse, std::move(message), place + " of " + name_};
     return false;
   }
@@ -96,7 +96,7 @@ class BinaryReader : public Reader {
 
  private:
   [[nodiscard]] std::string here() const { return fmt::format("byte {}", at_); }
-  bool cut() { return wrong("the file ends within a record", here()); }
+  bool cut() { return wrong(say("fbx_cut"), here()); }
 
   // Little-endian, whatever the machine is.
   template <class T>
@@ -127,7 +127,7 @@ class BinaryReader : public Reader {
   // Records up to `end`, or to the empty one that closes them.
   bool read_within(FbxRecord& parent, bool keeps, std::size_t end, int depth) {
     if (depth > kFbxMaxDepth) {
-      return wrong(fmt::format("records are nested deeper than {}", kFbxMaxDepth), here());
+      return wrong(say("records_deep", kFbxMaxDepth), here());
     }
     while (at_ < end) {
       const std::size_t begin = at_;
@@ -145,7 +145,7 @@ class BinaryReader : public Reader {
       at_ += letters;
       if (last > end || last < at_ || length > last - at_) {
         at_ = begin;
-        return wrong("a record is longer than what it stands in", here());
+        return wrong(say("record_longer"), here());
       }
       const std::size_t after = at_ + length;
       const auto stop = static_cast<std::size_t>(last);
@@ -163,13 +163,12 @@ class BinaryReader : public Reader {
 
   bool read_values(FbxRecord& record, std::uint64_t count, std::size_t end) {
     if (count > kMaxRecordValues) {
-      return wrong(fmt::format("a record of {} values; {} are allowed", count, kMaxRecordValues),
-                   here());
+      return wrong(say("record_values", count, kMaxRecordValues), here());
     }
     for (std::uint64_t i = 0; i < count; ++i) {
       if (at_ >= end) return cut();
       if (!read_value(record.values.emplace_back(), bytes_[at_++])) return false;
-      if (at_ > end) return wrong("a value is longer than its record", here());
+      if (at_ > end) return wrong(say("value_longer"), here());
     }
     return true;
   }
@@ -217,7 +216,7 @@ class BinaryReader : public Reader {
         break;
     }
     if (std::string_view("fdilbc").find(type) == std::string_view::npos) {
-      return wrong("a value of no known type", here());
+      return wrong(say("value_type"), here());
     }
     std::uint32_t count = 0;
     std::uint32_t packed = 0;
@@ -280,18 +279,18 @@ class TextReader : public Reader {
   // Records up to the brace that closes them, or to the end of the file.
   bool read_within(FbxRecord& parent, bool keeps, int depth) {
     if (depth > kFbxMaxDepth) {
-      return wrong(fmt::format("records are nested deeper than {}", kFbxMaxDepth), here());
+      return wrong(say("records_deep", kFbxMaxDepth), here());
     }
     for (char next = peek(); next != 0; next = peek()) {
       if (next == '}') {
-        if (depth == 0) return wrong("a '}' closes nothing", here());
+        if (depth == 0) return wrong(say("closes_nothing"), here());
         ++at_;
         return true;
       }
       FbxRecord record;
       record.name = bare();
       if (record.name.empty() || peek() != ':') {
-        return wrong("no record: it begins with a name and a colon", here());
+        return wrong(say("no_record"), here());
       }
       ++at_;
       const bool kept = keeps && contains(kRead, std::pair(parent.name, record.name));
@@ -302,7 +301,7 @@ class TextReader : public Reader {
       }
       if (kept && !keep(std::move(record), parent)) return wrong(too_many(), here());
     }
-    return depth == 0 || wrong("the file ends within a record", here());
+    return depth == 0 || wrong(say("fbx_cut"), here());
   }
 
   // Values with commas between them, which may stand on several lines.
@@ -313,7 +312,7 @@ class TextReader : public Reader {
       FbxValue value;
       if (next == '"') {
         const std::size_t end = bytes_.find('"', at_ + 1);
-        if (end == bytes_.npos) return wrong("a text is never closed", here());
+        if (end == bytes_.npos) return wrong(say("text_never_closed"), here());
         value.text = bytes_.substr(at_ + 1, end - at_ - 1);
         at_ = end + 1;
       } else if (next != ',') {
@@ -324,7 +323,7 @@ class TextReader : public Reader {
           at_ = begin;
           return true;
         }
-        if (word.empty()) return wrong("no value: a text, a number or a word", here());
+        if (word.empty()) return wrong(say("no_value"), here());
         if (kept) read_word(word, value);
       }
       if (kept && record.values.size() < kMaxRecordValues) record.values.push_back(value);
@@ -376,17 +375,16 @@ double FbxRecord::number(std::size_t i) const { return i < values.size() ? value
 Result<FbxRecords> read_fbx_records(std::string_view bytes, std::string_view name) {
   const std::string place(name);
   if (bytes.size() > kFbxMaxBytes) {
-    return fail(ErrorCode::parse,
-                fmt::format("{} bytes; {} are allowed", bytes.size(), kFbxMaxBytes), place);
+    return fail(ErrorCode::parse, say("bytes_allowed", bytes.size(), kFbxMaxBytes), place);
   }
   Result<FbxRecords> records = bytes.starts_with(kMagic) ? read_form<BinaryReader>(bytes, name)
                                                          : read_form<TextReader>(bytes, name);
   if (!records) return records;
   if (records->version < kOldest) {
     return fail(ErrorCode::unsupported,
-                records->version == 0 ? std::string(messages::kNoFbx.text)
-                                      : fmt::format(messages::kOldFbx.text, records->version / 1000,
-                                                    records->version / 100 % 10),
+                records->version == 0
+                    ? say("no_fbx")
+                    : say("old_fbx", records->version / 1000, records->version / 100 % 10),
                 place);
   }
   return records;

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 
@@ -30,32 +30,21 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
   if (!bytes.starts_with("glTF")) return bytes;
   const std::string place(name);
   if (bytes.size() < kHeader) {
-    return fail(ErrorCode::parse,
-                fmt::format("ends after {} bytes; the header of a GLB file takes {}", bytes.size(),
-                            kHeader),
-                place);
+    return fail(ErrorCode::parse, say("glb_short", bytes.size(), kHeader), place);
   }
   if (word_at(bytes, 4) != kVersion) {
-    return fail(ErrorCode::unsupported,
-                fmt::format("is GLB version {}; {} is read", word_at(bytes, 4), kVersion), place);
+    return fail(ErrorCode::unsupported, say("glb_version", word_at(bytes, 4), kVersion), place);
   }
   const std::size_t size = word_at(bytes, 8);
   if (size > bytes.size()) {
-    return fail(ErrorCode::parse, fmt::format(messages::kGlbCut.text, size, bytes.size()), place);
+    return fail(ErrorCode::parse, say("glb_cut", size, bytes.size()), place);
   }
   const std::size_t length = word_at(bytes, kGlbHeader);
   if (bytes.substr(kGlbHeader + 4, 4) != kGlbJson || length > bytes.size() - kHeader) {
-    return fail(ErrorCode::parse,
-                fmt::format("its first chunk must be of JSON and {} bytes at most; this one tells "
-                            "{} bytes",
-                            bytes.size() - kHeader, length),
-                place);
+    return fail(ErrorCode::parse, say("glb_first_chunk", bytes.size() - kHeader, length), place);
   }
   if (size < kHeader + length) {
-    return fail(ErrorCode::parse,
-                fmt::format("its header tells {} bytes, but its first chunk ends after {}", size,
-                            kHeader + length),
-                place);
+    return fail(ErrorCode::parse, say("glb_chunk_ends", size, kHeader + length), place);
   }
   return bytes.substr(kHeader, length);
 }
@@ -69,9 +58,7 @@ Result<GlbParts> glb_parts(std::string_view bytes, std::string_view name) {
   if (rest.size() >= kGlbChunkHeader && rest.substr(4, 4) == kGlbBinary) {
     const std::size_t length = word_at(rest, 0);
     if (length > rest.size() - kGlbChunkHeader) {
-      return fail(ErrorCode::parse,
-                  fmt::format("its binary chunk tells {} bytes, but {} follow", length,
-                              rest.size() - kGlbChunkHeader),
+      return fail(ErrorCode::parse, say("glb_binary_chunk", length, rest.size() - kGlbChunkHeader),
                   std::string(name));
     }
     parts.binary = rest.substr(kGlbChunkHeader, length);

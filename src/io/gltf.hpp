@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <shigusa/file_format.hpp>
+#include <shigusa/message.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
 #include <string>
@@ -63,7 +64,7 @@ struct GltfCharacter {
   std::vector<std::pair<std::string, int>> vrm_bones;
   std::vector<GltfMeshNode> meshes;  // in the order of the file's nodes
   std::vector<GltfSkin> skins;
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
 };
 
 // Parses the bytes of a .gltf, .glb or .vrm file. Of these only the JSON part is read, so no other

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/say.hpp"
 #include "io/gltf.hpp"
 #include "io/gltf_json.hpp"
 #include "watched_json.hpp"
@@ -102,14 +103,10 @@ std::optional<std::string> from_base64(std::string_view text) {
 
 Result<GltfJson> parse_small_json(std::string_view text, const std::string& place) {
   if (text.size() > kMaxValueBytes) {
-    return fail(
-        ErrorCode::parse,
-        fmt::format("takes {} bytes of JSON; up to {} are allowed", text.size(), kMaxValueBytes),
-        place);
+    return fail(ErrorCode::parse, say("json_bytes", text.size(), kMaxValueBytes), place);
   }
   const auto shallow = [](int depth, GltfJson::parse_event_t, const GltfJson&) {
-    if (depth > kMaxValueDepth)
-      throw fmt::format("is nested deeper than {} levels", kMaxValueDepth);
+    if (depth > kMaxValueDepth) throw say("is_nested_levels", kMaxValueDepth);
     return true;
   };
   return parse_watched<GltfJson>(text, shallow, "JSON", place);
@@ -123,7 +120,7 @@ GltfAccessors::GltfAccessors(const GlbParts& parts, std::string_view name)
   decoded_.resize(buffers_.size());
 }
 
-tl::unexpected<Error> GltfAccessors::wrong(const std::string& what, const std::string& why) const {
+tl::unexpected<Error> GltfAccessors::wrong(const std::string& what, const Message& why) const {
   return fail(ErrorCode::parse, why, what + " of " + name_);
 }
 
@@ -135,9 +132,8 @@ Result<GltfJson> GltfAccessors::entry(const char* list, const GltfJson& index) {
   if (!index.is_number_unsigned() || index >= count) {
     return wrong(
         list,
-        fmt::format("{} is none of the {} there are",
-                    index.dump(-1, ' ', true, GltfJson::error_handler_t::replace).substr(0, 40),
-                    count));
+        say("none_of_list",
+            index.dump(-1, ' ', true, GltfJson::error_handler_t::replace).substr(0, 40), count));
   }
   const auto& value = entries[index.get<std::size_t>()];
   const std::string place = fmt::format("{}[{}]", list, index.get<std::size_t>());
@@ -146,34 +142,31 @@ Result<GltfJson> GltfAccessors::entry(const char* list, const GltfJson& index) {
   // one entry may be asked for many times
   constexpr std::size_t kMaxEntryBytes = std::size_t{64} << 10;
   if (json_.text_of(value).size() > kMaxEntryBytes) {
-    return wrong(place, fmt::format("takes {} bytes of JSON; up to {} are allowed",
-                                    json_.text_of(value).size(), kMaxEntryBytes));
+    return wrong(place, say("json_bytes", json_.text_of(value).size(), kMaxEntryBytes));
   }
   Result<GltfJson> parsed = parse_small_json(json_.text_of(value), place + " of " + name_);
-  if (parsed && !parsed->is_object()) return wrong(place, "is no object");
+  if (parsed && !parsed->is_object()) return wrong(place, say("no_object"));
   return parsed;
 }
 
 Result<std::string_view> GltfAccessors::buffer(const GltfJson& index) {
   SHG_TRY_ASSIGN(const GltfJson found, entry("buffers", index));
   const auto i = index.get<std::size_t>();
+  const std::string place = fmt::format("buffers[{}]", i);
   if (found.is_object()) {
     if (i == 0 && parts_.binary) return *parts_.binary;
-    return wrong(fmt::format("buffers[{}]", i), "has no data in the file");
+    return wrong(place, say("buffer_no_data"));
   }
   if (!decoded_[i].empty()) return std::string_view(decoded_[i]);
   const std::string& uri = found.get_ref<const std::string&>();  // with its quotes
   constexpr std::string_view kBase64 = ";base64,";
   const std::size_t comma = uri.find(kBase64);
   if (!uri.starts_with("\"data:") || comma == uri.npos) {
-    return wrong(fmt::format("buffers[{}]", i),
-                 fmt::format("is in another file, {}, which is not opened: export the character as "
-                             "one .glb file",
-                             uri.substr(0, 80)));
+    return wrong(place, say("other_file", uri.substr(0, 80)));
   }
   const std::size_t begin = comma + kBase64.size();
   auto bytes = from_base64(std::string_view(uri).substr(begin, uri.size() - 1 - begin));
-  if (!bytes) return wrong(fmt::format("buffers[{}]", i), "its data is no base64");
+  if (!bytes) return wrong(place, say("data_not_encoded"));
   decoded_[i] = std::move(*bytes);
   return std::string_view(decoded_[i]);
 }
@@ -185,24 +178,19 @@ Result<GltfAccessors::View> GltfAccessors::view(const GltfJson& index) {
   const auto length = whole(found, "byteLength", 0);
   const auto stride = whole(found, "byteStride", 0);
   if (!found.contains("buffer") || !offset || !length || !stride || *stride > 252) {
-    return wrong(place,
-                 "buffer, byteOffset, byteLength and byteStride (0 to 252) must be whole "
-                 "numbers");
+    return wrong(place, say("buffer_numbers"));
   }
   const Result<std::string_view> bytes = buffer(found["buffer"]);
   const auto extensions = found.find("extensions");
   if (!bytes && extensions != found.end() && extensions->is_object()) {
     for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
       if (!extensions->contains(packed)) continue;
-      return wrong(place, fmt::format("is compressed by {}, which is not read: export the "
-                                      "character without it",
-                                      packed));
+      return wrong(place, say("compressed_by", packed));
     }
   }
   if (!bytes) return tl::unexpected(bytes.error());
   if (*offset > bytes->size() || *length > bytes->size() - *offset) {
-    return wrong(place, fmt::format("bytes {} to {} lie beyond the {} of its buffer", *offset,
-                                    *offset + *length, bytes->size()));
+    return wrong(place, say("bytes_beyond", *offset, *offset + *length, bytes->size()));
   }
   return View{bytes->substr(*offset, *length), *stride};
 }
@@ -210,15 +198,14 @@ Result<GltfAccessors::View> GltfAccessors::view(const GltfJson& index) {
 Result<AccessorElements> GltfAccessors::elements(const std::string& place, const GltfJson& holder,
                                                  std::size_t count, std::size_t size) {
   const auto offset = whole(holder, "byteOffset", 0);
-  if (!offset) return wrong(place, "byteOffset must be a whole number");
+  if (!offset) return wrong(place, say("byte_offset"));
   SHG_TRY_ASSIGN(const View found, view(holder["bufferView"]));
   const std::size_t stride = found.stride > 0 ? found.stride : size;
   const std::size_t room = found.bytes.size();
   const bool fits = count == 0 || (*offset <= room && size <= room - *offset &&
                                    count - 1 <= (room - *offset - size) / stride);
   if (!fits || stride < size) {
-    return wrong(place, fmt::format("{} elements of {} bytes do not fit into its view of {} bytes",
-                                    count, size, room));
+    return wrong(place, say("elements_do_not_fit", count, size, room));
   }
   return AccessorElements{count == 0 ? std::string_view{} : found.bytes.substr(*offset), stride};
 }
@@ -232,13 +219,12 @@ Result<void> GltfAccessors::read_sparse(const std::string& place, const GltfJson
                           sparse["values"].is_object();
   if (!whole_list || !sparse["indices"].contains("bufferView") ||
       !sparse["values"].contains("bufferView")) {
-    return wrong(place, "is sparse, and its count, indices and values do not tell of what");
+    return wrong(place, say("sparse_lacks"));
   }
   const GltfJson& indices = sparse["indices"];
   const AccessorComponent* kind = component_of(whole(indices, "componentType", 0));
   if (kind == nullptr || !may_hold(AccessorContent::indices, *kind, false)) {
-    return wrong(place,
-                 fmt::format("its sparse indices must be {}", allowed(AccessorContent::indices)));
+    return wrong(place, say("sparse_indices", allowed(AccessorContent::indices)));
   }
   SHG_TRY_ASSIGN(const AccessorElements which, elements(place, indices, *count, kind->bytes));
   SHG_TRY_ASSIGN(const AccessorElements values, elements(place, sparse["values"], *count, size));
@@ -246,9 +232,7 @@ Result<void> GltfAccessors::read_sparse(const std::string& place, const GltfJson
   for (std::size_t i = 0; i < *count; ++i) {
     const auto index = static_cast<std::size_t>(decoded(which.bytes, i * which.stride, *kind));
     if (index >= numbers.count_ || (i > 0 && index <= numbers.elsewhere_.back())) {
-      return wrong(place, fmt::format("sparse index {} is {}; indices must rise and be less than "
-                                      "{}",
-                                      i, index, numbers.count_));
+      return wrong(place, say("sparse_index", i, index, numbers.count_));
     }
     numbers.elsewhere_.push_back(index);
   }
@@ -263,15 +247,13 @@ Result<GltfNumbers> GltfAccessors::open(const GltfJson& index, int components,
   constexpr std::array kTypes{"", "SCALAR", "", "VEC3", "VEC4"};
   const char* type = components == 16 ? "MAT4" : kTypes[static_cast<std::size_t>(components)];
   if (!accessor.contains("type") || accessor["type"] != type) {
-    return wrong(place, fmt::format("its type must be {} here", type));
+    return wrong(place, say("accessor_type", type));
   }
   const auto count = whole(accessor, "count", 0);
   const AccessorComponent* kind = component_of(whole(accessor, "componentType", 0));
   const bool normalised = accessor.contains("normalized") && accessor["normalized"] == true;
   if (!count || kind == nullptr || !may_hold(content, *kind, normalised)) {
-    return wrong(place, fmt::format("byteOffset and count must be whole numbers, and componentType "
-                                    "{}",
-                                    allowed(content)));
+    return wrong(place, say("accessor_numbers", allowed(content)));
   }
   GltfNumbers numbers;
   numbers.count_ = *count;
@@ -280,7 +262,7 @@ Result<GltfNumbers> GltfAccessors::open(const GltfJson& index, int components,
   const std::size_t size = static_cast<std::size_t>(components) * kind->bytes;
   const bool sparse = accessor.contains("sparse");
   if (!accessor.contains("bufferView") && !sparse) {
-    return wrong(place, "has no bufferView; only accessors that hold their numbers are read");
+    return wrong(place, say("no_buffer_view"));
   }
   if (accessor.contains("bufferView")) {
     SHG_TRY_ASSIGN(numbers.elements_, elements(place, accessor, *count, size));
@@ -296,9 +278,7 @@ Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int co
   const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
   const auto per = static_cast<std::size_t>(components);
   if (found.count() > (kAccessorMaxNumbers - taken_) / per) {
-    return wrong(place,
-                 fmt::format("{} elements are too many; animations may have {} numbers in all",
-                             found.count(), kAccessorMaxNumbers));
+    return wrong(place, say("animation_numbers", found.count(), kAccessorMaxNumbers));
   }
   taken_ += found.count() * per;
   std::vector<double> values;
@@ -307,8 +287,7 @@ Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int co
     for (std::size_t k = 0; k < per; ++k) {
       const double value = found.at(i, k);
       if (!(abs(value) <= kGltfMaxValue)) {
-        return wrong(place, fmt::format("element {} holds {:g}; allowed are {:g} to {:g}", i, value,
-                                        -kGltfMaxValue, kGltfMaxValue));
+        return wrong(place, say("element_range", i, value, -kGltfMaxValue, kGltfMaxValue));
       }
       values.push_back(value);
     }

@@ -77,7 +77,7 @@ class GltfAccessors {
                                                   std::size_t size);
   [[nodiscard]] Result<void> read_sparse(const std::string& place, const nlohmann::json& sparse,
                                          std::size_t size, GltfNumbers& numbers);
-  [[nodiscard]] tl::unexpected<Error> wrong(const std::string& what, const std::string& why) const;
+  [[nodiscard]] tl::unexpected<Error> wrong(const std::string& what, const Message& why) const;
 
   const GlbParts& parts_;
   std::string name_;

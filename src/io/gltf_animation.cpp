@@ -9,6 +9,7 @@
 #include <shigusa/file.hpp>
 
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 #include "gltf_tracks.hpp"
@@ -65,7 +66,7 @@ class AnimationReader {
   }
 
  private:
-  tl::unexpected<Error> wrong(const std::string& why) const {
+  tl::unexpected<Error> wrong(const Message& why) const {
     return fail(ErrorCode::parse, why,
                 fmt::format("animation '{}' of {}", result_.animation, name_));
   }
@@ -73,7 +74,7 @@ class AnimationReader {
   Result<GltfJson> choose(const std::string& wanted) {
     const auto list = json_.elements(json_.member(json_.root(), "animations"));
     if (list.empty()) {
-      return fail(ErrorCode::parse, "holds no animation, so no motion", name_);
+      return fail(ErrorCode::parse, say("no_animation"), name_);
     }
     const std::vector<std::string> names = names_of(json_, name_);
     std::size_t chosen = 0;
@@ -85,8 +86,7 @@ class AnimationReader {
       if (same != names.end()) chosen = static_cast<std::size_t>(same - names.begin());
       if ((same == names.end() && !number) || chosen >= names.size()) return none(wanted, names);
     } else if (names.size() > 1) {
-      result_.doubts.push_back(
-          fmt::format("of {} animations the first, '{}', is taken", names.size(), names.front()));
+      result_.doubts.push_back(say("first_animation", names.size(), names.front()));
     }
     result_.animation = names[chosen];
     return parse_small_json(json_.text_of(list[chosen]),
@@ -101,15 +101,15 @@ class AnimationReader {
       all += (i > 0 ? ", '" : "'") + names[i].substr(0, 60) + "'";
     }
     if (names.size() > kTold) all += fmt::format(" and {} more", names.size() - kTold);
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("has no animation '{}'; it has {}", wanted.substr(0, 80), all), name_);
+    return fail(ErrorCode::invalid_argument, say("no_such_animation", wanted.substr(0, 80), all),
+                name_);
   }
 
   Result<void> tracks(const GltfJson& animation) {
     tracks_.resize(result_.character.file_node.size());
     for (const char* key : {"channels", "samplers"}) {
       if (!animation.is_object() || !animation.contains(key) || !animation[key].is_array()) {
-        return wrong(fmt::format("has no list of {}", key));
+        return wrong(say("no_list_of", key));
       }
     }
     for (const GltfJson& channel : animation["channels"]) {
@@ -120,7 +120,7 @@ class AnimationReader {
 
   Result<void> take(const GltfJson& channel, const GltfJson& samplers) {
     if (!channel.is_object() || !channel.contains("target") || !channel["target"].is_object()) {
-      return wrong("a channel has no target");
+      return wrong(say("channel_no_target"));
     }
     const GltfJson& target = channel["target"];
     if (!target.contains("node") || !target["node"].is_number_unsigned()) return {};
@@ -135,7 +135,7 @@ class AnimationReader {
     const bool known = channel.contains("sampler") && channel["sampler"].is_number_unsigned() &&
                        channel["sampler"] < static_cast<std::uint64_t>(samplers.size()) &&
                        samplers[channel["sampler"].get<std::size_t>()].is_object();
-    if (!known) return wrong("a channel's sampler is none of its samplers");
+    if (!known) return wrong(say("channel_sampler"));
     const GltfJson& sampler = samplers[channel["sampler"].get<std::size_t>()];
     Result<GltfTrackKeys> keys =
         read_track_keys(sampler, path - kPaths.begin() == 1 ? 4 : 3, accessors_);
@@ -153,8 +153,7 @@ class AnimationReader {
     constexpr double kRounding = 1e-4;  // of a frame: times are single precision
     const double frames = duration_ * rate + kRounding + 1.0;
     if (!(frames <= most)) {
-      return wrong(fmt::format("lasts {:g} s, {:g} frames at {:g} Hz; up to {:.0f} are allowed",
-                               duration_, frames, rate, most));
+      return wrong(say("lasts", duration_, frames, rate, most));
     }
     result_.motion.skeleton = rest;
     SkeletonClip& clip = result_.motion.clip;
@@ -186,8 +185,7 @@ class AnimationReader {
     for (std::size_t i = 0; i < world.size(); ++i) {
       const Vec3d& at = world[i].translation;
       if (abs(at.x) + abs(at.y) + abs(at.z) <= kGltfMaxValue) continue;
-      return wrong(fmt::format("at {:g} s '{}' stands beyond {:g} m from the origin", time,
-                               rest.nodes[i].name, kGltfMaxValue));
+      return wrong(say("stands_beyond_at", time, rest.nodes[i].name, kGltfMaxValue));
     }
     const std::vector<LocalTransform> local = turned_from_rest(rest, resting_, world);
     std::vector<LocalTransform>& all = result_.motion.clip.local;
@@ -216,8 +214,7 @@ Result<std::vector<std::string>> gltf_animation_names(std::string_view bytes,
 Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view name,
                                         const AnimationChoice& choice) {
   if (!(choice.frame_rate > 0.0) || !is_finite(choice.frame_rate)) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("a frame rate of {:g} Hz; allowed is more than 0", choice.frame_rate));
+    return fail(ErrorCode::invalid_argument, say("frame_rate", choice.frame_rate));
   }
   SHG_TRY_ASSIGN(GltfCharacter character, parse_gltf(bytes, name));
   SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));

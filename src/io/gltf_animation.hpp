@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <shigusa/message.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +30,7 @@ struct GltfMotion {
   SkeletonMotion motion;
   // (nodes) as character.places, in the frame asked for; empty where there is no such frame
   std::vector<GltfPlace> posed;
-  std::vector<std::string> doubts;  // the character's and the animation's
+  std::vector<Message> doubts;  // the character's and the animation's
 };
 
 // A pose of a character's nodes.

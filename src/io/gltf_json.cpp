@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 #include "glb.hpp"
 #include "io/gltf.hpp"
@@ -26,7 +26,7 @@ class SkeletonFilter {
   // `depth`: of an event, the number of objects and lists that are open around it
   bool keep(int depth, GltfJson::parse_event_t event, const GltfJson& parsed) {
     using Event = GltfJson::parse_event_t;
-    if (depth >= kMaxDepth) throw fmt::format("nested deeper than {} levels", kMaxDepth);
+    if (depth >= kMaxDepth) throw say("nested_levels", kMaxDepth);
     if (depth > dropped_) return false;
     const auto level = index(depth);
     if (event == Event::key) {
@@ -38,12 +38,11 @@ class SkeletonFilter {
     if (event == Event::object_start || event == Event::array_start) {
       // nlohmann looks through all of a list when one of its members ends
       if (++members_[level] > kGltfMaxNodes) {
-        throw fmt::format("more than {} entries in {}", kGltfMaxNodes, path_[1]);
+        throw say("entries_most", kGltfMaxNodes, path_[1]);
       }
       members_[level + 1] = 0;
     }
-    if (++values_ > kMaxNodeValues)
-      throw fmt::format("more than {} values in nodes", kMaxNodeValues);
+    if (++values_ > kMaxNodeValues) throw say("node_values_most", kMaxNodeValues);
     return true;
   }
 
@@ -79,14 +78,11 @@ std::string shown(const GltfJson& value, std::size_t longest) {
 
 Result<GltfJson> read_gltf_json(std::string_view bytes, std::string_view name) {
   const std::string place(name);
-  if (bytes.empty()) return fail(ErrorCode::parse, std::string(messages::kEmptyFile.text), place);
+  if (bytes.empty()) return fail(ErrorCode::parse, say("empty_file"), place);
   SHG_TRY_ASSIGN(const std::string_view text, gltf_text(bytes, name));
   // a parser takes some times the memory of the longest text in it
   if (text.size() > kGltfMaxJsonBytes) {
-    return fail(ErrorCode::parse,
-                fmt::format("its JSON part has {} bytes; up to {} are allowed", text.size(),
-                            kGltfMaxJsonBytes),
-                place);
+    return fail(ErrorCode::parse, say("gltf_json_bytes", text.size(), kGltfMaxJsonBytes), place);
   }
   SkeletonFilter filter;
   const auto watch = [&filter](int depth, GltfJson::parse_event_t event, const GltfJson& parsed) {
@@ -94,7 +90,7 @@ Result<GltfJson> read_gltf_json(std::string_view bytes, std::string_view name) {
   };
   Result<GltfJson> json = parse_watched<GltfJson>(text, watch, "glTF", place);
   if (!json || json->is_object()) return json;
-  return fail(ErrorCode::parse, "holds JSON, but no object { … } as glTF does", place);
+  return fail(ErrorCode::parse, say("gltf_no_object"), place);
 }
 
 }  // namespace shigusa

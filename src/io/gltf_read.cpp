@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "gltf_json.hpp"
 #include "gltf_pose.hpp"
 #include "gltf_vrm.hpp"
@@ -58,10 +58,9 @@ class GltfReader {
   }
 
  private:
-  template <class... Args>
-  bool wrong(std::string place, fmt::format_string<Args...> format, Args&&... args) {
+  bool wrong(std::string place, Message message) {
     if (!place.empty()) place += " of ";
-    error_ = {ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...), place + name_};
+    error_ = {ErrorCode::parse, std::move(message), place + name_};
     return false;
   }
 
@@ -76,17 +75,17 @@ class GltfReader {
   bool version() {
     const auto asset = json_.find("asset");
     if (asset == json_.end() || !asset->is_object() || !asset->contains("version")) {
-      return wrong("", messages::kNoGltf.text);
+      return wrong("", say("no_gltf"));
     }
     const GltfJson& version = (*asset)["version"];
     if (version.is_string() && version.get_ref<const std::string&>().starts_with("2.")) return true;
-    return wrong("", messages::kGltfVersion.text, shown(version));
+    return wrong("", say("gltf_version", shown(version)));
   }
 
   bool nodes() {
     const auto list = json_.find("nodes");
     if (list == json_.end() || !list->is_array() || list->empty()) {
-      return wrong("", messages::kNoGltfNodes.text);
+      return wrong("", say("no_gltf_nodes"));
     }
     for (const GltfJson& json : *list) {
       nodes_.emplace_back();
@@ -96,7 +95,7 @@ class GltfReader {
   }
 
   bool read_node(const GltfJson& json, int index) {
-    if (!json.is_object()) return wrong(described(index), "is {}, and no object", shown(json));
+    if (!json.is_object()) return wrong(described(index), say("and_no_object", shown(json)));
     FileNode& read = nodes_.back();
     const auto name = json.find("name");
     constexpr std::size_t kMaxName = 256;
@@ -105,8 +104,7 @@ class GltfReader {
       if (read.name.size() > kMaxName) {
         const std::size_t length = read.name.size();
         read.name.clear();
-        return wrong(described(index), "its name has {} bytes; up to {} are allowed", length,
-                     kMaxName);
+        return wrong(described(index), say("name_bytes", length, kMaxName));
       }
     }
     read.mesh = json.contains("mesh");
@@ -120,12 +118,11 @@ class GltfReader {
                std::vector<int>& into) {
     const auto list = json.find(key);
     if (list == json.end()) return true;
-    if (!list->is_array()) return wrong(place, "{} is {}, and no list", key, shown(*list));
+    if (!list->is_array()) return wrong(place, say("and_no_list", key, shown(*list)));
     for (const GltfJson& index : *list) {
       const auto nodes = static_cast<std::uint64_t>(json_["nodes"].size());
       if (!index.is_number_unsigned() || index >= nodes) {
-        return wrong(place, "{} holds {}; allowed are the nodes 0 to {}", key, shown(index),
-                     nodes - 1);
+        return wrong(place, say("holds_node", key, shown(index), nodes - 1));
       }
       into.push_back(index.get<int>());
     }
@@ -142,8 +139,8 @@ class GltfReader {
       valid = value.is_number() && abs(value.get<double>()) <= kGltfMaxValue;
       if (valid) into[k] = value.get<double>();
     }
-    return valid || wrong(described(index), "{} is {}; it must be {} numbers from {:g} to {:g}",
-                          key, shown(*list), N, -kGltfMaxValue, kGltfMaxValue);
+    return valid || wrong(described(index), say("must_be_numbers", key, shown(*list), N,
+                                                -kGltfMaxValue, kGltfMaxValue));
   }
 
   bool read_place(const GltfJson& json, int index) {
@@ -165,8 +162,7 @@ class GltfReader {
       const double length = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
       constexpr double kShortest = 1e-6;
       if (length < kShortest) {
-        return wrong(described(index), "rotation is a quaternion of length {:g}; it must be 1",
-                     length);
+        return wrong(described(index), say("rotation_length", length));
       }
       const Quatd rotation{r[0] / length, r[1] / length, r[2] / length, r[3] / length};
       read.parts = {{t[0], t[1], t[2]}, rotation, {s[0], s[1], s[2]}};
@@ -185,8 +181,8 @@ class GltfReader {
     for (int i = 0; i < count(); ++i) {
       for (const int child : node(i).children) {
         if (node(child).parent >= 0) {
-          return wrong(described(child), "is a child of {} and of {}; one parent is allowed",
-                       described(node(child).parent), described(i));
+          return wrong(described(child),
+                       say("two_parents", described(node(child).parent), described(i)));
         }
         node(child).parent = i;
       }
@@ -206,14 +202,13 @@ class GltfReader {
     std::vector<bool> reached(nodes_.size());
     for (const int i : order_) reached[index(i)] = true;
     const auto first = std::find(reached.begin(), reached.end(), false) - reached.begin();
-    return wrong(described(static_cast<int>(first)),
-                 "hangs on no root: it is its own descendant, or below one that is");
+    return wrong(described(static_cast<int>(first)), say("own_descendant"));
   }
 
   bool joints() {
     const auto skins = json_.find("skins");
     if (skins != json_.end()) {
-      if (!skins->is_array()) return wrong("", "skins is {}, and no list", shown(*skins));
+      if (!skins->is_array()) return wrong("", say("and_no_list", "skins", shown(*skins)));
       int number = 0;
       for (const GltfJson& skin : *skins) {
         std::vector<int> joints;
@@ -250,8 +245,7 @@ class GltfReader {
     mark_all();
     if (!build()) return false;
     if (is_person()) {
-      result_.doubts.push_back(
-          fmt::format(messages::kRigidLimbs.text, joints, result_.file_node.size()));
+      result_.doubts.push_back(say("rigid_limbs", joints, result_.file_node.size()));
       return true;
     }
     nodes_ = before;
@@ -288,8 +282,7 @@ class GltfReader {
       const Vec3d& at = world[own].translation;
       for (int k = 0; k < 3; ++k) {
         if (abs(at[k]) <= kGltfMaxValue) continue;  // false for what is no number
-        return wrong(described(i), "stands {:g} m from the origin; {:g} m are allowed", at[k],
-                     kGltfMaxValue);
+        return wrong(described(i), say("far_from_origin", at[k], kGltfMaxValue));
       }
       place[own] = static_cast<int>(result_.file_node.size());
       result_.file_node.push_back(i);
@@ -347,8 +340,7 @@ class GltfReader {
     }
     if (uneven == 0) return;
     result_.doubts.push_back(
-        fmt::format(messages::kUnevenScale.text, described(first),
-                    uneven == 1 ? "" : fmt::format(", as {} more,", uneven - 1)));
+        say("uneven_scale", described(first), uneven == 1 ? "" : say("as_more", uneven - 1)));
   }
 
   const GltfJson& json_;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 #include "io/gltf_json.hpp"
@@ -64,19 +64,19 @@ class SkinReader {
 
  private:
   void leave_out(const Error& why) {
-    if (left_out_++ == 0) first_reason_ = why.to_string();
+    if (left_out_++ == 0) first_reason_ = why.to_message();
   }
 
   void tell_left_out() {
     if (left_out_ == 0) return;
-    const std::string which = read_ == 0
-                                  ? std::string(messages::kMeshNotRead.text)
-                                  : fmt::format("{} of the mesh's {} parts {} not read", left_out_,
-                                                read_ + left_out_, left_out_ == 1 ? "was" : "were");
-    skin_.doubts.push_back(which + ": " + first_reason_);
+    const Message which = read_ == 0 ? say("mesh_not_read")
+                          : left_out_ == 1
+                              ? say("mesh_part_left_out", read_ + left_out_)
+                              : say("mesh_parts_left_out", left_out_, read_ + left_out_);
+    skin_.doubts.push_back(say("at_place", which, first_reason_));
   }
 
-  [[nodiscard]] tl::unexpected<Error> wrong(const std::string& why) const {
+  [[nodiscard]] tl::unexpected<Error> wrong(const Message& why) const {
     return fail(ErrorCode::parse, why, "mesh of " + name_);
   }
 
@@ -89,8 +89,7 @@ class SkinReader {
       if (index < meshes.size()) {
         meshes[index].shown_by.push_back(&node);
       } else {
-        leave_out(
-            wrong(fmt::format("{} is none of the {} there are", node.mesh, list.size())).value());
+        leave_out(wrong(say("none_of_list", node.mesh, list.size())).value());
       }
     }
     std::size_t vertices = 0;
@@ -110,7 +109,7 @@ class SkinReader {
     for (const auto& primitive : json_.elements(json_.member(text, "primitives"))) {
       shown += mesh.shown_by.size();
       if (shown > kSkinMaxParts) {
-        leave_out(wrong(fmt::format("has more than {} parts", kSkinMaxParts)).value());
+        leave_out(wrong(say("parts_most", kSkinMaxParts)).value());
         return;
       }
       Result<Part> part = open_part(primitive);
@@ -125,21 +124,18 @@ class SkinReader {
   Result<Part> open_part(const JsonSplice::Value& primitive) {
     const auto extensions = json_.member(primitive, "extensions");
     if (json_.member(extensions, "KHR_draco_mesh_compression")) {
-      return wrong(
-          "is compressed by KHR_draco_mesh_compression, which is not read: export the "
-          "character without it");
+      return wrong(say("draco"));
     }
     SHG_TRY_ASSIGN(
         const GltfJson attributes,
         parse_small_json(json_.text_of(json_.member(primitive, "attributes")), "mesh of " + name_));
     if (!attributes.is_object() || !attributes.contains("POSITION")) {
-      return wrong("a part has no POSITION");
+      return wrong(say("no_position"));
     }
     SHG_TRY_ASSIGN(GltfNumbers positions,
                    accessors_.open(attributes["POSITION"], 3, AccessorContent::coordinates));
     if (positions.count() > kSkinMaxIndices) {
-      return wrong(fmt::format("a part has {} vertices; up to {} are read", positions.count(),
-                               kSkinMaxIndices));
+      return wrong(say("vertices_most", positions.count(), kSkinMaxIndices));
     }
     Part part{std::move(positions), {}, {}, {}};
     SHG_TRY(open_sets(attributes, part));
@@ -161,8 +157,7 @@ class SkinReader {
       SHG_TRY_ASSIGN(GltfNumbers share,
                      accessors_.open(attributes[weights], 4, AccessorContent::reals));
       if (which.count() != part.positions.count() || share.count() != part.positions.count()) {
-        return wrong(fmt::format("{} positions have {} sets of joints and {} of weights",
-                                 part.positions.count(), which.count(), share.count()));
+        return wrong(say("sets_of_joints", part.positions.count(), which.count(), share.count()));
       }
       part.joints.push_back(std::move(which));
       part.weights.push_back(std::move(share));
@@ -181,8 +176,7 @@ class SkinReader {
                      accessors_.open(static_cast<unsigned>(of.inverse_bind_poses), 16,
                                      AccessorContent::reals));
       if (poses.count() < of.joints.size()) {
-        return wrong(
-            fmt::format("{} joints have {} inverse bind poses", of.joints.size(), poses.count()));
+        return wrong(say("inverse_bind_poses", of.joints.size(), poses.count()));
       }
       inverse = std::move(poses);
     }
@@ -217,7 +211,7 @@ class SkinReader {
                      skinned ? bent(part, vertex, at, character_.skins[index(node.skin)], *moves)
                              : SkinVertex{place * at, node.node, true});
       if (!is_within(placed.position, kGltfMaxValue)) {
-        return wrong(fmt::format("vertex {} stands beyond {:g} m", vertex, kGltfMaxValue));
+        return wrong(say("vertex_beyond", vertex, kGltfMaxValue));
       }
       skin_.vertices.push_back(placed);
       return {};
@@ -239,7 +233,7 @@ class SkinReader {
     constexpr std::size_t kMarks = 64;  // of vertices that were seen, cleared at once
     const std::size_t cost = steps + (part.indices ? count / kMarks : 0);
     if (cost > kSkinMaxIndices - indices_) {
-      return wrong(fmt::format("has more than {} indices", kSkinMaxIndices));
+      return wrong(say("indices_most", kSkinMaxIndices));
     }
     indices_ += cost;
     std::vector<bool> seen(part.indices ? count : 0);
@@ -247,7 +241,7 @@ class SkinReader {
       const std::size_t vertex =
           part.indices ? static_cast<std::size_t>(part.indices->at(i, 0)) : i;
       if (vertex >= count) {
-        return wrong(fmt::format("index {} is {}, and there are {} vertices", i, vertex, count));
+        return wrong(say("index_vertices", i, vertex, count));
       }
       if (part.indices && seen[vertex]) continue;
       if (part.indices) seen[vertex] = true;
@@ -269,14 +263,13 @@ class SkinReader {
       joint[k] = static_cast<std::size_t>(part.joints[k / 4].at(vertex, k % 4));
       // files fill unused places with any number
       if (weight[k] > 0.0 && joint[k] >= moves.size()) {
-        return wrong(
-            fmt::format("vertex {} is bound to joint {} of {}", vertex, joint[k], moves.size()));
+        return wrong(say("vertex_bound", vertex, joint[k], moves.size()));
       }
       sum += weight[k];
     }
     if (!(sum > 0.0)) {
       // viewers take the first joint
-      if (joint[0] >= moves.size()) return wrong(fmt::format("vertex {} has no joint", vertex));
+      if (joint[0] >= moves.size()) return wrong(say("vertex_no_joint", vertex));
       weight[0] = sum = 1.0;
     }
     Vec3d placed{};
@@ -306,7 +299,7 @@ class SkinReader {
   std::size_t indices_ = 0;  // so far
   std::size_t read_ = 0;     // parts, as often as they are shown
   std::size_t left_out_ = 0;
-  std::string first_reason_;
+  Message first_reason_;
 };
 
 }  // namespace
@@ -315,7 +308,7 @@ Skin read_gltf_skin(std::string_view bytes, std::string_view name, const GltfCha
                     std::span<const GltfPlace> places) {
   if (character.meshes.empty()) return {};
   const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return {{}, {"the mesh was not read: " + parts.error().to_string()}};
+  if (!parts) return {{}, {say("at_place", say("mesh_was_not_read"), parts.error().to_message())}};
   return SkinReader(*parts, name, character, places).read();
 }
 

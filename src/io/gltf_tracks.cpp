@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/say.hpp"
 #include "io/gltf_json.hpp"
 
 namespace shigusa {
@@ -38,12 +39,10 @@ Quatd slerp(const Quatd& a, Quatd b, double share) {
 }
 
 Result<void> check_times(const std::vector<double>& times) {
-  if (times.empty()) return fail(ErrorCode::parse, "a sampler has no keys");
+  if (times.empty()) return fail(ErrorCode::parse, say("sampler_no_keys"));
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (times[i] >= 0.0 && (i == 0 || times[i] > times[i - 1])) continue;
-    return fail(ErrorCode::parse,
-                fmt::format("key {} of a sampler is at {:g} s; times must be 0 or more and rise", i,
-                            times[i]));
+    return fail(ErrorCode::parse, say("sampler_times", i, times[i]));
   }
   return {};
 }
@@ -110,7 +109,7 @@ Result<GltfTrackKeys> read_track_keys(const GltfJson& sampler, int components,
                                       GltfAccessors& accessors) {
   GltfTrackKeys keys;
   if (!sampler.contains("input") || !sampler.contains("output")) {
-    return fail(ErrorCode::parse, "a sampler lacks input or output");
+    return fail(ErrorCode::parse, say("sampler_lacks"));
   }
   const auto kind = sampler.find("interpolation");
   if (kind != sampler.end()) {
@@ -119,9 +118,8 @@ Result<GltfTrackKeys> read_track_keys(const GltfJson& sampler, int components,
     } else if (*kind == "CUBICSPLINE") {
       keys.interpolation = Interpolation::cubic;
     } else if (*kind != "LINEAR") {
-      return fail(
-          ErrorCode::parse,
-          fmt::format("interpolation is {}; allowed are LINEAR, STEP and CUBICSPLINE",
+      return fail(ErrorCode::parse,
+                  say("interpolation",
                       kind->dump(-1, ' ', true, GltfJson::error_handler_t::replace).substr(0, 40)));
     }
   }
@@ -131,8 +129,7 @@ Result<GltfTrackKeys> read_track_keys(const GltfJson& sampler, int components,
   const std::size_t per = keys.interpolation == Interpolation::cubic ? 3 : 1;
   const std::size_t needed = times.size() * per * static_cast<std::size_t>(components);
   if (values.size() != needed) {
-    return fail(ErrorCode::parse, fmt::format("a sampler of {} keys has {} values; it must have {}",
-                                              times.size(), values.size(), needed));
+    return fail(ErrorCode::parse, say("sampler_values", times.size(), values.size(), needed));
   }
   keys.times = std::move(times);
   keys.values = std::move(values);
@@ -141,8 +138,7 @@ Result<GltfTrackKeys> read_track_keys(const GltfJson& sampler, int components,
       const std::size_t at = (per == 3 ? i * 3 + 1 : i) * 4;
       const double* v = keys.values.data() + at;
       if (length_of({v[0], v[1], v[2], v[3]}) >= kShortest) continue;
-      return fail(ErrorCode::parse,
-                  fmt::format("key {} of a sampler is a quaternion of length 0; it must be 1", i));
+      return fail(ErrorCode::parse, say("sampler_quaternion", i));
     }
   }
   return keys;

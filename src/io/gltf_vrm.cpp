@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 #include "gltf_json.hpp"
 #include "person/landmark_points.hpp"
@@ -38,8 +38,7 @@ class BoneReader {
     // some writers give the node -1 to bones that a character has not
     if (node.is_number_integer() && node == -1) return;
     if (!node.is_number_unsigned() || node >= static_cast<std::uint64_t>(nodes_)) {
-      return wrong(fmt::format("the node of {} is {}; allowed are 0 to {}", shown(name, kLongest),
-                               shown(node, kLongest), nodes_ - 1));
+      return wrong(say("vrm_node", shown(name, kLongest), shown(node, kLongest), nodes_ - 1));
     }
     const int index = node.get<int>();
     const std::string own = name.is_string() ? name.get<std::string>() : std::string();
@@ -49,8 +48,7 @@ class BoneReader {
       if (ours != humanoid_bone_name(bone)) continue;
       int& mapped = bones_.map[bone];
       if (mapped >= 0 && mapped != index) {
-        wrong(fmt::format("{} comes twice: node {} is taken, not {}", shown(name, kLongest), mapped,
-                          index));
+        wrong(say("vrm_twice", shown(name, kLongest), mapped, index));
       } else {
         mapped = index;
       }
@@ -58,9 +56,10 @@ class BoneReader {
   }
 
   VrmBones finish() {
-    if (wrong_ == 1) bones_.doubts.push_back("the VRM map is wrong: " + first_wrong_);
+    if (wrong_ == 1)
+      bones_.doubts.push_back(say("at_place", say("vrm_map_is_wrong"), first_wrong_));
     if (wrong_ > 1) {
-      bones_.doubts.push_back(fmt::format(messages::kVrmMapWrong.text, wrong_, first_wrong_));
+      bones_.doubts.push_back(say("vrm_map_wrong", wrong_, first_wrong_));
     }
     return std::move(bones_);
   }
@@ -68,7 +67,7 @@ class BoneReader {
   void version(VrmVersion version) { bones_.version = version; }
 
  private:
-  void wrong(std::string message) {
+  void wrong(Message message) {
     if (++wrong_ == 1) first_wrong_ = std::move(message);
   }
 
@@ -77,7 +76,7 @@ class BoneReader {
   VrmBones bones_;
   int nodes_;
   int wrong_ = 0;  // entries of the map
-  std::string first_wrong_;
+  Message first_wrong_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <shigusa/message.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,7 @@ struct VrmBones {
   HumanoidMap map;
   // all bones by the file's name and node, fingers and eyes among them
   std::vector<std::pair<std::string, int>> all;
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
 };
 
 // Reads the bones of VRM 0.x and 1.0; `nodes`: how many the file has. A file may hold both, then

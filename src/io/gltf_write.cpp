@@ -7,6 +7,7 @@
 
 #include "core/check.hpp"
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "glb.hpp"
 #include "gltf_json.hpp"
 #include "json_splice.hpp"
@@ -140,16 +141,15 @@ class AnimationAdder {
     for (const char* added : {"accessors", "animations", "buffers", "bufferViews"}) {
       const Value list = json_.member(root_, added);
       if (list && !json_.text_of(list).starts_with('[')) {
-        return wrong(fmt::format("{} is not a list", added));
+        return wrong(say("not_a_list", added));
       }
     }
     for (const char* list : {"buffers", "images"}) {
       SHG_TRY(refers_to_no_file(list));
     }
     if (buffers_.empty() || !in_chunk()) return {};
-    if (!parts_.binary) return wrong("buffers[0] is of the binary chunk, and there is none");
-    return json_.member(buffers_[0], "byteLength") ? Result<void>{}
-                                                   : wrong("buffers[0] has no byteLength");
+    if (!parts_.binary) return wrong(say("no_binary_chunk"));
+    return json_.member(buffers_[0], "byteLength") ? Result<void>{} : wrong(say("no_byte_length"));
   }
 
   Result<std::string> add(std::span<const GltfAnimation> animations) {
@@ -180,7 +180,7 @@ class AnimationAdder {
   }
 
  private:
-  [[nodiscard]] Result<void> wrong(std::string message) const {
+  [[nodiscard]] Result<void> wrong(Message message) const {
     return fail(ErrorCode::parse, std::move(message), std::string(name_));
   }
 
@@ -192,15 +192,12 @@ class AnimationAdder {
   [[nodiscard]] Result<void> refers_to_no_file(const char* list) const {
     std::size_t i = 0;
     if (json_.count(json_.member(root_, list)) > JsonSplice::kMostElements) {
-      return wrong(fmt::format("more than {} {}", JsonSplice::kMostElements, list));
+      return wrong(say("list_most", JsonSplice::kMostElements, list));
     }
     for (const Value& each : json_.elements(json_.member(root_, list))) {
       const std::string_view uri = json_.text_of(json_.member(each, "uri"));
       if (!uri.empty() && !uri.starts_with("\"data:")) {
-        return fail(ErrorCode::unsupported,
-                    fmt::format("{}[{}] lies in another file, {}, which a copy would lose: make it "
-                                "one .glb file first",
-                                list, i, printable(uri)),
+        return fail(ErrorCode::unsupported, say("lies_elsewhere", list, i, printable(uri)),
                     std::string(name_));
       }
       ++i;

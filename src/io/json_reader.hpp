@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/say.hpp"
 #include "json_text.hpp"
 
 namespace shigusa {
@@ -23,7 +24,7 @@ namespace shigusa {
 class JsonReader {
  public:
   JsonReader(const Json& object, std::string place) : object_(&object), place_(std::move(place)) {
-    if (!object.is_object()) wrong("", "must be an object { … }");
+    if (!object.is_object()) wrong("", say("must_be_object"));
   }
 
   [[nodiscard]] bool has(const char* key) {
@@ -44,8 +45,7 @@ class JsonReader {
     if (!has(key)) return;
     const Json& member = value(key);
     if (!member.is_number() || !(member.get<double>() >= low && member.get<double>() <= high)) {
-      return wrong(key, fmt::format("is {}; allowed are numbers from {:g} to {:g}", shown(member),
-                                    low, high));
+      return wrong(key, say("must_be_number_in", shown(member), low, high));
     }
     into = member.get<double>();
   }
@@ -56,10 +56,8 @@ class JsonReader {
     const Json& member = value(key);
     if (!member.is_number_unsigned() || member.get<std::uint64_t>() < low ||
         member.get<std::uint64_t>() > high) {
-      const std::string allowed =
-          low == high ? fmt::format("allowed is {}", low)
-                      : fmt::format("allowed are whole numbers from {} to {}", low, high);
-      return wrong(key, "is " + shown(member) + "; " + allowed);
+      return wrong(key, low == high ? say("allowed_is_one", shown(member), low)
+                                    : say("whole_numbers", shown(member), low, high));
     }
     into = static_cast<Integer>(member.get<std::uint64_t>());
   }
@@ -67,13 +65,13 @@ class JsonReader {
   void text(const char* key, std::string& into) {
     if (!has(key)) return;
     const Json& member = value(key);
-    if (!member.is_string()) return wrong(key, "is " + shown(member) + "; must be a text");
+    if (!member.is_string()) return wrong(key, say("must_be_text", shown(member)));
     into = member.get<std::string>();
   }
 
   void truth(const char* key, bool& into) {
     if (!has(key)) return;
-    if (!value(key).is_boolean()) return wrong(key, "must be true or false");
+    if (!value(key).is_boolean()) return wrong(key, say("must_be_truth"));
     into = value(key).get<bool>();
   }
 
@@ -83,7 +81,7 @@ class JsonReader {
     const Json& list = value(key);
     const auto is_text = [](const Json& text) { return text.is_string(); };
     if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_text)) {
-      return wrong(key, "must be a list of texts");
+      return wrong(key, say("must_be_texts"));
     }
     for (const Json& text : list) into.push_back(text.get<std::string>());
   }
@@ -120,8 +118,7 @@ class JsonReader {
   void vector(const char* key, Vec3d& into, double low, double high) {
     if (!has(key)) return;
     if (!read_vector(value(key), into, low, high)) {
-      wrong(key, fmt::format("is {}; must be three numbers [x, y, z] from {:g} to {:g}",
-                             shown(value(key)), low, high));
+      wrong(key, say("must_be_point", shown(value(key)), low, high));
     }
   }
 
@@ -136,8 +133,7 @@ class JsonReader {
     }
     const Quatd read{q[0], q[1], q[2], q[3]};
     if (!valid || !is_unit(read)) {
-      return wrong(key,
-                   fmt::format("is {}; must be a unit quaternion [x, y, z, w]", shown(member)));
+      return wrong(key, say("must_be_quaternion", shown(member)));
     }
     into = read;
   }
@@ -151,19 +147,17 @@ class JsonReader {
       valid = read_vector(list[i], into.emplace_back(), -range, range);
     }
     if (!valid) {
-      wrong(key, fmt::format("must be a list of at most {} points [x, y, z], each number from {:g} "
-                             "to {:g}",
-                             most, -range, range));
+      wrong(key, say("must_be_points", most, -range, range));
     }
   }
 
   // a member that must be there
   void require(const char* key) {
     if (!object_->is_object() || object_->contains(key)) return;
-    wrong(key, "is missing");
+    wrong(key, say("is_missing"));
   }
 
-  void wrong(const std::string& key, const std::string& message) {
+  void wrong(const std::string& key, const Message& message) {
     if (!error_) {
       error_ = Error{ErrorCode::parse, message, key.empty() ? place() : place_of(key)};
     }

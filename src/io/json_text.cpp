@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "watched_json.hpp"
 
 namespace shigusa {
@@ -19,9 +20,9 @@ class JsonLimits {
  public:
   void see(int depth, Json::parse_event_t event, const Json& parsed) {
     if (depth > kJsonMaxDepth) {
-      throw fmt::format("nested deeper than {} levels", kJsonMaxDepth);
+      throw say("nested_levels", kJsonMaxDepth);
     }
-    if (++values_ > kJsonMaxValues) throw fmt::format("more than {} values", kJsonMaxValues);
+    if (++values_ > kJsonMaxValues) throw say("values_most", kJsonMaxValues);
     using Event = Json::parse_event_t;
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
@@ -30,17 +31,17 @@ class JsonLimits {
     const auto level = index(depth);
     if (event == Event::array_start || event == Event::object_start) objects_[level + 1] = 0;
     if (event == Event::object_start && ++objects_[level] > kJsonMaxObjects) {
-      throw fmt::format("more than {} objects in one list", kJsonMaxObjects);
+      throw say("objects_most", kJsonMaxObjects);
     }
   }
 
  private:
   void see_key(const std::string& key) {
     if (!keys_.back().insert(key).second) {
-      throw fmt::format("the key '{}' stands twice in one object", key.substr(0, 80));
+      throw say("key_twice", key.substr(0, 80));
     }
     if (keys_.back().size() > kJsonMaxMembers) {
-      throw fmt::format("more than {} members in one object", kJsonMaxMembers);
+      throw say("members_most", kJsonMaxMembers);
     }
   }
 
@@ -58,7 +59,7 @@ Result<Json> parse_json(std::string_view text, std::string_view name) {
     return true;
   };
   const std::string place(name);
-  if (text.empty()) return fail(ErrorCode::parse, "the file is empty", place);
+  if (text.empty()) return fail(ErrorCode::parse, say("empty_file"), place);
   return parse_watched<Json>(text, watch, "JSON", place);
 }
 

@@ -7,10 +7,11 @@
 #include <string_view>
 
 #include "core/c_locale.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 
-// Parses JSON text while `watch`, nlohmann's callback, sees each event: it may throw a std::string,
+// Parses JSON text while `watch`, nlohmann's callback, sees each event: it may throw a Message,
 // which ends the parse and is the error's message. `wrong`: what the text is not ("glTF"), for
 // text that is no JSON; errors name the place.
 template <class Json, class Watch>
@@ -20,14 +21,13 @@ template <class Json, class Watch>
   const WithinCLocale point;
   try {
     return Json::parse(text, watch);
-  } catch (const std::string& passed) {
+  } catch (const Message& passed) {
     return fail(ErrorCode::parse, passed, place);
   } catch (const typename Json::exception& error) {
     const std::string_view what = error.what();
     const std::size_t cut = what.find("] ");
     return fail(ErrorCode::parse,
-                "not " + wrong + ": " +
-                    std::string(cut == std::string_view::npos ? what : what.substr(cut + 2)),
+                say("not_json", wrong, cut == std::string_view::npos ? what : what.substr(cut + 2)),
                 place);
   }
 }

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <shigusa/words.hpp>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 
 namespace shigusa {
@@ -81,22 +81,19 @@ class XmlReader {
       counted_ = at_;
       SHG_TRY(take_markup());
     }
-    if (!open_.empty()) return wrong(messages::kXmlNeverClosed.text, shortened(open_.back()->name));
-    if (top_.children.empty()) return wrong(messages::kNoXml.text);
+    if (!open_.empty()) return wrong(say("xml_never_closed", shortened(open_.back()->name)));
+    if (top_.children.empty()) return wrong(say("no_xml"));
     return std::move(top_.children[0]);
   }
 
  private:
-  template <class... Args>
-  [[nodiscard]] tl::unexpected<Error> wrong(fmt::format_string<Args...> format,
-                                            Args&&... args) const {
-    return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...),
-                fmt::format("line {} of {}", line_, name_));
+  [[nodiscard]] tl::unexpected<Error> wrong(Message message) const {
+    return fail(ErrorCode::parse, std::move(message), fmt::format("line {} of {}", line_, name_));
   }
 
   Result<void> skip_to(std::string_view end, std::string_view what) {
     const std::size_t found = text_.find(end, at_);
-    if (found == text_.npos) return wrong("{} is never closed", what);
+    if (found == text_.npos) return wrong(say("never_closed", what));
     at_ = found + end.size();
     return {};
   }
@@ -108,7 +105,7 @@ class XmlReader {
     if (rest.starts_with("<?")) return skip_to("?>", "<?");
     if (rest.starts_with("<!")) {
       if (rest.substr(0, rest.find('>')).find('[') != rest.npos) {
-        return wrong(messages::kXmlDefinitions.text);
+        return wrong(say("xml_definitions"));
       }
       return skip_to(">", "<!");
     }
@@ -123,7 +120,7 @@ class XmlReader {
         quote = 0;
       }
     }
-    if (end >= text_.size()) return wrong(messages::kXmlTagOpen.text);
+    if (end >= text_.size()) return wrong(say("xml_tag_open"));
     const std::string_view tag = text_.substr(at_ + 1, end - at_ - 1);
     at_ = end + 1;
     return tag.starts_with('/') ? close(tag.substr(1)) : open(tag);
@@ -138,13 +135,12 @@ class XmlReader {
     const bool empty = tag.ends_with('/');
     if (empty) tag.remove_suffix(1);
     const std::string_view name = name_of(tag);
-    if (name.empty()) return wrong("a tag without a name");
+    if (name.empty()) return wrong(say("tag_no_name"));
     if (open_.empty() && !top_.children.empty()) {
-      return wrong("a second element <{}> beside <{}>", shortened(name),
-                   shortened(top_.children[0].name));
+      return wrong(say("second_element", shortened(name), shortened(top_.children[0].name)));
     }
     if (static_cast<int>(open_.size()) >= limits_.depth) {
-      return wrong(messages::kXmlDeep.text, shortened(name), limits_.depth);
+      return wrong(say("xml_deep", shortened(name), limits_.depth));
     }
     // no element that is open has siblings behind it, so none moves when one is added
     XmlElement& above = open_.empty() ? top_ : *open_.back();
@@ -170,15 +166,14 @@ class XmlReader {
       const bool quoted = tag.starts_with('"') || tag.starts_with('\'');
       const std::size_t end = equals && quoted ? tag.find(tag[0], 1) : tag.npos;
       if (end == tag.npos) {
-        return wrong("<{}> has '{}' where NAME=\"VALUE\" is expected", shortened(element.name),
-                     shortened(name.empty() ? tag : name));
+        return wrong(
+            say("xml_attribute", shortened(element.name), shortened(name.empty() ? tag : name)));
       }
       if (element.attribute(name) != nullptr) {
-        return wrong("<{}> has {} twice", shortened(element.name), shortened(name));
+        return wrong(say("attribute_twice", shortened(element.name), shortened(name)));
       }
       if (element.attributes.size() >= kXmlMaxAttributes) {
-        return wrong("<{}> has more than {} attributes", shortened(element.name),
-                     kXmlMaxAttributes);
+        return wrong(say("attributes_most", shortened(element.name), kXmlMaxAttributes));
       }
       element.attributes.emplace_back(name, unescaped(tag.substr(1, end - 1)));
       tag.remove_prefix(end + 1);
@@ -189,8 +184,8 @@ class XmlReader {
   Result<void> close(std::string_view tag) {
     while (!tag.empty() && is_blank(tag.back())) tag.remove_suffix(1);
     if (open_.empty() || open_.back()->name != tag) {
-      return wrong(messages::kXmlCloses.text, shortened(tag),
-                   open_.empty() ? "nothing" : "<" + shortened(open_.back()->name) + ">");
+      return wrong(say("xml_closes", shortened(tag),
+                       open_.empty() ? "nothing" : "<" + shortened(open_.back()->name) + ">"));
     }
     open_.pop_back();
     return {};
@@ -240,20 +235,23 @@ Result<XmlElement> parse_xml(std::string_view text, const XmlLimits& limits,
                              std::string_view name) {
   const std::string place(name);
   if (text.size() > limits.bytes) {
-    return fail(ErrorCode::parse,
-                fmt::format(messages::kBytesAllowed.text, text.size(), limits.bytes), place);
+    return fail(ErrorCode::parse, say("bytes_allowed", text.size(), limits.bytes), place);
   }
   if (text.find('\0') != text.npos) {
-    return fail(ErrorCode::parse, std::string(messages::kZeroByte.text), place);
+    return fail(ErrorCode::parse, say("zero_byte"), place);
   }
   if (static_cast<std::size_t>(std::count(text.begin(), text.end(), '<')) > limits.tags) {
-    return fail(ErrorCode::parse, fmt::format(messages::kXmlTags.text, limits.tags), place);
+    return fail(ErrorCode::parse, say("xml_tags", limits.tags), place);
   }
   return XmlReader(text, limits, name).read();
 }
 
 std::string place_of(const XmlElement& element, std::string_view name) {
   return fmt::format("line {} of {}", element.line, name);
+}
+
+tl::unexpected<Error> fail_at(const XmlElement& element, std::string_view name, Message message) {
+  return fail(ErrorCode::parse, std::move(message), place_of(element, name));
 }
 
 std::string write_xml(const XmlElement& element) {

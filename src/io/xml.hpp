@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstddef>
 #include <optional>
 #include <shigusa/result.hpp>
@@ -45,12 +43,8 @@ struct XmlElement {
 [[nodiscard]] std::string place_of(const XmlElement& element, std::string_view name);
 
 // An error of what is wrong with an element of that file.
-template <class... Args>
 [[nodiscard]] tl::unexpected<Error> fail_at(const XmlElement& element, std::string_view name,
-                                            fmt::format_string<Args...> format, Args&&... args) {
-  return fail(ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...),
-              place_of(element, name));
-}
+                                            Message message);
 
 // The element as a text that parse_xml reads as the same element, each of its children on a line.
 [[nodiscard]] std::string write_xml(const XmlElement& element);

@@ -8,6 +8,8 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "core/say.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -61,9 +63,10 @@ Result<Assignment> split(std::span<const Parameter> all, std::string_view text) 
       note(members, fmt::format("NAME.{}=NUMBER", member));
       if (parameter.locked != nullptr) note(members, "NAME.locked=true|false");
     }
+    const std::string forms = fmt::format("{}", fmt::join(members, ", "));
     return fail(ErrorCode::invalid_argument,
-                fmt::format("'{}' is not {}{}", text.substr(0, 80), fmt::join(members, ", "),
-                            posture ? " or, of the posture, NAME=NUMBER" : ""));
+                posture ? say("no_assignment_posture", text.substr(0, 80), forms)
+                        : say("no_assignment", text.substr(0, 80), forms));
   }
   const std::string_view value = text.substr(equals + 1);
   if (dot == text.npos) return Assignment{whole, whole, {}, value};
@@ -79,9 +82,8 @@ Result<void> set_number(const Assignment& asked, const Parameter& parameter) {
       parse_number(asked.value).value_or(std::numeric_limits<double>::infinity()) * unit;
   if (!(value >= info.low && value <= info.high)) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("{} is '{}'; allowed are numbers from {:.4g} to {:.4g}",
-                            asked.member.empty() ? asked.whole : asked.member, asked.value,
-                            info.low / unit, info.high / unit));
+                say("assignment_range", asked.member.empty() ? asked.whole : asked.member,
+                    asked.value, info.low / unit, info.high / unit));
   }
   parameter.set(value);
   if (parameter.locked != nullptr) *parameter.locked = false;
@@ -90,8 +92,7 @@ Result<void> set_number(const Assignment& asked, const Parameter& parameter) {
 
 Result<void> set_lock(const Assignment& asked, const Parameter& parameter) {
   if (asked.value != "true" && asked.value != "false") {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("locked is '{}'; allowed are true and false", asked.value));
+    return fail(ErrorCode::invalid_argument, say("locked_is", asked.value));
   }
   *parameter.locked = asked.value == "true";
   return {};
@@ -105,10 +106,8 @@ Result<void> no_such_posture(std::span<const Parameter> all, const Assignment& a
     note(names, parameter.spelled("_deg"));
     note(names, parameter.spelled("_rad"));
   }
-  return fail(ErrorCode::not_found,
-              fmt::format("'{}' is not NAME.weight=NUMBER or NAME.locked=true|false, nor of the "
-                          "posture: {}",
-                          asked.whole, unknown_name("posture parameter", asked.whole, names)));
+  return fail(ErrorCode::not_found, say("no_weight_assignment", asked.whole,
+                                        unknown_name("posture parameter", asked.whole, names)));
 }
 
 Result<void> no_such_parameter(std::span<const Parameter> all, const Assignment& asked) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/check.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 namespace {
@@ -127,41 +128,37 @@ Transformd held_place(const BodyModel& body, int carrier, int link) {
 }
 
 Result<BodyLimbs> find_limbs(const BodyModel& body) {
-  const auto refuse = [&body](const std::string& what) {
-    return fail(ErrorCode::unsupported,
-                "layers are for bodies that stand, with arms of 3 + 1 or 3 + 2 + 2 and legs of "
-                "1 + 1 + 3 or 2 + 1 + 3 freedoms; " +
-                    what,
-                body.name());
+  const auto refuse = [&body](const Message& what) {
+    return fail(ErrorCode::unsupported, say("layers_bodies", what), body.name());
   };
   BodyLimbs limbs;
-  if (body.robot()) return refuse("a robot has others");
-  if (body.effectors().empty()) return refuse("it has no hand");
+  if (body.robot()) return refuse(say("robot_has_others"));
+  if (body.effectors().empty()) return refuse(say("has_no_hand"));
   const int shoulder = body.effectors()[0].limb_root;
   const auto trunk_chain = leg_of(body, body.chain(body.dof(shoulder).parent));
   std::optional<BodyLimb> base = carrying_leg(body, trunk_chain);
-  if (!base) return refuse("the standing leg is different");
+  if (!base) return refuse(say("standing_leg_differs"));
   limbs.trunk = trunk_chain.back();
   for (std::size_t f = 0; f < body.feet().size(); ++f) {
     const Foot& foot = body.feet()[f];
     std::optional<BodyLimb> leg = base;
     if (foot.link != kBaseLink) {
       const auto chain = body.chain(foot.link);
-      if (!begins_with(chain, trunk_chain)) return refuse(foot.name + " is different");
+      if (!begins_with(chain, trunk_chain)) return refuse(say("limb_differs", foot.name));
       leg = planted_leg(body, chain.subspan(trunk_chain.size()));
     }
-    if (!leg) return refuse(foot.name + " is different");
+    if (!leg) return refuse(say("limb_differs", foot.name));
     leg->foot = static_cast<int>(f);
     limbs.legs.insert(foot.link == kBaseLink ? limbs.legs.begin() : limbs.legs.end(), *leg);
   }
-  if (limbs.legs.empty() || !limbs.legs[0].carries) return refuse("it does not stand on its base");
+  if (limbs.legs.empty() || !limbs.legs[0].carries) return refuse(say("not_on_base"));
   for (std::size_t e = 0; e < body.effectors().size(); ++e) {
     const Effector& effector = body.effectors()[e];
     const auto carrier = body.chain(body.dof(effector.limb_root).parent);
     const auto chain = body.chain(effector.link);
-    if (!begins_with(carrier, trunk_chain)) return refuse(effector.name + " is different");
+    if (!begins_with(carrier, trunk_chain)) return refuse(say("limb_differs", effector.name));
     std::optional<BodyLimb> arm = arm_of(body, chain.subspan(carrier.size()), effector);
-    if (!arm) return refuse(effector.name + " is different");
+    if (!arm) return refuse(say("limb_differs", effector.name));
     arm->effector = static_cast<int>(e);
     limbs.arms.push_back(*arm);
     for (const int joint : carrier.subspan(trunk_chain.size())) limbs.joints.push_back(joint);

@@ -10,7 +10,7 @@
 
 #include "body/posture_modes.hpp"
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 namespace {
@@ -170,8 +170,7 @@ class Binder {
 
 Result<void> check_counts(const Counts& counts, const Parameters& values) {
   const auto wrong = [](std::string_view what, std::size_t given, std::size_t known) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} {}, for a plan of {}", given, what, known));
+    return fail(ErrorCode::invalid_argument, say("plan_counts", given, what, known));
   };
   const auto modes_differ = [&counts](const std::vector<double>& modes) {
     return !modes.empty() && modes.size() != counts.modes;
@@ -210,16 +209,12 @@ Result<void> check_range(const Parameter& parameter) {
   const std::string_view what = word.empty() ? "value" : word;
   for (const double* value : parameter.values) {
     if (!(*value >= info.low && *value <= info.high)) {
-      return fail(
-          ErrorCode::invalid_argument,
-          fmt::format("{} is {}; allowed are {:.4g} to {:.4g}", what, *value, info.low, info.high),
-          parameter.subject());
+      return fail(ErrorCode::invalid_argument,
+                  say("parameter_range", what, *value, info.low, info.high), parameter.subject());
     }
     if (*value != parameter.value()) {
-      return fail(
-          ErrorCode::invalid_argument,
-          fmt::format("{}s are {} and {} of limbs that share one", what, parameter.value(), *value),
-          parameter.subject());
+      return fail(ErrorCode::invalid_argument,
+                  say("shared_values", what, parameter.value(), *value), parameter.subject());
     }
   }
   return {};
@@ -274,8 +269,7 @@ Result<Plan> layers_to_goals(const BodyModel& body, std::span<const Goal> goals,
     const bool turns = goal.rotation || goal.axis;
     const bool turnable = choice.stack == LayerStack::human && arm->has_wrist();
     if ((turns && !turnable) || goal.tolerance != Vec3d{}) {
-      return fail(ErrorCode::unsupported, std::string(messages::kHandsAlone.text),
-                  "goal of " + goal.effector);
+      return fail(ErrorCode::unsupported, say("hands_alone"), "goal of " + goal.effector);
     }
     // the arms' layers follow the upper one in the order of the arms
     layers.push_back(all[1 + index(static_cast<int>(arm - limbs.arms.begin()))]);
@@ -346,8 +340,7 @@ Result<void> check_parameters(std::span<const Layer> plan, const Parameters& val
   for (std::size_t d = 0; d < dofs.size(); ++d) {
     if (dofs[d].kind == ReducedDof::Kind::slide || has_weight(plan.front(), d)) continue;
     if (values.joints[d].locked) continue;
-    return fail(ErrorCode::invalid_argument, "is not locked, and has no weight in this plan",
-                dofs[d].name);
+    return fail(ErrorCode::invalid_argument, say("not_locked"), dofs[d].name);
   }
   return {};
 }

@@ -5,7 +5,7 @@
 
 #include "core/check.hpp"
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "person/find_humanoid.hpp"
 
 namespace shigusa {
@@ -32,18 +32,15 @@ BoneFinder::BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const
 }
 
 Result<HumanoidMap> BoneFinder::find() {
-  if (tree_.size() == 0)
-    return fail(ErrorCode::invalid_argument, std::string(messages::kNoNodes.text));
+  if (tree_.size() == 0) return fail(ErrorCode::invalid_argument, say("no_nodes"));
   if (tree_.extent() <= 0.0) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kNoSkeleton.text,
-                            tree_.size() == 1
-                                ? std::string(messages::kOneNode.text)
-                                : fmt::format(messages::kNodesAtOnePoint.text, tree_.size())));
+                say("no_skeleton",
+                    tree_.size() == 1 ? say("one_node") : say("nodes_at_one_point", tree_.size())));
   }
   SHG_TRY(find_limbs());
   if (!find_hips()) {
-    return fail(ErrorCode::invalid_argument, std::string(messages::kSeveralRoots.text));
+    return fail(ErrorCode::invalid_argument, say("several_roots"));
   }
   find_trunk_branch();
   find_neck_and_head();
@@ -54,7 +51,7 @@ Result<HumanoidMap> BoneFinder::find() {
   find_toes(NameSide::right, Bone::right_foot, Bone::right_toes);
   SHG_TRY(check_asked());
   if (feet_point_backwards(tree_, map_)) {
-    doubt(messages::kFeetBackwards.text);
+    doubt("feet_backwards");
   }
   return std::move(map_);
 }
@@ -70,8 +67,7 @@ Result<void> BoneFinder::find_limbs() {
   if (gap == found.size()) return {};
   const bool none = std::count(found.begin(), found.end(), true) == 0;
   if (!find_by_shape(found)) return fail(ErrorCode::invalid_argument, missing(gap));
-  doubt(messages::kByShape.text, kLimbNames[gap],
-        none ? std::string(messages::kAllLimbs.text) : std::string(messages::kTheRest.text));
+  doubt("found_by_shape", kLimbNames[gap], none ? say("all_limbs") : say("the_rest"));
   return {};
 }
 
@@ -144,12 +140,12 @@ bool BoneFinder::strictly_below(int i, int ancestor) const {
 Result<void> BoneFinder::check_asked() const {
   const auto refuse = [this](Bone bone) {
     const int found = map_[bone];
-    return fail(
-        ErrorCode::invalid_argument,
-        fmt::format(
-            "{} cannot be {}: it does not hang where that bone does{}",
-            tree_.described(asked_[bone]), humanoid_bone_name(bone),
-            found < 0 || found == asked_[bone] ? "" : "; found is " + tree_.described(found)));
+    const std::string node = tree_.described(asked_[bone]);
+    const std::string_view name = humanoid_bone_name(bone);
+    return fail(ErrorCode::invalid_argument,
+                found < 0 || found == asked_[bone]
+                    ? say("cannot_be_bone", node, name)
+                    : say("cannot_be_bone_found", node, name, tree_.described(found)));
   };
   for (const Bone bone : kHumanoidBones) {
     if (asked_[bone] >= 0 && map_[bone] != asked_[bone]) return refuse(bone);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <fmt/format.h>
-
 #include <array>
 #include <optional>
 #include <shigusa/result.hpp>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "humanoid_names.hpp"
 #include "humanoid_shape.hpp"
 #include "landmark_points.hpp"
@@ -35,8 +34,8 @@ class BoneFinder {
                                                               "right arm"};
 
   template <class... Args>
-  void doubt(fmt::format_string<Args...> format, Args&&... args) {
-    map_.doubts.push_back(fmt::format(format, std::forward<Args>(args)...));
+  void doubt(Sentence<std::type_identity_t<Args>...> sentence, const Args&... args) {
+    map_.doubts.push_back(say(sentence, args...));
   }
 
   [[nodiscard]] const BoneName& name(int i) const { return names_[index(i)]; }
@@ -76,7 +75,7 @@ class BoneFinder {
   [[nodiscard]] std::size_t left_of(const BranchPair& pair, const std::array<LimbNodes, 2>& limbs,
                                     const Vec3d& left) const;
   [[nodiscard]] int side_by_names(int branch) const;
-  [[nodiscard]] std::string missing(std::size_t limb) const;
+  [[nodiscard]] Message missing(std::size_t limb) const;
   [[nodiscard]] int hub(std::size_t missing_limb) const;
 
   // what is between and beyond them

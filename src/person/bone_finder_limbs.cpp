@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "bone_finder.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 
@@ -13,7 +13,7 @@ bool BoneFinder::take_given(std::size_t limb) {
   if (!strictly_below(given_[lower], given_[upper]) ||
       !strictly_below(given_[end], given_[lower])) {
     if (!any_given_) return false;
-    doubt(messages::kMapWithoutLimb.text, kLimbNames[limb]);
+    doubt("map_without_limb", kLimbNames[limb]);
     return false;
   }
   for (const Bone bone : kLimbs[limb]) map_[bone] = given_[bone];
@@ -114,7 +114,7 @@ int BoneFinder::end_beside(const std::vector<int>& ends, const LimbNodes& nodes,
     const bool in_place = length > kShortest * before && length < kLongest * before && stretched;
     const bool asked = asked_[kLimbs[limb][2]] == end;
     if (!asked && (tip == nodes[1] ? !in_place : !at_tip)) continue;
-    doubt(messages::kLooseEnd.text, tree_.described(end), kLimbNames[limb]);
+    doubt("loose_end", tree_.described(end), kLimbNames[limb]);
     return end;
   }
   return -1;
@@ -147,7 +147,7 @@ int BoneFinder::end_below(const LimbNodes& nodes, std::size_t limb) {
     }
     if (tree_.node(*i).end_site) return -1;
     if (tree_.children(tree_.node(*i).parent).size() > 1) {
-      doubt(messages::kEndByPlace.text, tree_.described(*i), kLimbNames[limb]);
+      doubt("end_by_place", tree_.described(*i), kLimbNames[limb]);
     }
     return *i;
   }
@@ -274,7 +274,7 @@ Vec3d BoneFinder::left_of_feet(const BodyShape& shape, const std::array<LimbNode
   const Vec3d left = cross(up, ahead);
   if (norm(left) > kClearly * dot(up, up)) return left;
   if (side_by_names(shape.legs.branch[0]) == side_by_names(shape.legs.branch[1])) {
-    doubt(messages::kSidesGuessed.text, tree_.described(legs[0][0]));
+    doubt("sides_guessed", tree_.described(legs[0][0]));
   }
   return tree_.at(legs[0][0]) - tree_.at(legs[1][0]);
 }
@@ -303,19 +303,17 @@ int BoneFinder::side_by_names(int branch) const {
 }
 
 // The file's state where a limb is missing, in terms of the file's own joints.
-std::string BoneFinder::missing(std::size_t limb) const {
+Message BoneFinder::missing(std::size_t limb) const {
   for (std::size_t k = 1; k < 3; ++k) {
     const int above = map_[kLimbs[limb][k - 1]];
     if (above < 0 || map_[kLimbs[limb][k]] >= 0) continue;
     const std::vector<int> chain = tree_.chain(above, above);
-    return fmt::format(
-        messages::kNoBoneBelow.text, humanoid_bone_name(kLimbs[limb][k]), tree_.described(above),
-        chain.empty() ? "nothing follows" : "comes only " + tree_.described(chain.front()));
+    return say("no_bone_below", humanoid_bone_name(kLimbs[limb][k]), tree_.described(above),
+               chain.empty() ? "nothing follows" : "comes only " + tree_.described(chain.front()));
   }
   const int from = hub(limb);
   if (from < 0) return missing_by_shape(tree_);
-  return fmt::format(messages::kNoLimb.text, kLimbNames[limb],
-                     describe_branches(tree_, from, limb < 2));
+  return say("no_limb", kLimbNames[limb], describe_branches(tree_, from, limb < 2));
 }
 
 // The node where a missing limb should leave: where its fellow does, else the hips by name, else

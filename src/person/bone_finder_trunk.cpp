@@ -4,7 +4,7 @@
 
 #include "body/anthropometry.hpp"
 #include "bone_finder.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 namespace {
@@ -37,7 +37,7 @@ bool BoneFinder::find_hips() {
     map_[Bone::hips] = given;
     return true;
   }
-  if (any_given_) doubt(messages::kMapWithoutHips.text);
+  if (any_given_) doubt("map_without_hips");
   for (int i = 0; i <= lowest; ++i) {
     const bool named_hips = name(i).part == BonePart::hips || name(i).part == BonePart::hip;
     if (named_hips && name(i).side == NameSide::none && tree_.below(lowest, i)) {
@@ -84,8 +84,7 @@ void BoneFinder::find_trunk_branch() {
     if (!goes_on) continue;
     chest_ = last;
     flat_ = true;
-    doubt(messages::kLimbsElsewhere.text, tree_.described(map_[Bone::hips]),
-          tree_.described(child));
+    doubt("limbs_elsewhere", tree_.described(map_[Bone::hips]), tree_.described(child));
     return;
   }
 }
@@ -105,8 +104,8 @@ void BoneFinder::find_neck_and_head() {
              : first_below(named(NameSide::none, {BonePart::head}), trunk_end);
   if (head < 0) head = head_by_shape();
   if (neck < 0 && head >= 0) neck = neck_by_shape(head);
-  if (neck < 0) doubt(messages::kNoNeck.text);
-  if (head < 0) doubt(messages::kNoHead.text);
+  if (neck < 0) doubt("no_neck");
+  if (head < 0) doubt("no_head");
 }
 
 bool BoneFinder::bears_limb(int i) const {
@@ -264,7 +263,7 @@ void BoneFinder::find_toes(NameSide side, Bone foot, Bone toes) {
   if (!chain.empty() && !tree_.node(chain.front()).end_site) {
     map_[toes] = chain.front();
   } else {
-    doubt(messages::kNoBoneBelow.text, humanoid_bone_name(toes), tree_.described(map_[foot]),
+    doubt("no_bone_below", humanoid_bone_name(toes), tree_.described(map_[foot]),
           chain.empty() ? "nothing follows" : "comes only its End Site");
   }
 }

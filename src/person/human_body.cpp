@@ -3,7 +3,7 @@
 
 #include "core/check.hpp"
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "human_builder.hpp"
 
 namespace shigusa {
@@ -23,7 +23,7 @@ bool joint_is_leg(const std::string& joint) {
 }  // namespace
 
 HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& settings,
-                           std::vector<std::string> doubts)
+                           std::vector<Message> doubts)
     : person_(person),
       settings_(settings),
       frames_(human_frames(person)),
@@ -52,8 +52,7 @@ BodyModel HumanBuilder::build() {
     add_arm(Side::left);
     settings_.sits ? add_seated_leg(other(base_side_)) : add_hanging_leg(other(base_side_));
     if (!other_stands_ && !settings_.sits) {
-      body_.doubts.push_back(
-          fmt::format(messages::kFootLifted.text, base_side_ == Side::left ? "right " : "left "));
+      body_.doubts.push_back(say("foot_lifted", base_side_ == Side::left ? "right " : "left "));
     }
   }
   add_nodes();
@@ -249,13 +248,12 @@ void HumanBuilder::hold_start_posture() {
     dof.upper += over;
     dof.lower -= under;
     if (max(over, under) < radians(1.0)) continue;
-    body_.doubts.push_back(
-        fmt::format(messages::kStartOutside.text, dof.name, degrees(body_.start[i])));
+    body_.doubts.push_back(say("start_outside", dof.name, degrees(body_.start[i])));
   }
 }
 
 BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
-                      std::vector<std::string> doubts) {
+                      std::vector<Message> doubts) {
   return HumanBuilder(landmarks, settings, std::move(doubts)).build();
 }
 

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <shigusa/human_body.hpp>
+#include <shigusa/message.hpp>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,7 @@ namespace shigusa {
 // Builds a person's definition link by link; each step adds what hangs on the links before it.
 class HumanBuilder {
  public:
-  HumanBuilder(const Landmarks& person, const HumanSettings& settings,
-               std::vector<std::string> doubts);
+  HumanBuilder(const Landmarks& person, const HumanSettings& settings, std::vector<Message> doubts);
   BodyModel build();
 
  private:

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/say.hpp"
 #include "landmark_points.hpp"
 
 namespace shigusa {
@@ -244,14 +245,11 @@ bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map) {
   return ahead < -kClearly * scale;
 }
 
-std::string missing_by_shape(const SkeletonTree& tree) {
+Message missing_by_shape(const SkeletonTree& tree) {
   const std::vector<BranchPair> pairs = longest_pairs(tree);
   if (!pairs.empty()) {
     const auto& [first, second] = pairs.front().branch;
-    return fmt::format(
-        "no two legs and two arms: of long chains in pairs of about the same shape, the longest "
-        "start at {} and {}, and beside them is no pair with the joints of a limb",
-        tree.described(first), tree.described(second));
+    return say("no_two_pairs", tree.described(first), tree.described(second));
   }
   const auto long_branches = [&](int node) {
     int count = 0;
@@ -264,10 +262,10 @@ std::string missing_by_shape(const SkeletonTree& tree) {
   for (int i = tree.size(); i-- > 0;) {
     if (long_branches(i) > 1) hub = i;
   }
-  return "no left leg: " + describe_branches(tree, hub, true);
+  return say("no_limb", "left leg", describe_branches(tree, hub, true));
 }
 
-std::string describe_branches(const SkeletonTree& tree, int hub, bool downwards) {
+Message describe_branches(const SkeletonTree& tree, int hub, bool downwards) {
   const std::vector<int>& children = tree.children(hub);
   const auto tip = [&](int branch) { return tree.at(tree.farthest(branch)) - tree.at(hub); };
   int spine = -1;  // the branch of the most joints
@@ -284,10 +282,11 @@ std::string describe_branches(const SkeletonTree& tree, int hub, bool downwards)
     if (downwards && (child == spine || dot(tip(child), tip(spine)) >= 0.0)) continue;
     if (++count <= 4) list += (list.empty() ? "" : ", ") + tree.described(child);
   }
-  return fmt::format("{} has {} chain{}{}{}{}", tree.described(hub),
-                     count == 0 ? "no" : std::to_string(count), count == 1 ? "" : "s",
-                     downwards ? (count == 1 ? " that goes down" : " that go down") : "",
-                     list.empty() ? "" : ": " + list, count > 4 ? ", …" : "");
+  if (count > 4) list += ", …";
+  const std::string at = tree.described(hub);
+  if (count == 0) return downwards ? say("no_chains_down", at) : say("no_chains", at);
+  if (count == 1) return downwards ? say("one_chain_down", at, list) : say("one_chain", at, list);
+  return downwards ? say("chains_down", at, count, list) : say("chains", at, count, list);
 }
 
 }  // namespace shigusa

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <shigusa/message.hpp>
 #include <shigusa/skeleton.hpp>
 #include <string>
 #include <string_view>
@@ -57,10 +58,10 @@ using MayBeLimbs = std::function<bool(const BranchPair&, bool legs)>;
 [[nodiscard]] bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map);
 
 // Why a body without names has no shape: what is missing, and what there is instead.
-[[nodiscard]] std::string missing_by_shape(const SkeletonTree& tree);
+[[nodiscard]] Message missing_by_shape(const SkeletonTree& tree);
 
 // The chains at `hub` where a limb is missing, for a message: "joint 'Hips' has 1 chain that goes
 // down: 'LeftHip'".
-[[nodiscard]] std::string describe_branches(const SkeletonTree& tree, int hub, bool downwards);
+[[nodiscard]] Message describe_branches(const SkeletonTree& tree, int hub, bool downwards);
 
 }  // namespace shigusa

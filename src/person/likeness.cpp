@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "landmark_points.hpp"
 
 namespace shigusa {
@@ -57,42 +57,41 @@ bool stands_on_four(const Landmarks& f) {
 }
 
 // Why a pair of limbs is no person's; empty where it may be one.
-std::string odd_limbs(const char* limb, Lengths left, Lengths right) {
+Message odd_limbs(const char* limb, Lengths left, Lengths right) {
   for (const Lengths& each : {left, right}) {
     const double share = unevenness(each.upper, each.lower);
     if (share <= kSegments) continue;
-    return fmt::format(messages::kOddSegments.text, limb, share, kSegments);
+    return say("odd_segments", limb, share, kSegments);
   }
   const double share = unevenness(left.sum(), right.sum());
   if (share <= kFellows) return {};
-  return fmt::format(messages::kOddLimbs.text, limb, share, kFellows);
+  return say("odd_limbs", limb, share, kFellows);
 }
 
 }  // namespace
 
-std::string unlike_a_person(const Landmarks& figure) {
+Message unlike_a_person(const Landmarks& figure) {
   const double legs = 0.5 * (leg_of(figure, Side::left).sum() + leg_of(figure, Side::right).sum());
   const double arms = 0.5 * (arm_of(figure, Side::left).sum() + arm_of(figure, Side::right).sum());
   const double trunk = norm(mid_shoulder(figure) - mid_hip(figure));
   const double trunk_share = trunk / legs;
   const double arm_share = arms / legs;
   if (stands_on_four(figure) && (trunk_share > kAnimalsTrunk || arm_share > kAnimalsArm)) {
-    return fmt::format(messages::kFourLegs.text, trunk_share, arm_share);
+    return say("four_legs", trunk_share, arm_share);
   }
   const double breadth = max(norm(figure.left_arm.shoulder - figure.right_arm.shoulder),
                              norm(figure.left_leg.hip - figure.right_leg.hip)) /
                          (trunk + legs);
   if (breadth > kBroadest) {
-    return fmt::format(messages::kBroad.text, breadth, kBroadest);
+    return say("broad", breadth, kBroadest);
   }
   if (trunk_share > kLongestTrunk) {
-    return fmt::format(messages::kLongTrunk.text, trunk_share, kLongestTrunk);
+    return say("long_trunk", trunk_share, kLongestTrunk);
   }
   if (arm_share < kShortestArm || arm_share > kLongestArm) {
-    return fmt::format(messages::kOddArms.text, arm_share, kShortestArm, kLongestArm);
+    return say("odd_arms", arm_share, kShortestArm, kLongestArm);
   }
-  const std::string odd_legs =
-      odd_limbs("leg", leg_of(figure, Side::left), leg_of(figure, Side::right));
+  Message odd_legs = odd_limbs("leg", leg_of(figure, Side::left), leg_of(figure, Side::right));
   if (!odd_legs.empty()) return odd_legs;
   return odd_limbs("arm", arm_of(figure, Side::left), arm_of(figure, Side::right));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/landmarks.hpp>
+#include <shigusa/message.hpp>
 #include <string>
 
 namespace shigusa {
@@ -10,6 +11,6 @@ namespace shigusa {
 // may be one. Children, dwarfs, figures with big heads, the arms of giants and robots may be: only
 // limbs of lengths that no figure has tell, and the stance on four legs. Of the landmarks limbs
 // alone count, in any unit and posture.
-[[nodiscard]] std::string unlike_a_person(const Landmarks& figure);
+[[nodiscard]] Message unlike_a_person(const Landmarks& figure);
 
 }  // namespace shigusa

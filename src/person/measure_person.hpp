@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <shigusa/landmarks.hpp>
+#include <shigusa/message.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
 #include <span>
@@ -34,7 +35,7 @@ struct MeasuredPerson {
   bool stature_guessed = false;     // no unit makes a person of the file
   Placement placement;              // of the file in shigusa's world
   std::array<int, 2> grip_nodes{};  // left, right: the nodes at the hands' grips
-  std::vector<std::string> doubts;  // guesses: the unit, a missing toe, a lifted foot
+  std::vector<Message> doubts;      // guesses: the unit, a missing toe, a lifted foot
 };
 
 struct MeasureSettings {

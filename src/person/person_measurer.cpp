@@ -5,7 +5,7 @@
 
 #include "core/check.hpp"
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "humanoid_shape.hpp"
 #include "math/axes.hpp"
 
@@ -66,9 +66,8 @@ Result<MeasuredPerson> PersonMeasurer::measure(const MeasureSettings& settings) 
 Result<void> PersonMeasurer::check_length(Side side, std::string_view segment, Bone a,
                                           Bone b) const {
   if (tree_.apart(map_[a], map_[b])) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format(messages::kNoLength.text, side_word(side), segment,
-                          tree_.described(map_[a]), tree_.described(map_[b])));
+  return fail(ErrorCode::invalid_argument, say("no_length", side_word(side), segment,
+                                               tree_.described(map_[a]), tree_.described(map_[b])));
 }
 
 Result<void> PersonMeasurer::read_limbs() {
@@ -94,7 +93,7 @@ Vec3d PersonMeasurer::find_up() {
   const Vec3d none{};
   if (posture != none) {
     if (rest != none && rest != posture) {
-      doubt(messages::kUpFollowed.text, axis_name(posture), axis_name(rest));
+      doubt("up_followed", axis_name(posture), axis_name(rest));
     }
     return posture;
   }
@@ -102,10 +101,10 @@ Vec3d PersonMeasurer::find_up() {
   if (rest != none && dot(rest, rise) > 0.0) return rest;
   if (const Vec3d own = TrunkAndLegs{mid_shoulder_ - mid_hip_, mid_hip_ - ankles}.common_line();
       own != none) {
-    doubt(messages::kNoUpright.text);
+    doubt("no_upright");
     return own;
   }
-  doubt(messages::kDoesNotStand.text, axis_name(nearest_axis(rise)));
+  doubt("does_not_stand", axis_name(nearest_axis(rise)));
   return nearest_axis(rise);
 }
 
@@ -126,13 +125,13 @@ Result<void> PersonMeasurer::find_left() {
   const Vec3d level = both - up_ * dot(both, up_);
   constexpr double kLeast = 0.2;
   if (norm(level) < kLeast) {
-    return fail(ErrorCode::invalid_argument, fmt::format(messages::kNoFacing.text, axis_name(up_)));
+    return fail(ErrorCode::invalid_argument, say("no_facing", axis_name(up_)));
   }
   left_ = normalized(level);
   ahead_ = cross(left_, up_);
   if (feet_point_backwards(tree_, map_)) {
     ahead_ = -ahead_;
-    doubt(messages::kWasMirrored.text);
+    doubt("was_mirrored");
   }
   return {};
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <fmt/format.h>
-
 #include <array>
 #include <shigusa/landmarks.hpp>
 #include <shigusa/result.hpp>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "body/anthropometry.hpp"
+#include "core/say.hpp"
 #include "humanoid_names.hpp"
 #include "landmark_points.hpp"
 #include "person/measure_person.hpp"
@@ -48,8 +47,8 @@ class PersonMeasurer {
   using Bone = HumanoidBone;
 
   template <class... Args>
-  void doubt(fmt::format_string<Args...> format, Args&&... args) {
-    result_.doubts.push_back(fmt::format(format, std::forward<Args>(args)...));
+  void doubt(Sentence<std::type_identity_t<Args>...> sentence, const Args&... args) {
+    result_.doubts.push_back(say(sentence, args...));
   }
 
   [[nodiscard]] const Vec3d& at(Bone bone) const { return tree_.at(map_[bone]); }

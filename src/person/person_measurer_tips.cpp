@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/human_body.hpp>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "person_measurer.hpp"
 
 namespace shigusa {
@@ -119,14 +119,12 @@ void PersonMeasurer::place_missing_tips() {
       const Vec3d turned = cross(left_, shank) * (dot(ahead_, cross(left_, up_)));
       l.toe = l.ankle + normalized(turned, ahead_) * (kToeAhead * stature_) -
               shank * (F::kAnkleHeight * stature_);
-      doubt(messages::kFootGuessed.text, tree_.described(map_[leg_bones(side)[2]]),
-            side_word(side));
+      doubt("foot_guessed", tree_.described(map_[leg_bones(side)[2]]), side_word(side));
     }
     Landmarks::Arm& a = arm(side);
     if (a.fingertip == a.wrist) {
       a.fingertip = a.wrist + normalized(a.wrist - a.elbow) * (F::kHand * stature_);
-      doubt(messages::kHandGuessed.text, tree_.described(map_[arm_bones(side)[2]]),
-            side_word(side));
+      doubt("hand_guessed", tree_.described(map_[arm_bones(side)[2]]), side_word(side));
     }
   }
   if (head_tip_ >= 0) {
@@ -140,7 +138,7 @@ void PersonMeasurer::place_missing_tips() {
   const Vec3d trunk = normalized(body().neck - mid_hip_, up_);
   const Vec3d head = head_ >= 0 ? tree_.at(head_) - body().neck : Vec3d{};
   body().head_top = body().neck + normalized(head, trunk) * head_length_;
-  doubt(messages::kHeadGuessed.text);
+  doubt("head_guessed");
 }
 
 // A goal's effector is a node of the file, so that anybody finds it there.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/human_body.hpp>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "person_measurer.hpp"
 
 namespace shigusa {
@@ -51,9 +51,8 @@ Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
     result_.stature = *settings.stature;
     result_.placement.unit = *settings.stature / stature_;
     if (is_person(*settings.stature)) return {};
-    return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kStatureRange.text, *settings.stature, kShortestPerson,
-                            kTallestPerson));
+    return fail(ErrorCode::invalid_argument, say("stature_range", Metres{*settings.stature},
+                                                 Metres{kShortestPerson}, Metres{kTallestPerson}));
   }
   const FileUnit* best = kUnits.data();
   for (const FileUnit& unit : kUnits) {
@@ -67,19 +66,20 @@ Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
     result_.placement.unit = kMeanStature / stature_;
     result_.stature = kMeanStature;
     result_.stature_guessed = true;
-    doubt(messages::kStatureGuessed.text, stature_, kShortestPerson, kTallestPerson, kMeanStature);
+    doubt("stature_guessed", stature_, Metres{kShortestPerson}, Metres{kTallestPerson},
+          Metres{kMeanStature});
   }
   return {};
 }
 
 void PersonMeasurer::doubt_unit(const FileUnit& best) {
   if (result_.stature < kUsualLow || result_.stature > kUsualHigh) {
-    doubt(messages::kStatureUnusual.text, result_.stature, best.name);
+    doubt("stature_unusual", Metres{result_.stature}, best.name);
   }
   for (const FileUnit& unit : kUnits) {
     const double stature = stature_ * unit.metres;
     if (&unit == &best || stature < kPlausibleLow || stature > kPlausibleHigh) continue;
-    doubt(messages::kUnitGuessed.text, best.name, result_.stature, unit.name, stature);
+    doubt("unit_guessed", best.name, Metres{result_.stature}, unit.name, Metres{stature});
   }
 }
 
@@ -107,13 +107,13 @@ void PersonMeasurer::check_plausibility() {
   for (const Side side : kBothSides) {
     const bool by_mesh = leg(side).sole.has_value();
     if (sole(side) > kLiftedFoot) {
-      doubt(messages::kFootAbove.text, side_word(side), sole(side));
+      doubt("foot_above", side_word(side), Metres{sole(side)});
     } else if (by_mesh && sole(side) > kFileFloor) {
-      doubt(messages::kSoleAbove.text, side_word(side), 1e3 * sole(side));
+      doubt("sole_above", side_word(side), Millimetres{1e3 * sole(side)});
     }
     const double hand = norm(arm(side).fingertip - arm(side).wrist);
     if (hand < kShortHand * result_.stature) {
-      doubt(messages::kShortHand.text, side_word(side), hand);
+      doubt("short_hand", side_word(side), Metres{hand});
     }
   }
   constexpr std::array kSegments{"thigh", "shank", "upper arm", "forearm"};
@@ -121,7 +121,7 @@ void PersonMeasurer::check_plausibility() {
   const auto right = segment_lengths(body(), Side::right);
   for (std::size_t i = 0; i < kSegments.size(); ++i) {
     if (abs(left[i] - right[i]) <= kSideAsymmetry * max(left[i], right[i])) continue;
-    doubt(messages::kUnequalSegments.text, kSegments[i], left[i], right[i]);
+    doubt("unequal_segments", kSegments[i], Metres{left[i]}, Metres{right[i]});
   }
 }
 

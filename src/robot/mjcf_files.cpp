@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <shigusa/file.hpp>
 
+#include "core/say.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -22,8 +24,7 @@ MjcfInclude included_from(std::filesystem::path folder) {
     const fs::path path = fs::weakly_canonical(base / file, failed);
     const fs::path within = path.lexically_relative(base);
     if (failed || within.empty() || *within.begin() == ".." || fs::path(file).is_absolute()) {
-      return fail(ErrorCode::invalid_argument,
-                  "stands outside the model's folder: put it there, or leave it out", file);
+      return fail(ErrorCode::invalid_argument, say("outside_folder"), file);
     }
     return read_text_file(path, kMjcfMaxBytes);
   };
@@ -33,7 +34,7 @@ MjcfFiles::MjcfFiles(std::string_view text, std::string_view name, const MjcfInc
   root_ = parse(text, std::string(name));
   if (root_ == nullptr) return;
   if (root_->name != "mujoco") {
-    wrong(*root_, messages::kNoMjcf.text, root_->name.substr(0, 60));
+    wrong(*root_, say("no_mjcf", root_->name.substr(0, 60)));
   } else {
     follow(*root_, include);
   }
@@ -44,8 +45,7 @@ const XmlElement* MjcfFiles::parse(std::string_view text, const std::string& nam
   Result<XmlElement> root = parse_xml(text, {kMjcfMaxBytes, kMjcfMaxTags, kMjcfMaxNesting}, name);
   tags_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '<'));
   if (root && tags_ > kMjcfMaxTags) {
-    root = fail(ErrorCode::parse, fmt::format("more than {} tags in a model's files", kMjcfMaxTags),
-                name);
+    root = fail(ErrorCode::parse, say("model_tags", kMjcfMaxTags), name);
   }
   if (!root) {
     if (!error_) error_ = root.error();
@@ -68,24 +68,24 @@ void MjcfFiles::follow(const XmlElement& element, const MjcfInclude& include_fil
 
 void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_file) {
   const char* file = element.attribute("file");
-  if (file == nullptr || *file == '\0') return wrong(element, "<include> names no file");
+  if (file == nullptr || *file == '\0') return wrong(element, say("include_no_file"));
   const std::string name = file;
   const auto same = [&](const auto& each) { return each.first == name; };
   if (std::any_of(files_.begin(), files_.end(), same)) {
-    return wrong(element, "includes {} a second time; a model has each file once", shown(name));
+    return wrong(element, say("included_twice", shown(name)));
   }
   if (static_cast<int>(files_.size()) >= kMjcfMaxFiles) {
-    return wrong(element, "more than {} files", kMjcfMaxFiles);
+    return wrong(element, say("files_most", kMjcfMaxFiles));
   }
   const XmlElement*& root = included_[&element];
   const Result<std::string> text =
       include_file ? include_file(name)
-                   : Result<std::string>(fail(ErrorCode::not_found, "no files beside it"));
+                   : Result<std::string>(fail(ErrorCode::not_found, say("no_files_beside")));
   if (!text && text.error().code == ErrorCode::not_found) {
     absent_.push_back(name);
     return;
   }
-  if (!text) return wrong(element, "includes {}: {}", shown(name), text.error().message);
+  if (!text) return wrong(element, say("includes", shown(name), text.error().message));
   root = parse(*text, name);
   if (root != nullptr) follow(*root, include_file);
 }

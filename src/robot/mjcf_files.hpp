@@ -39,14 +39,11 @@ class MjcfFiles {
   }
 
   // Notes an error, if it is the first; its place is the element's line.
-  template <class... Args>
-  void wrong(const XmlElement& at, fmt::format_string<Args...> format, Args&&... args) {
-    if (error_) return;
-    error_ =
-        Error{ErrorCode::parse, fmt::format(format, std::forward<Args>(args)...), place_of(at)};
+  void wrong(const XmlElement& at, Message message) {
+    if (!error_) error_ = Error{ErrorCode::parse, std::move(message), place_of(at)};
   }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-  [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
+  [[nodiscard]] const std::vector<Message>& doubts() const { return doubts_; }
   // The files that are included and were not there.
   [[nodiscard]] const std::vector<std::string>& absent() const { return absent_; }
 
@@ -60,7 +57,7 @@ class MjcfFiles {
   const XmlElement* root_ = nullptr;
   std::map<const XmlElement*, const XmlElement*> included_;  // <include>, the other file's root
   std::vector<std::string> absent_;
-  std::vector<std::string> doubts_;
+  std::vector<Message> doubts_;
   std::size_t tags_ = 0;
   std::optional<Error> error_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mjcf_geom.hpp"
 
+#include "core/say.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -79,14 +81,14 @@ Vec3d read_size(MjcfFiles& files, MjcfValues& values, const MjcfPart& part, cons
   const bool between = kind.shape != Shape::sphere && values.numbers(part, "fromto", ends, 6) == 6;
   const std::size_t least = between ? 1 : kind.sizes;
   if (values.numbers(part, "size", size, least) == 0) {
-    files.wrong(part.element, "a {} without a size", kind.name);
+    files.wrong(part.element, say("shape_without_size", kind.name));
   }
   geom.place = values.place(part);
   if (between) {
     const Vec3d from{ends[0], ends[1], ends[2]};
     const Vec3d to{ends[3], ends[4], ends[5]};
     const double length = norm(to - from);
-    if (!(length > 0.0)) files.wrong(part.element, "fromto has both ends at one point");
+    if (!(length > 0.0)) files.wrong(part.element, say("fromto_one_point"));
     geom.place = {length > 0.0 ? turned_to((from - to) * (1.0 / length)) : Mat3d{},
                   (from + to) * 0.5};
     size = kind.sizes == 2 ? std::array{size[0], 0.5 * length, 0.0}
@@ -94,8 +96,7 @@ Vec3d read_size(MjcfFiles& files, MjcfValues& values, const MjcfPart& part, cons
   }
   for (std::size_t k = 0; k < kind.sizes; ++k) {
     if (!(size[k] > 0.0)) {
-      files.wrong(part.element, "size is {}; a {} has sizes above 0",
-                  shown(values.word(part, "size")), kind.name);
+      files.wrong(part.element, say("size_range", shown(values.word(part, "size")), kind.name));
     }
   }
   return {size[0], size[1], size[2]};
@@ -114,7 +115,7 @@ MjcfGeom read_geom(MjcfFiles& files, MjcfValues& values, const MjcfPart& part) {
   const bool weighs = group >= first && group <= last;
   const double given = values.number(part, "mass", -1.0);
   const double density = values.number(part, "density", kDensity);
-  if (density < 0.0) files.wrong(part.element, "density is {}; it is 0 or more", density);
+  if (density < 0.0) files.wrong(part.element, say("density_range", density));
   for (const NamedShape& kind : kShapes) {
     // a mesh that a plain shape was fitted to has no size here
     if (kind.name != type || values.has(part, "mesh")) continue;
@@ -129,7 +130,7 @@ MjcfGeom read_geom(MjcfFiles& files, MjcfValues& values, const MjcfPart& part) {
   }
   const bool mesh = type == "mesh" || type == "sdf" || values.has(part, "mesh");
   if (!mesh && type != "plane" && type != "hfield") {
-    files.wrong(part.element, "type is {}, which is no shape", shown(type));
+    files.wrong(part.element, say("no_shape", shown(type)));
   }
   geom.mesh = mesh && weighs && given != 0.0 && density > 0.0;
   return geom;
@@ -137,7 +138,7 @@ MjcfGeom read_geom(MjcfFiles& files, MjcfValues& values, const MjcfPart& part) {
 
 LinkMass read_inertial(MjcfFiles& files, MjcfValues& values, const MjcfPart& part) {
   const double mass = values.number(part, "mass", -1.0);
-  if (mass < 0.0) files.wrong(part.element, "<inertial> has a mass of 0 kg or more");
+  if (mass < 0.0) files.wrong(part.element, say("inertial_mass"));
   const Transformd place = values.place(part);
   std::array<double, 6> full{};
   Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 #include "math/axes.hpp"
 #include "mjcf_geom.hpp"
@@ -122,7 +123,7 @@ void ModelReader::find_root(const Inside& world, int depth) {
 
 bool ModelReader::too_deep(const XmlElement& element, int depth) {
   if (depth <= kMjcfMaxDepth) return false;
-  files_.wrong(element, "nested deeper than {} elements", kMjcfMaxDepth);
+  files_.wrong(element, say("nested_deeper", kMjcfMaxDepth));
   return true;
 }
 
@@ -196,7 +197,7 @@ std::string ModelReader::free_name(std::set<std::string>& taken, std::string nam
 
 int ModelReader::add_link(const std::string& name, const XmlElement& at) {
   if (static_cast<int>(robot_.links.size()) >= kMjcfMaxLinks) {
-    files_.wrong(at, "more than {} bodies and joints", kMjcfMaxLinks);
+    files_.wrong(at, say("bodies_most", kMjcfMaxLinks));
     return 0;
   }
   robot_.links.emplace_back().name = free_name(links_taken_, name);
@@ -208,7 +209,7 @@ std::string ModelReader::name_of(const XmlElement& element, const std::string& o
   if (name == nullptr || *name == '\0') return otherwise;
   constexpr std::size_t kLongest = 256;
   if (std::string_view(name).size() > kLongest) {
-    files_.wrong(element, "a name of more than {} bytes", kLongest);
+    files_.wrong(element, say("long_name", kLongest));
     return otherwise;
   }
   return name;
@@ -269,7 +270,7 @@ std::vector<Robot::Joint> ModelReader::read_joint(const Inside& inside, const st
   std::string_view type = values_.word(part, "type");
   if (type.empty()) type = "hinge";
   if (is(part.element, "freejoint") || type == "free") {
-    files_.wrong(part.element, "a free joint within the robot; only its root is free");
+    files_.wrong(part.element, say("free_joint_within"));
     return {};
   }
   Robot::Joint joint;
@@ -279,12 +280,11 @@ std::vector<Robot::Joint> ModelReader::read_joint(const Inside& inside, const st
   joint.turns = !joint.slides;
   if (type == "ball") return read_ball(inside, joint);
   if (type != "hinge" && type != "slide") {
-    files_.wrong(part.element, "type is {}; a joint is a hinge, ball, slide or free", shown(type));
+    files_.wrong(part.element, say("joint_type", shown(type)));
   }
   const Vec3d axis = values_.vector(part, "axis", {0, 0, 1});
   if (!(norm(axis) > 1e-6)) {
-    files_.wrong(part.element, "the axis of joint {} is {}; it needs a direction", shown(name),
-                 shown(values_.word(part, "axis")));
+    files_.wrong(part.element, say("mjcf_axis", shown(name), shown(values_.word(part, "axis"))));
     return {};
   }
   joint.axis = inside.frame.rotation * normalized(axis);
@@ -422,9 +422,7 @@ Result<void> ModelReader::check_numbers() const {
   if (bad == good.end()) return {};
   const auto link = static_cast<std::size_t>(bad - good.begin());
   return fail(ErrorCode::parse,
-              fmt::format("body {} has a place, a size, a mass or an inertia beyond {:g}",
-                          shown(robot_.links[link].name), kMjcfMaxValue),
-              name_);
+              say("mjcf_body_beyond", shown(robot_.links[link].name), kMjcfMaxValue), name_);
 }
 
 tl::unexpected<Error> ModelReader::no_body() const {
@@ -437,16 +435,15 @@ tl::unexpected<Error> ModelReader::no_body() const {
 }
 
 void ModelReader::tell() {
-  using namespace messages;
-  const auto doubt = [&](const std::vector<std::string>& names, const MessageText& one,
-                         const MessageText& many) { doubt_about(names, one, many, robot_.doubts); };
-  doubt(files_.absent(), kFileAbsent, kFilesAbsent);
-  doubt(unknown_, kElementLeftOut, kElementsLeftOut);
-  doubt(other_bodies_, kBodyApart, kBodiesApart);
-  doubt(root_held_by_, kRootHeld, kRootsHeld);
-  doubt(sliding_, kJointSlides, kJointsSlide);
-  doubt(following_, kJointFollows, kJointsFollow);
-  doubt(meshes_, kMeshMass, kMeshMasses);
+  const auto doubt = [&](const std::vector<std::string>& names, const OfOne& one,
+                         const OfMany& many) { doubt_about(names, one, many, robot_.doubts); };
+  doubt(files_.absent(), "file_absent", "files_absent");
+  doubt(unknown_, "element_left_out", "elements_left_out");
+  doubt(other_bodies_, "body_apart", "bodies_apart");
+  doubt(root_held_by_, "root_held", "roots_held");
+  doubt(sliding_, "joint_slides", "joints_slide");
+  doubt(following_, "joint_follows", "joints_follow");
+  doubt(meshes_, "mesh_mass", "mesh_masses");
 }
 
 }  // namespace

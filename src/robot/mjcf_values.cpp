@@ -6,6 +6,7 @@
 #include <shigusa/words.hpp>
 
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 
 namespace shigusa {
@@ -71,7 +72,7 @@ void MjcfValues::read_compiler(const XmlElement& compiler) {
     const char* text = compiler.attribute(attribute);
     if (text == nullptr) return;
     if (text != yes && text != no) {
-      files_.wrong(compiler, "{} is {}; allowed are {} and {}", attribute, shown(text), yes, no);
+      files_.wrong(compiler, say("one_of_two", attribute, shown(text), yes, no));
     }
     value = text == yes;
   };
@@ -79,7 +80,7 @@ void MjcfValues::read_compiler(const XmlElement& compiler) {
   word("autolimits", "true", "false", settings_.autolimits);
   bool local = true;
   word("coordinate", "local", "global", local);
-  if (!local) files_.wrong(compiler, "coordinate is 'global', which MuJoCo has given up");
+  if (!local) files_.wrong(compiler, say("coordinate_global"));
   if (const char* text = compiler.attribute("inertiafromgeom")) {
     settings_.from_inertial = std::string_view(text) != "true";
     settings_.from_geoms = std::string_view(text) != "false";
@@ -89,7 +90,7 @@ void MjcfValues::read_compiler(const XmlElement& compiler) {
     const auto is_axis = [](char c) { return std::string_view("xyzXYZ").find(c) < 6; };
     if (settings_.euler.size() != 3 ||
         !std::all_of(settings_.euler.begin(), settings_.euler.end(), is_axis)) {
-      files_.wrong(compiler, "eulerseq is {}; it is three of xyzXYZ", shown(text));
+      files_.wrong(compiler, say("eulerseq", shown(text)));
       settings_.euler = "xyz";
     }
   }
@@ -101,10 +102,10 @@ void MjcfValues::read_compiler(const XmlElement& compiler) {
 
 void MjcfValues::read_class(const XmlElement& element, const std::string& above, int depth) {
   if (depth > kMaxClassDepth) {
-    return files_.wrong(element, "classes are nested deeper than {}", kMaxClassDepth);
+    return files_.wrong(element, say("classes_deep", kMaxClassDepth));
   }
   const char* text = element.attribute("class");
-  if (text == nullptr && depth > 1) return files_.wrong(element, "<default> names no class");
+  if (text == nullptr && depth > 1) return files_.wrong(element, say("default_no_class"));
   const std::string name = text == nullptr ? main_ : text;
   Class& read = classes_[name];
   if (name != main_) read.above = above.empty() ? main_ : above;
@@ -115,7 +116,7 @@ void MjcfValues::read_class(const XmlElement& element, const std::string& above,
     }
     std::vector<const XmlElement*>& elements = classes_[name].elements;
     if (elements.size() >= kMaxClassElements) {
-      files_.wrong(e, "class {} has more than {} elements", shown(name), kMaxClassElements);
+      files_.wrong(e, say("class_elements", shown(name), kMaxClassElements));
     }
     elements.push_back(&e);
   });
@@ -131,7 +132,7 @@ MjcfValues::Found MjcfValues::find(const MjcfPart& part, const char* attribute) 
   for (int distance = 1; distance <= kMaxClassDepth && !name.empty(); ++distance) {
     const auto found = classes_.find(name);
     if (found == classes_.end()) {
-      if (distance == 1) files_.wrong(element, "class {} is not defined", shown(name));
+      if (distance == 1) files_.wrong(element, say("class_undefined", shown(name)));
       return {};
     }
     const auto& list = found->second.elements;
@@ -159,14 +160,14 @@ std::size_t MjcfValues::parse(const Found& found, const char* attribute, std::sp
   const auto numbers = xml_numbers(found.text, values.size());
   const auto is_tame = [&](double x) { return abs(x) <= kMjcfMaxValue || abs(x) == most; };
   if (!numbers || !std::all_of(numbers->begin(), numbers->end(), is_tame)) {
-    files_.wrong(*found.at, "{} is {}; it takes {} numbers of up to {:g}", attribute,
-                 shown(found.text), values.size(), kMjcfMaxValue);
+    files_.wrong(*found.at,
+                 say("numbers_up_to", attribute, shown(found.text), values.size(), kMjcfMaxValue));
     return 0;
   }
   const std::size_t count = numbers->size();
   std::copy(numbers->begin(), numbers->end(), values.begin());
   if (count < least) {
-    files_.wrong(*found.at, "{} is {}; it takes {} numbers", attribute, shown(found.text), least);
+    files_.wrong(*found.at, say("takes_numbers", attribute, shown(found.text), least));
   }
   return count;
 }
@@ -196,16 +197,15 @@ std::optional<std::array<double, 2>> MjcfValues::range(const MjcfPart& part, con
   }
   if (limits == "false") return std::nullopt;
   if (limits != "true") {
-    files_.wrong(part.element, "{} is {}; allowed are true, false and auto", limited,
-                 shown(limits));
+    files_.wrong(part.element, say("true_false_auto", limited, shown(limits)));
   }
   if (found.text == nullptr) {
-    files_.wrong(part.element, "{} is true, and there is no {}", limited, attribute);
+    files_.wrong(part.element, say("limited_without", limited, attribute));
   }
   std::array<double, 2> ends{};
   parse(found, attribute, ends, 2, kInfinity);
   if (ends[0] > ends[1]) {
-    files_.wrong(*found.at, "{} is {}; the lower end comes first", attribute, shown(found.text));
+    files_.wrong(*found.at, say("lower_first", attribute, shown(found.text)));
   }
   return ends;
 }
@@ -217,7 +217,7 @@ Transformd MjcfValues::place(const MjcfPart& part) {
 Vec3d MjcfValues::direction(const Found& found, const char* attribute, const Vec3d& v) {
   const double length = norm(v);
   if (length > kShortest) return v * (1.0 / length);
-  files_.wrong(*found.at, "{} is {}, which is no direction", attribute, shown(found.text));
+  files_.wrong(*found.at, say("no_direction", attribute, shown(found.text)));
   return {0, 0, 1};
 }
 
@@ -252,7 +252,7 @@ Mat3d MjcfValues::orientation(const MjcfPart& part) {
   }
   const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
   if (!(length > kShortest)) {
-    files_.wrong(*nearest.at, "quat is {}, which is no rotation", shown(nearest.text));
+    files_.wrong(*nearest.at, say("no_rotation", shown(nearest.text)));
     return {};
   }
   return to_matrix(Quatd{v[1] / length, v[2] / length, v[3] / length, v[0] / length});

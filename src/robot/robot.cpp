@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "person/find_humanoid.hpp"
 #include "person/humanoid_names.hpp"
 #include "person/landmark_points.hpp"
@@ -20,8 +21,8 @@ namespace {
 // left (ROS REP 103).
 void tell_sides(const Robot& robot, const std::vector<Transformd>& places, HumanoidMap& map) {
   using Bone = HumanoidBone;
-  const auto guess = std::find_if(map.doubts.begin(), map.doubts.end(), [](const auto& doubt) {
-    return doubt.starts_with("left and right are a guess");
+  const auto guess = std::find_if(map.doubts.begin(), map.doubts.end(), [](const Message& doubt) {
+    return doubt.key == "sides_guessed";
   });
   if (guess == map.doubts.end()) return;
   const auto at = [&](Bone bone) { return places[index(map[bone])].translation; };
@@ -109,12 +110,11 @@ std::array<Vec3d, 8> box_corners(const Vec3d& half) {
   return corners;
 }
 
-void doubt_about(const std::vector<std::string>& names, const MessageText& one,
-                 const MessageText& many, std::vector<std::string>& doubts) {
+void doubt_about(const std::vector<std::string>& names, const OfOne& one, const OfMany& many,
+                 std::vector<Message>& doubts) {
   if (names.empty()) return;
   const std::string first = shown(names[0]);
-  doubts.push_back(names.size() == 1 ? fmt::format(fmt::runtime(one.text), first)
-                                     : fmt::format(fmt::runtime(many.text), names.size(), first));
+  doubts.push_back(names.size() == 1 ? say(one, first) : say(many, names.size(), first));
 }
 
 std::string shown(std::string_view text) {
@@ -153,10 +153,9 @@ Robot with_hands(Robot robot) {
     const std::string hand = name.side == NameSide::left ? "left_hand" : "right_hand";
     const std::optional<Vec3d> end = forearm_end(robot.links[i]);
     if (!end || taken(hand)) continue;
-    robot.doubts.push_back(fmt::format(messages::kArmEnds.text, robot.links[i].name, norm(*end),
-                                       robot.links[i].corners.empty()
-                                           ? messages::kTwiceItsCentre.text
-                                           : messages::kWhereShapesEnd.text));
+    robot.doubts.push_back(
+        say("arm_ends", robot.links[i].name, Metres{norm(*end)},
+            robot.links[i].corners.empty() ? say("twice_its_centre") : say("where_shapes_end")));
     Robot::Joint fixed{.name = hand + "_fixed",
                        .parent = static_cast<int>(i),
                        .child = static_cast<int>(robot.links.size()),
@@ -186,7 +185,7 @@ Robot with_ankles(Robot robot, const HumanoidMap& map) {
     added.push_back(robot.joints[index(first)].name);
   }
   if (!added.empty()) {
-    robot.doubts.push_back(fmt::format(messages::kAnklesAdded.text, added[0]));
+    robot.doubts.push_back(say("ankles_added", added[0]));
   }
   return robot;
 }
@@ -229,10 +228,10 @@ Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) 
         (*map)[toes] = -1;
       }
     }
-    std::erase_if(map->doubts, [](const std::string& doubt) {
+    std::erase_if(map->doubts, [](const Message& doubt) {
       // frames on a foot point anywhere, and a robot is no mirror image
-      return doubt.starts_with("no left_toes") || doubt.starts_with("no right_toes") ||
-             doubt.starts_with("the feet point backwards");
+      return doubt.text.starts_with("no left_toes") || doubt.text.starts_with("no right_toes") ||
+             doubt.key == "feet_backwards";
     });
   }
   return map;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 
@@ -41,17 +41,21 @@ struct Robot {
   std::string name;
   std::vector<Link> links;    // parents before children; the first is the root
   std::vector<Joint> joints;  // in the file's order, one for each link but the root
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
 };
 
 // The eight corners of a box about the origin: bit k of a corner's number tells which end of axis k
 // it stands at.
 [[nodiscard]] std::array<Vec3d, 8> box_corners(const Vec3d& half);
 
+// Sentences about one thing, by its name, and about many, by their number and the first name.
+using OfOne = Sentence<std::string>;
+using OfMany = Sentence<std::size_t, std::string>;
+
 // Adds a doubt about things of these names: `one` with the name, or `many` with the number and the
 // first name, as they are shown.
-void doubt_about(const std::vector<std::string>& names, const MessageText& one,
-                 const MessageText& many, std::vector<std::string>& doubts);
+void doubt_about(const std::vector<std::string>& names, const OfOne& one, const OfMany& many,
+                 std::vector<Message>& doubts);
 
 // A name in a message: in quotes, short, and without bytes that a terminal may take amiss.
 [[nodiscard]] std::string shown(std::string_view text);

@@ -5,6 +5,7 @@
 
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "math/axes.hpp"
 #include "person/segment_mass.hpp"
 #include "robot_builder.hpp"
@@ -274,7 +275,7 @@ Result<void> RobotBuilder::add_masses() {
     body_.mass += sum.mass;
   }
   if (!(body_.mass > 0.0)) {
-    return fail(ErrorCode::unsupported, std::string(messages::kNoMass.text));
+    return fail(ErrorCode::unsupported, say("no_mass"));
   }
   // no joint holds all the weight at an arm as long as the robot: such an effort stands for none
   const double most = body_.mass * kGravity * body_.stature;

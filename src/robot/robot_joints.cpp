@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 #include "math/axes.hpp"
 #include "person/landmark_points.hpp"
@@ -161,8 +162,7 @@ class JointFinder {
       const std::size_t end = k + 1 < limb.begins.size() ? limb.begins[k + 1] : limb.joints.size();
       const bool needed = std::string_view(part) != "clavicle" && std::string_view(part) != "wrist";
       if (needed && limb.begins[k] >= end) {
-        return fail(ErrorCode::unsupported,
-                    fmt::format(messages::kNoTurningJoint.text, name + std::string(part)));
+        return fail(ErrorCode::unsupported, say("no_turning_joint", name + std::string(part)));
       }
       ++k;
     }
@@ -177,11 +177,7 @@ class JointFinder {
       for (const PersonJoint& j : joints) {
         const char*& taken = place[index(j.joint)];
         if (taken != nullptr) {
-          return fail(
-              ErrorCode::unsupported,
-              fmt::format("joint \"{}\" is part of the {} and of the {}; a body needs limbs "
-                          "that leave its trunk one by one",
-                          joint(j.joint).name, taken, name));
+          return fail(ErrorCode::unsupported, say("limb_of_two", joint(j.joint).name, taken, name));
         }
         taken = name;
       }
@@ -254,9 +250,7 @@ Result<PlacedRobot> place_robot(const Robot& robot, const HumanoidMap& map) {
                        normalized(at(Bone::left_upper_arm) - at(Bone::right_upper_arm), {});
   const Vec3d level = across - up * dot(across, up);
   if (!(norm(level) > 0.2)) {
-    return fail(ErrorCode::invalid_argument,
-                "the facing cannot be told: the left hip and shoulder stand at the right ones, or "
-                "above or below them");
+    return fail(ErrorCode::invalid_argument, say("robot_no_facing"));
   }
   const Vec3d left = snapped(normalized(level));
   const Mat3d to_world = transpose(Mat3d{left, up, cross(left, up)});

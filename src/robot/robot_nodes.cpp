@@ -6,6 +6,7 @@
 
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 #include "robot_builder.hpp"
 
@@ -223,15 +224,14 @@ void RobotBuilder::add_robot_frame() {
 }
 
 void RobotBuilder::tell() {
-  using namespace messages;
-  doubt_about(still_names_, kJointStill, kJointsStill, body_.doubts);
-  doubt_about(unlimited_, kJointUnlimited, kJointsUnlimited, body_.doubts);
+  doubt_about(still_names_, "joint_still", "joints_still", body_.doubts);
+  doubt_about(unlimited_, "joint_unlimited", "joints_unlimited", body_.doubts);
   if (!weak_.empty()) {
-    body_.doubts.push_back(fmt::format(kNoEffort.text, weak_.size(), weak_[0]));
+    body_.doubts.push_back(say("no_effort", weak_.size(), weak_[0]));
   }
-  doubt_about(massless_, kLinkMassless, kLinksMassless, body_.doubts);
-  if (soles_[0].guessed || soles_[1].guessed) body_.doubts.emplace_back(kSolesGuessed.text);
-  if (body_.feet.size() < 2) body_.doubts.emplace_back(kFootInAir.text);
+  doubt_about(massless_, "link_massless", "links_massless", body_.doubts);
+  if (soles_[0].guessed || soles_[1].guessed) body_.doubts.push_back(say("soles_guessed"));
+  if (body_.feet.size() < 2) body_.doubts.push_back(say("foot_in_air"));
 }
 
 }  // namespace shigusa

@@ -7,7 +7,7 @@
 
 #include "body/posture_modes.hpp"
 #include "core/index.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "kinematics/weighted_ik.hpp"
 
 namespace shigusa {
@@ -127,19 +127,19 @@ bool allowed(const BodyModel& body, const std::vector<double>& aim) {
 
 }  // namespace
 
-std::vector<double> settled_posture(const BodyModel& body, std::vector<std::string>& doubts) {
+std::vector<double> settled_posture(const BodyModel& body, std::vector<Message>& doubts) {
   Settler settler(body);
   const std::vector<double> zero(body.start().begin(), body.start().end());
   std::vector<double> angles = zero;
   if (!settler.walk(angles, zero)) {
-    doubts.emplace_back(messages::kFeetNotFlat.text);
+    doubts.push_back(say("feet_not_flat"));
   }
   for (const PostureMode& mode : posture_modes(body)) {
     if (mode.name != "squat") continue;
     std::vector<double> bent = angles;
     for (std::size_t d = 0; d < bent.size(); ++d) bent[d] += kStandingKnee * mode.direction[d];
     if (!allowed(body, bent) || !settler.walk(angles, bent)) {
-      doubts.emplace_back(messages::kStraightKnees.text);
+      doubts.push_back(say("straight_knees"));
     }
   }
   const std::vector<IkTarget<double>> arms = settler.hanging(angles);

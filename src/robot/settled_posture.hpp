@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/body_model.hpp>
+#include <shigusa/message.hpp>
 #include <vector>
 
 namespace shigusa {
@@ -13,6 +14,6 @@ inline constexpr double kStandingKnee = radians(10.0);
 // both feet flat, but with its knees bent by kStandingKnee, arms that stick out sideways let hang,
 // and every joint within its limits. Steps that limits do not allow are left out: `doubts` tells.
 [[nodiscard]] std::vector<double> settled_posture(const BodyModel& body,
-                                                  std::vector<std::string>& doubts);
+                                                  std::vector<Message>& doubts);
 
 }  // namespace shigusa

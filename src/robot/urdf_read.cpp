@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "body/link_mass.hpp"
+#include "core/say.hpp"
 #include "core/text.hpp"
 #include "math/axes.hpp"
 #include "robot/urdf.hpp"
@@ -43,9 +44,8 @@ class UrdfReader {
     for (const Hung& joint : joints_) {
       SHG_TRY(take_joint(joint));
     }
-    using namespace messages;
-    doubt_about(sliding_, kJointSlides, kJointsSlide, robot_.doubts);
-    doubt_about(mimics_, kJointFollows, kJointsFollow, robot_.doubts);
+    doubt_about(sliding_, "joint_slides", "joints_slide", robot_.doubts);
+    doubt_about(mimics_, "joint_follows", "joints_follow", robot_.doubts);
     return std::move(robot_);
   }
 
@@ -60,7 +60,7 @@ class UrdfReader {
   [[nodiscard]] Result<std::string> name_of(const XmlElement& element) const {
     const char* name = element.attribute("name");
     if (name == nullptr || *name == '\0')
-      return fail_at(element, name_, "<{}> has no name", element.name);
+      return fail_at(element, name_, say("element_no_name", element.name));
     return name;
   }
 
@@ -71,9 +71,10 @@ class UrdfReader {
     if (text == nullptr) return {};
     const auto read = xml_numbers(text, count);
     if (!read || read->size() != count) {
-      return fail_at(element, name_, "{} of <{}> is '{}'; it takes {} number{}", attribute,
-                     element.name, std::string_view(text).substr(0, 60), count,
-                     count == 1 ? "" : "s");
+      const std::string_view cut = std::string_view(text).substr(0, 60);
+      return fail_at(element, name_,
+                     count == 1 ? say("takes_one_number", attribute, element.name, cut)
+                                : say("takes_n_numbers", attribute, element.name, cut, count));
     }
     std::copy(read->begin(), read->end(), numbers);
     return {};
@@ -89,7 +90,7 @@ class UrdfReader {
   [[nodiscard]] Result<double> number(const XmlElement& element, const char* attribute,
                                       std::optional<double> otherwise = std::nullopt) const {
     if (!otherwise && element.attribute(attribute) == nullptr) {
-      return fail_at(element, name_, "<{}> has no {}", element.name, attribute);
+      return fail_at(element, name_, say("element_without", element.name, attribute));
     }
     double value = otherwise.value_or(0.0);
     SHG_TRY(read_numbers(element, attribute, 1, &value));
@@ -103,7 +104,7 @@ class UrdfReader {
     SHG_TRY_ASSIGN(const Vec3d at, vector(*origin, "xyz"));
     SHG_TRY_ASSIGN(const Vec3d rpy, vector(*origin, "rpy"));
     if (!is_tame(at) || !is_tame(rpy)) {
-      return fail_at(*origin, name_, "the origin has numbers beyond {:g}", kUrdfMaxValue);
+      return fail_at(*origin, name_, say("origin_beyond", kUrdfMaxValue));
     }
     return Transformd{turned(rpy), at};
   }
@@ -115,7 +116,7 @@ class UrdfReader {
       SHG_TRY_ASSIGN(const std::string name, name_of(element));
       auto& taken = element.name == "link" ? links_ : joints;
       if (!taken.emplace(name, &element).second) {
-        return fail_at(element, name_, "{} '{}' is there twice", element.name, name);
+        return fail_at(element, name_, say("there_twice", element.name, name));
       }
     }
     for (const XmlElement& element : robot.children) {
@@ -124,7 +125,7 @@ class UrdfReader {
       SHG_TRY_ASSIGN(hung.parent, link_of(element, "parent"));
       SHG_TRY_ASSIGN(hung.child, link_of(element, "child"));
       if (!above_.emplace(hung.child, hung.parent).second) {
-        return fail_at(element, name_, messages::kLinkTwice.text, hung.child);
+        return fail_at(element, name_, say("link_twice", hung.child));
       }
       joints_.push_back(std::move(hung));
     }
@@ -136,15 +137,15 @@ class UrdfReader {
     const XmlElement* found = nullptr;
     for (const XmlElement& child : joint.children) {
       if (child.name != end) continue;
-      if (found != nullptr) return fail_at(child, name_, "a joint with a second <{}>", end);
+      if (found != nullptr) return fail_at(child, name_, say("joint_second", end));
       found = &child;
     }
     SHG_TRY_ASSIGN(const std::string name, name_of(joint));
-    if (found == nullptr) return fail_at(joint, name_, "joint '{}' has no <{}>", name, end);
+    if (found == nullptr) return fail_at(joint, name_, say("joint_without", name, end));
     const char* link = found->attribute("link");
-    if (link == nullptr || *link == '\0') return fail_at(*found, name_, "<{}> names no link", end);
+    if (link == nullptr || *link == '\0') return fail_at(*found, name_, say("names_no_link", end));
     if (links_.count(link) == 0) {
-      return fail_at(*found, name_, messages::kLinkAbsent.text, name, link);
+      return fail_at(*found, name_, say("link_absent", name, link));
     }
     return link;
   }
@@ -162,13 +163,13 @@ class UrdfReader {
       const std::vector<std::string>& children = below[order[i]];
       order.insert(order.end(), children.begin(), children.end());
     }
-    if (links_.empty()) return fail(ErrorCode::parse, "no <link> in <robot>", name_);
+    if (links_.empty()) return fail(ErrorCode::parse, say("no_links"), name_);
     for (const auto& [name, link] : links_) {
       if (contains(order, name)) continue;
-      return fail_at(*link, name_, messages::kLinkCircle.text, name);
+      return fail_at(*link, name_, say("link_circle", name));
     }
     if (roots > 1) {
-      return fail_at(*links_[order[1]], name_, messages::kTwoRoots.text, order[0], order[1]);
+      return fail_at(*links_[order[1]], name_, say("two_roots", order[0], order[1]));
     }
     for (const std::string& name : order) {
       SHG_TRY(take_link(name, *links_[name]));
@@ -185,8 +186,7 @@ class UrdfReader {
     }
     for (const Vec3d& corner : to.corners) {
       if (!is_tame(corner)) {
-        return fail_at(link, name_, "a collision shape of link '{}' reaches beyond {:g} m", name,
-                       kUrdfMaxValue);
+        return fail_at(link, name_, say("shape_beyond", name, kUrdfMaxValue));
       }
     }
     const XmlElement* inertial = link.child("inertial");
@@ -198,7 +198,7 @@ class UrdfReader {
     const XmlElement& shape = collision.child("geometry")->children[0];
     Vec3d half{};
     if (shape.name == "box") {
-      if (shape.attribute("size") == nullptr) return fail_at(shape, name_, "<box> has no size");
+      if (shape.attribute("size") == nullptr) return fail_at(shape, name_, say("box_no_size"));
       SHG_TRY_ASSIGN(const Vec3d size, vector(shape, "size"));
       half = size * 0.5;
     } else {
@@ -218,13 +218,12 @@ class UrdfReader {
     const XmlElement* mass = inertial.child("mass");
     const XmlElement* inertia = inertial.child("inertia");
     if (mass == nullptr || inertia == nullptr) {
-      return fail_at(inertial, name_, "<inertial> of link '{}' has no <{}>", to.name,
-                     mass == nullptr ? "mass" : "inertia");
+      return fail_at(inertial, name_,
+                     say("inertial_without", to.name, mass == nullptr ? "mass" : "inertia"));
     }
     SHG_TRY_ASSIGN(to.mass, number(*mass, "value"));
     if (!is_tame(to.mass) || to.mass < 0.0) {
-      return fail_at(*mass, name_, "the mass of link '{}' is {} kg; allowed are 0 to {:g}", to.name,
-                     to.mass, kUrdfMaxValue);
+      return fail_at(*mass, name_, say("link_mass", to.name, to.mass, kUrdfMaxValue));
     }
     double i[6] = {};
     constexpr const char* kMoments[] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
@@ -233,8 +232,7 @@ class UrdfReader {
     }
     const Mat3d moments{{i[0], i[1], i[2]}, {i[1], i[3], i[4]}, {i[2], i[4], i[5]}};
     if (!is_within(moments, kUrdfMaxValue)) {
-      return fail_at(*inertia, name_, "the inertia of link '{}' has numbers beyond {:g}", to.name,
-                     kUrdfMaxValue);
+      return fail_at(*inertia, name_, say("inertia_beyond", to.name, kUrdfMaxValue));
     }
     SHG_TRY_ASSIGN(const Transformd at, place_of(inertial));
     to.com = at.translation;
@@ -253,8 +251,9 @@ class UrdfReader {
     const char* written = joint.attribute("type");
     const std::string_view type = written == nullptr ? "" : written;
     if (!contains(kJointTypes, type)) {
-      return fail_at(joint, name_, "joint '{}' has the type '{}'; allowed are {}", to.name,
-                     type.substr(0, 60), fmt::join(kJointTypes, ", "));
+      return fail_at(joint, name_,
+                     say("urdf_joint_type", to.name, type.substr(0, 60),
+                         fmt::format("{}", fmt::join(kJointTypes, ", "))));
     }
     const bool revolute = type == "revolute";
     const bool mimics = joint.child("mimic") != nullptr;
@@ -279,8 +278,7 @@ class UrdfReader {
     if (element == nullptr) return {};
     SHG_TRY_ASSIGN(const Vec3d axis, vector(*element, "xyz", to.axis));
     if (!is_tame(axis) || !(norm(axis) > 1e-6)) {
-      return fail_at(*element, name_, "the axis of joint '{}' is {} {} {}; it needs a direction",
-                     to.name, axis.x, axis.y, axis.z);
+      return fail_at(*element, name_, say("urdf_axis", to.name, axis.x, axis.y, axis.z));
     }
     to.axis = normalized(axis);
     return {};
@@ -290,22 +288,18 @@ class UrdfReader {
     const XmlElement* limit = joint.child("limit");
     if (limit == nullptr) {
       if (!ends) return {};
-      return fail_at(joint, name_,
-                     "joint '{}' has no <limit>; one that turns or slides has its ends there",
-                     to.name);
+      return fail_at(joint, name_, say("joint_no_limit", to.name));
     }
     SHG_TRY_ASSIGN(const double effort, number(*limit, "effort", 0.0));
     SHG_TRY_ASSIGN(const double lower, number(*limit, "lower", 0.0));
     SHG_TRY_ASSIGN(const double upper, number(*limit, "upper", 0.0));
     if (!is_tame(effort) || !is_tame(lower) || !is_tame(upper)) {
-      return fail_at(*limit, name_, "the limits of joint '{}' have numbers beyond {:g}", to.name,
-                     kUrdfMaxValue);
+      return fail_at(*limit, name_, say("limits_beyond", to.name, kUrdfMaxValue));
     }
     to.effort = max(effort, 0.0);
     if (!ends) return {};
     if (lower > upper) {
-      return fail_at(*limit, name_, "joint '{}' has the limits {} to {}; the lower one comes first",
-                     to.name, lower, upper);
+      return fail_at(*limit, name_, say("limits_order", to.name, lower, upper));
     }
     to.limited = to.slides || upper - lower < kTwoPi;
     if (!to.limited) return {};

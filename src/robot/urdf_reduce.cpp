@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/say.hpp"
 #include "core/text.hpp"
 #include "robot/urdf.hpp"
 
@@ -71,7 +72,7 @@ class Reducer {
                        element.line};
     for (const XmlElement& child : element.children) {
       if (child.name.starts_with("xacro:")) {
-        return fail_at(child, name_, messages::kXacro.text, child.name.substr(0, 60));
+        return fail_at(child, name_, say("xacro", child.name.substr(0, 60)));
       }
       if (!contains(kKept, std::pair<std::string_view, std::string_view>(element.name, child.name)))
         continue;
@@ -88,10 +89,10 @@ class Reducer {
  private:
   Result<void> count(const XmlElement& element) {
     if (element.name == "link" && ++links_ > kUrdfMaxLinks) {
-      return fail_at(element, name_, "more than {} links", kUrdfMaxLinks);
+      return fail_at(element, name_, say("links_most", kUrdfMaxLinks));
     }
     if (element.name == "joint" && ++joints_ > kUrdfMaxLinks) {
-      return fail_at(element, name_, "more than {} joints", kUrdfMaxLinks);
+      return fail_at(element, name_, say("joints_most", kUrdfMaxLinks));
     }
     return {};
   }
@@ -107,7 +108,7 @@ Result<XmlElement> reduced_urdf(std::string_view text, std::string_view name) {
   const XmlLimits limits{kUrdfMaxBytes, kUrdfMaxTags, kUrdfMaxDepth};
   SHG_TRY_ASSIGN(const XmlElement robot, parse_xml(text, limits, name));
   if (robot.name != "robot") {
-    return fail_at(robot, name, messages::kNoUrdf.text, robot.name.substr(0, 60));
+    return fail_at(robot, name, say("no_urdf", robot.name.substr(0, 60)));
   }
   return Reducer(name).reduce(robot);
 }

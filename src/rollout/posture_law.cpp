@@ -2,6 +2,7 @@
 #include "rollout/posture_law.hpp"
 
 #include "body/posture_modes.hpp"
+#include "kinematics/weighted_ik.hpp"
 
 namespace shigusa {
 namespace {
@@ -15,6 +16,30 @@ double side_of_hand(const ReachProblem& problem) {
     if (name == "right_hand") side -= 1.0;
   }
   return side;
+}
+
+// The share in which legs follow a pelvis that turns for a goal this far round (rad). With given
+// rotations, or both hands, ankles would come to their limits, and the motion jolt.
+double legs_follow(const ReachProblem& problem, double azimuth) {
+  if (problem.goals.size() != 1 || problem.goals[0].turn.kind != Turning::free) return 0.0;
+  return clamp((azimuth - kLegsFollow) / (kLegsAll - kLegsFollow), 0.0, 1.0);
+}
+
+// The nearest change (dofs, rad) of the start posture to a given one that leaves the feet where
+// they are: legs follow a pelvis that turns, whatever their weights will be.
+std::vector<double> on_planted_feet(const ReachProblem& problem, const Kinematics<double>& standing,
+                                    std::span<const double> change) {
+  constexpr double kPart = 0.01;  // what one step of IK makes at once
+  const std::vector<IkTarget<double>> targets = ik_targets(problem);
+  const auto contacts = std::span(targets).subspan(problem.goals.size());
+  const std::vector<double> weights(change.size(), 1.0);
+  std::vector<double> part(change.begin(), change.end());
+  for (double& angle : part) angle *= kPart;
+  IkWorkspace<double> workspace(*problem.body);
+  const auto step = weighted_ik_step<double>(*problem.body, standing, {contacts, weights, part, {}},
+                                             problem.ik, workspace);
+  for (std::size_t d = 0; d < part.size(); ++d) part[d] = step[d] / kPart;
+  return part;
 }
 
 }  // namespace
@@ -64,6 +89,13 @@ TrunkTurn trunk_turn(const ReachProblem& problem) {
     if (mode.name != "twist") continue;
     const double to = azimuth > 0.0 ? 1.0 : -1.0;
     for (double& share : mode.direction) share *= to * turn;
+    const double legs = legs_follow(problem, abs(azimuth));
+    if (legs > 0.0) {
+      const std::vector<double> planted = on_planted_feet(problem, standing, mode.direction);
+      for (std::size_t d = 0; d < planted.size(); ++d) {
+        mode.direction[d] += legs * (planted[d] - mode.direction[d]);
+      }
+    }
     return {to, std::move(mode.direction)};
   }
   return {};

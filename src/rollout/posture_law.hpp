@@ -26,6 +26,10 @@ inline constexpr double kEyesEase = radians(20);
 inline constexpr double kTrunkTurns = radians(50);
 inline constexpr double kTrunkOfGaze = 0.6;
 inline constexpr double kTrunkMost = radians(65);
+// For goals farther round than kLegsFollow legs follow the pelvis, all the way from kLegsAll on:
+// nearer ones are in sight without.
+inline constexpr double kLegsFollow = radians(130);
+inline constexpr double kLegsAll = radians(150);
 inline constexpr double kTrunkBegins = 0.05;
 inline constexpr double kTrunkArrives = 0.8;
 // The share of what is missing of it that a step makes.

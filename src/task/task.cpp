@@ -5,7 +5,7 @@
 #include <shigusa/task.hpp>
 #include <utility>
 
-#include "core/messages.hpp"
+#include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/minimum_jerk.hpp"
@@ -28,7 +28,7 @@ bool within(const Vec3d& v, double low, double high) {
 Result<void> check_obstacles(const Task& task) {
   if (task.obstacles.size() > kObstaclesMax) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kObstaclesMost.text, task.obstacles.size(), kObstaclesMax));
+                say("obstacles_most", task.obstacles.size(), kObstaclesMax));
   }
   for (const Obstacle& obstacle : task.obstacles) {
     const char* wrong = nullptr;
@@ -37,8 +37,7 @@ Result<void> check_obstacles(const Task& task) {
     if (!(obstacle.radius >= 0.0 && obstacle.radius <= kGoalRange)) wrong = "radius";
     if (!is_unit(obstacle.rotation)) wrong = "rotation";
     if (wrong == nullptr) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kObstacleRange.text, wrong, kGoalRange),
+    return fail(ErrorCode::invalid_argument, say("obstacle_range", wrong, Metres{kGoalRange}),
                 "obstacle " + obstacle.name.substr(0, 80));
   }
   return {};
@@ -50,22 +49,18 @@ Result<void> check_heels(const Task& task) {
   const bool lift =
       std::any_of(feet.begin(), feet.end(), [](const Foot& foot) { return foot.heel.has_value(); });
   if (!lift || task.preset == Preset::flat) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format(messages::kNoHeels.text, word_of(task.preset)));
+  return fail(ErrorCode::invalid_argument, say("no_heels", word_of(task.preset)));
 }
 
 Result<void> check_phases(const Task& task) {
   if (task.phases < 1 || task.phases > kPhasesMax) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("phases is {}; allowed are 1 and {}", task.phases, kPhasesMax));
+    return fail(ErrorCode::invalid_argument, say("phases_range", task.phases, kPhasesMax));
   }
   if (task.phases > 1 && task.preset != Preset::flat) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("the preset {} has one phase; flat knows two", word_of(task.preset)));
+    return fail(ErrorCode::invalid_argument, say("one_phase", word_of(task.preset)));
   }
   if (task.phases == 1 && task.fixed && task.fixed->values.later) {
-    return fail(ErrorCode::invalid_argument,
-                "a later phase is fixed, and the task has one phase; phases 2 gives it two");
+    return fail(ErrorCode::invalid_argument, say("later_fixed"));
   }
   return {};
 }
@@ -74,47 +69,38 @@ Result<void> check_numbers(const Task& task) {
   if (task.duration &&
       !(*task.duration >= kTaskDurationMin && *task.duration <= kTaskDurationMax)) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format(messages::kDurationRange.text, *task.duration, kTaskDurationMin,
-                            kTaskDurationMax));
+                say("duration_range", *task.duration, kTaskDurationMin, kTaskDurationMax));
   }
   if (task.evaluations && *task.evaluations < task.genetic.population) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("evaluations is {}; allowed are {} (the population) and more",
-                            *task.evaluations, task.genetic.population));
+                say("evaluations_range", *task.evaluations, task.genetic.population));
   }
   if (task.candidates < 1) {
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("candidates is {}; allowed are 1 and more", task.candidates));
+    return fail(ErrorCode::invalid_argument, say("candidates_range", task.candidates));
   }
   return {};
 }
 
 Result<void> check_timing(const Task& task) {
   if (!(task.ease >= -kEaseMax && task.ease <= kEaseMax)) {
-    return fail(ErrorCode::invalid_argument, fmt::format("ease is {}; allowed are {:g} to {:g}",
-                                                         task.ease, -kEaseMax, kEaseMax));
+    return fail(ErrorCode::invalid_argument, say("ease_range", task.ease, -kEaseMax, kEaseMax));
   }
   if (!(task.gaze_lead >= kGazeLeadLeast && task.gaze_lead <= kGazeLeadMost)) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("gaze_lead is {}; allowed are {:g} to {:g} of the duration",
-                            task.gaze_lead, kGazeLeadLeast, kGazeLeadMost));
+                say("gaze_lead_range", task.gaze_lead, kGazeLeadLeast, kGazeLeadMost));
   }
   const PresetTraits& preset = traits_of(task.preset);
   if (task.ease != 0.0 && preset.layers) {
-    return fail(ErrorCode::invalid_argument, fmt::format(messages::kEaseOfLayers.text, preset.word),
-                "ease");
+    return fail(ErrorCode::invalid_argument, say("ease_of_layers", preset.word), "ease");
   }
   if (task.gaze_lead == 0.0 || preset.natural) return {};
-  return fail(ErrorCode::invalid_argument, fmt::format(messages::kNoGazeLead.text, preset.word),
-              "gaze_lead");
+  return fail(ErrorCode::invalid_argument, say("no_gaze_lead", preset.word), "gaze_lead");
 }
 
 Result<void> check_gaze(const Task& task) {
   if (!task.look_at || within(*task.look_at, -kGoalRange, kGoalRange)) return {};
-  return fail(
-      ErrorCode::invalid_argument,
-      fmt::format("allowed are finite numbers from -{:g} to {:g} m", kGoalRange, kGoalRange),
-      "look_at");
+  return fail(ErrorCode::invalid_argument,
+              say("finite_numbers", Metres{kGoalRange}, Metres{kGoalRange}), "look_at");
 }
 
 Result<void> check_criteria(const CriteriaSettings& criteria) {
@@ -130,10 +116,10 @@ Result<void> check_criteria(const CriteriaSettings& criteria) {
     valid = valid && add(user.weight) && user.scale > 0.0;
   }
   if (!valid || sum <= 0.0) {
-    return fail(ErrorCode::invalid_argument, std::string(messages::kNoWeights.text));
+    return fail(ErrorCode::invalid_argument, say("no_weights"));
   }
   if (!scaled) {
-    return fail(ErrorCode::invalid_argument, "reference scales of criteria must be above 0");
+    return fail(ErrorCode::invalid_argument, say("reference_scales"));
   }
   return {};
 }
@@ -205,7 +191,7 @@ CriteriaSettings task_criteria(const Task& task) {
 
 Result<ReachProblem> make_problem(const Task& task) {
   if (task.goals.empty()) {
-    return fail(ErrorCode::invalid_argument, std::string(messages::kNoGoal.text));
+    return fail(ErrorCode::invalid_argument, say("no_goal"));
   }
   SHG_TRY(check_settings(task));
   const BodyModel& body = task.body;
@@ -224,7 +210,7 @@ Result<ReachProblem> make_problem(const Task& task) {
     }
     for (const ReachGoal& earlier : problem.goals) {
       if (earlier.effector != reach.effector) continue;
-      return fail(ErrorCode::invalid_argument, "two goals for " + goal.effector, "goal");
+      return fail(ErrorCode::invalid_argument, say("two_goals", goal.effector), "goal");
     }
     // the hand takes as long as it does without a late start
     const double own = goal_duration(body, kinematics, reach) * load_factor(body.load());

@@ -11,7 +11,7 @@
 
 #include "body/sole.hpp"
 #include "body/stance.hpp"
-#include "core/messages.hpp"
+#include "core/say.hpp"
 
 namespace shigusa {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kStepLiftMax = 0.15;
 // Less than this (m) along the floor is no step.
 constexpr double kLeastStep = 0.01;
 
-tl::unexpected<Error> wrong_goal(const Goal& goal, std::string message) {
+tl::unexpected<Error> wrong_goal(const Goal& goal, Message message) {
   return fail(ErrorCode::invalid_argument, std::move(message), "goal of " + goal.effector);
 }
 
@@ -31,8 +31,7 @@ Result<int> effector_index(const BodyModel& body, const Goal& goal) {
   if (const auto index = body.find_effector(goal.effector)) return *index;
   const Foot* base = base_foot(body);
   if (base != nullptr && base->name == goal.effector) {
-    return fail(ErrorCode::invalid_argument,
-                base->name + " bears this body and cannot move: only the other foot can", "goal");
+    return fail(ErrorCode::invalid_argument, say("foot_bears", base->name), "goal");
   }
   std::vector<std::string> names;
   for (int i = 0; i < body.effector_count(); ++i) names.push_back(body.effector(i).name);
@@ -41,39 +40,37 @@ Result<int> effector_index(const BodyModel& body, const Goal& goal) {
 
 Result<void> check_turn(const Goal& goal) {
   if (goal.rotation && goal.axis) {
-    return wrong_goal(goal, std::string(messages::kTurnTwice.text));
+    return wrong_goal(goal, say("turn_twice"));
   }
   if (goal.rotation && !is_unit(*goal.rotation)) {
     const Quatd& q = *goal.rotation;
-    return wrong_goal(goal, fmt::format(messages::kNoUnitQuaternion.text, q.x, q.y, q.z, q.w,
-                                        sqrt(squared_length(q))));
+    return wrong_goal(goal, say("no_unit_quaternion", q.x, q.y, q.z, q.w, sqrt(squared_length(q))));
   }
   if (!goal.axis) return {};
   for (const Vec3d& v : {goal.axis->axis, goal.axis->direction}) {
     const double length = norm(v);
     if (length > 1e-6 && length <= kGoalRange) continue;
-    return wrong_goal(
-        goal, fmt::format("axis or direction is ({}, {}, {}); allowed is a finite vector that is "
-                          "not 0",
-                          v.x, v.y, v.z));
+    return wrong_goal(goal, say("axis_vector", v.x, v.y, v.z));
   }
   return {};
 }
 
 Result<void> check_goal(const Goal& goal) {
   if (!(goal.load >= 0.0 && goal.load <= kLoadMax)) {
-    return wrong_goal(goal, fmt::format(messages::kLoadRange.text, goal.load, kLoadMax));
+    return wrong_goal(goal, say("load_range", goal.load, kLoadMax));
   }
   for (int k = 0; k < 3; ++k) {
     const double x = goal.position[k];
     const double half = goal.tolerance[k];
     if (!(x >= -kGoalRange && x <= kGoalRange)) {
-      return wrong_goal(
-          goal, fmt::format(messages::kCoordinateRange.text, "xyz"[k], x, kGoalRange, kGoalRange));
+      return wrong_goal(goal, say(
+                                  "coordinate_range", "xyz" [k], Metres { x }, Metres{kGoalRange},
+                                  Metres{kGoalRange}));
     }
     if (half >= 0.0 && half <= kToleranceMax) continue;
     return wrong_goal(goal,
-                      fmt::format(messages::kToleranceRange.text, "xyz"[k], half, kToleranceMax));
+                      say(
+                          "tolerance_range", "xyz" [k], Metres { half }, Metres{kToleranceMax}));
   }
   return check_turn(goal);
 }
@@ -152,9 +149,9 @@ Result<void> check_soles(const Task& task, const Kinematics<double>& start) {
       const double least = turn.kind == Turning::axis ? sole.least_height(turn.axis, turn.direction)
                                                       : sole.least_height(turn.goal);
       if (goal.position.y >= least - kSoleSlack) continue;
-      return wrong_goal(goal, fmt::format(messages::kSoleBelowFloor.text, goal.position.y,
-                                          1000.0 * (least - goal.position.y),
-                                          std::ceil(1000.0 * least) / 1000.0));
+      return wrong_goal(goal, say("sole_below_floor", Metres{goal.position.y},
+                                  Millimetres{1000.0 * (least - goal.position.y)},
+                                  Metres{std::ceil(1000.0 * least) / 1000.0}));
     }
   }
   return {};
@@ -171,9 +168,7 @@ Result<void> check_contacts(const Task& task) {
   if (base == nullptr) return {};
   const auto& kept = *task.contacts;
   if (std::find(kept.begin(), kept.end(), base->name) != kept.end()) return {};
-  return fail(ErrorCode::invalid_argument,
-              base->name + " bears this body and is not among them: only the other foot can move",
-              "contacts");
+  return fail(ErrorCode::invalid_argument, say("foot_bears_contact", base->name), "contacts");
 }
 
 // Whether goals have loads, or feet do not stand.
@@ -198,8 +193,7 @@ Result<void> stand(Task& task) {
     const bool kept = !task.contacts || std::find(task.contacts->begin(), task.contacts->end(),
                                                   foot.name) != task.contacts->end();
     if (task.contacts && kept && moves) {
-      return fail(ErrorCode::invalid_argument, foot.name + " is to stand and has a goal",
-                  "contacts");
+      return fail(ErrorCode::invalid_argument, say("stands_and_goal", foot.name), "contacts");
     }
     if (kept && !moves) standing.push_back(foot.name);
     const auto effector = task.body.find_effector(foot.node);
@@ -278,8 +272,7 @@ Result<void> check_rows(const ReachProblem& problem) {
   for (const IkTarget<double>& target : ik_targets(problem)) rows += row_count(target);
   rows += 3 * static_cast<int>(problem.supports.size());
   if (rows <= kMaxIkRows) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format(messages::kTooManyRows.text, rows, kMaxIkRows), "goals");
+  return fail(ErrorCode::invalid_argument, say("too_many_rows", rows, kMaxIkRows), "goals");
 }
 
 std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals) {

@@ -7,6 +7,7 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "core/say.hpp"
 #include "rollout/reachability.hpp"
 #include "rollout/rollout.hpp"
 
@@ -25,7 +26,7 @@ constexpr double kBelowShoulder = 0.4;
 // arrives at 0.7 has 0.99 of its way behind it at 0.6.
 constexpr double kArrivals[] = {0.7, 0.8, 0.9};
 
-tl::unexpected<Error> wrong_support(const Support& support, std::string message) {
+tl::unexpected<Error> wrong_support(const Support& support, Message message) {
   return fail(ErrorCode::invalid_argument, std::move(message),
               "support of " + support.effector.substr(0, 80));
 }
@@ -45,9 +46,7 @@ Result<void> check_free(const Task& task, const Support& support, int hand) {
     if (!task.body.moves(task.body.effector(hand).limb_root, task.body.effector(*effector).link)) {
       continue;
     }
-    return wrong_support(support, fmt::format("its arm has a goal, that of {}: only a free hand "
-                                              "rests on something",
-                                              goal.effector));
+    return wrong_support(support, say("arm_has_goal", goal.effector));
   }
   return {};
 }
@@ -154,10 +153,7 @@ void put_on(const SurfacePlace& place, HandSupport& support) {
 
 tl::unexpected<Error> out_of_reach(const Support& support, double distance) {
   return wrong_support(
-      support,
-      fmt::format("the hand does not reach {} while the goals are met: {:.0f} mm are left; "
-                  "leave the support out, or move the place or the goals",
-                  support.on.substr(0, 80), 1e3 * distance));
+      support, say("hand_does_not_reach", support.on.substr(0, 80), Millimetres{1e3 * distance}));
 }
 
 // Puts a hand on the first side of its obstacle that it reaches; `free`: the posture that meets the
@@ -194,15 +190,10 @@ void settle_arrival(ReachProblem& problem) {
 Result<void> check_supports(const Request& request) {
   if (request.supports.empty()) return {};
   if (request.preset != Preset::flat) {
-    return fail(
-        ErrorCode::unsupported,
-        fmt::format("the preset {} knows no hands that rest; flat does", word_of(request.preset)),
-        "support");
+    return fail(ErrorCode::unsupported, say("no_resting", word_of(request.preset)), "support");
   }
   if (request.generator == MotionGenerator::weighted_ik) return {};
-  return fail(ErrorCode::unsupported,
-              fmt::format("the generator {} knows no hands that rest; weighted_ik does",
-                          word_of(request.generator)),
+  return fail(ErrorCode::unsupported, say("generator_no_resting", word_of(request.generator)),
               "support");
 }
 
@@ -213,7 +204,7 @@ Result<std::vector<HandSupport>> make_supports(const Task& task, const Kinematic
     SHG_TRY_ASSIGN(const int index, hand_index(task.body, asked));
     SHG_TRY(check_free(task, asked, index));
     for (const HandSupport& earlier : supports) {
-      if (earlier.effector == index) return wrong_support(asked, "is a second one for this hand");
+      if (earlier.effector == index) return wrong_support(asked, say("second_support"));
     }
     const Effector& hand = task.body.effector(index);
     HandSupport support{.name = asked.effector, .effector = index};
@@ -224,9 +215,7 @@ Result<std::vector<HandSupport>> make_supports(const Task& task, const Kinematic
     } else if (asked.on == kThighPlace) {
       const Capsule* thigh = thigh_of(task.body, hand);
       if (thigh == nullptr) {
-        return wrong_support(asked, task.body.name() +
-                                        " has no thigh of that side; an obstacle "
-                                        "of the task is a place too");
+        return wrong_support(asked, say("no_thigh", task.body.name()));
       }
       put_on_thigh(*thigh, thickness, support);
     } else {
@@ -260,10 +249,7 @@ Result<void> settle_supports(const Task& task, ReachProblem& problem) {
   without.supports.clear();
   const ClosestReach free = closest_reach(without);
   if (!free.reached()) {
-    return fail(ErrorCode::invalid_argument,
-                "the goals are out of reach, and hands rest in motions that meet them: leave the "
-                "support out",
-                "support");
+    return fail(ErrorCode::invalid_argument, say("support_out_of_reach"), "support");
   }
   Kinematics<double> placed(task.body);
   forward_kinematics<double>(task.body, free.angles, placed);

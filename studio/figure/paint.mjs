@@ -41,7 +41,7 @@ function visorPaint(x, y, z) {
 
 /** Past the seam between trunk and limb, which lies in a plane. */
 function seamPaint(parts, x, y, z, arm) {
-  if (arm < 0.5 && y < 1.15) return x < 1e-6 ? kFar : belowGroin(x, y, z) + 0.012;
+  if (arm < 0.5 && y < 1.15) return belowGroin(x, y, z) + 0.012;
   const [u, v] = frames.arm.local(x, y, z);
   return parts.trunk(x, y, z) < parts.arm(x, y, z) ? Math.min(v + 0.83 * u - 0.055, -0.02) : v + 0.83 * u - 0.055;
 }

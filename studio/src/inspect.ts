@@ -35,10 +35,14 @@ export interface Inspection {
   contactDarkness(): number;
   /** The ruler as it is drawn. */
   readonly ruler: { height_m: number; texts: string[] } | null;
+  /** What is written over two figures that are compared. */
+  readonly tags: readonly string[];
   /** Joints that are red on the figure. */
   readonly strained: readonly string[];
   /** Where the ghosts have an effector's node, m. */
   ghosts(effector: string): Vec3[];
+  /** Whether the character's figure is in the picture. */
+  readonly framed: boolean;
   /** How the figure is drawn now. */
   figure(): DrawnFigure | null;
   /** What goals are marked with in the view: axis, box, load, seat. */
@@ -87,6 +91,9 @@ export function expose(studio: Studio, view: View): void {
     get ruler() {
       return view.drawnRuler;
     },
+    get tags() {
+      return view.tagTexts;
+    },
     get strained() {
       return view.strainedNames;
     },
@@ -106,6 +113,9 @@ export function expose(studio: Studio, view: View): void {
     tip: (kind, name) => (kind === 'parameter' ? parameterTip(name) : criterionTip(name)),
     drawn: (effector) => view.drawn(effector),
     ghosts: (effector) => view.ghostsOf(effector),
+    get framed() {
+      return view.framesCharacter;
+    },
     figure: () => view.drawnFigure(),
     handle: (effector) => view.handleOnScreen(effector),
     hand(effector) {

@@ -30,6 +30,7 @@ export class Keyboard {
     const field = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
     const typing = field && !(target instanceof HTMLInputElement && (target.type === 'range' || target.type === 'checkbox'));
     if ((event.ctrlKey || event.metaKey) && !event.altKey) {
+      if (event.key.toLowerCase() === 's') return this.done(event, () => this.studio.store.set({ tab: 'take' }));
       if (typing) return;
       if (event.key.toLowerCase() === 'z') this.done(event, () => (event.shiftKey ? this.studio.redo() : this.studio.undo()));
       if (event.key.toLowerCase() === 'y') this.done(event, () => this.studio.redo());

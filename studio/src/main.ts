@@ -17,12 +17,13 @@ import { Keeper } from './kept/keeper';
 import { workOfLink } from './kept/link';
 import { recall } from './kept/memory';
 import { openWork } from './kept/pack';
-import { Page } from './page';
 import { h } from './panels/dom';
 import { startsWithCards } from './panels/start_cards';
 import { openCharacter, openTask } from './state/files';
 import { Studio } from './state/studio';
 import { taskOfLink } from './state/task';
+
+const kMostPatience = 150; // ms
 
 /** In place of the page, where it cannot work. */
 function refuse(root: HTMLElement, text: string): void {
@@ -52,26 +53,47 @@ async function openAddress(studio: Studio, keeper: Keeper): Promise<void> {
   await openFirst();
 }
 
+/** Until there is a document: the engine is then at work on its motions while the page is made. Files that take longer are not waited for. */
+function begun({ store }: Studio): Promise<void> {
+  return new Promise((done) => {
+    if (store.state.document) return done();
+    const end = store.subscribe(({ document }) => {
+      if (!document) return;
+      end();
+      done();
+    });
+    setTimeout(done, kMostPatience);
+  });
+}
+
 async function start(): Promise<void> {
   const root = document.getElementById('app')!;
+  const support = browserSupport();
+  // both take their time, so they are asked for first
+  const [engine, module] = [support === 'ok' ? connect() : Promise.reject(new Error(support)), import('./page')];
+  for (const each of [engine, module]) each.catch(() => undefined); // it is told below
+  void module.then(({ loadMannequin }) => loadMannequin()).catch(() => undefined); // most bodies are drawn as it
   await fetchLanguage(preferredLanguage());
   setLanguage(preferredLanguage());
-  const support = browserSupport();
   if (support !== 'ok') return refuse(root, t(support === 'no-wasm' ? 'noWasm' : support === 'no-simd' ? 'noSimd' : 'noWebgl'));
   const waiting = h('div', { class: 'refused' }, h('p', { role: 'status' }, t('loading')));
   root.append(waiting);
   try {
-    const studio = new Studio(await connect());
+    const studio = new Studio(await engine);
     knowEngine(studio.facts);
     const theme = recall('theme');
     const lengths = recall('lengths');
     studio.store.set({ language: preferredLanguage(), lengths: isLengthUnit(lengths) ? lengths : 'cm', theme: theme === 'light' || theme === 'dark' ? theme : 'auto', start: startsWithCards() && location.hash === '' });
-    waiting.remove();
     const keeper = new Keeper(studio);
-    const page = new Page(studio, root, keeper);
+    const opened = openAddress(studio, keeper);
+    await Promise.race([opened, begun(studio)]);
+    const made = await module.catch(() => null);
+    if (!made) return refuse(root, t('partFailed'));
+    waiting.remove();
+    const page = new made.Page(studio, root, keeper);
     expose(studio, page.view);
     window.addEventListener('hashchange', () => void openAddress(studio, keeper));
-    await openAddress(studio, keeper);
+    await opened;
   } catch (error) {
     refuse(root, `${t('engineFailed')} ${failureOf(error)?.message ?? ''}`);
   }

@@ -4,25 +4,19 @@ import { fetchLanguage, type Language, setLanguage, t } from './i18n';
 import { setLengthUnit } from './i18n/lengths';
 import { placeWords } from './i18n/place_words';
 import type { Keeper } from './kept/keeper';
-import { Library } from './kept/library';
 import { remember } from './kept/memory';
 import { WantedBanner } from './kept/wanted_banner';
 import { Keyboard } from './keyboard';
 import { AdjustPanel } from './panels/adjust';
-import { BodyPanel } from './panels/body';
 import { CriteriaPanel } from './panels/criteria';
-import { h, type Panel } from './panels/dom';
+import { button, h, type Panel } from './panels/dom';
 import { Gallery } from './panels/gallery';
 import { GoalsPanel } from './panels/goals';
 import { helpDialog } from './panels/help';
 import { Notices } from './panels/notices';
-import { PlotsPanel } from './panels/plots';
 import { SpeedLegend } from './panels/speed_legend';
 import { StartCards } from './panels/start_cards';
 import { Tabs } from './panels/tabs';
-import { TakePanel } from './panels/take';
-import { TakeFilm } from './panels/take_film';
-import { TakePicture } from './panels/take_picture';
 import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
 import { VerdictLine } from './panels/verdict';
@@ -34,13 +28,29 @@ import { Thumbnails } from './view/thumbnails';
 import { shownTheme } from './view/palette';
 import { View } from './view/view';
 
+export { loadMannequin } from './view/mannequin_file';
+
+const kRests = 1000; // ms after the first motions
+
+const later = (): Promise<typeof import('./panels/later')> => import('./panels/later');
+
+/** Fetches them while nobody waits, so that they are there where the network is not. */
+function fetchLater({ store }: Studio): void {
+  const look = (): void => {
+    if (!store.state.document?.result) return;
+    end();
+    setTimeout(() => later().catch(() => undefined), kRests); // it is told where one is asked for
+  };
+  const end = store.subscribe(look);
+  look();
+}
+
 export class Page {
   private panels: Panel[] = [];
   private keyboard: Keyboard | null = null;
   private readonly canvas = h('canvas', { class: 'view', tabIndex: 0, role: 'application' });
   private readonly stage = h('div', { class: 'stage' });
   private readonly label = h('div', { class: 'handle-label', hidden: true });
-  private readonly library = new Library();
   readonly view: View;
   private readonly thumbnails: Thumbnails;
 
@@ -48,7 +58,7 @@ export class Page {
     this.stage.append(this.canvas, this.label);
     root.append(this.stage);
     this.view = new View(studio, this.stage, this.canvas, (name, x, y) => this.hover(name, x, y));
-    this.thumbnails = new Thumbnails(studio, () => this.view.stage.quality.moving.thumbnails);
+    this.thumbnails = new Thumbnails(studio, () => (this.view.stage.shown ? this.view.stage.quality.moving.thumbnails : 0));
     keeper.follow(this.view, () => this.thumbnails.pictureOf(studio.document?.chosen ?? -1));
     studio.store.subscribe((state, previous) => {
       if (state.language !== previous.language) void this.speak(previous.language);
@@ -60,6 +70,7 @@ export class Page {
     this.thumbnails.still = calm.matches;
     if (calm.matches) studio.store.set({ loop: false });
     this.dropFiles();
+    fetchLater(studio);
     this.build();
     this.paint();
   }
@@ -105,8 +116,13 @@ export class Page {
     const wanted = new WantedBanner(studio);
     notices.element.append(wanted.element);
     const tabs = new Tabs(studio, {
-      goals: new GoalsPanel(studio, this.view, this.library), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
-      body: new BodyPanel(studio, this.thumbnails.portraits), plots: new PlotsPanel(studio), take: new TakePanel(studio, new TakePicture(studio, this.view), new TakeFilm(studio, this.view)),
+      goals: new GoalsPanel(studio, this.view), adjust: new AdjustPanel(studio), criteria: new CriteriaPanel(studio),
+      body: async () => new (await later()).BodyPanel(studio, this.thumbnails.portraits),
+      plots: async () => new (await later()).PlotsPanel(studio),
+      take: async () => {
+        const { TakePanel, TakePicture, TakeFilm } = await later();
+        return new TakePanel(studio, new TakePicture(studio, this.view), new TakeFilm(studio, this.view));
+      },
     });
     const top = new TopBar(studio, this.keeper, openHelp);
     const legend = new SpeedLegend(studio);
@@ -115,7 +131,8 @@ export class Page {
     this.canvas.setAttribute('aria-label', t('viewLabel'));
     this.stage.replaceChildren(this.canvas, this.label, notices.element, legend.element, menu.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
     const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, verdict.element, start.element, timeline.element), tabs.element);
-    this.root.replaceChildren(top.element, main, dialog);
+    const skip = button(t('skipToView'), () => this.canvas.focus(), { class: 'skip' });
+    this.root.replaceChildren(skip, top.element, main, dialog);
     this.keyboard = new Keyboard(studio, this.canvas, menu, openHelp);
   }
 

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { kept, records, saved, work } from './kept.mjs';
-import { drop, openStudio, settled, slide, state, take, visit } from './support.mjs';
+import { drop, openStudio, openTab, settled, slide, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -26,7 +26,7 @@ async function another(context, errors, url = site.url) {
 test('a page that nobody has worked on keeps nothing', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await open();
   await settled(page);
-  await page.click('#tab-plots');
+  await openTab(page, 'plots');
   assert.equal(await page.locator('.saving').innerText(), '');
   assert.equal((await records(page, 'projects')).length, 0);
   await page.reload();

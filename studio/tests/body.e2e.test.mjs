@@ -3,7 +3,8 @@
 // others: the person is the page's own body, taken away as BVH and dropped back.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drop, openStudio, settled, state, take, visit } from './support.mjs';
+import { angleBetween, turnByRings } from './rings.mjs';
+import { drop, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -28,7 +29,7 @@ test('a row of the bone map is changed, and a wrong one is told of', { timeout: 
   await page.waitForFunction(() => window.shigusa.document.character.spec.source === 'person.bvh', undefined, { timeout: 60_000 });
   await settled(page);
   assert.deepEqual((await character(page)).doubts, []);
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   assert.ok(await page.locator('[data-key="apply map"]').isHidden(), 'the table is closed at first');
   await page.locator('summary').filter({ hasText: 'Bones' }).click();
   assert.ok(await page.locator('[data-key="apply map"]').isDisabled(), 'nothing to apply yet');
@@ -68,32 +69,6 @@ test('a row of the bone map is changed, and a wrong one is told of', { timeout: 
   await context.close();
 });
 
-/** The angle between two rotations, degrees. */
-function angleBetween(a, b) {
-  const cosine = Math.abs(a.reduce((sum, value, k) => sum + value * b[k], 0));
-  return (360 / Math.PI) * Math.acos(Math.min(cosine, 1));
-}
-
-/** Drags rings about a handle until it is turned; finds them by trying, as they lie on the screen as the camera sees them. */
-async function turnByRings(page, effector) {
-  const rotation = () => page.evaluate((name) => window.shigusa.document.goals.find((goal) => goal.effector === name).rotation_xyzw, effector);
-  const before = await rotation();
-  for (const radius of [50, 60, 40, 70]) {
-    for (let turn = 0; turn < 2 * Math.PI; turn += Math.PI / 4) {
-      const [x, y] = await page.evaluate((name) => window.shigusa.handle(name), effector);
-      const [along, across] = [Math.cos(turn), Math.sin(turn)];
-      await page.mouse.move(x + radius * along, y + radius * across);
-      await page.mouse.down();
-      for (let k = 1; k <= 4; ++k) await page.mouse.move(x + radius * along - 6 * k * across, y + radius * across + 6 * k * along);
-      await page.mouse.up();
-      await settled(page);
-      const turned = angleBetween(before, await rotation());
-      if (turned > 3) return turned;
-    }
-  }
-  return assert.fail('no ring was found');
-}
-
 test('rings turn a goal that asks for a rotation', { timeout: 240_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
@@ -106,7 +81,7 @@ test('rings turn a goal that asks for a rotation', { timeout: 240_000 }, async (
   await settled(page);
   assert.deepEqual((await state(page)).goals[0].rotation_xyzw, free.rotation_xyzw, 'as the hand was');
   await page.locator('[data-key="right_hand rings"]').setChecked(true);
-  await turnByRings(page, 'right_hand');
+  await turnByRings(page, 'right_hand', () => page.evaluate(() => window.shigusa.document.goals[0].rotation_xyzw));
   const now = await state(page);
   assert.deepEqual(now.goals[0].position_m, before.position_m);
   assert.equal(now.status, 'reached');

@@ -2,7 +2,7 @@
 // From where the scene is seen, through which lens, and beside which ruler.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drag, openStudio, settled, state, visit } from './support.mjs';
+import { drag, openStudio, openTab, settled, state, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -81,6 +81,30 @@ test('the camera looks from the usual sides by keys and buttons, goes to what is
   await context.close();
 });
 
+test('a side that is asked for before the figure is there is seen once it is', { timeout: 120_000 }, async () => {
+  const context = await browser.newContext({ ...kSmall, reducedMotion: 'reduce' });
+  await context.addInitScript(() => {
+    if (location.protocol !== 'about:') localStorage.setItem('shigusa.start', 'closed');
+  });
+  const page = await context.newPage();
+  let bring;
+  const asked = new Promise((done) => (bring = done));
+  await page.route('**/mannequin*.bin', async (route) => {
+    await asked;
+    await route.continue();
+  });
+  await page.goto(site.url);
+  await page.waitForFunction(() => window.shigusa?.document?.result);
+  assert.equal(await page.evaluate(() => window.shigusa.framed), false);
+  await page.keyboard.press('Shift+Numpad1');
+  bring();
+  await settled(page);
+  await drawn(page);
+  const { way } = await seenFrom(page);
+  assert.ok([0, 0, 1].every((x, k) => Math.abs(x - way[k]) < 1e-3), `seen from ${way}`);
+  await context.close();
+});
+
 test('without perspective what is near is no larger, and a dragged goal follows the pointer', { timeout: 240_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url, kSmall);
   await settled(page);
@@ -137,7 +161,7 @@ test('the ruler is as high as the body, and its last number says so', { timeout:
   await page.keyboard.press('u');
   for (const stature of [1.741, 1.5]) {
     if (stature !== 1.741) {
-      await page.click('#tab-body');
+      await openTab(page, 'body');
       await page.locator('#panel-body input[type="number"]').first().fill(String(100 * stature));
       await page.locator('#panel-body input[type="number"]').first().press('Enter');
       await page.waitForFunction((m) => window.shigusa.document.character.description.stature_m === m, stature, { timeout: 30_000 });

@@ -5,7 +5,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { seriousFindings } from './axe.mjs';
-import { drop, openStudio, settled, state, take, visit } from './support.mjs';
+import { drop, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -34,12 +34,12 @@ test('characters are kept with what was done with them, and switched', { timeout
   assert.deepEqual(await shelf(page), ['human', 'person.bvh', 'small.bvh']);
   await page.keyboard.press('Digit2');
   const left = await state(page);
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   const rows = page.locator('.characters li');
   assert.equal(await rows.count(), 3);
   assert.match(await rows.nth(0).innerText(), /Person\s+1\d\d cm, \d+ kg/);
-  assert.match(await rows.nth(2).innerText(), /small\.bvh[^]*no mesh/);
   await isDrawn(page, 2);
+  assert.match(await rows.nth(2).innerText(), /small\.bvh[^]*no mesh/);
   assert.deepEqual(await seriousFindings(page, '.side'), []);
 
   await rows.nth(0).locator('.pick-character').click();
@@ -66,7 +66,7 @@ test('characters are kept with what was done with them, and switched', { timeout
   await page.waitForFunction(() => window.shigusa.state.shelf.length === 4);
   await settled(page);
 
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   await rows.nth(1).locator('.icon-button').click();
   assert.equal(await rows.count(), 3);
   assert.equal(await rows.nth(2).locator('.icon-button').count(), 0, 'the one at hand stays');
@@ -111,7 +111,7 @@ test('a person starts from a frame of the file, or at rest', { timeout: 180_000 
   await settled(page);
   const bvh = await take(page, 'bvh');
   await dropped(page, 'person.bvh', bvh);
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   const hand = () => page.evaluate(() => window.shigusa.document.character.description.places.find(({ effector }) => effector === 'right_hand').start_m[1]);
   const opened = async (act) => {
     const id = await page.evaluate(() => window.shigusa.document.character.id);
@@ -146,7 +146,7 @@ test('the animations of a glTF file are offered by name', { skip: !existsSync(kn
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
   await dropped(page, 'knight.glb', readFileSync(knight));
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   const names = await page.evaluate(() => window.shigusa.document.character.description.animations);
   assert.ok(names.length > 1);
   const choice = page.locator('[data-key="start posture"]');

@@ -4,13 +4,13 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { parseGlb, translationsOf } from './glb.mjs';
-import { drop, openStudio, settled, take, visit } from './support.mjs';
+import { drop, openStudio, openTab, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
 /** All that the tab Save offers now: the name and the bytes of each file, by format. */
 async function takeAll(page) {
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   const buttons = page.locator('[data-format]:not([data-format="link"]):not(:disabled)');
   const formats = await buttons.evaluateAll((all) => all.map((button) => button.dataset.format));
   const files = new Map();
@@ -122,7 +122,7 @@ test('names of joints and clips, motions in place and all in one file are as cho
   assert.equal(after.source, 'unreal.glb');
   assert.equal(after.map.left_upper_arm, 'upperarm_l');
   // whose own names are kept
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   assert.ok(await page.locator('[data-key="joint names"]').isDisabled());
   const own = parseGlb(await take(page, 'glb'));
   const more = await page.evaluate(() => window.shigusa.document.result.candidates.length);

@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { validateBytes } from 'gltf-validator';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drag, drop, dropAll, openStudio, settled, state, take, visit } from './support.mjs';
+import { drag, drop, dropAll, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
@@ -72,7 +72,7 @@ test('a character of a file leaves as GLB with its hand on the goal', { skip: !f
   await drop(page, 'KayKit_Knight.glb', readFileSync(join(folder, 'KayKit_Knight.glb')));
   await page.waitForFunction(() => window.shigusa.document.character.spec.source === 'KayKit_Knight.glb');
   await settled(page);
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-format="glb"]')]);
   const glb = parseGlb(readFileSync(await download.path()));
   const { reached, unit } = await page.evaluate(() => {
@@ -94,7 +94,7 @@ test('a result that is dropped back and a link bring the task again', { timeout:
   await page.locator('[data-key="right_hand up"]').press('Enter');
   await page.waitForTimeout(100);
   await settled(page);
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-format="result"]')]);
   const text = readFileSync(await download.path());
   const before = await state(page);
@@ -108,7 +108,7 @@ test('a result that is dropped back and a link bring the task again', { timeout:
   assert.deepEqual(after.words, before.words);
   assert.deepEqual(after.goals, before.goals);
 
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   await page.click('[data-format="link"]');
   await page.waitForFunction(() => window.shigusa.state.notice?.key === 'linkCopied');
   const link = await page.evaluate(() => navigator.clipboard.readText());
@@ -142,7 +142,7 @@ test('a VRM character leaves in every format', { skip: !files.includes(kRobot) &
   await drop(page, kRobot, readFileSync(join(folder, kRobot)));
   await page.waitForFunction((name) => window.shigusa.document.character.spec.source === name, kRobot);
   await settled(page);
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   const begins = { glb: 'glTF', vrma: 'glTF', bvh: 'HIERARCHY', csv: 'time', svg: '<?xml', png: '\x89PNG', task: '{', result: '{' };
   for (const [format, start] of Object.entries(begins)) {
     const bytes = await take(page, format);
@@ -158,7 +158,7 @@ test('a VRM character leaves in every format', { skip: !files.includes(kRobot) &
 test('files leave at the frames a second that are chosen', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   const rate = page.getByLabel('Frames a second', { exact: true });
   assert.equal(await rate.inputValue(), '60');
   await rate.selectOption('24');

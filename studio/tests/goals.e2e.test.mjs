@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
-import { drag, drop, linkTo, openStudio, settled, visit } from './support.mjs';
+import { drag, drop, linkTo, openStudio, openTab, settled, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -60,7 +60,7 @@ test('facing, box, load and seat of a task are seen and edited', { timeout: 240_
   await settled(page);
   assert.notEqual(await field(page, 'right_hand roll').inputValue(), '90');
 
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   await type(page, 'seat', '50');
   await page.waitForFunction(() => window.shigusa.document.character.spec.seat_m === 0.5);
   await settled(page);

@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import { test } from 'node:test';
 import { deflateRawSync, inflateRawSync } from 'node:zlib';
 import { kept, work } from './kept.mjs';
-import { drop, dropAll, openStudio, settled, state, take, visit } from './support.mjs';
+import { drop, dropAll, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
@@ -17,7 +17,7 @@ const packed = (text) => kBegin + deflateRawSync(text).toString('base64url');
 const unpacked = (link) => JSON.parse(inflateRawSync(Buffer.from(link.slice(kBegin.length), 'base64url')));
 
 async function copyLink(page) {
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   await page.click('[data-format="link"]');
   await page.waitForFunction(() => window.shigusa.state.notice?.key === 'linkCopied');
   return page.evaluate(() => navigator.clipboard.readText());
@@ -172,7 +172,7 @@ test('a work that is too much for a link is offered as a file', { timeout: 120_0
   await drop(page, 'task.json', JSON.stringify(task));
   await page.waitForFunction(() => window.shigusa.document.goals[0].position_m[1] === 0.9);
   await settled(page);
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   await page.click('[data-format="link"]');
   await page.waitForFunction(() => window.shigusa.state.notice?.key === 'largeLink');
   assert.match(await page.locator('.message').innerText(), /Save the result/);

@@ -15,7 +15,7 @@ export const kept = (page) => page.evaluate(() => {
   const { position_m, target_m } = window.shigusa.look();
   const look = [...position_m, ...target_m].map((x) => Number(x.toFixed(6)));
   return JSON.stringify({
-    task, found, edits, chosen: d.chosen, compared: d.compared, weights: d.weights, fewer: d.result.summary.fewer,
+    task, found, edits, chosen: d.chosen, compared: d.compared, weights: d.weights, fewer: d.result.summary.fewer_message,
     tab: s.tab, selected: s.selected, overlays: s.overlays, compareMode: s.compareMode, speed: s.speed, look, view: s.view,
   }, null, 1);
 });

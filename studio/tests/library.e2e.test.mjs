@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
 import { records } from './kept.mjs';
-import { openStudio, settled, visit } from './support.mjs';
+import { drop, openStudio, openTab, settled, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -49,7 +49,7 @@ test('goals with things in the way and start postures are kept, used by a click 
   assert.deepEqual(await asked(page), second, 'one step of undo');
 
   // a seat, kept and used again by the one who stands
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   await page.check('[data-key="seated"]');
   await page.waitForFunction(() => window.shigusa.document.character.spec.seat_m > 0);
   await settled(page);
@@ -139,6 +139,26 @@ test('a damaged library is told of and adds nothing; what the engine refuses cha
     assert.deepEqual(await asked(page), before);
   }
   assert.equal(await page.evaluate(() => window.shigusa.state.canUndo), false);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a library that is dropped on the page is added, and a damaged one told of', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  await openTab(page, 'body');
+  const before = await asked(page);
+  const good = { name: 'Dropped', kind: 'goals', goals: [{ effector: 'right_hand', position_m: [0.2, 0.9, 0.4] }], things: [] };
+  await drop(page, 'bad.json', JSON.stringify({ shigusa_library: 1, entries: [{ ...good, name: '' }] }));
+  await page.locator('.message', { hasText: 'bad.json' }).waitFor();
+  await drop(page, 'library.json', JSON.stringify({ shigusa_library: 1, entries: [good] }));
+  await page.locator('.message', { hasText: 'Added from the file: 1' }).waitFor();
+  await entry(page, 'Dropped').waitFor();
+  assert.equal(await page.evaluate(() => window.shigusa.state.tab), 'goals', 'where it is');
+  assert.deepEqual(await asked(page), before, 'the task is as it was');
+  assert.equal((await records(page, 'poses')).length, 1);
+  await use(page, 'Dropped');
+  await page.waitForFunction(() => window.shigusa.document.goals[0].position_m[0] === 0.2);
   assert.deepEqual(errors, []);
   await context.close();
 });

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { drop, openStudio, settled, visit } from './support.mjs';
+import { saved } from './kept.mjs';
+import { drop, linkTo, openStudio, openTab, settled, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -13,10 +14,13 @@ const wrong = [
   ['old.gltf', JSON.stringify({ asset: { version: '1.0' } }), /glTF のバージョンが "1.0" です/],
   ['bare.gltf', JSON.stringify({ asset: { version: '2.0' } }), /ノードがないため/],
   ['lone.gltf', JSON.stringify({ asset: { version: '2.0' }, nodes: [{ name: 'a' }] }), /骨格がありません：ノードが一つだけです/],
+  ['wrong.json', JSON.stringify({ version: 1, goals: [{ effector: 'tail', position_m: [0, 1, 0] }] }), /動かす部位「tail」はありません。.*使えるもの：/],
+  ['key.json', JSON.stringify({ version: 1, goals: [{ effector: 'right_hand', position_m: [0, 1, 0], lod_kg: 1 }] }), /キー「lod_kg」はありません。「load_kg」ですか？/],
+  ['far.json', JSON.stringify({ version: 1, goals: [{ effector: 'right_hand', position_m: [0, 'up', 0] }] }), /\[0,"up",0\] です。-100～100 の数 3 個/],
   ['bomb.urdf', '<!DOCTYPE a [<!ENTITY b "c">]><robot/>', /line 1 of bomb\.urdf：定義付きの文書型宣言は読めません/],
   ['other.urdf', '<mujoco/>', /<robot> のはずの箇所に <mujoco> があります/],
   ['lone.urdf', '<robot name="r"><link name="a"/></robot>', /人型ロボットではありません：.*ノードが一つだけです/],
-  ['low.json', JSON.stringify({ version: 1, goals: [{ effector: 'left_foot', position_m: [0.1, 0.02, 0.3] }] }), /左足の目標：高さ 0\.020 m では足裏が床より 48 mm 下になります。この向きでは 0\.068 m 以上/],
+  ['low.json', JSON.stringify({ version: 1, goals: [{ effector: 'left_foot', position_m: [0.1, 0.02, 0.3] }] }), /左足の目標：高さ 2 cm では足裏が床より 4\.8 cm 下になります。この向きでは 6\.8 cm 以上/],
 ];
 
 test('what the engine refuses is told in Japanese, with its numbers', { timeout: 180_000 }, async () => {
@@ -35,6 +39,27 @@ test('what the engine refuses is told in Japanese, with its numbers', { timeout:
   await context.close();
 });
 
+test('lengths in messages are in the unit that is chosen, in both languages', { timeout: 120_000 }, async () => {
+  const low = JSON.stringify({ version: 1, goals: [{ effector: 'left_foot', position_m: [0.1, 0.02, 0.3] }] });
+  const said = { 'en-GB': { cm: /is 2 cm high, and its sole would end 4\.8 cm below the floor; allowed are 6\.8 cm/, in: /is 0\.79 in high, and its sole would end 1\.\d+ in below the floor; allowed are 2\.68 in/ },
+    'ja-JP': { in: /高さ 0\.79 in では足裏が床より 1\.\d+ in 下になります。この向きでは 2\.68 in 以上/ } };
+  for (const [locale, units] of Object.entries(said)) {
+    const { page, context, errors } = await openStudio(browser, site.url, { locale });
+    await settled(page);
+    await drop(page, 'low.json', Buffer.from(low));
+    await page.waitForFunction(() => window.shigusa.state.notice?.kind === 'failure', undefined, { timeout: 60_000 });
+    for (const [unit, words] of Object.entries(units)) {
+      if (unit !== 'cm') {
+        await page.click('.view-opener');
+        await page.locator('[data-view="lengths"]').selectOption(unit);
+      }
+      assert.match(await page.locator('.message').innerText(), words, `${locale} ${unit}`);
+    }
+    assert.deepEqual(errors, []);
+    await context.close();
+  }
+});
+
 test('doubts about a robot are in Japanese', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url, { locale: 'ja-JP' });
   await settled(page);
@@ -42,11 +67,25 @@ test('doubts about a robot are in Japanese', { timeout: 120_000 }, async () => {
     await drop(page, name, readFileSync(new URL(`../../tests/fuzz/${path}`, import.meta.url)));
     await page.waitForFunction((file) => window.shigusa.document.character.spec.source === file, name, { timeout: 60_000 });
     await settled(page);
-    await page.click('#tab-body');
+    await openTab(page, 'body');
     const doubts = await page.locator('#panel-body li', { hasNot: page.locator('button') }).allInnerTexts();
     assert.ok(doubts.length > 0, name);
     for (const doubt of doubts) assert.match(doubt, /[ぁ-ん].*。/, `${name}: ${doubt}`);
   }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('why there are fewer motions is told in Japanese, after a reload too', { timeout: 120_000 }, async () => {
+  const task = { character: { source: 'human' }, goals: [{ effector: 'right_hand', position_m: [-0.2, 0.05, 0.35] }], candidates: 12 };
+  const { page, context, errors } = await openStudio(browser, linkTo(site, task), { locale: 'ja-JP' });
+  const told = /^候補は 12 個のうち \d+ 個です。ほかの動作: .*\d+ 個が、.*もの。$/;
+  await settled(page);
+  assert.match(await page.locator('.gallery > p').last().innerText(), told);
+  await saved(page);
+  await page.reload();
+  await settled(page);
+  assert.match(await page.locator('.gallery > p').last().innerText(), told);
   assert.deepEqual(errors, []);
   await context.close();
 });

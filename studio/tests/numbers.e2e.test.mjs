@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
-import { linkTo, openStudio, settled, visit } from './support.mjs';
+import { linkTo, openStudio, openTab, settled, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -13,6 +13,7 @@ const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a} in place of ${b}`
 
 /** Where to take hold of a number: in the middle of an element. */
 async function grip(page, selector) {
+  await page.locator(selector).scrollIntoViewIfNeeded();
   const { x, y, width, height } = await page.locator(selector).boundingBox();
   return [x + width / 2, y + height / 2];
 }
@@ -93,7 +94,7 @@ test('in inches lengths are shown and typed, and the document keeps metres', { t
   await settled(page);
   assert.match(await page.locator('.message').innerText(), /ends \d+\.\d in short/);
 
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   const stature = page.locator('[data-key="stature"]');
   await stature.fill('70');
   await stature.press('Enter');
@@ -110,6 +111,135 @@ test('in inches lengths are shown and typed, and the document keeps metres', { t
   await page.reload();
   await settled(page);
   assert.equal(await page.locator('[data-key="stature"]').inputValue(), '70');
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('the numbers of sliders are dragged like all others, within their limits, a step for each drag', { timeout: 240_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, linkTo(site, task));
+  await settled(page);
+  const undo = page.locator('[aria-label="Undo"]');
+  const number = (name) => `.slider:has([data-${name}]) .number`;
+  const value = (name) => page.evaluate((parameter) => {
+    const { document: d, chosen } = window.shigusa;
+    return (d.edits[chosen]?.generated.candidates[0] ?? d.result.candidates[chosen]).parameters.find(({ name: own }) => own === parameter).value;
+  }, name);
+  const edits = () => page.evaluate(() => Object.keys(window.shigusa.document.edits).length);
+
+  // Adjust: the hand follows, Escape leaves no step
+  await page.click('#tab-adjust');
+  const lean = await value('lean_deg');
+  const field = number('parameter="lean_deg"');
+  await pull(page, field, 40);
+  await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await page.waitForTimeout(300); // what was on its way does not come later
+  assert.equal(await edits(), 0);
+  assert.ok(await undo.isDisabled());
+  near(await value('lean_deg'), lean);
+  assert.equal(await page.locator(field).inputValue(), String(Math.round(lean)));
+
+  await page.keyboard.down('Alt');
+  await pull(page, `.row:has([data-parameter="lean_deg"]) .row-name`, 400);
+  await page.mouse.up();
+  await page.keyboard.up('Alt');
+  const most = Number(await page.locator(field).getAttribute('max'));
+  await page.waitForFunction((limit) => window.shigusa.document.edits[window.shigusa.chosen]?.assignments.lean_deg === String(limit), most);
+  await page.keyboard.press('Control+z');
+  await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 0);
+  assert.ok(await undo.isDisabled());
+
+  // a weight of the inverse kinematics goes by shares: fifteen twentieths more, e^0.75
+  await page.evaluate(() => document.querySelectorAll('#panel-adjust details').forEach((details) => (details.open = true)));
+  const name = 'right_shoulder.flexion.weight';
+  const weight = Number((await value(name)).toPrecision(3));
+  const way = weight > 1 ? -60 : 60;
+  await pull(page, number(`parameter="${name}"`), way);
+  await page.mouse.up();
+  await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
+  await page.waitForFunction(([parameter, expected]) => Math.abs(Math.log(Number(window.shigusa.document.edits[window.shigusa.chosen].assignments[parameter]) / expected)) < 0.03, [name, weight * Math.exp(way / 80)]);
+
+  // Criteria
+  await page.click('#tab-criteria');
+  const torque = () => page.evaluate(() => window.shigusa.document.weights.torque);
+  const before = await torque();
+  const down = before >= 0.5;
+  await pull(page, number('criterion="torque"'), down ? -80 : 80);
+  await page.mouse.up();
+  near(await torque(), before + (down ? -0.2 : 0.2));
+  await pull(page, number('criterion="torque"'), 40);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  near(await torque(), before + (down ? -0.2 : 0.2));
+  await page.keyboard.press('Control+z');
+  near(await torque(), before);
+
+  // timing
+  await page.click('#tab-adjust');
+  await pull(page, number('parameter="ease"'), 80);
+  await page.waitForFunction(() => window.shigusa.state.preview !== null);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await page.waitForTimeout(300);
+  assert.deepEqual(await page.evaluate(() => [window.shigusa.state.preview, window.shigusa.task.ease]), [null, undefined]);
+  assert.equal(await page.locator(number('parameter="ease"')).inputValue(), '0');
+  await pull(page, number('parameter="ease"'), 80);
+  await page.mouse.up();
+  await page.waitForFunction(() => window.shigusa.task.ease === 0.2);
+  await settled(page);
+
+  // a locked parameter is not dragged
+  await page.locator('.row:has([data-parameter="right_shoulder.flexion.weight"]) .lock').click();
+  await page.waitForFunction(() => document.querySelector('.slider:has([data-parameter="right_shoulder.flexion.weight"]) .number').disabled);
+  const locked = await page.evaluate(() => JSON.stringify(window.shigusa.document.edits[window.shigusa.chosen].assignments));
+  await pull(page, `.row:has([data-parameter="right_shoulder.flexion.weight"]) .row-name`, 40);
+  await page.mouse.up();
+  await page.waitForTimeout(300);
+  assert.equal(await page.evaluate(() => JSON.stringify(window.shigusa.document.edits[window.shigusa.chosen].assignments)), locked);
+
+  // measures and the duration, within their limits
+  await openTab(page, 'body');
+  await page.keyboard.down('Alt');
+  await pull(page, '[data-key="stature"]', 600);
+  await page.mouse.up();
+  await page.keyboard.up('Alt');
+  await page.waitForFunction(() => window.shigusa.document.character.description.stature_m === window.shigusa.facts.ranges.stature_m[1]);
+  await settled(page);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('a finger drags a number to the side, and scrolls by a drag upwards', { timeout: 240_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, linkTo(site, task), { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await settled(page);
+  await page.locator('#tab-adjust').tap();
+  const session = await context.newCDPSession(page);
+  const finger = async (selector, dx, dy) => {
+      const [x, y] = await grip(page, selector);
+    const points = (k) => [{ x: x + (dx * k) / 8, y: y + (dy * k) / 8 }];
+    await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
+    for (let k = 1; k <= 8; ++k) await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(k) });
+    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  };
+  const scrolled = () => page.evaluate(() => [...document.querySelectorAll('*')].reduce((sum, element) => sum + element.scrollTop, 0));
+  const field = '.slider:has([data-parameter="squat_deg"]) .number';
+  const before = Number(await page.locator(field).inputValue());
+
+  const top = await scrolled();
+  await finger(field, 6, 0);
+  await page.waitForTimeout(200);
+  assert.equal(Number(await page.locator(field).inputValue()), before, 'a press that trembles is none');
+  await page.evaluate(() => document.activeElement.blur());
+  await finger(field, 120, 0);
+  await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
+  const after = Number(await page.locator(field).inputValue());
+  assert.ok(after >= before + 15, `${before}° became ${after}°`);
+  assert.equal(await scrolled(), top, 'nothing scrolled');
+
+  await finger('.slider:has([data-parameter="lean_deg"]) .number', 0, -200);
+  await page.waitForFunction((from) => [...document.querySelectorAll('*')].reduce((sum, element) => sum + element.scrollTop, 0) > from + 40, top);
+  assert.equal(await page.evaluate(() => window.shigusa.document.edits[window.shigusa.chosen].assignments.lean_deg), undefined);
   assert.deepEqual(errors, []);
   await context.close();
 });

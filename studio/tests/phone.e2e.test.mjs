@@ -15,8 +15,8 @@ const beyond = (page) => page.evaluate(() => {
   return [scrollWidth - clientWidth, scrollHeight - clientHeight];
 });
 
-/** What is seen and too small for a finger. */
-const small = (page, least) => page.evaluate((px) => [...document.querySelectorAll('button:not(.link), select, input:not([type="checkbox"], [hidden]), summary')]
+/** What is seen and too small for a finger; the link that skips is for keys, and seen once these get to it. */
+const small = (page, least) => page.evaluate((px) => [...document.querySelectorAll('button:not(.link, .skip:not(:focus)), select, input:not([type="checkbox"], [hidden]), summary')]
   .filter((element) => element.checkVisibility() && element.getBoundingClientRect().height < px - 0.5)
   .map((element) => `${element.outerHTML.slice(0, 90)}: ${element.getBoundingClientRect().height}`), least);
 

@@ -2,7 +2,7 @@
 // The view leaves as a picture.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openStudio, settled, take, visit } from './support.mjs';
+import { openStudio, openTab, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -27,7 +27,7 @@ async function read(page, bytes) {
 test('a picture has the size that was asked for, and a background or none', { timeout: 240_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url, { viewport: { width: 940, height: 520 } });
   await settled(page);
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   const [width, height] = await page.locator('canvas.view').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
   const plain = await read(page, await take(page, 'picture'));
   assert.deepEqual(plain, { width: 2 * width, height: 2 * height, corner: 255, most: 255 });

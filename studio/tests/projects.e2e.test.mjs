@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
 import { kept, records, saved, work } from './kept.mjs';
-import { drop, openStudio, settled, state, take, visit } from './support.mjs';
+import { drop, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -135,8 +135,8 @@ test('files that no project uses are removed, and come back with their project',
   assert.equal((await records(page, 'files')).length, 1);
   // a project that has another character now
   await page.keyboard.press('Escape');
-  await page.click('#tab-body');
-  await page.locator('.pick-character').filter({ hasNotText: 'walker.bvh' }).last().click();
+  await openTab(page, 'body');
+  await page.locator('.pick-character:not([data-project], [data-entry])').filter({ hasNotText: 'walker.bvh' }).last().click();
   await page.waitForFunction(() => window.shigusa.document.character.bytes === undefined);
   await saved(page);
   await page.reload();

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { seriousFindings } from './axe.mjs';
 import { saved } from './kept.mjs';
-import { drop, openStudio, settled, state, take, visit } from './support.mjs';
+import { drop, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 const fuzz = fileURLToPath(new URL('../../tests/fuzz/', import.meta.url));
@@ -46,7 +46,7 @@ test('a robot is a character as others: drawn, kept, switched, and its joints le
 
   await dropped(page, 'maker.xml', maker);
   await reaches(page);
-  await page.click('#tab-body');
+  await openTab(page, 'body');
   const rows = page.locator('.characters li');
   assert.equal(await rows.count(), 3);
   assert.match(await rows.nth(1).innerText(), /small_robot\.urdf\s+1\d\d cm, \d+ kg/);

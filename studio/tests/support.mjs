@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 /** The built page: this tree's, or another one to be tested. */
-const dist = process.env.SHIGUSA_STUDIO_DIST ?? fileURLToPath(new URL('../dist/', import.meta.url));
+export const dist = process.env.SHIGUSA_STUDIO_DIST ?? fileURLToPath(new URL('../dist/', import.meta.url));
 /** Not the root: the page works from any folder of any host. */
 const kFolder = '/some/where/';
 
@@ -22,7 +22,9 @@ async function answer(request, response) {
   try {
     if (inside.startsWith('..')) throw new Error('outside');
     const bytes = await readFile(join(dist, inside));
-    response.writeHead(200, { 'content-type': types[extname(inside)] ?? 'application/octet-stream' }).end(bytes);
+    // as `shigusa studio` has it
+    const cache = inside.startsWith('assets/') ? 'max-age=31536000, immutable' : 'no-cache';
+    response.writeHead(200, { 'content-type': types[extname(inside)] ?? 'application/octet-stream', 'cache-control': cache }).end(bytes);
   } catch {
     response.writeHead(404).end();
   }
@@ -34,8 +36,15 @@ export async function serve() {
   return { url: `http://127.0.0.1:${server.address().port}${kFolder}`, close: () => server.close() };
 }
 
+const kBrowser = { executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] };
+
 export function launch() {
-  return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+  return chromium.launch(kBrowser);
+}
+
+/** A browser with a profile in a folder, as a person has: what it fetched and compiled stays. */
+export function launchAtHome(folder) {
+  return chromium.launchPersistentContext(folder, { ...kBrowser, viewport: { width: 1280, height: 720 }, reducedMotion: 'reduce' });
 }
 
 /** A server and a browser for the tests of a file, which end after them. */
@@ -80,7 +89,7 @@ export function linkTo(site, task) {
 export async function settled(page) {
   await page.waitForFunction(() => {
     const { state } = window.shigusa ?? {};
-    return state && state.document?.result && !state.search && !state.dragging && !state.opening && !state.preview;
+    return state && state.document?.result && !state.search && !state.dragging && !state.opening && !state.preview && window.shigusa.framed;
   }, undefined, { timeout: 60_000 });
 }
 
@@ -114,9 +123,15 @@ export async function dropAll(page, files) {
   await page.dispatchEvent('body', 'drop', { dataTransfer: data });
 }
 
+/** Opens a tab; panels that come late are there then. */
+export async function openTab(page, name) {
+  await page.click(`#tab-${name}`);
+  await page.locator(`#panel-${name} > *`).first().waitFor({ state: 'attached' });
+}
+
 /** The bytes of what the tab Save gives in a format. */
 export async function take(page, format) {
-  await page.click('#tab-take');
+  await openTab(page, 'take');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-format="${format}"]`)]);
   return readFile(await download.path());
 }

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
-import { drag, openStudio, settled, slide, state, visit } from './support.mjs';
+import { drag, openStudio, openTab, settled, slide, state, visit } from './support.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
@@ -139,7 +139,7 @@ test('Japanese: nothing is left in English', { timeout: 120_000 }, async () => {
   await settled(page);
   assert.equal(await page.evaluate(() => document.documentElement.lang), 'ja');
   for (const tab of ['goals', 'adjust', 'criteria', 'body', 'plots', 'take']) {
-    await page.click(`#tab-${tab}`);
+    await openTab(page, tab);
     const text = await page.locator(`#panel-${tab}`).innerText();
     const english = text.match(/[A-Za-z]{4,}/g)?.filter((word) => !['JSON', 'VRMA', 'human', 'Mixamo', 'Unreal', 'HumanIK', 'URDF', 'MJCF', 'WebM', 'Chrome', 'Edge'].includes(word)) ?? [];
     assert.deepEqual(english, [], tab);
@@ -162,7 +162,8 @@ test('what nobody has translated is in the engine\'s words', { timeout: 120_000 
   await page.click('#tab-criteria');
   const names = await page.locator('#panel-criteria .row-name').allInnerTexts();
   assert.equal(names.length, facts.criteria.length);
-  await page.click('#tab-take');
+  await openTab(page, 'take');
+  await page.locator('[data-format]').first().waitFor(); // the panel comes when it is asked for
   for (const { name } of facts.formats.filter(({ written }) => written)) assert.equal(await page.locator(`[data-format="${name}"]`).count(), 1, name);
   assert.ok([...names, ...(await page.locator('#panel-take button').allInnerTexts())].every((text) => text !== ''));
   assert.deepEqual(errors, []);
@@ -176,7 +177,7 @@ for (const scheme of ['light', 'dark']) {
     await page.keyboard.press('Space');
     await page.addScriptTag({ content: axe });
     for (const tab of ['goals', 'adjust', 'criteria', 'body', 'plots', 'take']) {
-      await page.click(`#tab-${tab}`);
+      await openTab(page, tab);
       const found = await page.evaluate(async () => {
         const { violations } = await window.axe.run();
         return violations.filter((v) => ['serious', 'critical'].includes(v.impact)).map((v) => `${v.id}: ${v.nodes.map((n) => `${n.target} ${n.failureSummary}`).slice(0, 3).join('; ')}`);

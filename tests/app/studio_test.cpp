@@ -153,6 +153,18 @@ TEST_F(Studio, ServesThePageWithItsTypesAndAPolicy) {
   EXPECT_THAT(get("/assets"), StartsWith("HTTP/1.1 404 "));
 }
 
+TEST_F(Studio, FilesNamedByWhatTheyHoldAreKeptByBrowsersAndThePageIsAskedForAgain) {
+  work_.put("page/index.html", "<!doctype html><title>studio</title>");
+  work_.put("page/favicon.svg", "<svg/>");
+  work_.put("page/assets/main-Hcia2ljg.js", "export {};");
+  start((work_.path() / "page").string());
+  EXPECT_THAT(get("/assets/main-Hcia2ljg.js"),
+              HasSubstr("Cache-Control: max-age=31536000, immutable\r\n"));
+  for (const char* path : {"/", "/favicon.svg", "/assets/none.js"}) {
+    EXPECT_THAT(get(path), HasSubstr("Cache-Control: no-cache\r\n"));
+  }
+}
+
 TEST_F(Studio, TellsOfAFileWithoutSendingIt) {
   start_with_engine();
   const std::string head =

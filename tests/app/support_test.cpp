@@ -80,6 +80,15 @@ TEST_F(Supports, AHandOnTheThighUnloadsTheLowBack) {
   expect_feet_stand(motion, best);
 }
 
+TEST_F(Supports, AHandStaysFreeWhereRestingDoesNotPay) {
+  ASSERT_EQ(
+      reach("out", {"--goal", "right_hand=-0.2,1.4,0.5", "--support", "left_hand=thigh"}).exit_code,
+      0);
+  const Json best = first("out");
+  EXPECT_FALSE(best.contains("resting"));
+  EXPECT_LT(best.at("parameters").at("supports").at("left_hand").get<double>(), 0.0);
+}
+
 TEST_F(Supports, AnEditPressesMoreAndFreesTheHand) {
   ASSERT_EQ(pick_up("out", {"--support", "left_hand=thigh"}).exit_code, 0);
   ASSERT_EQ(run({"edit", "out/summary.json", "--candidate", "1", "--set", "left_hand.support=0.25",

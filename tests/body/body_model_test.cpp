@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "body/coupled_limits.hpp"
 #include "core/check.hpp"
 #include "support/bodies.hpp"
 
@@ -27,6 +28,22 @@ TEST(BodyModel, KnowsWhichDofsMoveALink) {
   EXPECT_FALSE(body.moves(1, 0));
   EXPECT_FALSE(body.moves(1, 2));
   EXPECT_FALSE(body.moves(2, 1));
+}
+
+TEST(BodyModel, UpperLimitIsThatOfTheKernel) {
+  BodyDefinition definition = two_arms();
+  definition.couplings = {{.dof = 1, .driver = 0, .gain = 0.4, .driver_full = 1.3},
+                          {.dof = 1, .driver = 2, .gain = -0.2, .driver_full = 0.7}};
+  const BodyModel body(definition);
+  CoupledLimits<double> limits(body);
+  for (const double angle : {-0.3, 0.0, 0.37, 0.7, 1.1, 2.0}) {
+    const double angles[] = {angle, 0.1, 0.9 * angle};
+    limits.update(angles);
+    for (int d = 0; d < body.dof_count(); ++d) {
+      const double added = limits.added()[static_cast<std::size_t>(d)];
+      EXPECT_EQ(upper_limit(body, d, angles), body.dof(d).upper + added) << d << " at " << angle;
+    }
+  }
 }
 
 TEST(BodyModel, NothingMovesTheBase) {

@@ -56,6 +56,26 @@ TEST(CInterface, ABodyFromBytesMovesTheNodesOfItsFile) {
               HasSubstr("shigusa candidate 2"));
 }
 
+TEST(CInterface, AFailureTellsItsSentenceAndValues) {
+  const Character human = character_of(R"("human")");
+  shigusa_result* none = nullptr;
+  ASSERT_NE(
+      shigusa_generate(human.get(), R"({"goals": [{"effector": "tail", "position_m": [0, 1, 0]}]})",
+                       1, nullptr, &none),
+      SHIGUSA_OK);
+  shigusa_bytes* bytes = nullptr;
+  ASSERT_EQ(shigusa_failure(&bytes), SHIGUSA_OK);
+  const Json told = Json::parse(shigusa_bytes_data(bytes));
+  shigusa_bytes_free(bytes);
+  const Json& message = told.at("message");
+  EXPECT_EQ(told.at("place").get<std::string>() + ": " + message.at("text").get<std::string>(),
+            shigusa_message());
+  EXPECT_THAT(message.at("key"), testing::AnyOf("unknown_name", "unknown_name_near"));
+  EXPECT_EQ(message.at("values").at(0), "effector");
+  EXPECT_EQ(message.at("values").at(1), "tail");
+  EXPECT_EQ(shigusa_failure(nullptr), SHIGUSA_INVALID_ARGUMENT);
+}
+
 // Forward kinematics of the nodes, by nothing but the table.
 TEST(CInterface, NodesBringTheHandToItsGoal) {
   const Character human = character_of(R"("human")");

@@ -50,6 +50,18 @@ refuses() {
   fi
 }
 
+# messages
+fresh
+write src/io/a.cpp 'return fail(ErrorCode::parse, say("no_goal"), "goal of " + name);' 'wrong("key", say("must_be_truth"));' \
+  '// fail(ErrorCode::parse, "a text")' 'doubts.push_back(say("no_neck"));'
+write src/io/file.cpp 'return fail(ErrorCode::io, "is a pipe");'
+accepts check_messages.sh
+refuses check_messages.sh src/io/a.cpp 'return fail(ErrorCode::parse, "a text", place);' 'no sentence'
+refuses check_messages.sh src/io/a.cpp 'return fail(ErrorCode::parse, fmt::format("{}", a));' 'no sentence'
+refuses check_messages.sh src/io/a.cpp 'return fail(ErrorCode::parse, name + " is none", place);' 'no sentence'
+refuses check_messages.sh src/io/a.cpp 'reader.wrong("key", "must be true");' 'no sentence'
+refuses check_messages.sh src/io/a.cpp 'doubts.push_back("a guess");' 'no sentence'
+
 # layers
 fresh
 write src/generate/a.cpp '#include <shigusa/search.hpp>' '#include "search/b.hpp"' '#include "c.hpp"' '#include <fmt/core.h>'

@@ -189,7 +189,7 @@ TEST_F(CharacterExport, HeelsNeedToes) {
     work_.put("person.glb", glb(person.dump(), "data"));
     CharacterSpec spec{.source = "person.glb", .heels = true};
     const auto measured = measure_character(spec, work_.path());
-    return measured ? std::string() : measured.error().message;
+    return measured ? std::string() : measured.error().message.text;
   };
   nlohmann::json person = person_gltf();
   EXPECT_EQ(refusal(person), "");

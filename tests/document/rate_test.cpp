@@ -135,7 +135,7 @@ TEST(Rate, WhatIsNoneIsRefused) {
     const auto file =
         export_candidate(reach.task, reach.candidate, FileFormat::bvh, {.rate = rate});
     ASSERT_FALSE(file) << rate;
-    EXPECT_NE(file.error().message.find("allowed are 1 to 240"), std::string::npos);
+    EXPECT_NE(file.error().message.text.find("allowed are 1 to 240"), std::string::npos);
   }
 }
 

@@ -135,7 +135,7 @@ TEST(TaskSchema, RefusesWhatTheReaderRefuses) {
     const bool taken = task_judge().judge(json).empty();
     // what no schema of this kind can say: which names there are
     const bool by_name =
-        !task && task.error().message.find("unknown character") != std::string::npos;
+        !task && task.error().message.text.find("unknown character") != std::string::npos;
     EXPECT_EQ(taken, task.has_value() || by_name)
         << json.dump() << (task ? "" : task.error().to_string());
     refused += taken ? 0 : 1;

@@ -46,8 +46,9 @@ inline CharacterSpec any_character() {
   if (*rc::gen::arbitrary<bool>()) spec.map = {{"right_hand", "Bone \"17\""}, {"hips", "腰"}};
   if (!*rc::gen::arbitrary<bool>()) return spec;
   spec.stature = any_number(0.5, 2.5);
-  spec.doubts = *rc::gen::container<std::vector<std::string>>(
+  const auto doubts = *rc::gen::container<std::vector<std::string>>(
       rc::gen::element<std::string>("a guess", "", "日本\n\t\"\\"));
+  spec.doubts.assign(doubts.begin(), doubts.end());
   // any way apart that a limb's joints stand, but never at one point
   Landmarks person = asymmetric_person();
   for (Vec3d* point : all_points(person)) *point += any_point(1e-3);

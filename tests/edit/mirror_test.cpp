@@ -123,7 +123,8 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
   EXPECT_EQ(person.left_arm.elbow, before.left_arm.elbow);
   ASSERT_TRUE(stored.task.character.rig) << "and so the skeleton is theirs";
   const Task image = make_task(stored.task, {}).value();
-  const GenerateResult mirrored = replay_all(image, stored).value();
+  MotionPlayer player = MotionPlayer::of(image).value();
+  const GenerateResult mirrored = replay_all(player, stored).value();
   EXPECT_TRUE(mirrored.meets_goals());
   for (const Candidate& candidate : mirrored.candidates) {
     const std::string bvh =

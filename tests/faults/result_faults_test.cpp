@@ -202,7 +202,7 @@ TEST_F(ResultFaults, AProgramThatHangsIsNotWaitedForForEver) {
   ASSERT_TRUE(lock_folder(hangs, FolderUse::write, folder_));
   const auto refused = lock_folder(ours, FolderUse::write, folder_, std::chrono::milliseconds(30));
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("another program"), std::string::npos);
+  EXPECT_NE(refused.error().message.text.find("another program"), std::string::npos);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ inline void check_robot(Robot robot) {
   if (!map) return;
   const auto body = build_robot(with_ankles(std::move(robot), *map), *map);
   if (!body) return;
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
   for (const double angle : settled_posture(*body, doubts)) {
     if (!is_finite(angle)) std::abort();
   }

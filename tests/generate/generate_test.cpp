@@ -404,10 +404,17 @@ TEST(Regenerate, GivesTheCandidateAgain) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     for (const Vec3d& goal : {kFrontLow, kOutOfReach}) {
       const Task task = task_for(body, goal);
+      MotionPlayer player = MotionPlayer::of(task).value();
       for (const Candidate& candidate : generated(task).candidates) {
         const GenerateResult again = regenerate(task, candidate.parameters).value();
         ASSERT_EQ(again.candidates.size(), 1u);
         EXPECT_EQ(numbers(again.candidates[0]), numbers(candidate));
+        // a player keeps what it knows of the task, and nothing of what it has played
+        for (int times = 0; times < 2; ++times) {
+          const GenerateResult played = player.play(candidate.parameters).value();
+          EXPECT_EQ(numbers(played.candidates[0]), numbers(candidate));
+          EXPECT_EQ(played.status, again.status);
+        }
       }
     }
   }

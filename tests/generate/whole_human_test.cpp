@@ -68,7 +68,7 @@ TEST(WholeHuman, HasSeveralAnswersToWhatIsEasyAsWell) {
   for (const Vec3d& goal : {Vec3d{-0.08, 0.99, 0.54}, {0.57, 1.71, 0.31}, {-0.24, 1.55, 0.23}}) {
     const GenerateResult generation = reached(goal, 0.0, 0);
     const std::vector<Candidate>& all = generation.candidates;
-    EXPECT_GE(all.size(), 1U) << generation.fewer;
+    EXPECT_GE(all.size(), 1U) << generation.fewer.text;
     candidates += all.size();
     std::vector<std::vector<float>> ends;
     for (std::size_t i = 0; i < all.size(); ++i) {

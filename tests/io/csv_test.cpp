@@ -61,7 +61,7 @@ TEST(Csv, NumbersThatAreNotFiniteAreRefusedWithTheirPlace) {
     const auto text = format_csv(Table{{"time", {0.0, 1.0}}, {"knee", {0.0, bad}}});
     ASSERT_FALSE(text);
     EXPECT_EQ(text.error().place, "column 'knee'");
-    EXPECT_NE(text.error().message.find("value 2"), std::string::npos);
+    EXPECT_NE(text.error().message.text.find("value 2"), std::string::npos);
   }
 }
 

@@ -92,21 +92,21 @@ TEST_F(File, MissingFileIsNotFoundAndNamed) {
   ASSERT_FALSE(text);
   EXPECT_EQ(text.error().code, ErrorCode::not_found);
   EXPECT_EQ(text.error().place, at("none.bvh").string());
-  EXPECT_NE(text.error().message.find("No such file"), std::string::npos);
+  EXPECT_NE(text.error().message.text.find("No such file"), std::string::npos);
 }
 
 TEST_F(File, FolderIsRefusedForReading) {
   const auto text = read_text_file(folder_, kPlenty);
   ASSERT_FALSE(text);
   EXPECT_EQ(text.error().code, ErrorCode::io);
-  EXPECT_NE(text.error().message.find("directory"), std::string::npos);
+  EXPECT_NE(text.error().message.text.find("directory"), std::string::npos);
 }
 
 TEST_F(File, FileLargerThanAllowedIsRefusedWithTheBound) {
   ASSERT_TRUE(write_file(at("big"), std::string(1001, 'x')));
   const auto text = read_text_file(at("big"), 1000);
   ASSERT_FALSE(text);
-  EXPECT_NE(text.error().message.find("1000 bytes"), std::string::npos);
+  EXPECT_NE(text.error().message.text.find("1000 bytes"), std::string::npos);
 }
 
 TEST_F(File, EndlessDeviceIsRefused) {
@@ -153,7 +153,7 @@ TEST_F(File, WritingToAFolderIsRefused) {
   fs::create_directory(at("folder"));
   const auto done = write_file(at("folder"), "x");
   ASSERT_FALSE(done);
-  EXPECT_NE(done.error().message.find("directory"), std::string::npos);
+  EXPECT_NE(done.error().message.text.find("directory"), std::string::npos);
 }
 
 TEST_F(File, WritingIntoAMissingFolderIsNotFound) {
@@ -169,7 +169,7 @@ TEST_F(File, ReadOnlyFileIsNotReplaced) {
   fs::permissions(at("a"), fs::perms::owner_read);
   const auto done = write_file(at("a"), "new");
   ASSERT_FALSE(done);
-  EXPECT_NE(done.error().message.find("Permission denied"), std::string::npos);
+  EXPECT_NE(done.error().message.text.find("Permission denied"), std::string::npos);
 }
 
 TEST_F(File, OldFileKeepsItsPermissions) {

@@ -296,7 +296,7 @@ TEST(BuildHuman, ArmsRaisedSidewaysStayWithinTheLimits) {
     point_arm(person.left_arm, {a.sin, -a.cos, 0}, {a.sin, -a.cos, 0});
     const BodyModel body = build_human(person, {});
     ASSERT_LT(misplacement(person, body), kExact);
-    ASSERT_TRUE(body.doubts().empty()) << abduction << ": " << body.doubts()[0];
+    ASSERT_TRUE(body.doubts().empty()) << abduction << ": " << body.doubts()[0].text;
   }
 }
 
@@ -379,7 +379,8 @@ TEST(BuildHuman, SaysWhichLimitItWidened) {
   const Dof& elbow = body.dof(*body.find_dof("left_elbow.flexion"));
   EXPECT_LT(elbow.lower, radians(-29));
   ASSERT_EQ(body.doubts().size(), 1u);
-  EXPECT_NE(body.doubts()[0].find("left_elbow.flexion"), std::string::npos) << body.doubts()[0];
+  EXPECT_NE(body.doubts()[0].text.find("left_elbow.flexion"), std::string::npos)
+      << body.doubts()[0].text;
 }
 
 TEST(BuildHuman, KeepsTheDoubtsItIsGiven) {

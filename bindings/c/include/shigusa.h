@@ -62,6 +62,14 @@ SHIGUSA_API const char* shigusa_bytes_data(const shigusa_bytes* bytes);
 SHIGUSA_API size_t shigusa_bytes_size(const shigusa_bytes* bytes);
 SHIGUSA_API void shigusa_bytes_free(shigusa_bytes* bytes); /* null is allowed */
 
+/* The same reason as JSON, for a user interface that speaks to its user in another language:
+ * {"place" (what it is about, "goal of left_foot" or "line 3 of hero.bvh"; may be empty),
+ * "message"}. A message is {"text" (in English), "key" (of its sentence in shigusa_facts),
+ * "values"}, each value a message, or {"text" (its digits), "number", "unit" ("m" or "mm", of
+ * lengths alone)}, or text such as a name from a file; a message that has no key is text too. Does
+ * not change the reason. */
+SHIGUSA_API shigusa_status shigusa_failure(shigusa_bytes** json);
+
 /* All that a user interface has to know beside a body, from the engine's own tables, of this build:
  * {"criteria": [{"name", "scale" (the key of its scale)}], "mixtures": {name: {criterion: weight}},
  * "presets": [{"name", "mixture" (that it ranks by), "search", "candidates", "evaluations",
@@ -73,8 +81,8 @@ SHIGUSA_API void shigusa_bytes_free(shigusa_bytes* bytes); /* null is allowed */
  * frames at the rate asked for), "needs" (formats, of one of which the character must be; none: any
  * will do), "max_bytes" (that are read)}], "timing": [{"name", "low", "high", "of" ("motion": a
  * parameter, or "task"), "sentence"}], "joint_names": [{"name", "bones" ({own: there})}],
- * "messages": [{"key", "text" (in English, with {} or {:.2f} for each value)}], of which doubts and
- * the messages of failures are made, as far as there are keys for them}. */
+ * "messages": [{"key", "text" (in English, with {} or {:.2f} for each value)}], the sentences that
+ * doubts and failures are made of}. */
 SHIGUSA_API shigusa_status shigusa_facts(shigusa_bytes** json);
 
 /* ---- Characters ------------------------------------------------------------------------------ */
@@ -96,7 +104,7 @@ SHIGUSA_API void shigusa_character_free(shigusa_character* character); /* null i
  * their translations), "support_polygon" [[x, z], …] (m, what the feet stand on), and "feet":
  * [{"effector", "sole_m" [[x, y, z], …] (its corners from the effector, in the effector's frame),
  * "floor_m" (no corner may end below), "least_m" (the effector's height with the sole as it is at
- * the start)}]. */
+ * the start)}], and "doubt_messages": the doubts as messages (shigusa_failure). */
 SHIGUSA_API shigusa_status shigusa_character_describe(const shigusa_character* character,
                                                       shigusa_bytes** json);
 

@@ -2,6 +2,7 @@
 #include "door.hpp"
 
 #include <cstring>
+#include <string_view>
 
 namespace shigusa::door {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 // The message has room of its own, so that it is there even where memory is not to be had.
 constexpr std::size_t kMessageBytes = 1024;
 thread_local char last_message[kMessageBytes] = "";
+thread_local Error last_error;  // of what has no Error the text alone is told
 
 shigusa_status status_of(ErrorCode code) {
   switch (code) {
@@ -29,7 +31,7 @@ shigusa_status status_of(ErrorCode code) {
 }
 
 // As many bytes of UTF-8 text as fit, without half a character.
-std::size_t fitting(const std::string& text) {
+std::size_t fitting(std::string_view text) {
   std::size_t size = std::min(text.size(), kMessageBytes - 1);
   const auto continues = [&](std::size_t at) {
     return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
@@ -38,17 +40,24 @@ std::size_t fitting(const std::string& text) {
   return size;
 }
 
-}  // namespace
-
-shigusa_status refuse(shigusa_status status, const std::string& message) {
+void keep(std::string_view message) {
   const std::size_t size = fitting(message);
   std::memcpy(last_message, message.data(), size);
   last_message[size] = '\0';
+}
+
+}  // namespace
+
+shigusa_status refuse(shigusa_status status, const char* message) {
+  keep(message);
+  last_error = {};
   return status;
 }
 
-shigusa_status refuse(const Error& error) {
-  return refuse(status_of(error.code), error.to_string());
+shigusa_status refuse(Error error) {
+  keep(error.to_string());
+  last_error = std::move(error);
+  return status_of(last_error.code);
 }
 
 Result<void> give(std::string text, shigusa_bytes** bytes) {
@@ -65,6 +74,19 @@ uint32_t shigusa_abi_version(void) { return SHIGUSA_ABI_VERSION; }
 const char* shigusa_version(void) { return SHIGUSA_VERSION; }
 
 const char* shigusa_message(void) { return shigusa::door::last_message; }
+
+shigusa_status shigusa_failure(shigusa_bytes** json) {
+  if (json == nullptr) return SHIGUSA_INVALID_ARGUMENT;
+  try {
+    using namespace shigusa;
+    const Error& last = door::last_error;
+    const Error text{ErrorCode::invalid_argument, std::string_view(door::last_message), {}};
+    *json = new shigusa_bytes{format_failure(last.message.empty() ? text : last)};
+    return SHIGUSA_OK;
+  } catch (...) {
+    return SHIGUSA_OUT_OF_MEMORY;
+  }
+}
 
 const char* shigusa_bytes_data(const shigusa_bytes* bytes) {
   return bytes == nullptr ? "" : bytes->text.c_str();

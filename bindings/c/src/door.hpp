@@ -4,6 +4,7 @@
 #include <shigusa.h>
 
 #include <new>
+#include <optional>
 #include <shigusa/result.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
@@ -25,6 +26,8 @@ struct shigusa_result {
   shigusa::Task task;
   shigusa::GenerateResult generation;
   shigusa::RunInfo info;
+  // of the task; kept, since a slider plays it at each step
+  mutable std::optional<shigusa::MotionPlayer> player{};
   // [candidate][series] tables that were asked for, made at the first time
   mutable std::vector<std::vector<std::vector<double>>> series{};
 };
@@ -32,15 +35,16 @@ struct shigusa_result {
 namespace shigusa::door {
 
 // Keeps the text of shigusa_message(), and returns the status of it.
-shigusa_status refuse(shigusa_status status, const std::string& message);
-shigusa_status refuse(const Error& error);
+shigusa_status refuse(shigusa_status status, const char* message);
+// The same, and keeps the error for shigusa_failure().
+shigusa_status refuse(Error error);
 
 // The status of `work`, a function to Result<void>: no exception leaves it.
 template <class Work>
 shigusa_status guarded(Work&& work) noexcept {
   try {
-    const Result<void> done = work();
-    return done ? SHIGUSA_OK : refuse(done.error());
+    Result<void> done = work();
+    return done ? SHIGUSA_OK : refuse(std::move(done).error());
   } catch (const std::bad_alloc&) {
     return refuse(SHIGUSA_OUT_OF_MEMORY, "out of memory");
   } catch (const std::exception& error) {

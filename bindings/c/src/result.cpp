@@ -39,15 +39,25 @@ Progress watched_by(const shigusa_watch* watch, std::atomic<bool>& stop) {
   return progress;
 }
 
-// A result of what `work`, a function of a task and what is stored, generates.
+// A result of what `work`, a function of a player and what is stored, generates.
 template <class Work>
 Result<void> replayed(StoredResult stored, const char* how, Work&& work, shigusa_result** result) {
   SHG_TRY_ASSIGN(Task task, task_of(stored.task));
   const auto begin = std::chrono::steady_clock::now();
-  SHG_TRY_ASSIGN(GenerateResult generation, work(task, stored));
+  SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
+  SHG_TRY_ASSIGN(GenerateResult generation, work(player, stored));
   *result = new shigusa_result{std::move(stored.task), std::move(task), std::move(generation),
-                               replay_info(how, begin)};
+                               replay_info(how, begin), std::move(player)};
   return {};
+}
+
+// The player of a result's motions, made at the first time.
+Result<MotionPlayer*> player_of(const shigusa_result& result, TaskFile& file) {
+  if (!result.player) {
+    SHG_TRY_ASSIGN(Task task, task_of(file));
+    SHG_TRY_ASSIGN(result.player, MotionPlayer::of(std::move(task)));
+  }
+  return &*result.player;
 }
 
 // Fails where the result has no candidate of that number.
@@ -101,8 +111,8 @@ shigusa_status shigusa_restore_watched(const shigusa_character* character, const
       SHG_TRY(attach_rig(stored.task.character, character->spec));
     }
     std::atomic<bool> stop{false};
-    const auto work = [&](const Task& task, StoredResult& all) {
-      return replay_all(task, all, watched_by(watch, stop));
+    const auto work = [&](MotionPlayer& player, StoredResult& all) {
+      return replay_all(player, all, watched_by(watch, stop));
     };
     return replayed(std::move(stored), "restore", work, result);
   });
@@ -114,10 +124,13 @@ shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
     SHG_TRY(need("result", result, "edited", edited));
     SHG_TRY_ASSIGN(const auto changes,
                    parse_assignments(assignments == nullptr ? "[]" : assignments, "assignments"));
-    const auto work = [&](const Task& task, StoredResult& stored) {
-      return replay(task, stored, candidate, changes);
-    };
-    return replayed(stored_result(result->file, result->generation), "edit", work, edited);
+    StoredResult stored = stored_result(result->file, result->generation);
+    const auto begin = std::chrono::steady_clock::now();
+    SHG_TRY_ASSIGN(MotionPlayer * player, player_of(*result, stored.task));
+    SHG_TRY_ASSIGN(GenerateResult generation, replay(*player, stored, candidate, changes));
+    *edited = new shigusa_result{std::move(stored.task), player->task(), std::move(generation),
+                                 replay_info("edit", begin)};
+    return {};
   });
 }
 
@@ -126,7 +139,9 @@ shigusa_status shigusa_mirror(const shigusa_result* result, shigusa_result** mir
     SHG_TRY(need("result", result, "mirrored", mirrored));
     StoredResult stored = stored_result(result->file, result->generation);
     SHG_TRY(mirror_result(stored));
-    const auto work = [](const Task& task, StoredResult& all) { return replay_all(task, all); };
+    const auto work = [](MotionPlayer& player, StoredResult& all) {
+      return replay_all(player, all);
+    };
     return replayed(std::move(stored), "mirror", work, mirrored);
   });
 }

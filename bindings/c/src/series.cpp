@@ -16,19 +16,26 @@ void add_times(const Clip& clip, std::vector<double>& table) {
   for (int f = 0; f < clip.frames; ++f) table.push_back(f * clip.frame_time);
 }
 
-void add_nodes(const shigusa_result& result, const Clip& clip, shigusa_series series,
-               std::vector<double>& table) {
+struct NodeTables {
+  std::vector<double> translations;
+  std::vector<double> rotations;
+};
+
+NodeTables node_tables(const shigusa_result& result, const Clip& clip) {
+  NodeTables tables;
   for (const LocalTransform& local : node_motion(result.file.character, result.task, clip)) {
-    if (series == SHIGUSA_NODE_TRANSLATIONS) {
-      add(local.translation, table);
-    } else {
-      const Quatd& q = local.rotation;
-      table.insert(table.end(), {q.x, q.y, q.z, q.w});
-    }
+    add(local.translation, tables.translations);
+    const Quatd& q = local.rotation;
+    tables.rotations.insert(tables.rotations.end(), {q.x, q.y, q.z, q.w});
   }
+  return tables;
 }
 
-// The table of one series, frame by frame.
+bool is_of_nodes(shigusa_series series) {
+  return series == SHIGUSA_NODE_TRANSLATIONS || series == SHIGUSA_NODE_ROTATIONS;
+}
+
+// The table of one series that is not of nodes, frame by frame.
 std::vector<double> table_of(const shigusa_result& result, const Candidate& candidate,
                              shigusa_series series) {
   const Motion& motion = candidate.motion;
@@ -63,7 +70,7 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
       }
       break;
     default:
-      add_nodes(result, motion.clip, series, table);
+      break;
   }
   return table;
 }
@@ -93,8 +100,15 @@ extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, in
     const auto index = static_cast<size_t>(candidate - 1);
     auto& kept = result->series;
     if (kept.empty()) kept.assign(all.size(), std::vector<std::vector<double>>(kSeries));
-    std::vector<double>& table = kept[index][static_cast<size_t>(series)];
-    if (table.empty()) table = table_of(*result, all[index], series);
+    std::vector<std::vector<double>>& tables = kept[index];
+    std::vector<double>& table = tables[static_cast<size_t>(series)];
+    if (table.empty() && is_of_nodes(series)) {
+      NodeTables made = node_tables(*result, all[index].motion.clip);
+      tables[SHIGUSA_NODE_TRANSLATIONS] = std::move(made.translations);
+      tables[SHIGUSA_NODE_ROTATIONS] = std::move(made.rotations);
+    } else if (table.empty()) {
+      table = table_of(*result, all[index], series);
+    }
     *values = table.data();
     *frames = static_cast<size_t>(all[index].motion.clip.frames);
     *columns = *frames == 0 ? 0 : table.size() / *frames;
@@ -110,8 +124,7 @@ extern "C" shigusa_status shigusa_result_series_at(const shigusa_result* result,
     SHG_TRY(need("result", result, "table", table, "frames", frames, "columns", columns));
     SHG_TRY(check_series(*result, candidate, series));
     SHG_TRY(check_rate(fps, "fps"));
-    const bool nodes = series == SHIGUSA_NODE_TRANSLATIONS || series == SHIGUSA_NODE_ROTATIONS;
-    if (series != SHIGUSA_TIME && series != SHIGUSA_ANGLES && !nodes) {
+    if (series != SHIGUSA_TIME && series != SHIGUSA_ANGLES && !is_of_nodes(series)) {
       return fail(ErrorCode::unsupported,
                   "series " + std::to_string(series) + " is of the motion's own frames alone");
     }
@@ -120,7 +133,10 @@ extern "C" shigusa_status shigusa_result_series_at(const shigusa_result* result,
     std::vector<double> values;
     if (series == SHIGUSA_TIME) add_times(clip, values);
     if (series == SHIGUSA_ANGLES) values = clip.angles;
-    if (nodes) add_nodes(*result, clip, series, values);
+    if (is_of_nodes(series)) {
+      NodeTables tables = node_tables(*result, clip);
+      values = std::move(series == SHIGUSA_NODE_ROTATIONS ? tables.rotations : tables.translations);
+    }
     *frames = static_cast<size_t>(clip.frames);
     *columns = values.size() / *frames;
     return give({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)},

@@ -70,7 +70,11 @@ class Calls {
   check(status: number): void {
     if (status === 0) return;
     const message = this.module.UTF8ToString(this.module._shigusa_message());
-    throw new EngineError({ code: codes[status - 1] ?? 'fault', message });
+    const code = codes[status - 1] ?? 'fault';
+    // without memory the text alone is there
+    if (code === 'out_of_memory' || code === 'fault') throw new EngineError({ code, message });
+    const reason = this.with((scratch) => this.json<EngineFailure['reason'] & object>(scratch, (at) => this.module._shigusa_failure(at)));
+    throw new EngineError({ code, message, reason });
   }
 
   /** The pointer that `call` stores at the address that it gets. */

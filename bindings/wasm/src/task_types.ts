@@ -249,9 +249,9 @@ export interface Task {
   /** Things that nothing of the body should pass through; the command line knows boxes, by their middle and size in
    * metres. */
   obstacles?: Obstacle[];
-  /** Of the preset flat: hands without a goal that rest on the thigh, or on an obstacle by its name. What they
-   * press with, from 0 to 0.25 of the body's weight, is a parameter, such as left_hand.support; below 0 the hand
-   * stays free. */
+  /** Of the preset flat: hands without a goal that may rest on the thigh, or on an obstacle by its name, and do
+   * where it pays. What they press with, from 0 to 0.25 of the body's weight, is a parameter, such as
+   * left_hand.support; below 0 the hand stays free. */
   support?: Support[];
   /** Seconds of the motion; from the distance when not given. */
   duration_s?: number;

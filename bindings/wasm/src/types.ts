@@ -29,6 +29,22 @@ export interface NodeDescription {
   file_node?: number; // of glTF: its index in the file
 }
 
+/** A sentence of the engine's, or a value of one: a sentence of the facts by its key, with its values in order; a number,
+ *  with its unit where it is a length; or text that is told as it is, such as a name from a file. `text` is English. */
+export type Message = string | Sentence | Quantity;
+
+export interface Sentence {
+  text: string;
+  key: string;
+  values: Message[];
+}
+
+export interface Quantity {
+  text: string; // its digits within the sentence
+  number: number;
+  unit?: 'm' | 'mm';
+}
+
 /** A character as it was understood: `shigusa body --json` and its nodes. */
 export interface CharacterDescription {
   name: string;
@@ -43,6 +59,8 @@ export interface CharacterDescription {
   feet: { effector: string; sole_m: Vec3[]; floor_m: number; least_m: number }[];
   humanoid: Record<string, string>;
   doubts: string[];
+  /** The doubts as a page words them in its reader's language. */
+  doubt_messages: Message[];
   nodes: NodeDescription[];
   node_unit_m: number;
   support_polygon: [number, number][];
@@ -118,6 +136,8 @@ export interface Summary {
   character_file?: string;
   /** Why there are fewer than asked for, in English. */
   fewer?: string;
+  /** The same to word otherwise. */
+  fewer_message?: Message;
   [key: string]: unknown;
 }
 
@@ -240,8 +260,10 @@ export interface ExportOptions {
 /** The series that can be had at any rate, as files have them. */
 export type SampledName = 'time' | 'angles' | 'node_translations' | 'node_rotations';
 
-/** A refusal of the engine: a code of the C interface and a sentence for a person. */
+/** A refusal of the engine: a code of the C interface and a sentence for a person, in English. */
 export interface EngineFailure {
+  /** Of what the engine refused: what it is about (may be empty), and the sentence without that. */
+  reason?: { place: string; message: Message };
   code: 'invalid_argument' | 'not_found' | 'parse' | 'io' | 'unsupported' | 'cancelled' | 'out_of_memory' | 'fault';
   message: string;
 }

@@ -133,6 +133,27 @@ test('what is refused has a code and a sentence', () => {
   result.free();
 });
 
+test('a refusal tells its sentence and values, for pages of other languages', () => {
+  const goals = [{ effector: 'left_foot', position_m: [0.1, 0.02, 0.3] }];
+  const { message, reason } = failureOf(() => door.generate(human, { ...smallTask, preset: 'flat', goals }));
+  assert.equal(reason.place, 'goal of left_foot');
+  assert.equal(`${reason.place}: ${reason.message.text}`, message);
+  assert.equal(reason.message.key, 'sole_below_floor');
+  const [height, below, least] = reason.message.values;
+  assert.deepEqual(height, { text: '0.020', number: 0.02, unit: 'm' });
+  assert.equal(below.unit, 'mm');
+  near(least.number, 0.02 + below.number / 1000, 1e-3);
+  // its English text is the sentence of the facts with these values
+  let hole = 0;
+  const { text } = door.facts().messages.find(({ key }) => key === reason.message.key);
+  assert.equal(text.replaceAll(/\{[^{}]*\}/g, () => reason.message.values[hole++].text), reason.message.text);
+  // a value may be a sentence
+  const bytes = new TextEncoder().encode(JSON.stringify({ asset: { version: '2.0' }, nodes: [{ name: 'a' }] }));
+  const lone = failureOf(() => door.character({ source: 'lone.gltf' }, bytes)).reason.message;
+  const sentences = (said) => (said.key === undefined ? [] : [said.key, ...said.values.flatMap(sentences)]);
+  assert.ok(sentences(lone).includes('no_skeleton') && sentences(lone).includes('one_node'), sentences(lone).join());
+});
+
 test('what is no robot, or a bomb of one, is refused by name', () => {
   const refused = (source, text, message) => {
     const failure = failureOf(() => door.character({ source }, new TextEncoder().encode(text)));

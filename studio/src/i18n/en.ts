@@ -10,7 +10,7 @@ export const en = {
   start: 'Start', startWith: 'To begin with', start_pick: 'Pick up', start_shelf: 'Onto a shelf', start_box: 'Lift a box', start_seated: 'Reach seated',
   start_vrm: 'Your character', start_overhead: 'Overhead',
   viewLabel: 'Three-dimensional view. Arrow keys move the selected goal sideways and up, Page Up and Page Down ahead and back, with Shift further.',
-  undo: 'Undo', redo: 'Redo', mirror: 'Mirror', help: 'Help', close: 'Close',
+  skipToView: 'Skip to the figure', undo: 'Undo', redo: 'Redo', mirror: 'Mirror', help: 'Help', close: 'Close',
   language: 'Language', theme: 'Theme', themeAuto: 'Theme: auto', themeLight: 'Theme: light', themeDark: 'Theme: dark',
   // search
   searching: 'Searching …', cancel: 'Cancel', searchAgain: 'Search again', best: 'best {score}',
@@ -25,7 +25,7 @@ export const en = {
   candidates: 'Motions', candidate: 'Motion {n}', chosen: 'chosen', score: 'score', lowerIsBetter: 'lower is better',
   compare: 'Compare', compareWith: 'Compare with motion {n}', comparing: 'compared',
   beside: 'side by side', over: 'overlaid', strip: 'Poses of motion {n} from its beginning to its end',
-  fewer: 'Other motions are nearly the same, or much worse.', edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
+  edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
   // verdict
   possible: 'can be done', strains: 'hard to do', impossible: 'not possible', because: '{verdict}: {reason}', ofFreedom: '{words} ({freedom})', why: 'Why', andMore: '{n} more', takeTime: 'Take {s} s',
   needsStrength: '{joint} at {percent} % of its strength', fallsForward: 'would fall forward: a step is needed', fallsBack: 'would fall backward: a step is needed',
@@ -55,10 +55,10 @@ export const en = {
   facesUp: 'up', facesDown: 'down', facesIn: 'in', facesOut: 'out', facesAhead: 'ahead', facesBack: 'back',
   pitch: 'pitch °', heading: 'heading °', roll: 'roll °',
   tolerance: 'Anywhere within ± {unit}', unturned: '{deg}° from its rotation',
-  scrubAbout: 'Drag to the side to change the number: with Shift finer, with Escape back',
+  scrubAbout: 'Drag to the side to change the number: with Shift finer, with Alt coarser, with Escape back',
   symmetric: 'Both hands alike', snap: 'Snap', snapAbout: 'What is dragged snaps to the floor, to faces of things and to the other hand; with Ctrl held, the other way round.',
   looksAt: 'Looks at', restOfBody: 'Hips, back, elbows, knees',
-  things: 'Things in the way', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', rounding: 'Rounded by, {unit}',
+  things: 'Things in the way', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', thingTurn: 'Rotation', lastGoal: 'The only goal stays: set another one first', rounding: 'Rounded by, {unit}',
   library: 'Library', libraryIntro: 'Goals, with what stands in the way, and start postures, for any project. A click uses one.',
   keepGoals: 'Keep these goals', keepStart: 'Keep the start posture', startPostureName: 'Start posture', goalsCount: 'Goals: {n}',
   exportLibrary: 'Save the library', importLibrary: 'Add from a file …', importedLibrary: 'Added from the file: {n}',
@@ -123,6 +123,7 @@ export const en = {
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',
   noSimd: 'This browser has no WebAssembly SIMD, which the engine needs: Chrome and Edge have it since 91, Firefox since 89, Safari since 16.4.',
   noWebgl: 'This browser shows no WebGL 2, which the picture needs. It may be switched off in its settings.',
+  partFailed: 'A part of the page could not be loaded. Is the network there?', tryAgain: 'Try again',
   engineFailed: 'The engine did not start.', tooLarge: '{name} is larger than {most} MB.', dismiss: 'Dismiss',
   // help
   helpTitle: 'How to use it',
@@ -132,7 +133,7 @@ export const en = {
   help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',
   keys: 'Keys',
   keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal, in the view', keyBrackets: 'next goal, in the view',
-  keyUndo: 'undo, redo', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keySides: 'look from the front, the side, the top, three-quarter', keyApproach: 'go to what is selected', keyHome: 'reset the camera', keyOrthographic: 'orthographic or perspective', keyRuler: 'ruler', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
+  keyUndo: 'undo, redo', keySave: 'open Save', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keySides: 'look from the front, the side, the top, three-quarter', keyApproach: 'go to what is selected', keyHome: 'reset the camera', keyOrthographic: 'orthographic or perspective', keyRuler: 'ruler', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
 };
 
 export type Key = keyof typeof en;

@@ -1,64 +1,38 @@
 // SPDX-License-Identifier: MIT
-// The engine's sentences in the page's language: which of its messages a text is, with what values, and the words
-// for that. A text without words stays as the engine says it.
-import type { Facts } from '../../../bindings/wasm/src/types';
-import { japaneseMessages } from './messages_ja';
+// The engine's sentences in the page's language, by their keys and values; lengths are in the unit that is chosen.
+import type { Facts, Message, Quantity } from '../../../bindings/wasm/src/types';
+import { lengths } from './lengths';
 
-interface Known {
-  key: string;
-  pattern: RegExp;
+export interface Language {
+  /** A sentence of a key, with {0} where its first value stands. */
+  sentence(key: string): string | undefined;
+  /** A value that is text. */
+  word(text: string): string;
 }
 
-/** How deep a value of a message may hold another one. */
-const kDeepest = 3;
-/** Letters of a text that is looked up; longer ones hold a file's own names, and take long to match. */
-const kLongest = 600;
-const kHole = /\{[^{}]*\}/g;
+/** The engine's own sentences. */
+export const englishOf = (facts: Facts): Language => ({
+  sentence: (key) => {
+    let hole = 0;
+    const text = facts.messages.find((message) => message.key === key)?.text;
+    return text?.replace(/\{\{|\}\}|\{[^{}]*\}/g, (found) => (found === '{{' || found === '}}' ? found.charAt(0) : `{${hole++}}`));
+  },
+  word: (text) => text,
+});
 
-const escaped = (text: string): string => text.replace(/[$()*+.?[\\\]^{|}]/g, String.raw`\$&`);
-
-/** Messages with the most words of their own come first, as others may hold for the same text. */
-function patterns(facts: Facts): Known[] {
-  const own = (text: string): number => text.replaceAll(kHole, '').length;
-  return [...facts.messages].sort((a, b) => own(b.text) - own(a.text)).map(({ key, text }) => ({
-    key, pattern: new RegExp(`^${text.split(kHole).map(escaped).join('(.*?)')}$`, 's'),
-  }));
+function length({ number, unit }: Quantity): string {
+  const { perMetre, digits } = lengths();
+  return String(Number(((unit === 'mm' ? number / 1000 : number) * perMetre).toFixed(digits)));
 }
 
-export class EngineTexts {
-  private readonly known: readonly Known[];
-
-  constructor(facts: Facts, private readonly word: (value: string) => string) {
-    this.known = patterns(facts);
-  }
-
-  /** The sentence in Japanese; undefined where no message is known by it. */
-  japanese(text: string, deep = 0): string | undefined {
-    if (text.length > kLongest) return undefined;
-    for (const { key, pattern } of this.known) {
-      const match = pattern.exec(text);
-      const words = japaneseMessages[key];
-      if (!match || words === undefined) continue;
-      return words.replaceAll(/\{(\d+)\}/g, (_, index: string) => this.value(match[Number(index) + 1] ?? '', deep));
-    }
-    return undefined;
-  }
-
-  /** The same with the place before it: "hero.glb: no left leg: …". */
-  withPlace(text: string): string {
-    const whole = this.japanese(text);
-    if (whole !== undefined) return whole;
-    for (let at = text.indexOf(': '); at > 0; at = text.indexOf(': ', at + 1)) {
-      const rest = this.japanese(text.slice(at + 2));
-      if (rest !== undefined) return `${this.word(text.slice(0, at))}：${rest}`;
-    }
-    return text;
-  }
-
-  private value(text: string, deep: number): string {
-    return (deep < kDeepest ? this.japanese(text, deep + 1) : undefined) ?? this.word(text);
-  }
+/** What has no words in the language stays in English. */
+export function wordsOf(message: Message, language: Language): string {
+  if (typeof message === 'string') return language.word(message);
+  if (!('key' in message)) return message.unit === undefined ? message.text : length(message);
+  const { text, key, values } = message;
+  return language.sentence(key)?.replace(/\{(\d+)\}( mm?\b)?/g, (_, index: string, unit = '') => {
+    const value = values[Number(index)] ?? '';
+    const isLength = typeof value === 'object' && 'number' in value && value.unit !== undefined;
+    return wordsOf(value, language) + (isLength && unit ? ` ${lengths().name}` : unit);
+  }) ?? text;
 }
-
-/** Keys of the engine's messages that the page has no words for. */
-export const wordlessMessages = (facts: Facts): string[] => facts.messages.map(({ key }) => key).filter((key) => !(key in japaneseMessages));

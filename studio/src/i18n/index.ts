@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The language that the page speaks.
 import { type BodyWords, englishBody, japaneseBody, type TableWords, tableWords } from './body_words';
-import type { Facts } from '../../../bindings/wasm/src/types';
+import type { EngineFailure, Facts, Message } from '../../../bindings/wasm/src/types';
 import { recall } from '../kept/memory';
 import { en, type Key } from './en';
-import type { EngineTexts } from './engine_text';
+import { englishOf, wordsOf } from './engine_text';
 import { lengths, lengthWords } from './lengths';
 
 export type Language = 'en' | 'ja';
@@ -99,19 +99,23 @@ export function engineWord(table: TableWords, word: string): string {
 }
 
 let engineFacts: Facts | null = null;
-let engineTexts: EngineTexts | null = null;
 
-/** What sentences of the engine are known by. */
+/** Whose sentences are told. */
 export function knowEngine(facts: Facts): void {
   engineFacts = facts;
 }
 
-/** A sentence of the engine's, a failure's or a doubt, in the page's language. */
-export function engineText(text: string): string {
-  if (language !== 'ja' || !japanese || !engineFacts) return text;
-  const { EngineTexts: Texts, messageWord } = japanese;
-  engineTexts ??= new Texts(engineFacts, (value) => messageWord(value, jointName));
-  return engineTexts.withPlace(text);
+/** A sentence of the engine's, as a doubt, in the page's language. */
+export function engineText(message: Message): string {
+  const { japaneseMessages, messageWord } = japanese ?? {};
+  return wordsOf(message, language === 'ja' && japaneseMessages && messageWord
+    ? { sentence: (key) => japaneseMessages[key], word: (text) => messageWord(text, jointName) } : englishOf(engineFacts!));
+}
+
+/** Why the engine refused. */
+export function failureText({ message, reason }: EngineFailure): string {
+  if (!reason) return message;
+  return engineText(reason.place === '' ? reason.message : { key: 'at_place', values: [reason.place, reason.message], text: message });
 }
 
 /** Words of the engine's tables that a language has none for: "criteria: work". */
@@ -121,7 +125,7 @@ export async function untranslated(facts: Facts, of: Language): Promise<string[]
   const ofTables = Object.entries(tableWords(facts)).flatMap(([table, all]) =>
     all.filter((word) => !(word in known[table as TableWords])).map((word) => `${table}: ${word}`));
   // in English the engine's own sentences are shown
-  return of === 'ja' ? [...ofTables, ...japanese!.wordlessMessages(facts).map((key) => `messages: ${key}`)] : ofTables;
+  return of === 'ja' ? [...ofTables, ...facts.messages.filter(({ key }) => !(key in japanese!.japaneseMessages)).map(({ key }) => `messages: ${key}`)] : ofTables;
 }
 
 /** How a motion ends: "stoop, turned left". */

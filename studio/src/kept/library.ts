@@ -57,11 +57,12 @@ function readGoals(value: unknown, place: string): readonly Goal[] {
 function readThings(value: unknown, place: string): readonly Obstacle[] {
   const things = listOf(value, place, 0, kMostThings);
   things.forEach((thing, k) => {
-    const { name, position_m, size_m, radius_m } = fieldsOf(thing, `${place}[${k}]`);
+    const { name, position_m, size_m, radius_m, rotation_xyzw } = fieldsOf(thing, `${place}[${k}]`);
     if (name !== undefined) needText(name, kLongestName, `${place}[${k}].name`);
     needNumbers(position_m, 3, `${place}[${k}].position_m`);
     if (size_m !== undefined) needNumbers(size_m, 3, `${place}[${k}].size_m`);
     if (radius_m !== undefined) needNumbers([radius_m], 1, `${place}[${k}].radius_m`);
+    if (rotation_xyzw !== undefined) needNumbers(rotation_xyzw, 4, `${place}[${k}].rotation_xyzw`);
   });
   return things as Obstacle[];
 }
@@ -94,6 +95,9 @@ export function readLibrary(text: string): NewEntry[] {
   return listOf(entries, 'entries', 1, kMostEntries).map((entry, k) => readEntry(entry, `entries[${k}]`));
 }
 
+/** Whether a JSON value is a library's, well or damaged. */
+export const isLibrary = (value: object): boolean => 'shigusa_library' in value;
+
 export function libraryText(entries: readonly Entry[]): string {
   return `${JSON.stringify({ shigusa_library: 1, entries: entries.map(({ id: _, changed_ms: __, ...entry }) => entry) }, null, 1)}\n`;
 }
@@ -102,6 +106,17 @@ export function libraryText(entries: readonly Entry[]): string {
 export class Library {
   private readonly database = openDatabase();
   private entries: Entry[] | null = null;
+  private readonly listeners = new Set<() => void>();
+
+  /** Hears of each change until it calls what it gets. */
+  subscribe(listener: () => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
 
   /** The newest one first. */
   async list(): Promise<readonly Entry[]> {
@@ -115,11 +130,9 @@ export class Library {
   async put(entries: readonly Entry[]): Promise<void> {
     const ids = new Set(entries.map(({ id }) => id));
     this.entries = [...(this.entries ?? []).filter(({ id }) => !ids.has(id)), ...entries];
-    const transaction = (await this.database)?.transaction('poses', 'readwrite');
-    if (!transaction) return;
-    const end = completed(transaction);
-    for (const entry of entries) transaction.objectStore('poses').put(entry);
-    await end;
+    await this.write((store) => {
+      for (const entry of entries) store.put(entry);
+    });
   }
 
   add(entries: readonly NewEntry[]): Promise<void> {
@@ -129,10 +142,16 @@ export class Library {
 
   async remove(id: string): Promise<void> {
     this.entries = (this.entries ?? []).filter((entry) => entry.id !== id);
+    await this.write((store) => store.delete(id));
+  }
+
+  private async write(change: (store: IDBObjectStore) => void): Promise<void> {
     const transaction = (await this.database)?.transaction('poses', 'readwrite');
-    if (!transaction) return;
-    const end = completed(transaction);
-    transaction.objectStore('poses').delete(id);
-    await end;
+    if (transaction) {
+      const end = completed(transaction);
+      change(transaction.objectStore('poses'));
+      await end;
+    }
+    this.tell();
   }
 }

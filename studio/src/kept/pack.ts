@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Turns the document on the table into a work, and a work into the document again.
-import type { Character, CharacterSpec, Generated, Summary } from '../../../bindings/wasm/src/types';
+import type { Character, CharacterSpec, Generated, Message, Summary } from '../../../bindings/wasm/src/types';
 import { isBuiltIn } from '../state/formats';
 import type { Document, Edit } from '../state/model';
 import { checkedDocumentOf } from '../state/of_task';
@@ -37,6 +37,7 @@ export function workNow(studio: Studio, document: Document): Work | null {
   const { state } = studio.store;
   const sha256 = bytes && knownDigest(bytes);
   if (bytes && sha256 === undefined) return null;
+  const look = studio.eye?.look() ?? studio.firstLook;
   const summary = document.result?.summary;
   const edits = summary ? Object.entries(document.edits).map(([index, edit]) => [index, storedEdit(edit, summary)] as const) : [];
   return {
@@ -45,15 +46,16 @@ export function workNow(studio: Studio, document: Document): Work | null {
       : { spec, ...(sha256 !== undefined && { sha256 }) },
     task: taskOf(studio.facts, document),
     ...(summary && { found: storedMotions(summary) }),
-    ...(summary?.fewer !== undefined && { fewer: summary.fewer }),
+    ...(summary?.fewer_message !== undefined && { fewer: summary.fewer_message }),
     ...(state.search && { searching: true }),
     chosen: document.chosen,
     compared: document.compared,
     edits: Object.fromEntries(edits),
     picture: {
-      ...(studio.eye && { look: studio.eye.look() }),
+      ...(look && { look }),
       view: state.view, tab: state.tab, selected: state.selected, compareMode: state.compareMode, overlays: state.overlays,
       speed: state.speed, playing: state.playing, time_s: studio.clock.time, fps: state.fps,
+      snap: state.snap, symmetric: state.symmetric,
     },
   };
 }
@@ -84,9 +86,9 @@ async function askedFor(studio: Studio, character: Character, { task, found }: W
   return checkedDocumentOf(studio, character, task).catch(() => checkedDocumentOf(studio, character, found.task));
 }
 
-async function restored(studio: Studio, character: Character, motions: StoredMotions, fewer?: string): Promise<Generated> {
+async function restored(studio: Studio, character: Character, motions: StoredMotions, fewer?: Message): Promise<Generated> {
   const generated = await studio.restore(character, motions as unknown as Summary);
-  return fewer === undefined ? generated : { ...generated, summary: { ...generated.summary, fewer } };
+  return fewer === undefined ? generated : { ...generated, summary: { ...generated.summary, fewer_message: fewer } };
 }
 
 async function editOf(studio: Studio, character: Character, { assignments, base }: StoredEdit, found: Generated, index: number): Promise<Edit> {
@@ -101,11 +103,13 @@ async function editOf(studio: Studio, character: Character, { assignments, base 
   throw new Error('the edits could not be played, as others were');
 }
 
-function show(studio: Studio, { look, view, tab, selected, compareMode, overlays, speed, playing, time_s, fps }: Work['picture']): void {
+function show(studio: Studio, { look, view, tab, selected, compareMode, overlays, speed, playing, time_s, fps, snap = false, symmetric = false }: Work['picture']): void {
   const known = studio.document && placeOf(studio.document, selected) !== undefined;
-  studio.store.set({ view: { ...initialView, ...view }, tab, compareMode, overlays, speed, playing, fps, ...(known && { selected }) });
+  studio.store.set({ view: { ...initialView, ...view }, tab, compareMode, overlays, speed, playing, fps, snap, symmetric, ...(known && { selected }) });
   studio.clock.time = time_s;
-  if (look) studio.eye?.lookFrom(look);
+  if (!look) return;
+  if (studio.eye) studio.eye.lookFrom(look);
+  else studio.firstLook = look;
 }
 
 /** Whether the person can stand there without their file. */

@@ -19,7 +19,7 @@ const kPatience = 8000; // ms until a database that does not answer is taken for
 export const kRemembered = 'project';
 
 /** Changes of these are changes of the work. */
-const kKept: readonly (keyof State)[] = ['document', 'tab', 'selected', 'compareMode', 'overlays', 'view', 'speed', 'fps'];
+const kKept: readonly (keyof State)[] = ['document', 'tab', 'selected', 'compareMode', 'overlays', 'view', 'speed', 'fps', 'snap', 'symmetric'];
 
 export class Saver {
   protected readonly ready: Promise<void>;

@@ -2,7 +2,7 @@
 // A person's work as plain data: what was asked for, what was found and chosen of it, every edit, and how it was
 // looked at. Links, files and the browser's storage hold it as JSON, which others may have changed: `readWork` checks
 // all that the page itself reads of it, and the engine the rest.
-import type { CharacterSpec, Task, Vec3 } from '../../../bindings/wasm/src/types';
+import type { CharacterSpec, Message, Task, Vec3 } from '../../../bindings/wasm/src/types';
 import type { CompareMode, Tab } from '../state/model';
 import { type ViewSettings, wrongSetting } from '../state/view_settings';
 import { fieldsOf, kFarthest, need } from './check';
@@ -36,6 +36,8 @@ export interface StoredPicture {
   readonly playing: boolean;
   readonly time_s: number;
   readonly fps: number; // of files that are saved
+  readonly snap?: boolean;
+  readonly symmetric?: boolean;
 }
 
 export interface Work {
@@ -44,7 +46,7 @@ export interface Work {
   readonly character: { readonly spec: CharacterSpec; readonly sha256?: string };
   readonly task: Task; // as it is asked for now
   readonly found?: StoredMotions;
-  readonly fewer?: string; // why there are fewer motions than asked for
+  readonly fewer?: Message; // why there are fewer motions than asked for
   readonly searching?: boolean; // the task was being searched
   readonly chosen: number; // index of what was found
   readonly compared: number | null;
@@ -52,11 +54,22 @@ export interface Work {
   readonly picture: StoredPicture;
 }
 
+const kDeepest = 16; // messages in messages
 const kTabs: readonly Tab[] = ['goals', 'adjust', 'criteria', 'body', 'plots', 'take'];
 const kModes: readonly CompareMode[] = ['beside', 'over'];
 
 const isNumber = (value: unknown, low: number, high: number): value is number => typeof value === 'number' && value >= low && value <= high;
 const isPoint = (value: unknown): value is Vec3 => Array.isArray(value) && value.length === 3 && value.every((x) => isNumber(x, -kFarthest, kFarthest));
+
+/** Sentences have values, and these may be sentences again. */
+function isMessage(value: unknown, depth = 0): value is Message {
+  if (typeof value === 'string') return true;
+  if (typeof value !== 'object' || value === null || depth > kDeepest) return false;
+  const { text, key, values, number, unit } = value as Record<string, unknown>;
+  if (typeof text !== 'string') return false;
+  if (key === undefined) return typeof number === 'number' && (unit === undefined || typeof unit === 'string');
+  return typeof key === 'string' && Array.isArray(values) && values.every((each) => isMessage(each, depth + 1));
+}
 
 function readMotions(value: unknown, place: string): StoredMotions {
   const { version, task, candidates } = fieldsOf(value, place);
@@ -82,7 +95,7 @@ function readEdits(value: unknown, count: number): Work['edits'] {
 
 function readPicture(value: unknown): StoredPicture {
   const picture = fieldsOf(value, 'picture');
-  const { look, view, tab, selected, compareMode, overlays, speed, playing, time_s, fps } = picture;
+  const { look, view, tab, selected, compareMode, overlays, speed, playing, time_s, fps, snap, symmetric } = picture;
   if (look !== undefined) {
     const { position_m, target_m } = fieldsOf(look, 'picture.look');
     need(isPoint(position_m) && isPoint(target_m), 'picture.look', `of points up to ${kFarthest} m away`);
@@ -95,6 +108,7 @@ function readPicture(value: unknown): StoredPicture {
   need(typeof selected === 'string', 'picture.selected', 'the name of an effector');
   need(kModes.includes(compareMode as CompareMode), 'picture.compareMode', `one of ${kModes.join(', ')}`);
   need(typeof overlays === 'boolean' && typeof playing === 'boolean', 'picture.overlays and picture.playing', 'true or false');
+  need([snap, symmetric].every((one) => one === undefined || typeof one === 'boolean'), 'picture.snap and picture.symmetric', 'true or false');
   need(isNumber(speed, 0.01, 100), 'picture.speed', 'a number from 0.01 to 100');
   need(isNumber(time_s, 0, Number.MAX_VALUE) && isNumber(fps, 1, 1000), 'picture.time_s and picture.fps', 'numbers');
   return value as StoredPicture;
@@ -111,7 +125,7 @@ export function readWork(value: unknown): Work {
   const found = work['found'] === undefined ? undefined : readMotions(work['found'], 'found');
   const count = found?.candidates.length ?? 0;
   const { fewer, searching, chosen, compared } = work;
-  need(fewer === undefined || typeof fewer === 'string', 'fewer', 'a text');
+  need(fewer === undefined || isMessage(fewer), 'fewer', 'a message');
   need(searching === undefined || typeof searching === 'boolean', 'searching', 'true or false');
   const isIndex = (index: unknown): boolean => Number.isInteger(index) && isNumber(index, 0, Math.max(count - 1, 0));
   need(isIndex(chosen), 'chosen', 'of a motion that was found');

@@ -25,6 +25,7 @@ export class AdjustPanel implements Panel {
   private rows = new Map<string, { slider: Slider; lock: HTMLButtonElement | null }>();
   private built = '';
   private open = new Set(['posture', 'legs', 'path']);
+  private side = ''; // of the hand or foot that acts
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio) {
@@ -45,6 +46,7 @@ export class AdjustPanel implements Panel {
     const { document } = this.studio;
     const candidate = chosenCandidate(document);
     if (!document || !candidate) return fill(this.groups, h('p', { class: 'quiet' }, t('noMotion')));
+    this.openActing(document);
     const found = document.result?.candidates[document.chosen]?.parameters ?? [];
     // marks and rows are those of one candidate of one result
     const key = `${document.character.id} ${document.chosen} ${found.map((p) => `${p.name}${p.value}`).join()}`;
@@ -64,6 +66,15 @@ export class AdjustPanel implements Panel {
     }
     this.showBar(document);
     this.timing.update(document);
+  }
+
+  /** Where the other side acts, its groups are open as this one's were. */
+  private openActing({ goals }: Document): void {
+    const side = /^(left|right)_/.exec(goals[0]?.effector ?? '')?.[1] ?? '';
+    if (this.side !== '' && side !== '' && side !== this.side) {
+      this.open = new Set([...this.open].map((group) => group.replace(/^(left|right)_/, (own) => (own === 'left_' ? 'right_' : 'left_'))));
+    }
+    this.side = side || this.side;
   }
 
   private showBar(document: Document): void {
@@ -114,11 +125,13 @@ export class AdjustPanel implements Panel {
     const label = parameterName(parameter.name);
     const digits = parameter.unit === 'deg' ? 0 : 2;
     const mark = found?.value ?? parameter.value;
+    const name = h('span', { class: 'row-name' }, label);
     const slider = new Slider({
-      label, value: parameter.value, low: parameter.low, high: parameter.high, log: parameter.scale === 'log', digits, mark,
+      label, name, value: parameter.value, low: parameter.low, high: parameter.high, log: parameter.scale === 'log', digits, mark,
       markTitle: t('searchValue', { value: parameter.scale === 'log' ? Number(mark.toPrecision(3)) : round(mark, digits) }),
       unit: parameter.unit === 'deg' ? '°' : parameter.unit,
       onInput: (value, drag) => void this.studio.edit({ [parameter.name]: String(value) }, drag),
+      onBack: (drag) => this.studio.takeBackEdit(drag),
     });
     slider.range.dataset['parameter'] = parameter.name;
     let lock: HTMLButtonElement | null = null;
@@ -130,7 +143,6 @@ export class AdjustPanel implements Panel {
       lock = press;
     }
     this.rows.set(parameter.name, { slider, lock });
-    const name = h('span', { class: 'row-name' }, label);
     const row = h('div', { class: 'row' }, h('div', { class: 'row-head' }, name, lock), slider.element);
     giveTip(row, name, slider.range, () => tipOfParameter(this.studio, parameter));
     return row;

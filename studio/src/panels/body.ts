@@ -64,7 +64,7 @@ export class BodyPanel implements Panel {
       this.builtIn(spec),
       measures(this.studio, character, (more) => this.change(more)), startPosture(character, (more) => this.change(more)),
       h('h3', {}, t('understood')), h('p', {}, movesText(description)),
-      description.doubts.length > 0 ? h('div', {}, h('h4', {}, t('doubts')), h('ul', {}, ...description.doubts.map((doubt) => h('li', {}, engineText(doubt))))) : null,
+      description.doubt_messages.length > 0 ? h('div', {}, h('h4', {}, t('doubts')), h('ul', {}, ...description.doubt_messages.map((doubt) => h('li', {}, engineText(doubt))))) : null,
       character.bytes ? this.bones(character) : null);
   }
 

@@ -39,15 +39,16 @@ export class CriteriaPanel implements Panel {
   }
 
   private row(name: string, weight: number): HTMLElement {
+    const label = h('span', { class: 'row-name' }, engineWord('criteria', name));
     const slider = new Slider({
-      label: engineWord('criteria', name), value: weight, low: 0, high: Math.max(1, weight), mark: weight, markTitle: t('resetWeights'),
+      label: engineWord('criteria', name), name: label, value: weight, low: 0, high: Math.max(1, weight), mark: weight, markTitle: t('resetWeights'),
       onInput: (value, drag) => this.studio.weigh(name, Math.round(value * 100) / 100, drag),
+      onBack: (drag) => this.studio.takeBackWeight(drag),
     });
     slider.range.dataset['criterion'] = name;
     const paid = h('span', { class: 'paid' });
     const bar = h('span', { class: 'meter', 'aria-hidden': 'true' });
     this.rows.set(name, { slider, paid, bar });
-    const label = h('span', { class: 'row-name' }, engineWord('criteria', name));
     const row = h('div', { class: 'row' }, h('div', { class: 'row-head' }, label, paid, bar), slider.element);
     giveTip(row, label, slider.range, () => tipOfCriterion(this.studio, name));
     return row;

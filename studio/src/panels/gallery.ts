@@ -2,7 +2,7 @@
 // The candidates as cards: a moving picture, the word that tells one from the others, its strip, a bar for each criterion.
 import type { Candidate } from '../../../bindings/wasm/src/types';
 import { differenceWords, scoreWords } from '../i18n/motion_words';
-import { engineWord, t } from '../i18n';
+import { engineText, engineWord, t } from '../i18n';
 import { reasonsWords, verdictWords } from '../i18n/verdict_words';
 import { ranking, scoreOf } from '../state/criteria';
 import { candidateAt, type Document } from '../state/model';
@@ -59,10 +59,9 @@ export class Gallery implements Panel {
     const highest = Math.max(0.05, ...order.flatMap((index) => Object.values(candidateAt(document, index)?.summary.criteria ?? {})));
     const best = Math.min(...order.map((index) => scoreOf(candidateAt(document, index)!, document.weights)));
     order.forEach((index, place) => this.updateCard(document, index, place, highest, best));
-    const why = result.summary.status !== 'unreachable' ? result.summary.fewer : undefined;
+    const why = result.summary.status !== 'unreachable' ? result.summary.fewer_message : undefined;
     this.fewer.hidden = why === undefined;
-    this.fewer.textContent = t('fewer');
-    this.fewer.title = why ?? '';
+    this.fewer.textContent = why === undefined ? '' : engineText(why);
     const elements = order.map((index) => this.cards.get(index)!.element);
     // only where the order has changed, so that the focus stays
     if (elements.some((element, i) => this.list.children[i] !== element)) fill(this.list, ...elements);

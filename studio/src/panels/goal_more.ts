@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How a goal wants its effector turned, by words or by numbers, and the box about it in which any place will do.
-import { Euler, MathUtils, Quaternion } from 'three';
 import type { Goal, GoalAxis, Vec3 } from '../../../bindings/wasm/src/types';
 import { type Key, t } from '../i18n';
 import { goalOf } from '../state/model';
 import { withGoal } from '../state/places';
 import type { Studio } from '../state/studio';
+import { angles, anglesOf, withAngle } from '../state/turning';
 import { h, select } from './dom';
 import { fieldGroup, NumberField } from './number_field';
 
@@ -21,9 +21,6 @@ const kDirectionKeys: Readonly<Record<Direction, Key>> = {
 /** What an axis is asked to do first. */
 const kFirst: Readonly<Record<'palm' | 'thumb' | 'fingers', Direction>> = { palm: 'down', thumb: 'up', fingers: 'ahead' };
 
-const kAngles = ['pitch', 'heading', 'roll'] as const; // about the axes to the left, up and ahead
-const kMostAngles = [90, 180, 180]; // degrees
-const kOrder = 'YXZ'; // first the heading, then the pitch in it, then the roll
 const kSides = ['left', 'up', 'ahead'] as const;
 const kMostTolerance = 0.5; // m: half a side
 
@@ -54,12 +51,7 @@ function inWorld(direction: Direction, { effector, axis }: Goal): GoalAxis['dire
 
 /** The goal with one of its angles changed. */
 function turned(goal: Goal, index: number, degrees: number): Goal {
-  if (!goal.rotation_xyzw) return goal;
-  // the other angles are those of the goal, not of the fields, which are rounded
-  const angles = new Euler().setFromQuaternion(new Quaternion(...goal.rotation_xyzw), kOrder);
-  angles[(['x', 'y', 'z'] as const)[index]!] = MathUtils.degToRad(degrees);
-  const { x, y, z, w } = new Quaternion().setFromEuler(angles);
-  return { ...goal, rotation_xyzw: [x, y, z, w] };
+  return goal.rotation_xyzw ? { ...goal, rotation_xyzw: withAngle(goal.rotation_xyzw, index, degrees) } : goal;
 }
 
 /** The goal with half a side of its box changed; without a box where none is left. */
@@ -96,8 +88,8 @@ export class GoalMore {
     this.axis = choice('facing', kAxisKeys, kAxes, `${effector} axis`, (axis) => this.askAxis(axis));
     this.direction = choice('direction', kDirectionKeys, kDirections, `${effector} direction`, (direction) => this.face(direction));
     this.facing = h('div', { class: 'facing', role: 'group', 'aria-label': t('facing') }, h('span', { 'aria-hidden': 'true' }, t('facing')), this.axis, this.direction);
-    this.angles = kAngles.map((angle, index) => new NumberField(studio, {
-      key: `${effector} ${angle}`, label: t(angle), low: -kMostAngles[index]!, high: kMostAngles[index]!, kind: { step: 1, digits: 0 },
+    this.angles = angles.map(([angle, most], index) => new NumberField(studio, {
+      key: `${effector} ${angle}`, label: t(angle), low: -most, high: most, kind: { step: 1, digits: 0 },
       change: (document, degrees) => withGoal(document, turned(goalOf(document, effector)!, index, degrees)),
     }));
     this.turns = fieldGroup(t('turn'), this.angles);
@@ -119,10 +111,7 @@ export class GoalMore {
     showChoice(this.direction, directionOf(goal));
     this.direction.hidden = axis === 'none';
     this.turns.hidden = goal.rotation_xyzw === undefined;
-    if (goal.rotation_xyzw) {
-      const { x, y, z } = new Euler().setFromQuaternion(new Quaternion(...goal.rotation_xyzw), kOrder);
-      [x, y, z].forEach((angle, index) => this.angles[index]!.show(MathUtils.radToDeg(angle)));
-    }
+    anglesOf(goal.rotation_xyzw).forEach((degrees, index) => this.angles[index]!.show(degrees));
     this.sides.forEach((field, index) => field.show(goal.tolerance_m?.[index] ?? 0));
   }
 

@@ -8,7 +8,6 @@ import { leastOf, moved, withGoal } from '../state/places';
 import type { Studio } from '../state/studio';
 import { isMet, isTurned } from '../state/verdict';
 import { kFarthest } from '../view/handles';
-import type { View } from '../view/view';
 import { fill, h, iconButton, round } from './dom';
 import { GoalMore } from './goal_more';
 import { fieldGroup, NumberField } from './number_field';
@@ -28,7 +27,7 @@ export class GoalRow {
   private readonly remove: HTMLElement;
   private readonly more: GoalMore;
 
-  constructor(private readonly studio: Studio, private readonly view: View, readonly effector: string) {
+  constructor(private readonly studio: Studio, readonly effector: string) {
     const name = jointName(effector);
     const key = (what: string): { 'data-key': string } => ({ 'data-key': `${effector} ${what}` });
     this.has = h('input', {
@@ -36,7 +35,7 @@ export class GoalRow {
     });
     this.axes = kAxes.map((axis, index) => new NumberField(studio, {
       key: `${effector} ${axis}`, label: t(axis), low: -kFarthest, high: kFarthest, kind: 'length',
-      change: (document, value) => this.placed(document, value, index), onTyped: (value) => index === 1 && this.tellFloor(value),
+      change: (document, value) => this.placed(document, value, index), onKept: (value) => index === 1 && this.tellFloor(value),
     }));
     this.load = new NumberField(studio, {
       key: `${effector} load`, label: t('load'), low: 0, high: studio.facts.ranges.load_kg[1], kind: { step: 0.5, digits: 1 },
@@ -44,10 +43,7 @@ export class GoalRow {
     });
     this.turn = h('input', { type: 'checkbox', ...key('turn'), onChange: () => this.askRotation() });
     this.rings = h('input', {
-      type: 'checkbox', ...key('rings'), onChange: () => {
-        view.rotate = this.rings.checked;
-        view.stage.invalidate();
-      },
+      type: 'checkbox', ...key('rings'), onChange: () => studio.store.set({ rings: this.rings.checked }),
     });
     this.ringsLabel = h('label', {}, this.rings, t('rings'));
     this.remove = iconButton('close', `${t('remove')}: ${name}`, () => void studio.removeGoal(effector));
@@ -75,6 +71,7 @@ export class GoalRow {
     this.element.classList.toggle('selected', goal !== undefined && selected === this.effector);
     this.has.checked = goal !== undefined;
     this.has.disabled = goal !== undefined && document.goals.length < 2;
+    this.has.title = this.has.disabled ? t('lastGoal') : '';
     this.details.hidden = goal === undefined;
     this.remove.hidden = goal === undefined || document.goals.length < 2;
     fill(this.reached);
@@ -82,7 +79,7 @@ export class GoalRow {
     goal.position_m.forEach((value, index) => this.axes[index]!.show(value));
     this.load.show(goal.load_kg ?? 0);
     this.turn.checked = goal.rotation_xyzw !== undefined;
-    this.rings.checked = this.view.rotate;
+    this.rings.checked = this.studio.store.state.rings;
     this.ringsLabel.hidden = goal.rotation_xyzw === undefined;
     this.more.update(goal);
     this.showReached(document);

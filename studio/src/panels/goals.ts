@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The goals as numbers, and how motions for them are searched.
 import { engineWord, t } from '../i18n';
-import type { Library } from '../kept/library';
 import { chosenCandidate, type Document, type SearchSettings } from '../state/model';
 import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -11,7 +10,7 @@ import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
 import { LookRow } from './look_row';
-import { scrubbable } from './scrub';
+import { NumberInput } from './number_input';
 import { LibrarySection } from './library';
 import { ThingList } from './things';
 import { VerdictBox } from './verdict';
@@ -30,10 +29,11 @@ export class GoalsPanel implements Panel {
   private readonly symmetric: HTMLInputElement;
   private readonly symmetricLabel: HTMLElement;
   private readonly snap: HTMLInputElement;
+  private readonly library: LibrarySection;
   private readonly look: LookRow;
   private readonly things: ThingList;
   private readonly verdict: VerdictBox;
-  private readonly duration: HTMLInputElement;
+  private readonly duration: NumberInput;
   private readonly method: HTMLSelectElement;
   private readonly effort: HTMLSelectElement;
   private readonly seed: HTMLInputElement;
@@ -43,20 +43,15 @@ export class GoalsPanel implements Panel {
   private goals = 0; // their number
   private readonly end: () => void;
 
-  constructor(private readonly studio: Studio, private readonly view: View, library: Library) {
+  constructor(private readonly studio: Studio, view: View) {
     const [least, most] = studio.facts.ranges.duration_s;
-    this.duration = h('input', {
-      type: 'number', min: String(least), max: String(most), step: '0.1', placeholder: t('auto'), 'data-key': 'duration',
-      onChange: () => this.change({
-        duration_s: this.duration.value === '' ? null : Math.min(Math.max(Number(this.duration.value), least), most),
-      }),
-    });
-    const durationName = h('span', {}, t('duration'));
-    const inside = (seconds: number): number => Math.min(Math.max(seconds, least), most);
-    scrubbable(this.duration, durationName, {
-      step: kSeconds, begin: () => studio.document?.settings.duration_s ?? studio.chosen()?.summary.duration_s ?? null,
-      move: (seconds) => (this.duration.value = inside(seconds).toFixed(2)), end: (seconds) => this.change({ duration_s: inside(seconds) }), back: () => this.update(),
-    });
+    const durationName = h('span', { title: t('scrubAbout') }, t('duration'));
+    this.duration = new NumberInput({
+      key: 'duration', low: least, high: most, step: kSeconds, words: (seconds) => String(Number(seconds.toFixed(3))),
+      begin: () => studio.chosen()?.summary.duration_s ?? null,
+      keep: (duration_s) => this.change({ duration_s }), empty: () => this.change({ duration_s: null }),
+    }, durationName);
+    this.duration.element.placeholder = t('auto');
     const presets = studio.facts.presets.map(({ name }) => [name, engineWord('presets', name)] as const);
     this.method = select(t('method'), presets, studio.facts.default_preset, (value) => this.search(value));
     this.effort = select(t('effort'), efforts.map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
@@ -66,20 +61,21 @@ export class GoalsPanel implements Panel {
     this.symmetric = h('input', { type: 'checkbox', 'data-key': 'symmetric', onChange: () => void studio.setSymmetric(this.symmetric.checked) });
     this.symmetricLabel = h('label', {}, this.symmetric, t('symmetric'));
     this.snap = h('input', { type: 'checkbox', 'data-key': 'snap', onChange: () => studio.store.set({ snap: this.snap.checked }) });
+    this.library = new LibrarySection(studio, view);
     this.look = new LookRow(studio);
     this.things = new ThingList(studio);
     this.rest.append(this.restList);
     this.element = h('div', { class: 'panel' }, h('p', { class: 'quiet' }, t('goalsIntro')), this.verdict.element,
       h('div', { class: 'goal-ways' }, this.symmetricLabel, h('label', { title: t('snapAbout') }, this.snap, t('snap'))), this.list, this.rest, this.look.element, this.things.element,
       h('div', { class: 'fields' },
-        h('label', {}, durationName, this.duration, t('s')),
+        h('label', {}, durationName, this.duration.element, t('s')),
         h('label', {}, h('span', {}, t('method')), this.method),
         h('label', {}, h('span', {}, t('effort')), this.effort),
         h('label', {}, h('span', {}, t('seedNumber')), this.seed),
         button(t('seed'), () => void studio.searchAgain())),
-      new LibrarySection(studio, view, library).element);
+      this.library.element);
     this.end = studio.store.subscribe((state, previous) => {
-      if (state.document !== previous.document || state.trial !== previous.trial || state.selected !== previous.selected || state.symmetric !== previous.symmetric || state.snap !== previous.snap) this.update();
+      if (state.document !== previous.document || state.trial !== previous.trial || state.selected !== previous.selected || state.symmetric !== previous.symmetric || state.snap !== previous.snap || state.rings !== previous.rings) this.update();
     });
     this.update();
   }
@@ -129,7 +125,7 @@ export class GoalsPanel implements Panel {
     if (character === this.character && effectors === this.effectors) return;
     this.character = character;
     this.effectors = effectors;
-    const rows = (names: readonly string[]): GoalRow[] => names.map((effector) => new GoalRow(this.studio, this.view, effector));
+    const rows = (names: readonly string[]): GoalRow[] => names.map((effector) => new GoalRow(this.studio, effector));
     const [ofFirst, ofRest] = [rows(first), rows(rest)];
     this.rows = [...ofFirst, ...ofRest];
     fill(this.list, ...ofFirst.map(({ element }) => element));
@@ -152,7 +148,7 @@ export class GoalsPanel implements Panel {
     this.symmetricLabel.hidden = !hasBothHands(document);
     this.snap.checked = this.studio.store.state.snap;
     const { settings } = document;
-    this.duration.value = settings.duration_s === null ? '' : String(settings.duration_s);
+    this.duration.show(settings.duration_s);
     // as people move, or as the task says
     for (const [index, { name, natural }] of this.studio.facts.presets.entries()) {
       this.method.options[index]!.hidden = this.method.options[index]!.disabled = !natural && name !== settings.preset;
@@ -163,6 +159,7 @@ export class GoalsPanel implements Panel {
   }
 
   dispose(): void {
+    this.library.dispose();
     this.end();
   }
 }

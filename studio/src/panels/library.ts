@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The library under the goals: what is kept of goals and start postures, with pictures; a click uses it.
 import { t } from '../i18n';
-import { type Entry, kMostLibraryBytes, type Library, libraryText, type NewEntry, readLibrary } from '../kept/library';
+import { type Entry, kMostLibraryBytes, libraryText, type NewEntry, readLibrary } from '../kept/library';
 import { startOfSpec, useEntry } from '../kept/use_entry';
 import { thingsOf } from '../state/places';
 import type { Studio } from '../state/studio';
@@ -18,8 +18,11 @@ export class LibrarySection {
   private readonly send: HTMLButtonElement;
   private entries: readonly Entry[] = [];
   private renaming: string | null = null;
+  private readonly library: Studio['library'];
+  private readonly end: () => void;
 
-  constructor(private readonly studio: Studio, private readonly view: View, private readonly library: Library) {
+  constructor(private readonly studio: Studio, private readonly view: View) {
+    this.library = studio.library;
     const input = h('input', {
       type: 'file', accept: '.json', hidden: true, 'data-library': 'file',
       onChange: () => {
@@ -34,6 +37,7 @@ export class LibrarySection {
         button(t('keepStart'), () => this.keepStart(), { 'data-library': 'keep start' })),
       this.list, this.said,
       h('div', { class: 'buttons' }, this.send, button(t('importLibrary'), () => input.click()), input));
+    this.end = this.library.subscribe(() => void this.refresh());
     void this.refresh();
   }
 
@@ -131,5 +135,9 @@ export class LibrarySection {
       const bringBack = (): void => void this.act(() => this.library.put([entry]));
       fill(this.said, h('span', {}, t('deleted', { name: entry.name })), button(t('undo'), bringBack, { 'data-library': 'undo' }));
     });
+  }
+
+  dispose(): void {
+    this.end();
   }
 }

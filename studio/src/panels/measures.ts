@@ -7,7 +7,7 @@ import type { Document } from '../state/model';
 import { isRobot } from '../state/start';
 import type { Studio } from '../state/studio';
 import { h, select } from './dom';
-import { scrubbable } from './scrub';
+import { NumberInput } from './number_input';
 
 const kChair = 0.26; // statures: the height of a seat at first
 
@@ -23,22 +23,14 @@ interface Measure {
 
 /** A field for a number; one that is out of range is told of and changes nothing. */
 function field(studio: Studio, { label, unit, step, key, value, range: [low, high], apply }: Measure): HTMLElement {
-  const shown = (number: number): string => String(Number(number.toFixed(1)));
-  const input = h('input', {
-    type: 'number', min: shown(low), max: shown(high), step: String(step), value: shown(value), 'data-key': key,
-    onChange: () => {
-      const typed = Number(input.value);
-      if (input.value !== '' && typed >= low && typed <= high) return apply(typed);
-      studio.tell({ kind: 'text', key: 'badRange', values: { what: label, low: shown(low), high: shown(high), unit, value: input.value } });
-      input.value = shown(value);
-    },
-  });
-  const name = h('span', {}, label);
-  const inside = (number: number): number => Math.min(Math.max(number, low), high);
-  scrubbable(input, name, {
-    step, begin: () => Number(shown(value)), move: (number) => (input.value = shown(inside(number))), end: (number) => apply(inside(number)), back: () => (input.value = shown(value)),
-  });
-  return h('label', {}, name, input, unit);
+  const words = (number: number): string => String(Number(number.toFixed(1)));
+  const name = h('span', { title: t('scrubAbout') }, label);
+  const input = new NumberInput({
+    key, low, high, step, words, keep: apply,
+    outside: (typed) => studio.tell({ kind: 'text', key: 'badRange', values: { what: label, low: words(low), high: words(high), unit, value: typed } }),
+  }, name);
+  input.show(value);
+  return h('label', {}, name, input.element, unit);
 }
 
 /** The fields of a character's measures; `change` opens it anew with others. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Notices over the view: the sentence that says what to drag, the search's progress, messages.
-import { engineText, type Key, t } from '../i18n';
+import { failureText, type Key, t } from '../i18n';
 import { reasonWords } from '../i18n/verdict_words';
 import { candidateAt, type Document, type Notice } from '../state/model';
 import type { Studio } from '../state/studio';
@@ -9,9 +9,8 @@ import { button, fill, h, iconButton, type Panel, round } from './dom';
 
 export function noticeText(notice: Notice): string {
   if (notice.kind === 'text') return t(notice.key as Key, notice.values);
-  const { message } = notice.failure;
   const first = notice.about === undefined ? t('failed') : t('failedFile', { name: notice.about });
-  return `${first} ${engineText(message)}`;
+  return `${first} ${failureText(notice.failure)}`;
 }
 
 /** That no motion is possible, why the chosen one is not, and in what time it would be; of a single one the timeline's head tells. */

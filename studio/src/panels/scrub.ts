@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A number is changed by dragging its field or its name to the side: finer with Shift, back as it was with Escape. A press without a drag is
-// left to the field, as is a drag in a field that somebody types in.
-import { t } from '../i18n';
+// A number is changed by dragging its field or its name to the side: finer with Shift, coarser with Alt, back as it was with Escape. A press
+// without a drag is left to the field, as is a drag in a field that somebody types in.
 
 const kStart = 4; // px that a press may move and still be none
+const kTouchStart = 10; // px, of a finger, whose drag begins there
 const kPixels = 4; // for each step
 const kFine = 0.1; // with Shift
+const kCoarse = 10; // with Alt
 
 export interface Scrub {
   /** The number that a drag begins with; null: none now. */
   begin: () => number | null;
   readonly step: number;
+  readonly low: number;
+  readonly high: number;
   /** With each movement. */
   move: (value: number) => void;
   end: (value: number) => void;
@@ -26,13 +29,14 @@ interface Drag {
   begun: boolean;
 }
 
-export function scrubbable(input: HTMLInputElement, name: HTMLElement, scrub: Scrub): void {
+/** The input, and its name where that is taken hold of too. */
+export function scrubbable([input, ...names]: readonly [HTMLInputElement, ...HTMLElement[]], scrub: Scrub): void {
   let drag: Drag | null = null;
-  name.title = t('scrubAbout');
 
   const rounded = (value: number, fine: boolean): number => {
     const step = scrub.step * (fine ? kFine : 1);
-    return Number((Math.round(value / step) * step).toFixed(6));
+    const even = Number((Math.round(value / step) * step).toFixed(6));
+    return Math.min(Math.max(even, Math.min(scrub.low, drag!.from)), Math.max(scrub.high, drag!.from));
   };
   const finish = (): void => {
     drag = null;
@@ -40,6 +44,7 @@ export function scrubbable(input: HTMLInputElement, name: HTMLElement, scrub: Sc
     window.removeEventListener('keydown', key, true);
   };
   const key = (event: KeyboardEvent): void => {
+    if (event.key === 'Alt') event.preventDefault(); // some browsers open their menu
     if (event.key !== 'Escape' || !drag) return;
     event.preventDefault();
     event.stopPropagation();
@@ -47,38 +52,46 @@ export function scrubbable(input: HTMLInputElement, name: HTMLElement, scrub: Sc
     window.addEventListener('pointerup', swallowClick, { capture: true, once: true });
     scrub.back();
   };
-  const start = (target: HTMLElement, pointer: number): void => {
+  const start = (): void => {
     drag!.begun = true;
     input.blur();
-    target.setPointerCapture(pointer);
     document.body.classList.add('scrubbing');
     window.addEventListener('keydown', key, true);
   };
 
-  for (const target of [input, name]) {
+  for (const target of [input, ...names]) {
     target.classList.add('scrub-handle');
     target.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0 || input.disabled || (target === input && document.activeElement === input)) return;
+      if (event.button !== 0 || (target === input && document.activeElement === input)) return;
       const from = scrub.begin();
-      if (from !== null) drag = { pointer: event.pointerId, from, value: from, x: event.clientX, begun: false };
+      if (from === null) return;
+      target.setPointerCapture(event.pointerId); // a quick hand is off a small name with its first movement
+      drag = { pointer: event.pointerId, from, value: from, x: event.clientX, begun: false };
     });
     target.addEventListener('pointermove', (event) => {
       if (drag?.pointer !== event.pointerId) return;
       if (event.buttons === 0) return finish();
       const way = event.clientX - drag.x;
-      if (!drag.begun && Math.abs(way) < kStart) return;
-      if (!drag.begun) start(target, event.pointerId);
+      const isTouch = event.pointerType === 'touch';
+      if (!drag.begun && Math.abs(way) < (isTouch ? kTouchStart : kStart)) return;
       drag.x = event.clientX;
-      drag.value += (way / kPixels) * scrub.step * (event.shiftKey ? kFine : 1);
+      if (!drag.begun) {
+        start();
+        if (isTouch) return;
+      }
+      // a number that began out of its range may stay there
+      const [low, high] = [Math.min(scrub.low, drag.from), Math.max(scrub.high, drag.from)];
+      const times = event.shiftKey ? kFine : event.altKey ? kCoarse : 1;
+      drag.value = Math.min(Math.max(drag.value + (way / kPixels) * scrub.step * times, low), high);
       scrub.move(rounded(drag.value, event.shiftKey));
     });
     target.addEventListener('pointerup', (event) => {
       if (drag?.pointer !== event.pointerId) return;
       const { begun, from, value } = drag;
+      const number = rounded(value, event.shiftKey);
       finish();
       if (!begun) return;
       swallowClick();
-      const number = rounded(value, event.shiftKey);
       if (number === from) scrub.back();
       else scrub.end(number);
     });

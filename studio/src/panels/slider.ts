@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A slider with its number and a mark for a value to come back to; logarithmic where asked.
+// A slider with its number, which is dragged and typed too, and a mark for a value to come back to; logarithmic where asked.
 import { h, round } from './dom';
+import { NumberInput } from './number_input';
 
 export interface SliderSettings {
   label: string;
@@ -15,35 +16,56 @@ export interface SliderSettings {
   /** With each movement; `drag` is the same for all of one drag. */
   onInput: (value: number, drag: string) => void;
   onEnd?: () => void;
+  /** The drag is given up: all is as it was before it. */
+  onBack: (drag: string) => void;
+  /** What the number is dragged by besides. */
+  name: HTMLElement;
 }
 
 const kSteps = 1000;
+const kLogStep = 0.05; // a twentieth more
 let drags = 0;
 
 export class Slider {
   readonly element: HTMLElement;
   readonly range: HTMLInputElement;
-  private readonly number: HTMLInputElement;
+  private readonly number: NumberInput;
   private readonly mark: HTMLElement | null;
   private drag = '';
   private held = false;
 
   constructor(private readonly settings: SliderSettings) {
-    const { label, mark, markTitle } = settings;
+    const { label, low, high, log, unit, mark, markTitle } = settings;
     this.range = h('input', {
       type: 'range', min: '0', max: String(kSteps), step: '1', 'aria-label': label,
       onPointerdown: () => this.begin(),
       onInput: () => this.moved(),
       onChange: () => this.end(),
     });
-    this.number = h('input', {
-      type: 'number', class: 'number', step: 'any', 'aria-label': settings.unit ? `${label} (${settings.unit})` : label,
-      onChange: () => this.typed(),
-    });
+    this.number = new NumberInput({
+      low, high, log, step: log ? kLogStep : 10 ** -(settings.digits ?? 2), words: (value) => this.text(value), label: unit ? `${label} (${unit})` : label,
+      move: (value) => {
+        if (!this.held) this.begin();
+        this.set(value);
+        this.input(value);
+      },
+      keep: (value) => {
+        this.set(value);
+        this.input(value);
+        this.end();
+      },
+      back: () => {
+        const { drag } = this;
+        this.held = false;
+        this.drag = '';
+        if (drag !== '') settings.onBack(drag);
+      },
+    }, settings.name);
+    this.number.element.classList.add('number');
     this.mark = mark === undefined ? null : h('span', { class: 'mark', title: markTitle ?? '' });
     if (this.mark) this.place(mark!);
     this.element = h('div', { class: 'slider' },
-      h('div', { class: 'track' }, this.mark, this.range), this.number, h('span', { class: 'unit' }, settings.unit ?? ''));
+      h('div', { class: 'track' }, this.mark, this.range), this.number.element, h('span', { class: 'unit' }, settings.unit ?? ''));
     this.show(settings.value);
   }
 
@@ -77,11 +99,24 @@ export class Slider {
   }
 
   private moved(): void {
-    if (this.drag === '') this.drag = `${this.settings.label} ${++drags}`;
     const { value } = this;
-    this.number.value = this.text(value);
-    this.range.setAttribute('aria-valuetext', `${this.text(value)} ${this.settings.unit ?? ''}`.trim());
+    this.number.show(value);
+    this.tell(value);
+    this.input(value);
+  }
+
+  private input(value: number): void {
+    if (this.drag === '') this.drag = `${this.settings.label} ${++drags}`;
     this.settings.onInput(value, this.drag);
+  }
+
+  private tell(value: number): void {
+    this.range.setAttribute('aria-valuetext', `${this.text(value)} ${this.settings.unit ?? ''}`.trim());
+  }
+
+  private set(value: number): void {
+    this.range.value = String(Math.round(this.share(value) * kSteps));
+    this.tell(value);
   }
 
   private end(): void {
@@ -90,21 +125,11 @@ export class Slider {
     this.settings.onEnd?.();
   }
 
-  private typed(): void {
-    const value = Number(this.number.value);
-    if (!Number.isFinite(value) || this.number.value === '') return this.show(this.value);
-    const inside = Math.min(Math.max(value, this.settings.low), this.settings.high);
-    this.show(inside);
-    this.settings.onInput(inside, `${this.settings.label} ${++drags}`);
-    this.settings.onEnd?.();
-  }
-
   /** From outside: does not disturb a drag. */
   show(value: number): void {
     if (this.held) return;
-    this.range.value = String(Math.round(this.share(value) * kSteps));
-    if (document.activeElement !== this.number) this.number.value = this.text(value);
-    this.range.setAttribute('aria-valuetext', `${this.text(value)} ${this.settings.unit ?? ''}`.trim());
+    this.set(value);
+    this.number.show(value);
   }
 
   set disabled(disabled: boolean) {

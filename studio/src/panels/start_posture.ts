@@ -4,6 +4,7 @@ import type { CharacterSpec } from '../../../bindings/wasm/src/types';
 import { t } from '../i18n';
 import type { Document } from '../state/model';
 import { h, select } from './dom';
+import { NumberInput, withDigits } from './number_input';
 
 type Change = (more: Pick<CharacterSpec, 'animation' | 'frame'>) => void;
 
@@ -41,19 +42,26 @@ function frameField({ animation, frame }: CharacterSpec, frames: number, timed: 
   const last = frames - 1;
   const text = (value: number): string => (timed ? t('seconds', { t: (value / kRate).toFixed(2) }) : `/ ${last}`);
   const time = h('span', { class: 'quiet' }, text(Number(frame)));
-  const number = h('input', { type: 'number', min: '0', max: String(last), step: '1', value: String(frame), 'aria-label': t('frame'), 'data-key': 'frame' });
   const range = h('input', { type: 'range', min: '0', max: String(last), step: '1', value: String(frame), 'aria-label': t('frame') });
   const show = (value: number): void => {
-    number.value = range.value = String(value);
+    range.value = String(value);
+    number.show(value);
     time.textContent = text(value);
   };
-  const take = (typed: number): void => {
-    const value = Math.min(Math.max(Math.round(typed) || 0, 0), last);
-    show(value);
-    change({ animation, frame: value });
+  const take = (value: number): void => {
+    show(Math.round(value));
+    change({ animation, frame: Math.round(value) });
   };
+  const name = h('span', { title: t('scrubAbout') }, t('frame'));
+  const number = new NumberInput({
+    low: 0, high: last, step: 1, words: withDigits(0), label: t('frame'), key: 'frame', keep: take, back: () => show(Number(frame)),
+    move: (value) => {
+      range.value = String(Math.round(value));
+      time.textContent = text(Math.round(value));
+    },
+  }, name);
+  show(Number(frame));
   range.addEventListener('input', () => show(Number(range.value)));
   range.addEventListener('change', () => take(Number(range.value)));
-  number.addEventListener('change', () => take(Number(number.value)));
-  return h('div', { class: 'frame' }, h('span', {}, t('frame')), range, number, time);
+  return h('div', { class: 'frame' }, name, range, number.element, time);
 }

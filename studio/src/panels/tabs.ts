@@ -3,14 +3,21 @@
 import { t } from '../i18n';
 import type { Tab } from '../state/model';
 import type { Studio } from '../state/studio';
-import { h, type Panel } from './dom';
+import { button, fill, h, type Panel } from './dom';
+
+/** A panel, or what fetches it when it is first looked at. */
+export type TabPanel = Panel | (() => Promise<Panel>);
 
 export class Tabs implements Panel {
   readonly element: HTMLElement;
   private readonly tabs = new Map<Tab, HTMLButtonElement>();
+  private readonly elements = new Map<Tab, HTMLElement>();
+  private readonly made: Panel[] = [];
+  private readonly wanted = new Map<Tab, () => Promise<Panel>>(); // not fetched yet
+  private disposed = false;
   private readonly end: () => void;
 
-  constructor(private readonly studio: Studio, private readonly panels: Record<Tab, Panel>) {
+  constructor(private readonly studio: Studio, panels: Record<Tab, TabPanel>) {
     const names = Object.keys(panels) as Tab[];
     const list = h('div', { class: 'tabs', role: 'tablist', 'aria-label': t('panels'), onKeydown: (event: KeyboardEvent) => this.key(event, names) });
     for (const name of names) {
@@ -19,17 +26,29 @@ export class Tabs implements Panel {
       }, t(name));
       this.tabs.set(name, tab);
       list.append(tab);
-      const { element } = panels[name];
-      element.id = `panel-${name}`;
-      element.setAttribute('role', 'tabpanel');
-      element.setAttribute('aria-labelledby', tab.id);
-      element.tabIndex = 0;
     }
-    this.element = h('aside', { class: 'side', 'aria-label': t('panels') }, list, ...names.map((name) => panels[name].element));
+    this.element = h('aside', { class: 'side', 'aria-label': t('panels') }, list);
+    for (const name of names) {
+      const panel = panels[name];
+      if (typeof panel === 'function') this.wanted.set(name, panel);
+      else this.made.push(panel);
+      const element = typeof panel === 'function' ? h('div', { class: 'panel' }) : panel.element;
+      this.place(name, element);
+      this.element.append(element);
+    }
     this.end = studio.store.subscribe((state, previous) => {
       if (state.tab !== previous.tab) this.update();
     });
     this.update();
+  }
+
+  private place(name: Tab, element: HTMLElement): void {
+    element.id = `panel-${name}`;
+    element.setAttribute('role', 'tabpanel');
+    element.setAttribute('aria-labelledby', `tab-${name}`);
+    element.tabIndex = 0;
+    element.hidden = name !== this.studio.store.state.tab;
+    this.elements.set(name, element);
   }
 
   private update(): void {
@@ -37,7 +56,28 @@ export class Tabs implements Panel {
     for (const [name, tab] of this.tabs) {
       tab.setAttribute('aria-selected', String(name === now));
       tab.tabIndex = name === now ? 0 : -1;
-      this.panels[name].element.hidden = name !== now;
+      this.elements.get(name)!.hidden = name !== now;
+    }
+    void this.fetch(now);
+  }
+
+  /** Puts a panel in its place that was not there yet. */
+  private async fetch(name: Tab): Promise<void> {
+    const wanted = this.wanted.get(name);
+    if (!wanted) return;
+    this.wanted.delete(name);
+    const place = this.elements.get(name)!;
+    try {
+      const panel = await wanted();
+      if (this.disposed) return panel.dispose();
+      this.made.push(panel);
+      this.place(name, panel.element);
+      const focused = place.contains(document.activeElement);
+      place.replaceWith(panel.element);
+      if (focused) panel.element.focus();
+    } catch {
+      this.wanted.set(name, wanted);
+      fill(place, h('p', { role: 'alert' }, t('partFailed')), button(t('tryAgain'), () => void this.fetch(name)));
     }
   }
 
@@ -55,6 +95,7 @@ export class Tabs implements Panel {
 
   dispose(): void {
     this.end();
-    for (const panel of Object.values(this.panels)) panel.dispose();
+    this.disposed = true;
+    for (const panel of this.made) panel.dispose();
   }
 }

@@ -3,7 +3,6 @@
 import { t } from '../i18n';
 import type { Studio } from '../state/studio';
 import { save } from '../state/take_away';
-import { filmType, lengthOf } from '../view/film';
 import type { View } from '../view/view';
 import { button, h, select } from './dom';
 
@@ -49,22 +48,25 @@ export class TakeFilm {
 
   private async take(): Promise<void> {
     const { studio, fps, plays, view } = this;
+    const films = await import('../view/film').catch(() => null);
+    if (!films) return studio.tell({ kind: 'text', key: 'partFailed' });
     if (!studio.chosen() || this.running) return;
-    if (filmType() === null) return studio.tell({ kind: 'text', key: 'noFilm' });
+    const { canFilm, isPlayed, secondsOf } = films;
+    if (!canFilm()) return studio.tell({ kind: 'text', key: 'noFilm' });
     const controller = new AbortController();
     this.running = controller;
     this.show(true);
-    // a page that is not seen draws nothing
+    const settings = { size: kSizes[this.size], fps, plays, turntable: this.turntable.checked, transparent: this.transparent.checked };
+    // a page that is not seen plays nothing
     const hidden = (): void => {
       if (document.hidden) controller.abort();
     };
-    document.addEventListener('visibilitychange', hidden);
     try {
-      const settings = { size: kSizes[this.size], fps, plays, turntable: this.turntable.checked, transparent: this.transparent.checked };
+      if (await isPlayed(settings)) document.addEventListener('visibilitychange', hidden);
       const bytes = await view.film(settings, controller.signal, (share) => (this.progress.value = share));
       const file = { name: 'shigusa-view.webm', bytes, type: 'video/webm' };
       save(file);
-      studio.tell({ kind: 'text', key: 'filmSaved', values: { name: file.name, s: lengthOf(settings, studio.clock.duration).toFixed(1) } });
+      studio.tell({ kind: 'text', key: 'filmSaved', values: { name: file.name, s: secondsOf(settings, studio.clock.duration).toFixed(1) } });
     } catch (error) {
       if (controller.signal.aborted) studio.tell({ kind: 'text', key: document.hidden ? 'filmHidden' : 'filmCancelled' });
       else studio.fail(error);

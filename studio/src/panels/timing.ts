@@ -19,13 +19,14 @@ export class TimingSection {
     this.element = h('details', { open: true }, h('summary', {}, t('timing')));
     this.sliders = kRows.map(([name, key]) => {
       const [low, high] = studio.facts.ranges[name];
+      const label = h('span', { class: 'row-name' }, t(key));
       const slider = new Slider({
-        label: t(key), value: 0, low: 100 * low, high: 100 * high, digits: 0, mark: 0, unit: '%',
+        label: t(key), name: label, value: 0, low: 100 * low, high: 100 * high, digits: 0, mark: 0, unit: '%',
         onInput: (percent) => this.moved(name, percent / 100),
         onEnd: () => this.ended(),
+        onBack: () => this.dropped(),
       });
       slider.range.dataset['parameter'] = name;
-      const label = h('span', { class: 'row-name' }, t(key));
       const row = h('div', { class: 'row' }, h('div', { class: 'row-head' }, label), slider.element);
       giveTip(row, label, slider.range, () => ({ text: engineWord('timing', name) }));
       this.element.append(row);
@@ -35,7 +36,13 @@ export class TimingSection {
 
   private moved(name: 'ease' | 'gaze_lead', value: number): void {
     this.asked = { ...this.asked, [name]: Number(value.toFixed(3)) };
-    void tryTiming(this.studio, this.asked);
+    const { asked } = this;
+    void tryTiming(this.studio, asked, () => this.asked === asked);
+  }
+
+  private dropped(): void {
+    this.asked = {};
+    this.studio.store.set({ preview: null });
   }
 
   private ended(): void {

@@ -3,6 +3,7 @@
 import type { CharacterSpec, Generated, Summary, Task } from '../../../bindings/wasm/src/types';
 import { digestOf } from '../kept/digest';
 import { workOfResult } from '../kept/in_result';
+import { isLibrary, kMostLibraryBytes, readLibrary } from '../kept/library';
 import { openWork } from '../kept/pack';
 import { takeWanted } from '../kept/wanted';
 import { characterFormat, characterFormats, endingOf, isBuiltIn } from './formats';
@@ -37,7 +38,7 @@ export async function openFile(studio: Studio, file: File, beside: readonly File
   studio.store.set({ opening: file.name, notice: null });
   try {
     const bytes = new Uint8Array(await file.arrayBuffer());
-    if (isJson) await openJson(studio, new TextDecoder().decode(bytes), beside);
+    if (isJson) await openJson(studio, file.name, new TextDecoder().decode(bytes), beside);
     else await openCharacter(studio, { source: file.name }, bytes);
   } catch (error) {
     studio.fail(error, file.name);
@@ -57,15 +58,20 @@ export async function openCharacter(studio: Studio, spec: CharacterSpec, bytes?:
   void studio.begin(document).catch((error: unknown) => studio.fail(error));
 }
 
-async function openJson(studio: Studio, text: string, beside: readonly File[]): Promise<void> {
+async function openJson(studio: Studio, name: string, text: string, beside: readonly File[]): Promise<void> {
   const value: unknown = JSON.parse(text);
   if (typeof value !== 'object' || value === null) throw new SyntaxError('no result and no task');
-  if (Array.isArray((value as Summary).candidates)) {
+  if (isLibrary(value)) {
+    if (text.length > kMostLibraryBytes) return studio.tell({ kind: 'text', key: 'tooLarge', values: { name, most: kMostLibraryBytes / 1e6 } });
+    const entries = readLibrary(text);
+    await studio.library.add(entries);
+    studio.store.set({ tab: 'goals' }); // where it is
+    studio.tell({ kind: 'text', key: 'importedLibrary', values: { n: entries.length } });
+  } else if (Array.isArray((value as Summary).candidates)) {
     const changed = await changedFile(value as Summary, beside);
     if (changed !== undefined) return studio.tell({ kind: 'text', key: 'changedFile', values: { name: changed } });
     await openResult(studio, value as Summary, beside);
-  }
-  else if (Array.isArray((value as Task).goals)) await openTask(studio, value);
+  } else if (Array.isArray((value as Task).goals)) await openTask(studio, value);
   else throw new SyntaxError('neither a result ("candidates") nor a task ("goals")');
 }
 

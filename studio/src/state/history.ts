@@ -8,6 +8,7 @@ export class History<T> {
   private past: T[] = [];
   private future: T[] = [];
   private key: string | undefined;
+  private undone: T[] = []; // what could be redone before the last step
 
   constructor(private present: T) {}
 
@@ -24,6 +25,7 @@ export class History<T> {
   /** A step. Steps in a row that have the same key, as those of one slider's drag, are one. */
   push(value: T, key?: string): void {
     if (key === undefined || key !== this.key) {
+      this.undone = this.future;
       this.past.push(this.present);
       if (this.past.length > kMostSteps) this.past.shift();
     }
@@ -50,6 +52,15 @@ export class History<T> {
     }
     this.key = undefined;
     return this.present;
+  }
+
+  /** As if the last step, one with this key, had not been; false where it was another. */
+  takeBack(key: string): boolean {
+    if (key !== this.key || this.past.length === 0) return false;
+    this.present = this.past.pop()!;
+    this.future = this.undone;
+    this.key = undefined;
+    return true;
   }
 
   redo(): T {

@@ -76,6 +76,7 @@ export interface State {
   readonly saving: Saving;
   readonly notice: Notice | null;
   readonly symmetric: boolean; // hands' goals move alike
+  readonly rings: boolean; // rings turn what is selected, in place of arrows that move it
   readonly snap: boolean; // places that are dragged snap to the floor, things, the other hand
   readonly selected: string; // effector, or a thing in the way
   readonly start: boolean; // the cards to begin with
@@ -110,6 +111,7 @@ export const initialState: State = {
   saving: 'none',
   notice: null,
   symmetric: false,
+  rings: false,
   snap: false,
   selected: 'right_hand',
   start: false,

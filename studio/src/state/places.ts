@@ -4,8 +4,10 @@
 import type { Goal, Obstacle, Quat, Vec3 } from '../../../bindings/wasm/src/types';
 import { aboveFloor, leastHeight } from './floor';
 import { type Document, goalOf } from './model';
+import { isUnturned } from './turning';
 
 const kThing = '@thing '; // no effector's name begins so
+const kOnFloor = 1e-6; // m
 const kNone: readonly Obstacle[] = [];
 
 export const lookName = '@look';
@@ -61,11 +63,25 @@ export function withThing(document: Document, index: number, change: Partial<Obs
   return withThings(document, things);
 }
 
-/** The document with a goal or a thing elsewhere, a goal also turned. */
+/** The thing turned; what stands on the floor stands there still, and nothing goes into it. */
+export function withThingTurned(document: Document, index: number, rotation: Quat): Document {
+  const thing = thingsOf(document)[index];
+  if (!thing) return document;
+  const { rotation_xyzw: _, ...rest } = thing;
+  const turned: Obstacle = isUnturned(rotation) ? rest : { ...rest, rotation_xyzw: rotation };
+  const [x, y, z] = thing.position_m;
+  const least = standing(turned);
+  const stands = Math.abs(y - standing(thing)) < kOnFloor;
+  const things = [...thingsOf(document)];
+  things[index] = { ...turned, position_m: [x, stands ? least : Math.max(y, least), z] };
+  return withThings(document, things);
+}
+
+/** The document with a goal or a thing elsewhere, or turned. */
 export function moved(document: Document, name: string, position: Vec3, rotation?: Quat): Document {
   if (name === lookName) return withLook(document, position);
   const index = thingOf(name);
-  if (index !== null) return withThing(document, index, { position_m: position });
+  if (index !== null) return rotation ? withThingTurned(document, index, rotation) : withThing(document, index, { position_m: position });
   const goal: Goal = { ...(goalOf(document, name) ?? { effector: name }), position_m: position };
   if (rotation !== undefined) goal.rotation_xyzw = rotation;
   return withGoal(document, goal);
@@ -77,11 +93,11 @@ function standing({ size_m = [0, 0, 0], radius_m = 0, rotation_xyzw: [x, y, z, w
   return radius_m + size_m.reduce((sum, side, k) => sum + Math.abs(upward[k]!) * side, 0) / 2;
 }
 
-/** How high a place must be, m: of a goal with the rotation that it has where none is given. */
-export function leastOf(document: Document, name: string, rotation?: Quat): number {
+/** How high a place must be, m. */
+export function leastOf(document: Document, name: string): number {
   if (name === lookName) return 0;
   const index = thingOf(name);
-  if (index === null) return leastHeight(document.character, name, rotation ?? goalOf(document, name)?.rotation_xyzw);
+  if (index === null) return leastHeight(document.character, name, goalOf(document, name)?.rotation_xyzw);
   const thing = thingsOf(document)[index];
   return thing ? standing(thing) : 0;
 }

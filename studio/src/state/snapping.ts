@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Places that are dragged snap to the floor, to the faces of things in the way and to the other hand. Hands stay off faces by their
-// thickness, so that they lie on a table and not in it.
+// thickness and a little more, as they are not flat, so that they lie on a table and not in it.
 import { Quaternion, Vector3 } from 'three';
 import type { Obstacle } from '../../../bindings/wasm/src/types';
 import { type Document, goalOf } from './model';
 import { leastOf, thingName, thingOf, thingsOf } from './places';
 
 const kReach = 0.05; // m: what is farther does not attract
+const kClear = 0.012; // m, between a hand as it is thick and a face
 
 export interface Snap {
   readonly place: Vector3;
@@ -102,16 +103,17 @@ function besideOtherHand(document: Document, name: string): Snap[] {
 export function snapOf(document: Document, name: string, place: Vector3, ray?: Ray): Snap | null {
   const index = thingOf(name);
   const thickness = thicknessOf(document, name);
+  const off = thickness > 0 ? thickness + kClear : 0;
   const things = thingsOf(document);
   if (index === null && ray) {
-    const struck = things.map((thing, k) => struckFace(thing, ray, thickness, thingName(k))).filter((hit) => hit !== null);
+    const struck = things.map((thing, k) => struckFace(thing, ray, off, thingName(k))).filter((hit) => hit !== null);
     const first = struck.sort((a, b) => a.far - b.far)[0];
     if (first) return first.snap;
   }
   const floor: Snap = { place: place.clone().setY(Math.max(leastOf(document, name), thickness)), normal: new Vector3(0, 1, 0), to: 'floor' };
   const all = [
     floor, ...besideOtherHand(document, name),
-    ...(index === null ? things.map((thing, k) => nearestFace(thing, place, thickness, thingName(k))) : tops(document, index, place)),
+    ...(index === null ? things.map((thing, k) => nearestFace(thing, place, off, thingName(k))) : tops(document, index, place)),
   ];
   const distance = (snap: Snap): number => snap.place.distanceTo(place);
   const nearest = all.reduce((best, snap) => (distance(snap) < distance(best) ? snap : best));

@@ -18,6 +18,7 @@ export class Studio extends Workbench {
   readonly timings = new Timings();
   private running: AbortController | null = null;
   private warm = false;
+  private takenBack = ''; // the drag of a slider that was given up last
   private interrupted = false; // a drag has ended a search
 
   // ---- Steps -------------------------------------------------------------------------------------
@@ -36,6 +37,10 @@ export class Studio extends Workbench {
     const document = step(this.history);
     this.publish(document, { preview: null, notice: null, dragging: false, trial: null });
     if (document.result === null) void this.search();
+  }
+
+  private takeBack(key: string): void {
+    if (this.history?.takeBack(key)) this.publish(this.history.value, { notice: null });
   }
 
   // ---- Goals -------------------------------------------------------------------------------------
@@ -170,6 +175,7 @@ export class Studio extends Workbench {
   private async warmUp(document: Document): Promise<void> {
     if (this.warm) return;
     this.warm = true;
+    await this.eye?.firstPicture();
     try {
       for (let k = 0; k < 8 && !this.store.state.dragging; ++k) await this.engine.preview(document.character, previewTask(this.facts, document));
     } catch {
@@ -230,9 +236,16 @@ export class Studio extends Workbench {
     const document = this.document;
     if (document === null || index === document.chosen) return;
     this.commit({ ...document, compared: document.compared === index ? null : index });
+    this.store.set({ hint: false }); // it would cover the figures' signs
   }
 
   // ---- Parameters --------------------------------------------------------------------------------
+
+  /** The slider is back where it was: the step that its drag has made is none. */
+  takeBackEdit(drag: string): void {
+    this.takenBack = drag;
+    this.takeBack(`edit ${this.document?.chosen} ${drag}`);
+  }
 
   /** Plays the chosen candidate anew with changed parameters. Changes of one `drag` are one step. */
   async edit(assignments: Readonly<Record<string, string>>, drag?: string): Promise<void> {
@@ -244,7 +257,7 @@ export class Studio extends Workbench {
     try {
       const generated = await this.engine.replay(document.character, base.summary, base.candidate, listed(all));
       const now = this.document;
-      if (!generated || !now || now.result !== document.result) return;
+      if (!generated || !now || now.result !== document.result || (drag !== undefined && drag === this.takenBack)) return;
       const edits = { ...now.edits, [index]: { base, assignments: all, generated } };
       this.commit({ ...now, edits }, drag === undefined ? undefined : `edit ${index} ${drag}`);
       this.timings.add(this.timings.sliderToMotion, since, generated.engine_ms);
@@ -279,9 +292,17 @@ export class Studio extends Workbench {
       if (this.document !== document) return await this.mirror();
       this.commit(mirrored);
       this.store.set({ selected: mirrored.goals[0]?.effector ?? this.store.state.selected });
+      this.lookMirrored();
     } catch (error) {
       this.fail(error);
     }
+  }
+
+  /** From the other side, where the hand that acts is now. */
+  private lookMirrored(): void {
+    if (!this.eye) return;
+    const { position_m: [x, y, z], target_m: [u, v, w] } = this.eye.look();
+    this.eye.lookFrom({ position_m: [-x, y, z], target_m: [-u, v, w] });
   }
 
   private async mirrored(document: Document, found: Generated): Promise<Document> {
@@ -311,6 +332,10 @@ export class Studio extends Workbench {
     const document = this.document;
     if (document === null) return;
     this.commit({ ...document, weights: { ...document.weights, [name]: weight } }, `weigh ${drag}`);
+  }
+
+  takeBackWeight(drag: string): void {
+    this.takeBack(`weigh ${drag}`);
   }
 
   // ---- Whole documents ---------------------------------------------------------------------------
@@ -373,6 +398,7 @@ export class Studio extends Workbench {
 
   /** The strip figure as SVG; null where the body has none, or where it has been replaced meanwhile. */
   async strip(index: number, candidate: Candidate): Promise<Uint8Array | null> {
+    await this.eye?.firstPicture();
     const document = this.document;
     if (document === null || candidateAt(document, index) !== candidate) return null;
     try {

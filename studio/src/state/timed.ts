@@ -10,15 +10,15 @@ function timed(summary: Summary, timing: Timed): Summary {
   return { ...summary, task: { ...(summary['task'] as Task), ...timing } };
 }
 
-/** Shows what the chosen motion would be; kept by the next. */
-export async function tryTiming(studio: Studio, timing: Timed): Promise<void> {
+/** Shows what the chosen motion would be, where that is wanted still; kept by the next. */
+export async function tryTiming(studio: Studio, timing: Timed, isWanted: () => boolean): Promise<void> {
   const { document } = studio;
   if (!document?.result) return;
   const edited = document.edits[document.chosen]?.generated.summary;
   const [summary, candidate] = edited ? [edited, 1] : [document.result.summary, document.chosen + 1];
   try {
     const generated = await studio.engine.replay(document.character, timed(summary, timing), candidate, []);
-    if (generated && studio.document === document) studio.store.set({ preview: generated.candidates[0] ?? null, previewRemaining_mm: 0 });
+    if (generated && studio.document === document && isWanted()) studio.store.set({ preview: generated.candidates[0] ?? null, previewRemaining_mm: 0 });
   } catch (error) {
     studio.fail(error);
   }

@@ -2,6 +2,7 @@
 // The document on the table: its steps, what is shown of it and when, and what is told about it.
 import type { Candidate, Character, Engine, Facts } from '../../../bindings/wasm/src/types';
 import { failureOf } from '../engine/connect';
+import { Library } from '../kept/library';
 import type { Look } from '../kept/work';
 import { Clock } from './clock';
 import { History } from './history';
@@ -15,12 +16,17 @@ export interface Eye {
   look(): Look;
   lookFrom(look: Look): void;
   onLook(listener: () => void): void;
+  /** Once the page has its first picture: a machine has then time for what nobody waits for. */
+  firstPicture(): Promise<void>;
 }
 
 export class Workbench {
   readonly store = new Store<State>(initialState);
   readonly clock = new Clock();
+  readonly library = new Library();
   eye: Eye | null = null;
+  /** From where the view is to be seen once there is one. */
+  firstLook: Look | null = null;
   protected history: History<Document> | null = null;
   private characters = new Set<Character>();
 

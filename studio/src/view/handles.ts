@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Handles that a person drags: a ball at each goal, a smaller one at each hand, foot and the head that has none yet, and a square at each
-// thing in the way. The selected one has arrows along the axes too, and rings where its rotation is asked for.
+// thing in the way. The selected one has arrows along the axes too, or rings where its rotation is asked for.
 import {
   CanvasTexture, Group, Object3D, Plane, type Ray, Raycaster, Sprite, SpriteMaterial, SRGBColorSpace, Vector2, Vector3,
 } from 'three';
@@ -21,7 +21,7 @@ export interface HandleEvents {
   /** Where it goes instead, as it snaps; `inverted`: the modifier key is held. */
   snap(name: string, place: Vector3, inverted: boolean, ray?: Ray): Vector3;
   /** How high it must be, m. */
-  least(name: string, rotation?: Quat): number;
+  least(name: string): number;
 }
 
 /** goal: asked for; free, joint: a hand, foot or head, or another joint, that no goal is for; look: what the eyes are on; thing: one in the way. */
@@ -55,6 +55,7 @@ export class Handles {
   private readonly materials = { goal: disc(), free: disc(), joint: disc(), look: disc(), thing: disc(), selected: disc(), selectedThing: disc(), selectedLook: disc() };
   private readonly ray = new Raycaster();
   private rotates = false;
+  private readonly turnedAt = new Vector3(); // where what is turned was before
   private inverted = false; // Ctrl, or Command, is held
 
   constructor(private readonly stage: Stage, private readonly canvas: HTMLCanvasElement, private readonly events: HandleEvents) {
@@ -64,7 +65,8 @@ export class Handles {
     this.gizmo.addEventListener('change', () => stage.invalidate());
     this.gizmo.addEventListener('dragging-changed', (event) => {
       stage.orbit.enabled = !event.value;
-      if (!event.value) this.gizmoMoved(true);
+      if (event.value) this.turnedAt.copy(this.anchor.position);
+      else this.gizmoMoved(true);
     });
     this.gizmo.addEventListener('objectChange', () => this.gizmoMoved(false));
     this.object.add(this.anchor, this.gizmo.getHelper());
@@ -112,7 +114,8 @@ export class Handles {
       sprite.position.copy(place);
     }
     if (this.chosen && !this.gizmo.dragging) this.anchorAt(this.chosen);
-    this.rotates = rotate && this.chosen?.kind === 'goal' && this.chosen.rotation !== undefined;
+    else if (this.chosen && this.rotates) this.anchor.position.copy(this.chosen.place);
+    this.rotates = rotate && this.chosen?.rotation !== undefined;
     this.gizmo.camera = this.stage.lens.shown;
     this.gizmo.setMode(this.rotates ? 'rotate' : 'translate');
     this.gizmo.setSpace(this.rotates ? 'local' : 'world');
@@ -130,8 +133,8 @@ export class Handles {
     if (!this.chosen) return;
     const { name } = this.chosen;
     const rotation = this.rotates ? this.anchor.quaternion.toArray() : undefined;
-    clampPlace(this.anchor.position, this.events.least(name, rotation));
-    const place = (rotation ? this.anchor.position : this.events.snap(name, this.anchor.position, this.inverted)).toArray();
+    if (!rotation) clampPlace(this.anchor.position, this.events.least(name));
+    const place = (rotation ? this.turnedAt : this.events.snap(name, this.anchor.position, this.inverted)).toArray();
     if (end) this.events.drop(name, place, rotation);
     else this.events.drag(name, place, rotation);
   }
@@ -142,7 +145,7 @@ export class Handles {
     let best: Handle | null = null;
     let least = kGrab;
     for (const handle of this.handles) {
-      const p = handle.place.clone().project(this.stage.lens.shown);
+      const p = handle.place.clone().add(this.object.position).project(this.stage.lens.shown);
       const x = ((p.x + 1) / 2) * box.width + box.left;
       const y = ((1 - p.y) / 2) * box.height + box.top;
       const far = Math.hypot(event.clientX - x, event.clientY - y) * kFar[handle.kind];
@@ -171,9 +174,9 @@ export class Handles {
     this.stage.orbit.enabled = false;
     this.canvas.focus({ preventScroll: true, focusVisible: false });
     const normal = this.stage.lens.shown.getWorldDirection(new Vector3());
-    const plane = new Plane().setFromNormalAndCoplanarPoint(normal, handle.place);
+    const plane = new Plane().setFromNormalAndCoplanarPoint(normal, handle.place.clone().add(this.object.position));
     this.aim(event);
-    const hit = this.ray.ray.intersectPlane(plane, new Vector3()) ?? handle.place.clone();
+    const hit = this.ray.ray.intersectPlane(plane, new Vector3()) ?? handle.place.clone().add(this.object.position);
     this.dragged = { name: handle.name, plane, grip: handle.place.clone().sub(hit), from: handle.place.clone(), to: null };
     this.gizmo.detach();
     this.events.hover(null, 0, 0);
@@ -198,7 +201,9 @@ export class Handles {
     if (!hit) return;
     const aimed = clampPlace(hit.add(drag.grip), this.events.least(drag.name));
     if (!drag.to && aimed.distanceTo(drag.from) < kStill) return;
-    const place = this.events.snap(drag.name, aimed, this.inverted, this.ray.ray);
+    const ray = this.ray.ray.clone();
+    ray.origin.sub(this.object.position);
+    const place = this.events.snap(drag.name, aimed, this.inverted, ray);
     drag.to = place;
     this.events.drag(drag.name, place.toArray());
   };

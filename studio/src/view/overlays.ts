@@ -3,7 +3,7 @@
 // that the feet stand on, and how far a goal out of reach remains.
 import {
   BufferAttribute, BufferGeometry, CircleGeometry, DoubleSide, Group, Line, LineBasicMaterial, LineDashedMaterial, Mesh,
-  MeshBasicMaterial, RingGeometry, Shape, ShapeGeometry, SphereGeometry, Vector3,
+  MeshBasicMaterial, RingGeometry, SphereGeometry, Vector3,
 } from 'three';
 import type { Candidate, CharacterDescription, Goal, Series } from '../../../bindings/wasm/src/types';
 import { momentAt, valueAt } from './pose';
@@ -36,7 +36,7 @@ export class Overlays {
   readonly object = new Group();
   private readonly hands = new Group();
   private tracks: Track[] = [];
-  private readonly massTrack = new Track(0.75);
+  private readonly massTrack = new Track(0.5);
   private readonly mass: Mesh<SphereGeometry, MeshBasicMaterial>;
   private readonly plumb: Line<BufferGeometry, LineDashedMaterial>;
   private readonly foot: Mesh<RingGeometry, MeshBasicMaterial>;
@@ -51,6 +51,8 @@ export class Overlays {
   constructor() {
     this.mass = new Mesh(new SphereGeometry(0.022, 20, 14), new MeshBasicMaterial({ transparent: true, opacity: 0.85, depthTest: false }));
     this.mass.renderOrder = 5;
+    this.massTrack.line.material.depthTest = false; // as a whole, also where it is within the body
+    this.massTrack.line.renderOrder = 5;
     this.plumb = new Line(new BufferGeometry().setFromPoints([new Vector3(), new Vector3(0, 1, 0)]),
       new LineDashedMaterial({ dashSize: 0.03, gapSize: 0.02, transparent: true, opacity: 0.7, depthTest: false }));
     this.plumb.frustumCulled = false;
@@ -89,11 +91,10 @@ export class Overlays {
     }
     const corners = description.support_polygon;
     if (corners.length < 3) return;
-    const shape = new Shape();
-    corners.forEach(([x, z], i) => (i === 0 ? shape.moveTo(x, z) : shape.lineTo(x, z)));
-    const fill = new Mesh(new ShapeGeometry(shape).rotateX(Math.PI / 2), this.supportFill);
-    fill.position.y = kAboveFloor;
     const points = [...corners, corners[0]!].map(([x, z]) => new Vector3(x, kAboveFloor, z));
+    const area = new BufferGeometry().setFromPoints(points);
+    area.setIndex(corners.slice(2).flatMap((_, k) => [0, k + 1, k + 2])); // it is convex
+    const fill = new Mesh(area, this.supportFill);
     this.support.add(fill, new Line(new BufferGeometry().setFromPoints(points), this.supportEdge));
   }
 

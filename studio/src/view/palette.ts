@@ -12,6 +12,8 @@ export interface Palette {
   skin: Color;
   joints: Color;
   compared: Color;
+  tag: string; // of a sign over a figure
+  comparedTag: string;
   floor: Color;
   grid: Color;
   shadow: number; // opacity
@@ -37,7 +39,7 @@ export const palettes: Record<'light' | 'dark', Palette> = {
   light: {
     skin: new Color('#dedad3'),
     joints: new Color('#7b858e'),
-    compared: new Color('#7fa8c9'),
+    compared: new Color('#7fa8c9'), tag: '#6b6459', comparedTag: '#3d6f97',
     floor: new Color('#e9ecee'),
     grid: new Color('#9aa5ad'),
     shadow: 0.28,
@@ -60,7 +62,7 @@ export const palettes: Record<'light' | 'dark', Palette> = {
   dark: {
     skin: new Color('#cfcbc4'),
     joints: new Color('#6d7780'),
-    compared: new Color('#6f9cc2'),
+    compared: new Color('#6f9cc2'), tag: '#7d766b', comparedTag: '#3d6f97',
     floor: new Color('#20262b'),
     grid: new Color('#66727c'),
     shadow: 0.5,

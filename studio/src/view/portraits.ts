@@ -21,9 +21,8 @@ export class Portraits {
     return this.drawn.get(character);
   }
 
-  /** Draws a character that has none yet, as a candidate begins. */
+  /** Draws a character as a candidate begins. */
   draw(character: Character, figure: Figure, candidate: Candidate, renderer: WebGLRenderer, scene: Scene, camera: PerspectiveCamera): void {
-    if (this.drawn.has(character)) return;
     poseFigure(figure, candidate, 0);
     const middle = new Vector3(0, 0.5 * figure.height, 0);
     camera.position.copy(middle).add(new Vector3(-0.42, 0.12, 1).normalize().multiplyScalar(2.2 * figure.height));

@@ -14,6 +14,7 @@ import { type Quality, QualityControl } from './quality';
 const kInside = 0.86; // of the picture, from its middle
 const kBelowMessages = 0.7;
 const kRest = 0.25; // s without movement until the fine picture
+const kPatience = 0.8; // s that the first picture waits for its motions
 
 export class Stage {
   readonly scene = new Scene();
@@ -34,12 +35,21 @@ export class Stage {
   private rested = 0; // s since something moved
   private filming = false;
   private ended = false;
+  private waited = 0; // s for the first picture
+  private begun = false;
+  /** Whether the first picture is in the page; what else takes time waits for it. */
+  shown = false;
+  private bring: () => void = () => undefined;
+  readonly firstPicture = new Promise<void>((done) => (this.bring = done));
   /** Called before each picture with the time since the last one, s; true: something moves. */
   onFrame: (seconds: number) => boolean = () => false;
   onDraw: () => void = () => undefined;
+  /** Whether the first picture had better wait, as what it is of is soon there: each takes a slow machine half a second. */
+  isAwaited: () => boolean = () => false;
 
   constructor(private readonly host: HTMLElement, canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer.debug.checkShaderErrors = false; // who asks waits for the shader
     this.light = new Light(this.renderer, this.casters, this.drawn);
     canvas.addEventListener('webglcontextrestored', () => this.invalidate());
     this.orbit = new OrbitControls(this.camera, canvas);
@@ -144,6 +154,13 @@ export class Stage {
     const seconds = (now - this.last) / 1000;
     this.last = now;
     if (this.filming) return;
+    if (this.begun && !this.shown) {
+      this.shown = true;
+      this.dirty = true; // now with shadows
+      this.bring();
+    }
+    if (!this.begun && this.isAwaited() && (this.waited += Math.min(seconds, 0.1)) < kPatience) return;
+    this.begun = true;
     if (this.onFrame(Math.min(seconds, 0.1))) this.dirty = true;
     if (this.dirty) {
       // a picture after a rest says nothing of speed
@@ -156,6 +173,11 @@ export class Stage {
     if (this.rested > kRest && this.drawn !== this.quality.still) this.draw(this.quality.still);
   };
 
+  /** Has the graphics card make ready what the scene is drawn with, while nothing is drawn yet. */
+  prepare(): void {
+    if (!this.begun) this.renderer.compile(this.scene, this.lens.shown);
+  }
+
   private draw(quality: Quality): void {
     if (quality !== this.drawn) {
       this.drawn = quality;
@@ -165,7 +187,7 @@ export class Stage {
     this.dirty = false;
     this.onDraw();
     this.lens.sync();
-    this.light.update();
+    if (this.shown) this.light.update(); // the first picture comes without shadows, a quarter sooner
     this.renderer.render(this.scene, this.lens.shown);
   }
 

@@ -22,7 +22,7 @@ interface Film {
 }
 
 export class Thumbnails {
-  private readonly renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  private made: WebGLRenderer | null = null;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(30, 1, 0.1, 30);
   private readonly key = new DirectionalLight(0xffffff, 2.2);
@@ -39,11 +39,19 @@ export class Thumbnails {
   /** The last picture alone, for those who want nothing to move. */
   still = false;
 
-  /** `pace`: pictures a second that may be drawn, so that the large view keeps its own. */
+  /** `pace`: pictures a second that may be drawn, so that the large view keeps its own; 0 until that has its first one. */
   constructor(private readonly studio: Studio, private readonly pace: () => number) {
     this.key.position.set(-2, 4, 3);
     this.scene.add(this.key, this.fill);
     requestAnimationFrame(this.tick);
+  }
+
+  private get renderer(): WebGLRenderer {
+    if (!this.made) {
+      this.made = new WebGLRenderer({ antialias: true, alpha: true });
+      this.made.debug.checkShaderErrors = false; // as in the large view
+    }
+    return this.made;
   }
 
   paint(palette: Palette): void {
@@ -64,8 +72,6 @@ export class Thumbnails {
   /** Canvases by the candidate's index. */
   show(canvases: (HTMLCanvasElement | undefined)[]): void {
     this.canvases = canvases;
-    const character = this.studio.document?.character ?? null;
-    if (character !== this.character) void this.setCharacter(character);
   }
 
   private async setCharacter(character: Character | null): Promise<void> {
@@ -112,26 +118,38 @@ export class Thumbnails {
 
   private readonly tick = (now: number): void => {
     requestAnimationFrame(this.tick);
-    if (!this.figure || document.hidden || this.studio.store.state.dragging) return;
-    this.drawPortrait();
-    if (now - this.drawnAt >= 1000 / this.pace()) {
-      for (let tries = 0; tries < this.canvases.length; ++tries) {
-        this.next = (this.next + 1) % this.canvases.length;
-        if (!this.drawOne(this.next)) continue;
-        this.drawnAt = now;
-        break;
-      }
-    }
+    const pace = this.pace();
+    if (pace === 0 || document.hidden || this.studio.store.state.dragging) return;
+    const character = this.studio.document?.character ?? null;
+    if (character !== this.character) void this.setCharacter(character);
+    if (!this.figure) return;
+    if (now - this.drawnAt >= 1000 / pace && this.drawNext()) this.drawnAt = now;
     if (now - this.playedAt < kPlayed) return;
     this.playedAt = now;
     this.canvases.forEach((_, index) => this.play(index, now / 1000));
   };
 
-  private drawPortrait(): void {
+  /** The next picture that is missing, the portrait once a card has something to show; false where none is. */
+  private drawNext(): boolean {
+    const begun = this.canvases.some((_, index) => (this.films[index]?.left ?? kPictures) < kPictures);
+    return (begun && this.drawPortrait()) || this.drawOneOfFilms() || this.drawPortrait();
+  }
+
+  private drawOneOfFilms(): boolean {
+    for (let tries = 0; tries < this.canvases.length; ++tries) {
+      this.next = (this.next + 1) % this.canvases.length;
+      if (this.drawOne(this.next)) return true;
+    }
+    return false;
+  }
+
+  private drawPortrait(): boolean {
     const { figure, character } = this;
     const { document } = this.studio;
     const candidate = document && document.character === character ? candidateAt(document, document.chosen) : null;
-    if (figure && character && candidate) this.portraits.draw(character, figure, candidate, this.renderer, this.scene, this.camera);
+    if (!figure || !character || !candidate || this.portraits.of(character)) return false;
+    this.portraits.draw(character, figure, candidate, this.renderer, this.scene, this.camera);
+    return true;
   }
 
   /** The film of a candidate in the size that its canvas has now. */

@@ -3,14 +3,16 @@
 import { Box3, Vector3 } from 'three';
 import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
+import { ranking } from '../state/criteria';
 import { candidateAt, type Document, type State } from '../state/model';
 import { leastOf, lookName, lookOf, placeOf, thingName, thingsOf } from '../state/places';
 import { type Ray, type Snap, snapOf } from '../state/snapping';
 import { speedScale } from '../state/speed';
 import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
+import { t } from '../i18n';
 import { directionOf, type Preset } from './camera';
-import { film, type FilmSettings, type Scene as FilmScene } from './film';
+import type { FilmSettings, Scene as FilmScene } from './film';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import { headReach, placesToSee } from './framing';
 import { Ghosts } from './ghosts';
@@ -25,10 +27,12 @@ import { Ruler } from './ruler';
 import { SnapMark } from './snap_mark';
 import { Stage } from './stage';
 import { StrainedJoints } from './strained';
+import { Tags } from './tags';
 
 const kApproach = 0.75; // statures from what is selected
 const kRoom = 2.4; // times what has to be in the picture
 const kSmallSide = 112; // px, of a picture in a list
+const kTagApart = 0.16; // statures from the middle to the sign of each of two in one place
 const kBeside = 0.55; // shares of the stature between two that are compared
 
 /** Of the body's name for a bone the node: of a file by its bone map, a hand for its grip. */
@@ -47,6 +51,7 @@ export class View {
   readonly stage: Stage;
   private readonly handles: Handles;
   private readonly obstacles = new Obstacles();
+  private readonly otherObstacles = new Obstacles();
   private readonly overlays = new Overlays();
   private readonly otherOverlays = new Overlays();
   private readonly strained = new StrainedJoints();
@@ -57,18 +62,18 @@ export class View {
   private readonly ruler = new Ruler();
   private readonly speeds = new SpeedPath();
   private readonly otherSpeeds = new SpeedPath();
+  private readonly tags = new Tags();
   private character: Character | null = null;
   private figure: Figure | null = null;
   private other: Figure | null = null;
   private nodeOf = new Map<string, number>(); // by effector
   private framed: Character | null = null; // whose figure is in the picture
   private sought: Look | null = null; // until it is
+  private soughtSide: Preset | null = null;
   private unframed = false; // something may lie outside the picture
   private headReach = 0; // m, above its joint
   private listeners = new Set<(figure: Figure | null) => void>();
   private readonly ends: (() => void)[] = [];
-  /** Rings instead of arrows at a goal that has a rotation. */
-  rotate = false;
 
   constructor(
     private readonly studio: Studio, host: HTMLElement, canvas: HTMLCanvasElement,
@@ -81,22 +86,25 @@ export class View {
       drop: (name, position, rotation) => void studio.drop(name, position, rotation),
       hover: onHover,
       snap: (name, place, inverted, ray) => this.snapped(name, place, inverted, ray),
-      least: (name, rotation) => (studio.document ? leastOf(studio.document, name, rotation) : 0),
+      least: (name) => (studio.document ? leastOf(studio.document, name) : 0),
     });
-    this.stage.casters.add(this.obstacles.object, this.marks.solids);
+    this.stage.casters.add(this.obstacles.object, this.otherObstacles.object, this.marks.solids);
     const drawn = [
-      this.overlays, this.otherOverlays, this.strained, this.marks, this.snapMark, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds,
+      this.overlays, this.otherOverlays, this.strained, this.marks, this.snapMark, this.handles, this.ghosts, this.ruler, this.speeds, this.otherSpeeds, this.tags,
     ];
     this.stage.scene.add(...drawn.map(({ object }) => object));
     this.stage.onFrame = (seconds) => this.advance(seconds);
     this.stage.onDraw = () => this.pose();
+    this.stage.isAwaited = () => !this.figure || (!studio.document?.result && studio.store.state.search !== null);
     studio.eye = this;
     this.ends.push(
       studio.store.subscribe((state, previous) => this.changed(state, previous)),
       studio.clock.subscribe(() => this.stage.invalidate()),
     );
+    this.stage.setLens(studio.store.state.view);
     this.paint();
     this.changed(studio.store.state, studio.store.state);
+    if (studio.firstLook) this.lookFrom(studio.firstLook);
   }
 
   /** Colours of the theme that is on. */
@@ -104,13 +112,14 @@ export class View {
     const { theme } = this.studio.store.state;
     this.stage.paint(shownTheme(theme));
     this.overlays.paint(this.stage.palette);
-    this.otherOverlays.paint({ ...this.stage.palette, path: this.stage.palette.comparedPath });
+    this.otherOverlays.paint({ ...this.stage.palette, path: this.stage.palette.comparedPath, support: this.stage.palette.compared });
     this.strained.paint(this.stage.palette);
     this.marks.paint(this.stage.palette);
     this.snapMark.paint(this.stage.palette);
     this.marks.show(this.studio.document);
     this.handles.paint(this.stage.palette);
     this.obstacles.paint(this.stage.palette);
+    this.otherObstacles.paint(this.stage.palette);
     this.ghosts.paint(this.stage.palette);
     this.ruler.paint(this.stage.palette);
     this.showMotion(this.studio.store.state);
@@ -145,8 +154,13 @@ export class View {
     return this.sought ?? this.stage.look();
   }
 
+  firstPicture(): Promise<void> {
+    return this.stage.firstPicture;
+  }
+
   lookFrom(look: Look): void {
     this.unframed = false;
+    this.soughtSide = null;
     if (this.framed === this.character) this.stage.lookFrom(look);
     else this.sought = look;
   }
@@ -154,7 +168,9 @@ export class View {
   /** The whole body from one of the usual sides, of left and right from the one that acts. */
   lookFromSide(preset: Preset): void {
     const { document, store } = this.studio;
-    if (!document || !this.figure) return;
+    this.sought = null;
+    this.soughtSide = this.framed === this.character ? null : preset;
+    if (!document || !this.figure || this.soughtSide) return;
     this.stage.frame(this.figure.height, directionOf(preset, store.state.selected.startsWith('left') ? 1 : -1));
     this.stage.include(document.goals.map((goal) => new Vector3(...goal.position_m)));
   }
@@ -210,6 +226,7 @@ export class View {
     const asked = state.trial ?? state.document;
     this.overlays.show(this.studio.shown(), state.document?.goals ?? []);
     this.obstacles.show(asked ? thingsOf(asked) : []);
+    this.otherObstacles.show(asked && this.compared() ? thingsOf(asked) : []);
     this.marks.show(asked);
     this.otherOverlays.show(this.compared(), []);
     this.strained.show(this.studio.shown(), state.document?.character.description);
@@ -235,6 +252,7 @@ export class View {
   private async setCharacter(character: Character | null): Promise<void> {
     this.character = character;
     this.sought = null;
+    this.soughtSide = null;
     this.ghosts.setFigure(null); // the motion is soon another body's
     const figure = character ? await makeFigure(character) : null;
     if (this.character !== character) {
@@ -246,11 +264,12 @@ export class View {
     this.figure = figure;
     if (figure && character) {
       this.stage.casters.add(figure.object);
+      this.stage.prepare();
       this.nodeOf.clear();
       for (const place of character.description.places) this.nodeOf.set(place.effector, nodeOfBone(character, place.node));
       if (!this.nodeOf.has('right_foot')) this.nodeOf.set('right_foot', nodeOfBone(character, 'right_foot'));
       this.overlays.setSupport(character.description);
-      this.otherOverlays.setSupport({ ...character.description, support_polygon: [] });
+      this.otherOverlays.setSupport(character.description);
       this.ruler.setStature(character.description.stature_m);
       this.stage.frame(figure.height);
       this.headReach = 0;
@@ -259,6 +278,7 @@ export class View {
     }
     this.framed = character;
     this.sought = null;
+    if (this.soughtSide) this.lookFromSide(this.soughtSide);
     await this.setOther();
     this.showMotion(this.studio.store.state);
     this.colour();
@@ -288,25 +308,46 @@ export class View {
     this.frame(document, shown);
     if (shown) poseFigure(this.figure, shown, time);
     const compared = this.compared();
-    const apart = compared && state.compareMode === 'beside' ? kBeside * document.character.description.stature_m : 0;
+    // a figure whose hand is dragged stays where it stands
+    const apart = document.compared !== null && state.compareMode === 'beside' ? kBeside * document.character.description.stature_m : 0;
     this.figure.object.position.x = apart / 2;
-    for (const item of [this.overlays, this.ghosts, this.speeds]) item.object.position.x = apart / 2;
+    for (const item of [this.overlays, this.ghosts, this.speeds, this.obstacles, this.marks, this.handles, this.snapMark]) item.object.position.x = apart / 2;
+    this.marks.solids.position.x = apart / 2;
     if (this.other) {
       this.other.object.visible = compared !== null;
       this.other.object.position.x = -apart / 2;
-      for (const item of [this.otherOverlays, this.otherSpeeds]) item.object.position.x = -apart / 2;
+      for (const item of [this.otherOverlays, this.otherSpeeds, this.otherObstacles]) item.object.position.x = -apart / 2;
       if (compared) poseFigure(this.other, compared, (time / this.studio.clock.duration) * compared.summary.duration_s);
     }
     this.figure.object.updateMatrixWorld(true);
     this.overlays.pose(time, state.overlays && !state.dragging);
     this.otherOverlays.pose(time, state.overlays && !state.dragging);
     this.ruler.pose(this.stage.camera, apart / 2, state.view.ruler);
-    this.marks.object.visible = this.marks.solids.visible = apart === 0;
-    this.marks.pose((effector) => this.place(effector));
+    this.otherObstacles.object.visible = apart > 0 && compared !== null;
+    this.showTags(document, compared, apart);
+    this.marks.pose((effector) => this.placeInMotion(effector));
     this.strained.pose(time, (joint) => this.place(joint.replace(/_ankle$/, '_foot')));
-    this.handles.object.position.x = apart / 2;
-    this.handles.object.visible = apart === 0; // what is dragged is where the engine has it
-    this.handles.update(this.grips(state.trial ?? document), state.selected, this.rotate);
+    this.handles.update(this.grips(state.trial ?? document), state.selected, state.rings);
+  }
+
+  /** The number and the duration of each motion over its figure, where two are compared. */
+  private showTags(document: Document, compared: Candidate | null, apart: number): void {
+    const { palette, lens } = this.stage;
+    const chosen = this.studio.chosen();
+    const order = ranking(document);
+    const sign = (index: number, candidate: Candidate, colour: string, x: number): { text: string; colour: string; x: number } => ({
+      text: `${order.indexOf(index) + 1} · ${t('seconds', { t: candidate.summary.duration_s.toFixed(2) })}`, colour, x,
+    });
+    const { stature_m } = document.character.description;
+    const half = apart > 0 ? apart / 2 : kTagApart * stature_m;
+    const texts = chosen && compared && document.compared !== null
+      ? [sign(document.chosen, chosen, palette.tag, half), sign(document.compared, compared, palette.comparedTag, -half)] : [];
+    this.tags.show(texts, stature_m, lens.constantSize);
+  }
+
+  /** What is written over figures that are compared; for tests. */
+  get tagTexts(): string[] {
+    return this.tags.texts;
   }
 
   /** Where a place goes that is dragged there; marks what it snaps to. */
@@ -324,7 +365,9 @@ export class View {
 
   /** All that can be dragged. */
   private grips(asked: Document): Grip[] {
-    const grips: Grip[] = thingsOf(asked).map(({ position_m }, index) => ({ name: thingName(index), kind: 'thing', place: new Vector3(...position_m) }));
+    const grips: Grip[] = thingsOf(asked).map(({ position_m, rotation_xyzw = [0, 0, 0, 1] }, index) => ({
+      name: thingName(index), kind: 'thing', place: new Vector3(...position_m), rotation: rotation_xyzw,
+    }));
     const { goals, character } = asked;
     for (const { effector, position_m, rotation_xyzw } of goals) {
       grips.push({ name: effector, kind: 'goal', place: new Vector3(...position_m), ...(rotation_xyzw && { rotation: rotation_xyzw }) });
@@ -333,7 +376,7 @@ export class View {
     if (look) grips.push({ name: lookName, kind: 'look', place: new Vector3(...look) });
     const addFree = (effectors: readonly string[], kind: 'free' | 'joint'): void => {
       for (const effector of effectors) {
-        const place = goals.some((goal) => goal.effector === effector) ? null : this.place(effector);
+        const place = goals.some((goal) => goal.effector === effector) ? null : this.placeInMotion(effector);
         if (place) grips.push({ name: effector, kind, place });
       }
     };
@@ -363,6 +406,11 @@ export class View {
     return node ? node.getWorldPosition(new Vector3()) : null;
   }
 
+  /** The same, wherever the figure stands beside another one. */
+  private placeInMotion(effector: string): Vector3 | null {
+    return this.place(effector)?.sub(this.figure!.object.position) ?? null;
+  }
+
   /** Where an effector's node is drawn, m; for tests. */
   drawn(effector: string): Vec3 | null {
     const reached = this.studio.chosen()?.summary.reached.find((r) => r.effector === effector);
@@ -389,6 +437,7 @@ export class View {
 
   /** A film of it, without the handles; playing stops. */
   async film(settings: FilmSettings, signal: AbortSignal, progress: (share: number) => void): Promise<Uint8Array> {
+    const { film } = await import('./film');
     const { clock } = this.studio;
     this.studio.play(false);
     const shown = clock.time;
@@ -423,6 +472,11 @@ export class View {
     return this.ghosts.placesOf(this.nodeOf.get(effector) ?? -1);
   }
 
+  /** Whether the character's figure is in the picture; for tests. */
+  get framesCharacter(): boolean {
+    return this.framed === this.character;
+  }
+
   /** How high the figure is drawn above the floor, m, and how closed its hands are; for tests. */
   drawnFigure(): DrawnFigure | null {
     if (!this.figure) return null;
@@ -454,6 +508,7 @@ export class View {
     const place = asked ? new Vector3(...asked) : this.place(name);
     if (!place) return null;
     const box = this.stage.renderer.domElement.getBoundingClientRect();
+    if (asked) place.x += this.handles.object.position.x;
     const p = place.project(this.stage.lens.shown);
     return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
   }

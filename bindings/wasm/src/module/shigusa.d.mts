@@ -19,6 +19,7 @@ export interface ShigusaModule {
   _shigusa_abi_version(): number;
   _shigusa_version(): number;
   _shigusa_message(): number;
+  _shigusa_failure(json: number): number;
   _shigusa_bytes_data(bytes: number): number;
   _shigusa_bytes_size(bytes: number): number;
   _shigusa_bytes_free(bytes: number): void;

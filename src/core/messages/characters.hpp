@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "core/messages/message_text.hpp"
+
+namespace shigusa::messages {
+
+// Sentences of characters: their files, settings and start postures.
+inline constexpr std::array kCharacters{
+    MessageText{"no_person",
+                "no person: {}; if it is one, say which nodes are its bones with --map"},
+    MessageText{"length_out_of_range", "{} is {} m; allowed are {:g} to {:g} m"},
+    MessageText{"out_of_range", "{} is {} {}; allowed are {:g} to {:g} {}"},
+    MessageText{"mirrored_file",
+                "files with the character's own skeleton keep the mirrored axes: goals are not "
+                "where they stand in them"},
+    MessageText{"other_person",
+                "is not the person of the result, {}, who may have been mirrored or changed since"},
+    MessageText{"seat_of_one_side", "a seat is not for a body of one side"},
+    MessageText{"rest_of_no_animation",
+                "the rest pose is of no animation: leave the frame or the animation out"},
+    MessageText{"no_animation_frame",
+                "frame {} does not exist: the file has no animation, only its rest pose; leave the "
+                "frame out"},
+    MessageText{"toes_guessed", "nothing follows {}: the toes are taken as of average length"},
+    MessageText{"no_frame", "frame {} does not exist; the file has {}"},
+    MessageText{"one_frame", "only frame 0"},
+    MessageText{"frames", "the frames 0 to {}"},
+    MessageText{"bind_pose",
+                "the nodes rest in the middle of a motion: the pose in which the mesh was bound is "
+                "taken in that one's place"},
+    MessageText{"not_standing", "the nodes do not rest as who stands does{}"},
+    MessageText{"standing_animation", "; frame 0 of the animation '{}' does: --animation"},
+    MessageText{
+        "arms_spread",
+        "the file begins with arms spread out: they hang at the start; with --frame 0 they do not"},
+    MessageText{"no_humanoid", "no humanoid robot: {}"},
+    MessageText{"option_of_person",
+                "{} is of a person, and {} is a robot, which has its own: leave it out"},
+    MessageText{"hand_axis_alone",
+                "is of left_hand and right_hand; {} takes a rotation, or an axis as a vector"},
+    MessageText{"square_axes",
+                "two axes of a hand are square to each other and cannot point along one line"},
+    MessageText{"unknown_character", "{}, or a file that ends in {}"},
+    MessageText{"not_as_glb", "motions cannot leave as GLB: {}"},
+    MessageText{"one_motion", "holds one motion without a name: leave the animation out"},
+    MessageText{
+        "heels_no_toes",
+        "heels lift about the toes, and no node is found to be {}: with --map {}=NODE one is"},
+    MessageText{"heels_short_toes",
+                "heels lift about the toes, and {} stands {:.3f} m ahead of its ankle; allowed are "
+                "{:g} m and more"},
+    MessageText{"points_object", "must be an object {{ … }} of at most {} points"},
+    MessageText{"no_node_of_name", "{} has no '{}' for {}"},
+    MessageText{"no_node_of_name_near", "{} has no '{}' for {}; did you mean '{}'?"},
+    MessageText{"bone_twice", "{} is told twice"},
+    MessageText{"node_of_two_bones", "'{}' is told to be two bones"},
+    MessageText{"bones_object",
+                "must be an object of bones and nodes: {{\"right_hand\": \"Bone_17\"}}"},
+    MessageText{"names_no_bones",
+                "names no bones: it is neither an object of bones and nodes {{\"right_hand\": "
+                "\"Bone_17\"}}, nor what `shigusa body` prints"},
+    MessageText{"limb_coincides", "two joints of a limb coincide"},
+    MessageText{"four_corners", "must be four corners"},
+    MessageText{"sole_corners", "must be the four corners of a sole, counter-clockwise from above"},
+    MessageText{"heels_of_human",
+                "heels lift of the body human alone: it has all joints of a foot"},
+    MessageText{"heels_who_sit", "heels are of people who stand, and these sit"},
+};
+
+}  // namespace shigusa::messages

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "core/messages/message_text.hpp"
+
+namespace shigusa::messages {
+
+// Sentences of tasks and their searches.
+inline constexpr std::array kTasks{
+    MessageText{"turn_twice", "has a rotation and an axis; allowed is one of both"},
+    MessageText{
+        "no_unit_quaternion",
+        "rotation is ({}, {}, {}, {}) of length {}; allowed is a unit quaternion x, y, z, w"},
+    MessageText{"load_range", "load is {} kg; allowed are 0 to {:g} kg"},
+    MessageText{"coordinate_range",
+                "{} coordinate is {}; allowed are finite numbers from -{:g} to {:g} m"},
+    MessageText{"tolerance_range", "{} tolerance is {}; allowed are 0 to {:g} m"},
+    MessageText{"sole_below_floor",
+                "is {:.3f} m high, and its sole would end {:.0f} mm below the floor; allowed are "
+                "{:.3f} m and more, as it is turned"},
+    MessageText{
+        "too_many_rows",
+        "goals, contacts and supports take {} rows of the IK; allowed are {}: 3 for a position, 3 "
+        "for a rotation or an axis, 6 for a foot that is not the base, 3 for a support"},
+    MessageText{"obstacles_most", "{} obstacles; allowed are {}"},
+    MessageText{"obstacle_range",
+                "{} is out of range: within {:g} m, sizes from 0, a unit quaternion"},
+    MessageText{"no_heels", "the preset {} knows no heels that lift; flat does"},
+    MessageText{"duration_range", "duration is {} s; allowed are {:g} to {:g} s"},
+    MessageText{"ease_of_layers",
+                "the preset {} has layers, which keep their own time; flat knows an ease"},
+    MessageText{"no_gaze_lead", "the preset {} turns no head to what is looked at"},
+    MessageText{"no_weights",
+                "criteria weights must be finite, 0 or more, and not all 0; scales above 0"},
+    MessageText{"no_goal", "no goal: give at least one effector's position"},
+    MessageText{"hands_alone",
+                "layers bring hands to positions, and those of a whole human by the preset human "
+                "to rotations and axes too; the preset flat takes rotations, axes and boxes"},
+    MessageText{"fewer_runs",
+                "{} of {} candidates: {} runs with other random numbers each ended in no others"},
+    MessageText{"fewer_kept", "{} of {} candidates: of the others that were kept, {}"},
+    MessageText{"fewer_none", "there are none"},
+    MessageText{"and_more", "{}; {}"},
+    MessageText{"fewer_alike", "{} end within 5° of a better one"},
+    MessageText{"fewer_near_copies", "{} move as a better one does"},
+    MessageText{"fewer_worse", "{} score over {} worse than the best"},
+    MessageText{"fewer_jolting", "{} jolt"},
+    MessageText{"fewer_strange", "{} end as nobody does who need not"},
+    MessageText{"fewer_over_limit", "{} pass a joint's limit"},
+    MessageText{"fewer_collided", "{} pass deeper through the body, an obstacle or the floor"},
+    MessageText{"fewer_missed", "{} miss the goal, leave the path or move a foot when replayed"},
+    MessageText{"fewer_jolts", "{} of {} candidates: {} jolt"},
+    MessageText{"preset_cannot", "the preset {} {}"},
+    MessageText{"no_pareto", "knows no Pareto front; flat does"},
+    MessageText{"weighted_ik_only", "knows weighted IK only"},
+    MessageText{"no_own_search", "takes no search of one's own"},
+    MessageText{"hands_only", "brings hands to their goals; flat takes other joints too"},
+    MessageText{"feet_kept", "keeps all feet where they are; flat lets one go"},
+    MessageText{"fixed_elsewhere",
+                "parameters can be fixed with the other presets; edit a result of the preset {}"},
+    MessageText{"fewer_pareto",
+                "{} of {} candidates: of {} motions that were kept, the others are no better by "
+                "any criterion than one of these, or end within 10° of one"},
+    MessageText{"fixed_of_another", "fixed parameters are of another body"},
+    MessageText{"all_fixed",
+                "every parameter is fixed: there is nothing to search, an edit plays them"},
+    MessageText{"phases_range", "phases is {}; allowed are 1 and {}"},
+    MessageText{"one_phase", "the preset {} has one phase; flat knows two"},
+    MessageText{"later_fixed",
+                "a later phase is fixed, and the task has one phase; phases 2 gives it two"},
+    MessageText{"evaluations_range", "evaluations is {}; allowed are {} (the population) and more"},
+    MessageText{"candidates_range", "candidates is {}; allowed are 1 and more"},
+    MessageText{"ease_range", "ease is {}; allowed are {:g} to {:g}"},
+    MessageText{"gaze_lead_range", "gaze_lead is {}; allowed are {:g} to {:g} of the duration"},
+    MessageText{"finite_numbers", "allowed are finite numbers from -{:g} to {:g} m"},
+    MessageText{"reference_scales", "reference scales of criteria must be above 0"},
+    MessageText{"two_goals", "two goals for {}"},
+    MessageText{"foot_bears", "{} bears this body and cannot move: only the other foot can"},
+    MessageText{"axis_vector",
+                "axis or direction is ({}, {}, {}); allowed is a finite vector that is not 0"},
+    MessageText{"foot_bears_contact",
+                "{} bears this body and is not among them: only the other foot can move"},
+    MessageText{"stands_and_goal", "{} is to stand and has a goal"},
+    MessageText{"no_resting", "the preset {} knows no hands that rest; flat does"},
+    MessageText{"generator_no_resting",
+                "the generator {} knows no hands that rest; weighted_ik does"},
+    MessageText{"support_out_of_reach",
+                "the goals are out of reach, and hands rest in motions that meet them: leave the "
+                "support out"},
+    MessageText{"no_assignment", "'{}' is not {}"},
+    MessageText{"no_assignment_posture", "'{}' is not {} or, of the posture, NAME=NUMBER"},
+    MessageText{"assignment_range", "{} is '{}'; allowed are numbers from {:.4g} to {:.4g}"},
+    MessageText{"locked_is", "locked is '{}'; allowed are true and false"},
+    MessageText{"no_weight_assignment",
+                "'{}' is not NAME.weight=NUMBER or NAME.locked=true|false, nor of the posture: {}"},
+    MessageText{"layers_bodies",
+                "layers are for bodies that stand, with arms of 3 + 1 or 3 + 2 + 2 and legs of 1 + "
+                "1 + 3 or 2 + 1 + 3 freedoms; {}"},
+    MessageText{"plan_counts", "{} {}, for a plan of {}"},
+    MessageText{"parameter_range", "{} is {}; allowed are {:.4g} to {:.4g}"},
+    MessageText{"shared_values", "{}s are {} and {} of limbs that share one"},
+    MessageText{"not_locked", "is not locked, and has no weight in this plan"},
+    MessageText{"arm_has_goal",
+                "its arm has a goal, that of {}: only a free hand rests on something"},
+    MessageText{"hand_does_not_reach",
+                "the hand does not reach {} while the goals are met: {:.0f} mm are left; leave the "
+                "support out, or move the place or the goals"},
+    MessageText{"second_support", "is a second one for this hand"},
+    MessageText{"no_thigh", "{} has no thigh of that side; an obstacle of the task is a place too"},
+    MessageText{"robot_has_others", "a robot has others"},
+    MessageText{"has_no_hand", "it has no hand"},
+    MessageText{"standing_leg_differs", "the standing leg is different"},
+    MessageText{"limb_differs", "{} is different"},
+    MessageText{"not_on_base", "it does not stand on its base"},
+};
+
+}  // namespace shigusa::messages

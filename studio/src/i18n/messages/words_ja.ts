@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Of which others are made.
+export const words: Readonly<Record<string, string>> = {
+  at_place: '{0}：{1}',
+  must_be_object: 'オブジェクト { … } にしてください。',
+  must_be_number_in: '{0} です。使えるのは {1}～{2} の数です。',
+  allowed_is_one: '{0} です。使えるのは {1} です。',
+  whole_numbers: '{0} です。使えるのは {1}～{2} の整数です。',
+  must_be_text: '{0} です。文字列にしてください。',
+  must_be_truth: 'true か false にしてください。',
+  must_be_texts: '文字列のリストにしてください。',
+  must_be_point: '{0} です。{1}～{2} の数 3 個 [x, y, z] にしてください。',
+  must_be_quaternion: '{0} です。長さ 1 の四元数 [x, y, z, w] にしてください。',
+  must_be_points: '{0} 個までの点 [x, y, z] のリストにしてください（各数は {1}～{2}）。',
+  is_missing: 'ありません。',
+  must_be_list_of: '{0} のリスト [ … ] にしてください。',
+  at_most: '{0} 個あります。{1} 個までです。',
+  whole_number_or: '{0} 以上の整数か "{1}" にしてください。',
+  unknown_name: '{0}「{1}」はありません。使えるもの：{2}',
+  unknown_name_near: '{0}「{1}」はありません。「{2}」ですか？使えるもの：{3}',
+  values_most: '値が {0} 個を超えています。',
+  objects_most: '一つのリストのオブジェクトが {0} 個を超えています。',
+  key_twice: '一つのオブジェクトにキー「{0}」が 2 回あります。',
+  members_most: '一つのオブジェクトのメンバーが {0} 個を超えています。',
+};

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What the page loads, and when.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { seriousFindings } from './axe.mjs';
+import { openStudio, settled, visit } from './support.mjs';
+import { weights } from './weight.mjs';
+
+const { site, browser } = await visit();
+
+const kMost = 320_000; // bytes gzipped, without the engine
+
+test('all that an English page loads without being asked weighs 320 kB at most, gzipped, without the engine', async () => {
+  const { page } = await openStudio(browser, site.url, { cards: true });
+  await settled(page);
+  const files = await weights(page);
+  const names = files.map(([name]) => name).join();
+  for (const part of ['index.html', 'index-', 'page-', 'later-', 'worker-', 'mannequin-', '.css']) assert.ok(names.includes(part), `${part} in ${names}`);
+  const sum = files.reduce((total, [, bytes]) => total + bytes, 0);
+  assert.ok(sum <= kMost, `${sum} bytes of ${names}`);
+});
+
+test('panels that are seldom wanted at once come after the first motions', async () => {
+  const { page } = await openStudio(browser, site.url);
+  await settled(page);
+  assert.equal(await page.locator('#panel-plots > *').count(), 0);
+  await page.waitForFunction(() => performance.getEntriesByType('resource').some(({ name }) => /\/later-/.test(name)));
+  await page.click('#tab-plots');
+  await page.waitForSelector('#panel-plots svg');
+  assert.equal(await page.getAttribute('#panel-plots', 'role'), 'tabpanel');
+  assert.equal(await page.locator('[role="tabpanel"]:visible').count(), 1);
+});
+
+for (const [language, said, again] of [['en', /could not be loaded/, 'Try again'], ['ja', /読み込めませんでした/, '再試行']]) {
+  test(`a panel that cannot be fetched says so, and is there once it can (${language})`, async () => {
+    const { page, context } = await openStudio(browser, site.url);
+    await context.route('**/later-*.js', (route) => route.abort());
+    await settled(page);
+    await page.selectOption('select[aria-label]:has(option[value="ja"])', language);
+    await page.waitForFunction((wanted) => document.documentElement.lang === wanted, language);
+    await page.click('#tab-take');
+    const panel = page.locator('#panel-take');
+    await panel.getByRole('alert').waitFor();
+    assert.match(await panel.innerText(), said);
+    assert.deepEqual(await seriousFindings(page, '.side'), []);
+    await context.unroute('**/later-*.js');
+    await panel.getByRole('button', { name: again }).click();
+    await page.waitForSelector('#panel-take [data-format="glb"]');
+    assert.equal(await panel.getByRole('alert').count(), 0);
+  });
+}
+
+test('what makes films is fetched when one is asked for, and told of where it cannot be', async () => {
+  const { page, context } = await openStudio(browser, site.url);
+  await context.route('**/film-*.js', (route) => route.abort());
+  await settled(page);
+  await page.click('#tab-take');
+  await page.click('[data-format="film"]');
+  await page.waitForFunction(() => window.shigusa.state.notice?.key === 'partFailed');
+  assert.equal(await page.locator('[data-format="film"]').isEnabled(), true);
+});
