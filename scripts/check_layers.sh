@@ -58,7 +58,8 @@ BEGIN {
   allow("character", "robot io " motions)
   allow("document", "character figure robot io " generates)
   allow("edit", "document character robot io " generates)
-  all = "edit document character figure robot io " generates
+  allow("dataset", "document character robot io " generates)
+  all = "dataset edit document character figure robot io " generates
   allow("shigusa", all)  # the one header that gathers the others
   outside = "apps examples tests bindings bench"
   n = split(outside, list, " ")
@@ -80,6 +81,7 @@ BEGIN {
   face("character", "character")
   face("document", "task_file result_file export score_clip limb_cache facts")
   face("edit", "edit")
+  face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export")
   face("shigusa", "shigusa")
 }
 

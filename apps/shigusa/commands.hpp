@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <cstdint>
 #include <optional>
 #include <shigusa/export.hpp>
+#include <shigusa/parallel.hpp>
 #include <shigusa/progress.hpp>
 #include <shigusa/result.hpp>
 #include <string>
@@ -93,6 +96,17 @@ struct BodyOptions {
   bool json = false;
 };
 
+struct DatasetOptions {
+  std::string plan;    // file
+  std::string folder;  // of the data set, or of the one task
+  std::string shards;  // FIRST:LAST, or empty for all
+  std::optional<std::uint64_t> task;
+  int threads = 0;
+  std::optional<std::string> simd;
+  FileOptions files;  // of the one task
+  bool json = false;  // of the one task
+};
+
 struct StudioOptions {
   int port = 0;        // any that is free
   bool open = true;    // in the person's browser
@@ -106,6 +120,10 @@ struct StudioOptions {
 [[nodiscard]] Result<int> render(const RenderOptions& options);
 [[nodiscard]] Result<int> score(const ScoreOptions& options);
 [[nodiscard]] Result<int> body(const BodyOptions& options);
+[[nodiscard]] Result<int> dataset(const DatasetOptions& options);
+
+// The SIMD set of that name; fails on one that this machine lacks.
+[[nodiscard]] Result<SimdSet> simd_named(const std::string& name);
 
 // Part of a clip: "FIRST:LAST", or all of it where the text is empty.
 struct FrameRange {
@@ -157,6 +175,9 @@ void note(std::string_view place, std::string_view message);
 
 // Ctrl-C cancels terminal_progress(); a second one ends the program at once.
 void catch_interrupts();
+
+// True once Ctrl-C was pressed.
+[[nodiscard]] const std::atomic<bool>& interrupted();
 
 // A progress line on stderr, only where that is a terminal.
 Progress terminal_progress();

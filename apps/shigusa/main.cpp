@@ -236,6 +236,26 @@ void add_schema(CLI::App& app) {
   });
 }
 
+void add_dataset(CLI::App& app, DatasetOptions& o, int& exit_code) {
+  CLI::App* c = app.add_subcommand(
+      "dataset", "Make a data set of motions: many tasks, drawn as a plan says (docs/data.md)");
+  // with a command of its own, such as merge, there is no plan
+  c->add_option("plan", o.plan, "Plan (JSON): a task in which values may be draws");
+  c->add_option("--out", o.folder, "Folder for the data set; shards that are there stay");
+  c->add_option("--shards", o.shards,
+                "FIRST:LAST of the shards to make, the last one not among them (default: all)");
+  c->add_option("--task", o.task, "Makes this one task alone, as reach does, into --out");
+  c->add_option("--threads", o.threads,
+                "Tasks that are made at once (default 0: one for each core)")
+      ->check(whole_number(0, shigusa::kMaxThreads));
+  c->add_option("--simd", o.simd, "Instructions of the searches (default: the machine's widest)");
+  add_file_options(c, o.files, "those of reach, of --task", "60");
+  c->add_flag("--json", o.json, "Of --task: print summary.json instead of the table");
+  c->callback([&, c] {
+    if (c->get_subcommands().empty()) exit_code = exit_code_of(dataset(o));
+  });
+}
+
 void add_studio(CLI::App& app, StudioOptions& o, int& exit_code) {
   CLI::App* c = app.add_subcommand(
       "studio", "Serve the studio, a page for the browser, to this machine alone, and open it");
@@ -270,12 +290,14 @@ int main(int argc, char** argv) {
   ScoreOptions score_options;
   BodyOptions body_options;
   StudioOptions studio_options;
+  DatasetOptions dataset_options;
   add_reach(app, reach_options, exit_code);
   add_edit(app, edit_options, exit_code);
   add_mirror(app, mirror_options, exit_code);
   add_render(app, render_options, exit_code);
   add_score(app, score_options, exit_code);
   add_body(app, body_options, exit_code);
+  add_dataset(app, dataset_options, exit_code);
   add_schema(app);
   add_studio(app, studio_options, exit_code);
   try {

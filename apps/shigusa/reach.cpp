@@ -16,15 +16,10 @@ namespace {
 Result<BatchSettings> batch_settings(const ReachOptions& options) {
   BatchSettings batch;
   batch.threads = options.threads;
-  if (!options.simd) return batch;
-  std::vector<std::string> names;
-  for (const SimdSet set : usable_simd_sets()) {
-    batch.simd = set;
-    if (*options.simd == simd_name(set)) return batch;
-    names.emplace_back(simd_name(set));
+  if (options.simd) {
+    SHG_TRY_ASSIGN(batch.simd, simd_named(*options.simd));
   }
-  return fail(ErrorCode::invalid_argument,
-              unknown_name("SIMD set, or one that this machine lacks,", *options.simd, names));
+  return batch;
 }
 
 Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
@@ -59,6 +54,16 @@ void note_goals_below_floor(const Task& task) {
 }
 
 }  // namespace
+
+Result<SimdSet> simd_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SimdSet set : usable_simd_sets()) {
+    if (name == simd_name(set)) return set;
+    names.emplace_back(simd_name(set));
+  }
+  return fail(ErrorCode::invalid_argument,
+              unknown_name("SIMD set, or one that this machine lacks,", name, names));
+}
 
 Result<int> reach(const ReachOptions& options) {
   SHG_TRY(parse_formats(options.files.formats.value_or("")));

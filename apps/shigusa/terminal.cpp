@@ -69,6 +69,8 @@ void catch_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
+const std::atomic<bool>& interrupted() { return interrupt_flag; }
+
 Progress terminal_progress() {
   Progress progress;
   progress.cancel = &interrupt_flag;

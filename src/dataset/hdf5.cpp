@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "hdf5.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace shigusa::hdf5 {
+namespace {
+
+constexpr std::size_t kChunkBytes = std::size_t{256} << 10;
+constexpr unsigned kDeflate = 4;  // beyond it files get little smaller, and writing much slower
+
+Handle text_type(std::size_t size) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), std::max<std::size_t>(1, size));
+  H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  return type;
+}
+
+hid_t number_type(ElementType type, bool in_file) {
+  switch (type) {
+    case ElementType::u8:
+      return in_file ? H5T_STD_U8LE : H5T_NATIVE_UINT8;
+    case ElementType::u16:
+      return in_file ? H5T_STD_U16LE : H5T_NATIVE_UINT16;
+    case ElementType::u32:
+      return in_file ? H5T_STD_U32LE : H5T_NATIVE_UINT32;
+    case ElementType::u64:
+      return in_file ? H5T_STD_U64LE : H5T_NATIVE_UINT64;
+    case ElementType::f32:
+      return in_file ? H5T_IEEE_F32LE : H5T_NATIVE_FLOAT;
+    default:
+      return in_file ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE;
+  }
+}
+
+// Keeps the text of the error that happened first.
+herr_t keep_first(unsigned, const H5E_error2_t* error, void* text) {
+  auto& kept = *static_cast<std::string*>(text);
+  if (kept.empty() && error->desc != nullptr) kept = error->desc;
+  return 0;
+}
+
+Handle new_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
+
+}  // namespace
+
+void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+tl::unexpected<Error> failed(const char* action, const std::string& place) {
+  std::string why;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &why);
+  H5Eclear2(H5E_DEFAULT);
+  return fail(ErrorCode::io,
+              fmt::format("cannot {}: HDF5 says: {}", action, why.empty() ? "nothing" : why),
+              place);
+}
+
+Handle type_of(const Column& column, bool in_file) {
+  if (column.type == ElementType::text) return text_type(column.text_size);
+  return {H5Tcopy(number_type(column.type, in_file)), H5Tclose};
+}
+
+Result<Handle> create_in_memory() {
+  be_quiet();
+  constexpr std::size_t kStep = std::size_t{1} << 20;
+  const Handle access = new_list(H5P_FILE_ACCESS);
+  const Handle creation = new_list(H5P_FILE_CREATE);
+  H5Pset_fapl_core(access.id(), kStep, false);
+  // in the earliest format: the sums that later ones begin with are wrong in H5Fget_file_image's
+  H5Pset_obj_track_times(creation.id(), false);
+  Handle file(H5Fcreate("in memory", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+  if (!file) return failed("begin a file", "HDF5");
+  return file;
+}
+
+Result<std::string> image_of(const Handle& file) {
+  if (H5Fflush(file.id(), H5F_SCOPE_LOCAL) < 0) return failed("finish a file", "HDF5");
+  const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
+  if (size < 0) return failed("finish a file", "HDF5");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(file.id(), image.data(), image.size()) < 0) {
+    return failed("finish a file", "HDF5");
+  }
+  return image;
+}
+
+Result<Handle> create_group(const Handle& file, const std::string& path) {
+  const Handle creation = new_list(H5P_GROUP_CREATE);
+  H5Pset_obj_track_times(creation.id(), false);
+  // one after the other: those that the library makes by itself have times in them
+  for (std::size_t end = path.find('/', 1); end != std::string::npos;
+       end = path.find('/', end + 1)) {
+    const std::string outer = path.substr(0, end);
+    if (H5Lexists(file.id(), outer.c_str(), H5P_DEFAULT) > 0) continue;
+    const Handle group(
+        H5Gcreate2(file.id(), outer.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Gclose);
+    if (!group) return failed("make a group", outer);
+  }
+  Handle group(H5Gcreate2(file.id(), path.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+               H5Gclose);
+  if (!group) return failed("make a group", path);
+  return group;
+}
+
+Result<void> write_text(const Handle& object, const char* name, const std::string& text) {
+  const Handle type = text_type(text.size());
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(
+      H5Acreate2(object.id(), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const std::string bytes = text.empty() ? std::string(1, '\0') : text;
+  if (!attribute || H5Awrite(attribute.id(), type.id(), bytes.data()) < 0) {
+    return failed("write an attribute", name);
+  }
+  return {};
+}
+
+Result<void> write_texts(const Handle& object, const char* name,
+                         const std::vector<std::string>& texts) {
+  std::size_t longest = 1;
+  for (const std::string& text : texts) longest = std::max(longest, text.size());
+  std::string bytes;
+  for (const std::string& text : texts) {
+    bytes += text;
+    bytes.append(longest - text.size(), '\0');
+  }
+  const Handle type = text_type(longest);
+  const hsize_t count = texts.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Handle attribute(
+      H5Acreate2(object.id(), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (!attribute || (count > 0 && H5Awrite(attribute.id(), type.id(), bytes.data()) < 0)) {
+    return failed("write an attribute", name);
+  }
+  return {};
+}
+
+Result<void> write_number(const Handle& object, const char* name, std::uint64_t number) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(
+      H5Acreate2(object.id(), name, H5T_STD_U64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (!attribute || H5Awrite(attribute.id(), H5T_NATIVE_UINT64, &number) < 0) {
+    return failed("write an attribute", name);
+  }
+  return {};
+}
+
+Result<std::string> read_text(const Handle& object, const char* name) {
+  const Handle attribute(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose);
+  if (!attribute) return failed("read an attribute", name);
+  const Handle stored(H5Aget_type(attribute.id()), H5Tclose);
+  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0) {
+    return fail(ErrorCode::parse, "must be a text", name);
+  }
+  std::string text(H5Tget_size(stored.id()), '\0');
+  if (H5Aread(attribute.id(), stored.id(), text.data()) < 0) {
+    return failed("read an attribute", name);
+  }
+  text.resize(std::min(text.size(), text.find('\0')));
+  return text;
+}
+
+Result<std::vector<std::string>> read_texts(const Handle& object, const char* name) {
+  std::vector<std::string> texts;
+  if (H5Aexists(object.id(), name) <= 0) return texts;
+  const Handle attribute(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose);
+  const Handle stored(H5Aget_type(attribute.id()), H5Tclose);
+  const Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0) {
+    return fail(ErrorCode::parse, "must be texts", name);
+  }
+  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+  Column column{.name = name, .type = ElementType::text, .text_size = H5Tget_size(stored.id())};
+  column.bytes.resize(static_cast<std::size_t>(std::max<hssize_t>(0, count)) * column.text_size);
+  if (count > 0 && H5Aread(attribute.id(), stored.id(), column.bytes.data()) < 0) {
+    return failed("read an attribute", name);
+  }
+  return column.texts();
+}
+
+Result<void> describe(const Handle& dataset, const Column& column) {
+  if (!column.unit.empty()) SHG_TRY(write_text(dataset, "unit", column.unit));
+  if (!column.says.empty()) SHG_TRY(write_text(dataset, "description", column.says));
+  if (!column.words.empty()) SHG_TRY(write_texts(dataset, "words", column.words));
+  return {};
+}
+
+Result<void> write_column(const Handle& group, const Column& column) {
+  std::vector<hsize_t> sides{column.rows()};
+  sides.insert(sides.end(), column.shape.begin(), column.shape.end());
+  const bool empty = std::find(sides.begin(), sides.end(), 0) != sides.end();
+  const Handle creation = new_list(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(creation.id(), false);
+  if (!empty) {
+    std::vector<hsize_t> chunk = sides;
+    chunk[0] = std::clamp<hsize_t>(kChunkBytes / column.row_size(), 1, sides[0]);
+    H5Pset_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_shuffle(creation.id());
+    H5Pset_deflate(creation.id(), kDeflate);
+    H5Pset_fletcher32(creation.id());
+  }
+  const Handle space(H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr),
+                     H5Sclose);
+  const Handle stored = type_of(column, true);
+  const Handle held = type_of(column, false);
+  const Handle dataset(H5Dcreate2(group.id(), column.name.c_str(), stored.id(), space.id(),
+                                  H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+                       H5Dclose);
+  if (!dataset) return failed("make a column", column.name);
+  if (!empty &&
+      H5Dwrite(dataset.id(), held.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, column.bytes.data()) < 0) {
+    return failed("write a column", column.name);
+  }
+  return describe(dataset, column);
+}
+
+}  // namespace shigusa::hdf5

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <hdf5.h>
+
+#include <shigusa/result.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "table.hpp"
+
+namespace shigusa::hdf5 {
+
+// An object of HDF5, closed when this goes.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle() = default;
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& other) noexcept
+      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+
+  [[nodiscard]] hid_t id() const { return id_; }
+  explicit operator bool() const { return id_ >= 0; }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+// Errors are told by results: the library prints none of them.
+void be_quiet();
+
+// "cannot ACTION: " and what the library says of its last error.
+[[nodiscard]] tl::unexpected<Error> failed(const char* action, const std::string& place);
+
+// The type of a column's numbers, in the file or in memory.
+[[nodiscard]] Handle type_of(const Column& column, bool in_file);
+
+// A file that is made in memory. Its bytes depend on what is written alone: no times are in it.
+[[nodiscard]] Result<Handle> create_in_memory();
+// The bytes of such a file. Others may stand before them, in a multiple of 512: readers look for
+// where HDF5 begins.
+[[nodiscard]] Result<std::string> image_of(const Handle& file);
+
+// A group within a file, with the groups that it is in.
+[[nodiscard]] Result<Handle> create_group(const Handle& file, const std::string& path);
+[[nodiscard]] Result<void> write_text(const Handle& object, const char* name,
+                                      const std::string& text);
+[[nodiscard]] Result<void> write_texts(const Handle& object, const char* name,
+                                       const std::vector<std::string>& texts);
+[[nodiscard]] Result<void> write_number(const Handle& object, const char* name,
+                                        std::uint64_t number);
+[[nodiscard]] Result<std::string> read_text(const Handle& object, const char* name);
+// None where the object has no such list.
+[[nodiscard]] Result<std::vector<std::string>> read_texts(const Handle& object, const char* name);
+
+// Adds a column's unit, meaning and words to its dataset.
+[[nodiscard]] Result<void> describe(const Handle& dataset, const Column& column);
+[[nodiscard]] Result<void> write_column(const Handle& group, const Column& column);
+
+}  // namespace shigusa::hdf5
