@@ -96,8 +96,9 @@ Result<void> make_shard(Making& work, std::uint64_t shard) {
   int reason = staging.make();
   if (reason == 0) reason = staging.add(name, bytes, true);
   if (reason == 0) reason = staging.move_out(name, name);
+  // not all file systems know how to settle a folder
+  if (reason == 0 && fsync(here.number()) != 0 && errno != EINVAL) reason = errno;
   if (reason != 0) return refused(folder / name, "write", reason);
-  fsync(here.number());
   ++work.run.made;
   return {};
 }
@@ -134,6 +135,9 @@ Result<DatasetRun> make_dataset(const DatasetPlan& plan, const DatasetSettings& 
     missing.push_back(shard);
     const TaskRange tasks = plan.tasks_of(shard);
     work.tasks += tasks.last - tasks.first;
+  }
+  if (const Descriptor here = open_at(AT_FDCWD, settings.folder.c_str(), O_RDONLY | O_DIRECTORY)) {
+    remove_leftovers(here);
   }
   work.tell();
   for (const std::uint64_t shard : missing) {

@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstdio>
+#include <shigusa/file.hpp>
 #include <sstream>
 
 #include "hdf5.hpp"
@@ -24,10 +23,14 @@ using hdf5::Handle;
 constexpr std::string_view kTitle = "shigusa data set, shard";
 constexpr std::size_t kDigits = 64;  // of a SHA-256
 
+// All of a head but its sum.
+std::string head_text(const ShardHead& head) {
+  return fmt::format("{} version {}\nplan {}\nshard {}\ntasks {} {}\n", kTitle, kDatasetVersion,
+                     head.plan, head.shard, head.tasks.first, head.tasks.last);
+}
+
 std::string format_head(const ShardHead& head) {
-  std::string text = fmt::format("{} version {}\nplan {}\nshard {}\ntasks {} {}\nsha256 {}\n",
-                                 kTitle, kDatasetVersion, head.plan, head.shard, head.tasks.first,
-                                 head.tasks.last, head.sha256);
+  std::string text = head_text(head) + fmt::format("sha256 {}\n", head.sha256);
   text.resize(kHeadSize, '\0');
   return text;
 }
@@ -162,7 +165,7 @@ Result<std::string> format_shard(const ShardHead& head, const std::string& plan_
   }
   SHG_TRY_ASSIGN(std::string image, hdf5::image_of(file));
   ShardHead whole = head;
-  whole.sha256 = sha256(image);
+  whole.sha256 = sha256(head_text(head) + image);
   image.insert(0, format_head(whole));
   return image;
 }
@@ -202,13 +205,13 @@ Result<ShardReader> ShardReader::open(const std::filesystem::path& path) {
   const auto damaged = [&path](std::string_view how) {
     return fail(ErrorCode::parse, fmt::format("is damaged: {}", how), path.string());
   };
-  const Descriptor file = open_at(AT_FDCWD, path.c_str(), O_RDONLY | O_NONBLOCK);
-  if (!file) return refused(path, "read", errno);
-  const std::optional<ShardHead> head = parse_head(first_bytes(file));
+  SHG_TRY_ASSIGN(const std::string bytes, read_text_file(path, kShardFileMaxBytes));
+  const std::optional<ShardHead> head = parse_head(bytes);
   if (!head) return damaged("its first bytes are no shard's");
-  const std::string sum = sha256_of(file);
-  if (sum.empty()) return refused(path, "read", errno);
-  if (sum != head->sha256) return damaged("its bytes are not those that it was written with");
+  if (bytes.compare(0, kHeadSize, format_head(*head)) != 0 ||
+      sha256(head_text(*head) + bytes.substr(kHeadSize)) != head->sha256) {
+    return damaged("its bytes are not those that it was written with");
+  }
   hdf5::be_quiet();
   auto open = std::make_unique<Open>();
   open->path = path.string();

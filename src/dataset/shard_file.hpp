@@ -22,7 +22,7 @@ struct ShardHead {
   std::string plan;  // its digest
   std::uint64_t shard = 0;
   TaskRange tasks;
-  std::string sha256{};  // of the bytes after the head
+  std::string sha256{};  // of the lines above it and all bytes after the head
 
   friend bool same_place(const ShardHead& a, const ShardHead& b) {
     return a.plan == b.plan && a.shard == b.shard && a.tasks.first == b.tasks.first &&

@@ -68,7 +68,9 @@ bool abandoned(const Descriptor& entry) {
          status.st_mtime + kOld < std::time(nullptr);
 }
 
-// Removes what killed programs left: staging folders, and the files that earlier versions made.
+}  // namespace
+
+// Staging folders, and the files that earlier versions made.
 void remove_leftovers(const Descriptor& folder) {
   for (const std::string& name : names_in(folder)) {
     if (!is_staging_name(name)) continue;
@@ -86,8 +88,6 @@ void remove_leftovers(const Descriptor& folder) {
     unlinkat(folder.number(), name.c_str(), AT_REMOVEDIR);
   }
 }
-
-}  // namespace
 
 int Staging::make() {
   remove_leftovers(folder_);

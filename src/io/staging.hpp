@@ -12,6 +12,9 @@ namespace shigusa {
 // The names in a folder, but for "." and ".."; none where it cannot be read.
 [[nodiscard]] std::vector<std::string> names_in(const Descriptor& folder);
 
+// Removes what killed programs left in a folder, of what Staging makes there.
+void remove_leftovers(const Descriptor& folder);
+
 // A new folder within another one, in which files are made whole before they take their names. It
 // has a name of its own each time, ".shigusa-5e0c….tmp", and is locked while it lives: one that
 // nobody holds is a killed program's. Goes with what is left in it.
