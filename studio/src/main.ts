@@ -36,13 +36,14 @@ async function openAddress(studio: Studio, keeper: Keeper): Promise<void> {
   const openFirst = async (): Promise<void> => {
     if (!studio.document) await keeper.openLast(() => openCharacter(studio, { source: 'human' }));
   };
+  const { hash } = location;
   try {
-    const work = await workOfLink(location.hash);
-    const task = work ? null : taskOfLink(location.hash);
+    const work = await workOfLink(hash);
+    const task = work ? null : taskOfLink(hash);
     if (work || task) {
       const kept = await keeper.openAsNew(() => (work ? openWork(studio, work) : openTask(studio, task!)));
-      // loaded anew, the page has the link's work as it was changed since
-      if (kept) history.replaceState(null, '', location.pathname + location.search);
+      // loaded anew, the page has the link's work as it was changed since; another link may have come meanwhile
+      if (kept && location.hash === hash) history.replaceState(null, '', location.pathname + location.search);
     }
   } catch (error) {
     await openFirst();

@@ -2,15 +2,12 @@
 // From where the scene is seen, through which lens, and beside which ruler.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { drag, openStudio, openTab, settled, state, visit } from './support.mjs';
+import { drag, drawn, openStudio, openTab, settled, state, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
 /** Fewer pixels are drawn sooner. */
 const kSmall = { viewport: { width: 940, height: 520 } };
-
-/** Two pictures later, what was asked for is drawn. */
-const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 async function atStart(page) {
   await page.locator('.scrub').evaluate((range) => {

@@ -3,12 +3,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
-import { drag, linkTo, openStudio, settled, visit } from './support.mjs';
+import { drag, drawn, linkTo, openStudio, settled, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
 const task = { character: 'human', goals: [{ effector: 'right_hand', position_m: [-0.25, 1, 0.45] }], obstacles: [{ name: 'box', position_m: [-0.5, 0.15, 0.6], size_m: [0.3, 0.3, 0.3] }] };
-const frames = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 test('two motions side by side have signs with their numbers and durations, and handles', { timeout: 180_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, linkTo(site, task));
@@ -17,7 +16,7 @@ test('two motions side by side have signs with their numbers and durations, and 
   const alone = await page.evaluate(() => window.shigusa.handle('right_hand'));
   await page.keyboard.press('Shift+Digit3');
   await page.waitForFunction(() => window.shigusa.document.compared !== null && window.shigusa.tags.length === 2);
-  await frames(page);
+  await drawn(page);
   const { tags, durations } = await page.evaluate(() => {
     const { document: d, tags: texts } = window.shigusa;
     return { tags: texts, durations: [d.chosen, d.compared].map((index) => d.result.candidates[index].summary.duration_s.toFixed(2)) };
@@ -46,7 +45,7 @@ test('who mirrors sees the hand that acts now, and its sliders', { timeout: 120_
   const [x, y, z] = await page.evaluate(() => window.shigusa.look().position_m);
   await page.keyboard.press('m');
   await page.waitForFunction(() => window.shigusa.document.goals[0].effector === 'left_hand');
-  await frames(page);
+  await drawn(page);
   const now = await page.evaluate(() => window.shigusa.look().position_m);
   assert.ok(Math.hypot(now[0] + x, now[1] - y, now[2] - z) < 1e-6, `${now}`);
   assert.equal(await group('Left arm').getAttribute('open'), '');

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { inflateRawSync } from 'node:zlib';
 import { makeFile } from '../figure/make.mjs';
 import { parseGlb, valuesOf } from './glb.mjs';
-import { drop, openStudio, settled, take, visit } from './support.mjs';
+import { drawn, drop, openStudio, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -23,7 +23,7 @@ const figureAt = async (page, share) => {
   }, share);
   const duration = await page.evaluate(() => window.shigusa.document.result.summary.candidates[window.shigusa.chosen].duration_s);
   await page.waitForFunction((time) => Math.abs(window.shigusa.time - time) < 0.01, share * duration);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await drawn(page);
   return page.evaluate(() => window.shigusa.figure());
 };
 

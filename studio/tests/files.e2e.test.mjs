@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { validateBytes } from 'gltf-validator';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drag, drop, dropAll, openStudio, openTab, settled, state, take, visit } from './support.mjs';
+import { drag, drawn as pictured, drop, dropAll, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
@@ -34,7 +34,7 @@ test('each character that is a person is drawn and reaches', { skip: files.lengt
       const hand = await page.evaluate(() => window.shigusa.hand());
       assert.ok(distance(hand, now.goals[0].position_m) < 2e-3);
       await page.waitForFunction(() => window.shigusa.time === window.shigusa.document.result.summary.candidates[window.shigusa.chosen].duration_s);
-      await page.waitForTimeout(500);
+      await pictured(page);
       const drawn = await page.evaluate(() => window.shigusa.drawn('right_hand'));
       assert.ok(distance(drawn, hand) < 2e-3, `drawn at ${drawn}, not ${hand}`);
       if (process.env.SHIGUSA_SHOTS) {
@@ -92,7 +92,6 @@ test('a result that is dropped back and a link bring the task again', { timeout:
   await page.click('#tab-goals');
   await page.locator('[data-key="right_hand up"]').fill('80');
   await page.locator('[data-key="right_hand up"]').press('Enter');
-  await page.waitForTimeout(100);
   await settled(page);
   await openTab(page, 'take');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-format="result"]')]);

@@ -31,7 +31,7 @@ test('drag, choose the third, move a slider, export: the hand stays on its goal'
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
   const before = await state(page);
-  await drag(page, 'right_hand', -40, -60, { hold: 60 });
+  await drag(page, 'right_hand', -40, -60, { hold: 60, followed: true });
   assert.ok((await page.evaluate(() => window.shigusa.timings.dragToPose.length)) > 0, 'the body followed the drag');
   await settled(page);
   const dragged = await state(page);
@@ -49,7 +49,6 @@ test('drag, choose the third, move a slider, export: the hand stays on its goal'
     const seen = await page.evaluate(() => window.shigusa.timings.sliderToMotion.length);
     await slide(page, '[data-parameter="squat_deg"]', share);
     await page.waitForFunction((n) => window.shigusa.timings.sliderToMotion.length > n, seen);
-    await page.waitForTimeout(300);
     const goal = (await state(page)).goals[0].position_m;
     const hand = await page.evaluate(() => window.shigusa.hand());
     assert.ok(distance(goal, hand) < 1e-3, `the hand is ${distance(goal, hand)} m off`);
@@ -88,7 +87,6 @@ test('in layers: the leg contraction bends the knees, and the hand stays on its 
     const seen = await page.evaluate(() => window.shigusa.timings.sliderToMotion.length);
     await slide(page, '[data-parameter="legs.contraction"]', share);
     await page.waitForFunction((n) => window.shigusa.timings.sliderToMotion.length > n, seen);
-    await page.waitForTimeout(300);
     bent.push(await knees());
     const goal = (await state(page)).goals[0].position_m;
     const hand = await page.evaluate(() => window.shigusa.hand());

@@ -103,7 +103,7 @@ test('a search that was going on begins again', { timeout: 180_000 }, async () =
   const link = await copyLink(page);
   const other = await context.newPage();
   await other.goto(link);
-  await other.waitForFunction(() => window.shigusa?.state.search?.fraction > 0 && window.shigusa.document?.goals[0].position_m[0] === 0.2);
+  await other.waitForFunction(() => window.shigusa?.state.search?.fraction > 0 && window.shigusa.document?.goals[0].position_m[0] === 0.2, undefined, { timeout: 60_000 });
   assert.deepEqual(errors, []);
   await context.close();
 });

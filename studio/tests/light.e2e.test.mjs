@@ -22,9 +22,22 @@ function difference(page, first, second) {
   }, [first, second].map((picture) => picture.toString('base64')));
 }
 
-/** The picture once nothing changes any more, as it is drawn finely only then. */
+/** Waits until the motion has ended and the page has had time to draw finely, which it does a quarter of a second after the last movement. */
+async function rest(page) {
+  await page.waitForFunction(() => !window.shigusa.state.playing);
+  await page.evaluate(() => new Promise((done) => {
+    const since = performance.now();
+    let pictures = 0;
+    const tick = () => (++pictures > 4 && performance.now() - since > 500 ? done() : requestAnimationFrame(tick));
+    requestAnimationFrame(tick);
+  }));
+}
+
+/** The picture once nothing changes any more. */
 async function stillPicture(canvas) {
+  await rest(canvas.page());
   for (let last = await canvas.screenshot(); ;) {
+    await rest(canvas.page());
     const next = await canvas.screenshot();
     if (next.equals(last)) return next;
     last = next;
@@ -39,9 +52,9 @@ test('feet have their contact shadow, and a lost WebGL context comes back with f
   await page.keyboard.press('g');
   await page.keyboard.press('p');
   await page.waitForFunction(() => window.shigusa.ghosts('right_hand').length === 5);
+  const before = await stillPicture(canvas);
   const dark = await page.evaluate(() => window.shigusa.contactDarkness());
   assert.ok(dark > 0.2 && dark < 0.9, `the contact shadow is ${dark} dark`);
-  const before = await stillPicture(canvas);
   assert.ok((await difference(page, bare, before)) > 1, 'ghosts are seen');
   await page.evaluate(async () => {
     const view = document.querySelector('canvas.view');

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drag, openStudio, settled, slide, take, visit } from './support.mjs';
+import { drag, openStudio, openTab, settled, slide, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -40,7 +40,7 @@ test('from opening to one’s own character in an adjusted motion in eight actio
     await slide(page, '[data-parameter="squat_deg"]', 0.6);
     await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1, undefined, { timeout: 20_000 });
   });
-  await act(() => page.click('#tab-take'));
+  await act(() => openTab(page, 'take'));
   const [download] = await act(() => Promise.all([page.waitForEvent('download'), page.click('[data-format="glb"]')]));
   assert.ok(actions <= kMost, `${actions} actions`);
 

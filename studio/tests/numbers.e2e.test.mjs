@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
-import { linkTo, openStudio, openTab, settled, visit } from './support.mjs';
+import { answered, linkTo, openStudio, openTab, settled, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -134,7 +134,7 @@ test('the numbers of sliders are dragged like all others, within their limits, a
   await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
   await page.keyboard.press('Escape');
   await page.mouse.up();
-  await page.waitForTimeout(300); // what was on its way does not come later
+  await answered(page); // what was on its way does not come later
   assert.equal(await edits(), 0);
   assert.ok(await undo.isDisabled());
   near(await value('lean_deg'), lean);
@@ -146,6 +146,7 @@ test('the numbers of sliders are dragged like all others, within their limits, a
   await page.keyboard.up('Alt');
   const most = Number(await page.locator(field).getAttribute('max'));
   await page.waitForFunction((limit) => window.shigusa.document.edits[window.shigusa.chosen]?.assignments.lean_deg === String(limit), most);
+  await answered(page);
   await page.keyboard.press('Control+z');
   await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 0);
   assert.ok(await undo.isDisabled());
@@ -159,6 +160,7 @@ test('the numbers of sliders are dragged like all others, within their limits, a
   await page.mouse.up();
   await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
   await page.waitForFunction(([parameter, expected]) => Math.abs(Math.log(Number(window.shigusa.document.edits[window.shigusa.chosen].assignments[parameter]) / expected)) < 0.03, [name, weight * Math.exp(way / 80)]);
+  await answered(page); // nothing of it comes between the next steps
 
   // Criteria
   await page.click('#tab-criteria');
@@ -181,7 +183,7 @@ test('the numbers of sliders are dragged like all others, within their limits, a
   await page.waitForFunction(() => window.shigusa.state.preview !== null);
   await page.keyboard.press('Escape');
   await page.mouse.up();
-  await page.waitForTimeout(300);
+  await answered(page);
   assert.deepEqual(await page.evaluate(() => [window.shigusa.state.preview, window.shigusa.task.ease]), [null, undefined]);
   assert.equal(await page.locator(number('parameter="ease"')).inputValue(), '0');
   await pull(page, number('parameter="ease"'), 80);
@@ -195,7 +197,7 @@ test('the numbers of sliders are dragged like all others, within their limits, a
   const locked = await page.evaluate(() => JSON.stringify(window.shigusa.document.edits[window.shigusa.chosen].assignments));
   await pull(page, `.row:has([data-parameter="right_shoulder.flexion.weight"]) .row-name`, 40);
   await page.mouse.up();
-  await page.waitForTimeout(300);
+  await answered(page);
   assert.equal(await page.evaluate(() => JSON.stringify(window.shigusa.document.edits[window.shigusa.chosen].assignments)), locked);
 
   // measures and the duration, within their limits
@@ -228,11 +230,12 @@ test('a finger drags a number to the side, and scrolls by a drag upwards', { tim
 
   const top = await scrolled();
   await finger(field, 6, 0);
-  await page.waitForTimeout(200);
+  await answered(page);
   assert.equal(Number(await page.locator(field).inputValue()), before, 'a press that trembles is none');
   await page.evaluate(() => document.activeElement.blur());
   await finger(field, 120, 0);
   await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
+  await answered(page); // the field says what is shown
   const after = Number(await page.locator(field).inputValue());
   assert.ok(after >= before + 15, `${before}° became ${after}°`);
   assert.equal(await scrolled(), top, 'nothing scrolled');
@@ -240,6 +243,27 @@ test('a finger drags a number to the side, and scrolls by a drag upwards', { tim
   await finger('.slider:has([data-parameter="lean_deg"]) .number', 0, -200);
   await page.waitForFunction((from) => [...document.querySelectorAll('*')].reduce((sum, element) => sum + element.scrollTop, 0) > from + 40, top);
   assert.equal(await page.evaluate(() => window.shigusa.document.edits[window.shigusa.chosen].assignments.lean_deg), undefined);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test('two sliders that move at once both count', { timeout: 120_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  await openTab(page, 'adjust');
+  await page.evaluate(() => {
+    for (const name of ['lean_deg', 'squat_deg']) {
+      const range = document.querySelector(`[data-parameter="${name}"]`);
+      range.value = String(Number(range.value) + 0.1 * (Number(range.max) - Number(range.min)));
+      range.dispatchEvent(new Event('input', { bubbles: true }));
+      range.dispatchEvent(new Event('change', { bubbles: true }));
+    }
+  });
+  await page.waitForFunction(() => {
+    const { document: d } = window.shigusa;
+    const { assignments = {} } = d.edits[d.chosen] ?? {};
+    return 'lean_deg' in assignments && 'squat_deg' in assignments;
+  }, undefined, { timeout: 60_000 });
   assert.deepEqual(errors, []);
   await context.close();
 });

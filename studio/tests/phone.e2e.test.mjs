@@ -3,7 +3,7 @@
 // slider moves.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openStudio, settled, visit } from './support.mjs';
+import { answered, openStudio, settled, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -51,16 +51,18 @@ for (const [width, height, least] of [[390, 844, 300], [844, 390, 200]]) {
     if (await page.locator('.hint').isVisible()) await page.locator('.hint .icon-button').tap();
     for (const tab of ['goals', 'criteria', 'body', 'plots', 'take', 'adjust']) {
       await page.locator(`#tab-${tab}`).tap();
+      await page.waitForFunction((name) => window.shigusa.state.tab === name && document.querySelector(`#panel-${name} > *`), tab); // panels may come late
       assert.deepEqual(await beyond(page), [0, 0], tab);
       assert.deepEqual(await small(page, kLeast), [], tab);
     }
     await page.waitForFunction((px) => document.querySelector('canvas.view').clientHeight >= px, least);
     const before = await page.evaluate(() => window.shigusa.document.result.candidates[0].parameters.find(({ name }) => name === 'squat_deg').value);
     const release = await touch(page, context, '[data-parameter="squat_deg"]', 0.3);
-    await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1, undefined, { timeout: 20_000 });
+    await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
     const { width: wide, height: tall } = await seen(page);
     assert.ok(tall >= least && wide >= Math.min(width, 390) * 0.9, `${wide} × ${tall} of the view is seen`);
     await release();
+    await answered(page); // for the last place of the finger
     const after = await page.evaluate(() => Number(window.shigusa.document.edits[window.shigusa.chosen].assignments.squat_deg));
     assert.ok(after > before + 15, `${before}° became ${after}°`);
     assert.deepEqual(await beyond(page), [0, 0]);

@@ -15,6 +15,12 @@ async function saved(page, format) {
   return readFileSync(await download.path());
 }
 
+/** Opens the tab; its curves are drawn once it has its size. */
+async function openPlots(page) {
+  await openTab(page, 'plots');
+  await page.locator('#panel-plots .plot polyline').first().waitFor({ state: 'attached' });
+}
+
 /** The table's columns by name. */
 function columnsOf(text) {
   const [head, ...rows] = text.trim().split('\n').map((line) => line.split(','));
@@ -33,7 +39,7 @@ const cut = (page) => page.evaluate(() => [...document.querySelectorAll('.plot p
 test('joint ranges of plots are those of the verdict, on the floor too', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, linkTo(site, reach([-0.1, 0.05, 0.45])));
   await settled(page);
-  await openTab(page, 'plots');
+  await openPlots(page);
   const { over_limit: beyond } = await summary(page);
   assert.deepEqual(beyond, [], 'the engine says that no joint is beyond its range');
   const columns = columnsOf((await saved(page, 'csv')).toString());
@@ -52,7 +58,7 @@ test('joint ranges of plots are those of the verdict, on the floor too', { timeo
 test('a torque beyond strength is seen in full, and said alike by table and verdict', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, linkTo(site, reach([-0.3, 1.2, 0.6], { load_kg: 40 })));
   await settled(page);
-  await openTab(page, 'plots');
+  await openPlots(page);
   const { reasons } = await summary(page);
   const worst = reasons.find(({ kind }) => kind === 'strength');
   assert.ok(worst.share > 1.5, `${worst.share} of its strength`);
@@ -70,7 +76,7 @@ test('a torque beyond strength is seen in full, and said alike by table and verd
 test('a joint has one colour in all motions, a side its own line, and the plots leave as pictures', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
-  await openTab(page, 'plots');
+  await openPlots(page);
   const colours = new Map();
   const { candidates } = await page.evaluate(() => ({ candidates: window.shigusa.document.result.candidates.length }));
   for (let k = 1; k <= candidates; ++k) {

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
 import { kept, records, saved, work } from './kept.mjs';
-import { drop, openStudio, openTab, settled, state, take, visit } from './support.mjs';
+import { drawn, drop, eventually, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -14,8 +14,16 @@ async function menu(page) {
   if (!(await isShown(page))) await page.click('.project-opener');
 }
 const row = (page, name) => page.locator('.projects li').filter({ has: page.locator('b').getByText(name, { exact: true }) });
-const names = (page) => page.locator('.projects b').allInnerTexts();
 const listed = (page, wanted) => page.waitForFunction((all) => [...document.querySelectorAll('.projects b')].map((b) => b.textContent).sort().join() === all, wanted.join());
+/** Opens the list until the project on the table has its picture there: the small pictures come one by one. */
+async function pictured(page) {
+  await eventually(async () => {
+    await page.keyboard.press('Escape');
+    await menu(page);
+    await drawn(page);
+    return page.locator('.projects [aria-pressed="true"] img').count();
+  }, (count) => count === 1, 'the project has its picture');
+}
 async function rename(page, from, to) {
   await row(page, from).getByRole('button', { name: `Rename “${from}”` }).click();
   await page.locator('.naming input').fill(to);
@@ -27,12 +35,12 @@ test('projects are named, begun, opened again as they were, duplicated, deleted 
   const { page, context, errors } = await open();
   await settled(page);
   await menu(page);
-  assert.deepEqual(await names(page), ['Untitled']);
+  await listed(page, ['Untitled']); // it is filled after it has opened
   assert.equal((await records(page, 'projects')).length, 0);
   await page.keyboard.press('Escape');
   await work(page);
   await saved(page);
-  await menu(page);
+  await pictured(page);
   await rename(page, 'Untitled', 'Low shelf');
   await saved(page);
   const first = await kept(page);
@@ -46,7 +54,7 @@ test('projects are named, begun, opened again as they were, duplicated, deleted 
   await page.keyboard.press('Digit2');
   await saved(page);
   const second = await kept(page);
-  await menu(page);
+  await pictured(page);
   await rename(page, 'Untitled', 'Second');
   assert.deepEqual(await seriousFindings(page, '#project-menu'), []);
 
@@ -100,6 +108,7 @@ test('a project that another tab has is neither renamed nor deleted', { timeout:
   await row(other, 'Untitled').getByRole('button', { name: 'Delete “Untitled”' }).click();
   await other.locator('.said', { hasText: 'open in another tab' }).waitFor();
   await rename(other, 'Untitled (copy)', 'Mine');
+  await saved(other);
   await row(other, 'Untitled').getByRole('button', { name: 'Rename “Untitled”' }).click();
   await other.locator('.naming input').fill('Yours');
   await other.keyboard.press('Enter');

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rings about a handle that turn what is selected.
 import assert from 'node:assert/strict';
-import { settled } from './support.mjs';
+import { handleOf, settled } from './support.mjs';
 
 /** The angle between two rotations, degrees. */
 export function angleBetween(a, b) {
@@ -14,7 +14,7 @@ export async function turnByRings(page, handle, rotation) {
   const before = await rotation();
   for (const radius of [50, 60, 40, 70]) {
     for (let turn = 0; turn < 2 * Math.PI; turn += Math.PI / 4) {
-      const [x, y] = await page.evaluate((name) => window.shigusa.handle(name), handle);
+      const [x, y] = await handleOf(page, handle);
       const [along, across] = [Math.cos(turn), Math.sin(turn)];
       await page.mouse.move(x + radius * along, y + radius * across);
       await page.mouse.down();

@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { drop, openStudio, settled, visit } from './support.mjs';
+import { drawn, drop, openStudio, settled, visit } from './support.mjs';
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
@@ -25,7 +25,7 @@ async function at(page, share) {
     range.value = String(value * 1000);
     range.dispatchEvent(new Event('input'));
   }, share);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await drawn(page);
 }
 
 async function ghostsFollowTheMotion(page) {
@@ -113,7 +113,7 @@ for (const [locale, colorScheme] of [['en-GB', 'light'], ['ja-JP', 'dark']]) {
     });
     assert.deepEqual(found, []);
     await page.keyboard.press('Escape');
-    assert.ok(await page.locator('#view-menu').isHidden());
+    await page.locator('#view-menu').waitFor({ state: 'hidden' });
     await context.close();
   });
 }

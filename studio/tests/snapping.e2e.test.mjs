@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
-import { drag, drop, linkTo, openStudio, settled, take, visit } from './support.mjs';
+import { drag, drop, handleOf, linkTo, openStudio, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -15,14 +15,14 @@ const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a} in place of ${b}`
 
 /** Takes hold of a handle, moves it to a place in the page and leaves it held. */
 async function hold(page, name, [x, y]) {
-  const from = await page.evaluate((handle) => window.shigusa.handle(handle), name);
+  const from = await handleOf(page, name);
   await page.mouse.move(...from);
   await page.mouse.down();
   for (let k = 1; k <= 4; ++k) await page.mouse.move(from[0] + ((x - from[0]) * k) / 4, from[1] + ((y - from[1]) * k) / 4);
 }
 
 async function beside(page, name, dx, dy) {
-  const [x, y] = await page.evaluate((handle) => window.shigusa.handle(handle), name);
+  const [x, y] = await handleOf(page, name);
   return [x + dx, y + dy];
 }
 

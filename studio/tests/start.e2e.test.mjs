@@ -66,7 +66,7 @@ test('the cards go when a hand is dragged, come by a button, and are for the bod
   await context.close();
 });
 
-test('a link opens its task and no cards', { timeout: 60_000 }, async () => {
+test('a link opens its task and no cards', { timeout: 120_000 }, async () => {
   const task64 = Buffer.from(JSON.stringify({ character: 'human', goals: [{ effector: 'right_hand', position_m: [-0.2, 1.2, 0.4] }] })).toString('base64url');
   const { page, context } = await openStudio(browser, `${site.url}#task=${task64}`, { cards: true });
   await settled(page);

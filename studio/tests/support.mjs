@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The built page on a server of its own, and a browser to look at it.
+import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
@@ -86,22 +87,52 @@ export function linkTo(site, task) {
   return `${site.url}#task=${Buffer.from(JSON.stringify(task)).toString('base64url')}`;
 }
 
+/** Waits until motions are found and drawn. */
 export async function settled(page) {
   await page.waitForFunction(() => {
     const { state } = window.shigusa ?? {};
     return state && state.document?.result && !state.search && !state.dragging && !state.opening && !state.preview && window.shigusa.framed;
   }, undefined, { timeout: 60_000 });
+  await drawn(page);
 }
 
-/** Drags a handle from where it is by so many pixels. */
-export async function drag(page, effector, dx, dy, { hold = 0, steps = 6 } = {}) {
-  const [x, y] = await page.evaluate((name) => window.shigusa.handle(name), effector);
+/** Two pictures later what was asked for is drawn, and the camera is where it stays. */
+export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** Waits until the engine has answered all that it was asked for quickly, such as a slider's motions; a search must not be going on. */
+export const answered = (page) => page.evaluate(() => window.shigusa.memory());
+
+/** Reads until a check, a pattern or a function, finds what was read good; where it never does, says what was read last. */
+export async function eventually(read, check, about = '') {
+  const isGood = check instanceof RegExp ? (value) => check.test(value) : check;
+  for (const end = Date.now() + 30_000; ;) {
+    const value = await read();
+    if (isGood(value)) return value;
+    if (Date.now() > end) assert.fail(`${about || check}: ${JSON.stringify(value)}`);
+    await new Promise((done) => setTimeout(done, 50));
+  }
+}
+
+/** Where a handle is in the page once it rests there: what has no goal goes along while the motion plays. */
+export async function handleOf(page, effector) {
+  await page.waitForFunction((name) => {
+    const { document: d, state: s } = window.shigusa;
+    return name.startsWith('@') || d.goals.some((goal) => goal.effector === name) || !s.playing;
+  }, effector);
+  await drawn(page);
+  return page.evaluate((name) => window.shigusa.handle(name), effector);
+}
+
+/** Drags a handle from where it is by so many pixels; `followed`: lets go once the body has followed. */
+export async function drag(page, effector, dx, dy, { hold = 0, steps = 6, followed = false } = {}) {
+  const [x, y] = await handleOf(page, effector);
   await page.mouse.move(x, y);
   await page.mouse.down();
   for (let k = 1; k <= steps; ++k) {
     await page.mouse.move(x + (dx * k) / steps, y + (dy * k) / steps);
     if (hold > 0) await page.waitForTimeout(hold);
   }
+  if (followed) await page.waitForFunction(() => window.shigusa.state.preview !== null);
   await page.mouse.up();
 }
 
@@ -136,7 +167,7 @@ export async function take(page, format) {
   return readFile(await download.path());
 }
 
-/** Sets a slider as a hand does: input events on the way, a change at the end. */
+/** Sets a slider as a hand does: input events on the way, a change at the end. Back when the motion is played for the last one. */
 export async function slide(page, selector, share) {
   await page.locator(selector).evaluate((range, value) => {
     range.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true }));
@@ -147,6 +178,7 @@ export async function slide(page, selector, share) {
     }
     range.dispatchEvent(new Event('change', { bubbles: true }));
   }, share);
+  await answered(page);
 }
 
 export const state = (page) => page.evaluate(() => {

@@ -12,7 +12,7 @@ const slider = (page, name) => page.locator(`[data-parameter="${name}"]`);
 
 /** The heights, px, of the heads of a tip's two figures. */
 async function heads(page) {
-  await page.waitForFunction(() => document.querySelectorAll('.tip .tip-picture .head').length === 2, undefined, { timeout: 20_000 });
+  await page.waitForFunction(() => document.querySelectorAll('.tip .tip-picture .head').length === 2, undefined, { timeout: 60_000 });
   return page.evaluate(() => [...document.querySelectorAll('.tip .tip-picture .head')].map((head) => Number(head.getAttribute('cy'))));
 }
 
@@ -24,8 +24,8 @@ test('a tip shows what a slider comes to at both ends, and changes nothing', { t
 
   await slider(page, 'squat_deg').hover();
   await tip(page).waitFor();
+  const [straight, bent] = await heads(page); // with which the captions come
   assert.match(await tip(page).innerText(), /knees end bent[^]*0°[^]*130°/);
-  const [straight, bent] = await heads(page);
   assert.ok(bent > straight + 4, 'who squats is lower');
   assert.deepEqual(await seriousFindings(page, '.tip'), []);
   await page.keyboard.press('Escape');
@@ -57,7 +57,7 @@ test('a finger brings a tip by the name and moves the slider without one', { tim
   await tip(page).waitFor();
   await heads(page);
   await page.locator('.row-name').first().tap();
-  assert.ok(await tip(page).isHidden());
+  await tip(page).waitFor({ state: 'hidden' }); // a finger's click comes after its touch
   await slider(page, 'lean_deg').tap();
   await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1);
   assert.ok(await tip(page).isHidden());

@@ -30,7 +30,6 @@ test('a goal out of reach is told with what is left, and drawn', { timeout: 120_
   await settled(page);
   await page.locator('[data-key="right_hand up"]').fill('260');
   await page.locator('[data-key="right_hand up"]').press('Enter');
-  await page.waitForTimeout(100);
   await settled(page);
   assert.equal((await state(page)).status, 'unreachable');
   assert.match(await page.locator('.message').innerText(), /Out of reach: .* \d+\.\d cm short/);
@@ -52,19 +51,15 @@ test('twenty steps are undone and done again', { timeout: 180_000 }, async () =>
   for (let k = 0; k < 20; ++k) {
     if (k % 4 === 3) await slide(page, '[data-criterion="head"]', 0.2 + 0.03 * k);
     else await page.keyboard.press(`Digit${1 + ((k + 1) % 3)}`);
-    await page.waitForTimeout(30);
     const now = await snapshot();
     if (now !== seen.at(-1)) seen.push(now);
   }
   await page.click('#tab-adjust');
   while (seen.length < 21) {
     await slide(page, '[data-parameter="squat_deg"]', 0.1 + 0.02 * seen.length);
-    await page.waitForFunction((old) => {
-      const { document: d } = window.shigusa;
-      return JSON.stringify(Object.values(d.edits).map((e) => e.assignments)) !== old;
-    }, await page.evaluate(() => JSON.stringify(Object.values(window.shigusa.document.edits).map((e) => e.assignments))));
-    await page.waitForTimeout(400);
-    seen.push(await snapshot());
+    const now = await snapshot();
+    assert.notEqual(now, seen.at(-1));
+    seen.push(now);
   }
   for (let k = seen.length - 2; k >= 0; --k) {
     await page.keyboard.press('Control+z');
@@ -109,8 +104,7 @@ test('keys alone: move the goal, choose, play, change a parameter, save', { time
   assert.equal(await focused(), 'view', 'the view is reached by Tab');
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press('Shift+ArrowUp');
-  await page.waitForTimeout(600);
-  await settled(page);
+  await settled(page); // the keys' drag ends a while after the last one
   const moved = (await state(page)).goals[0].position_m[1] - before.goals[0].position_m[1];
   assert.ok(Math.abs(moved - 0.11) < 1e-9, `moved by ${moved}`);
   await page.keyboard.press('Digit2');
@@ -129,7 +123,7 @@ test('keys alone: move the goal, choose, play, change a parameter, save', { time
   await page.keyboard.press('?');
   assert.ok(await page.locator('dialog').isVisible());
   await page.keyboard.press('Escape');
-  assert.ok(!(await page.locator('dialog').isVisible()));
+  await page.locator('dialog').waitFor({ state: 'hidden' });
   assert.deepEqual(errors, []);
   await context.close();
 });
@@ -147,6 +141,7 @@ test('Japanese: nothing is left in English', { timeout: 120_000 }, async () => {
   const words = await page.locator('.words').allInnerTexts();
   assert.ok(words.every((word) => !/[a-z]{3,}/.test(word)), words.join(' | '));
   await page.locator('.topbar select').last().selectOption('en');
+  await page.waitForFunction(() => document.documentElement.lang === 'en');
   assert.match(await page.locator('.gallery h2').innerText(), /Motions/);
   assert.deepEqual(errors, []);
   await context.close();
@@ -222,13 +217,10 @@ test('searches leave nothing behind', { timeout: 1_800_000, skip: !process.env.S
 test('drag to pose and slider to motion, as measured here', { timeout: 120_000 }, async () => {
   const { page, context } = await openStudio(browser, site.url);
   await settled(page);
-  await drag(page, 'right_hand', -60, -80, { hold: 80, steps: 12 });
+  await drag(page, 'right_hand', -60, -80, { hold: 80, steps: 12, followed: true });
   await settled(page);
   await page.click('#tab-adjust');
-  for (const share of [0.2, 0.4, 0.6, 0.3]) {
-    await slide(page, '[data-parameter="squat_deg"]', share);
-    await page.waitForTimeout(500);
-  }
+  for (const share of [0.2, 0.4, 0.6, 0.3]) await slide(page, '[data-parameter="squat_deg"]', share);
   const { dragToPose, sliderToMotion } = await page.evaluate(() => window.shigusa.timings);
   const median = (list, key) => [...list].map((x) => x[key]).sort((a, b) => a - b)[Math.floor(list.length / 2)];
   console.log(`# engine: drag to pose ${median(dragToPose, 'engine_ms').toFixed(1)} ms, slider to motion ${median(sliderToMotion, 'engine_ms').toFixed(1)} ms (medians of ${dragToPose.length} and ${sliderToMotion.length}); with the way to the worker and this page's drawing ${median(dragToPose, 'total_ms').toFixed(0)} and ${median(sliderToMotion, 'total_ms').toFixed(0)} ms`);

@@ -21,6 +21,7 @@ export class ProjectMenu implements Panel {
   private readonly room = h('p', { class: 'quiet' });
   private readonly saving: SavingPanel;
   private renaming: string | null = null; // a project's id
+  private refreshes = 0;
   private readonly ends: (() => void)[];
 
   constructor(private readonly studio: Studio, private readonly keeper: Keeper) {
@@ -60,8 +61,11 @@ export class ProjectMenu implements Panel {
   }
 
   private async refresh(): Promise<void> {
+    const turn = ++this.refreshes;
     const { present } = this.keeper;
     const kept = await this.keeper.list();
+    if (turn !== this.refreshes) return; // a later one shows what is there
+    if (this.renaming !== null && this.list.querySelector(`[data-naming="${this.renaming}"]`)) return; // what is being typed stays
     const isKept = kept.some(({ id }) => id === present.id);
     const focused = this.list.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset['project'] : undefined;
     fill(this.list, ...(isKept ? kept : [present, ...kept]).map((project) => {
@@ -119,7 +123,7 @@ export class ProjectMenu implements Panel {
         done(name);
       },
     });
-    return h('li', { class: 'naming' }, field);
+    return h('li', { class: 'naming', 'data-naming': id }, field);
   }
 
   private duplicate({ id, name }: Project): Promise<void> {

@@ -18,6 +18,7 @@ export class LibrarySection {
   private readonly send: HTMLButtonElement;
   private entries: readonly Entry[] = [];
   private renaming: string | null = null;
+  private refreshes = 0;
   private readonly library: Studio['library'];
   private readonly end: () => void;
 
@@ -92,7 +93,11 @@ export class LibrarySection {
   }
 
   private async refresh(): Promise<void> {
-    this.entries = await this.library.list().catch(() => []);
+    const turn = ++this.refreshes;
+    const entries = await this.library.list().catch(() => []);
+    if (turn !== this.refreshes) return; // a later one shows what is there
+    this.entries = entries;
+    if (this.renaming !== null && this.list.querySelector(`[data-naming="${this.renaming}"]`)) return; // what is being typed stays
     fill(this.list, ...this.entries.map((entry) => this.row(entry)));
     this.send.disabled = this.entries.length === 0;
   }
@@ -126,7 +131,7 @@ export class LibrarySection {
         else if (event.key === 'Escape') done(entry.name);
       },
     });
-    return h('li', { class: 'naming' }, field);
+    return h('li', { class: 'naming', 'data-naming': entry.id }, field);
   }
 
   private remove(entry: Entry): Promise<void> {

@@ -20,6 +20,9 @@ export class Studio extends Workbench {
   private warm = false;
   private takenBack = ''; // the drag of a slider that was given up last
   private interrupted = false; // a drag has ended a search
+  private wentBack = 0; // times, over the steps
+  // what is asked for of a motion and has no answer yet: the engine drops a call for the next one
+  private asked: { readonly result: Document['result']; readonly index: number; readonly assignments: Readonly<Record<string, string>> } | null = null;
 
   // ---- Steps -------------------------------------------------------------------------------------
 
@@ -34,6 +37,8 @@ export class Studio extends Workbench {
   private goBack(step: (history: History<Document>) => Document): void {
     if (this.history === null) return;
     this.cancel();
+    ++this.wentBack;
+    this.asked = null;
     const document = step(this.history);
     this.publish(document, { preview: null, notice: null, dragging: false, trial: null });
     if (document.result === null) void this.search();
@@ -244,6 +249,7 @@ export class Studio extends Workbench {
   /** The slider is back where it was: the step that its drag has made is none. */
   takeBackEdit(drag: string): void {
     this.takenBack = drag;
+    this.asked = null;
     this.takeBack(`edit ${this.document?.chosen} ${drag}`);
   }
 
@@ -252,12 +258,17 @@ export class Studio extends Workbench {
     const document = this.document;
     if (!document?.result) return;
     const since = performance.now();
+    const { wentBack } = this;
     const index = document.chosen;
-    const { base, all } = assigned(document, assignments);
+    const { result } = document;
+    const waiting = this.asked?.result === result && this.asked.index === index ? this.asked.assignments : {};
+    const asked = (this.asked = { result, index, assignments: { ...waiting, ...assignments } });
+    const { base, all } = assigned(document, asked.assignments);
     try {
       const generated = await this.engine.replay(document.character, base.summary, base.candidate, listed(all));
       const now = this.document;
       if (!generated || !now || now.result !== document.result || (drag !== undefined && drag === this.takenBack)) return;
+      if (wentBack !== this.wentBack) return; // it has been undone before it came
       const edits = { ...now.edits, [index]: { base, assignments: all, generated } };
       this.commit({ ...now, edits }, drag === undefined ? undefined : `edit ${index} ${drag}`);
       this.timings.add(this.timings.sliderToMotion, since, generated.engine_ms);
@@ -270,6 +281,8 @@ export class Studio extends Workbench {
       });
     } catch (error) {
       this.fail(error);
+    } finally {
+      if (this.asked === asked) this.asked = null;
     }
   }
 
