@@ -81,7 +81,7 @@ BEGIN {
   face("character", "character")
   face("document", "task_file result_file export score_clip limb_cache facts")
   face("edit", "edit")
-  face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export")
+  face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export dataset_read")
   face("shigusa", "shigusa")
 }
 

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <shigusa/dataset.hpp>
+#include <shigusa/dataset_merge.hpp>
 #include <shigusa/export.hpp>
 #include <string>
 

@@ -100,6 +100,8 @@ struct DatasetOptions {
   std::string plan;    // file
   std::string folder;  // of the data set, or of the one task
   std::string shards;  // FIRST:LAST, or empty for all
+  std::string part;    // K/N, or empty for all
+  bool check_plan = false;
   std::optional<std::uint64_t> task;
   int threads = 0;
   std::optional<std::string> simd;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <shigusa/dataset.hpp>
+#include <shigusa/dataset_merge.hpp>
 #include <shigusa/limb_cache.hpp>
 
 #include "commands.hpp"
@@ -44,6 +45,21 @@ Result<ShardRange> parse_shards(const std::string& text, std::uint64_t shards) {
                 "--shards");
   }
   return ShardRange{*begin, end};
+}
+
+// "K/N" with K < N.
+Result<ShardRange> parse_part(const std::string& text, std::uint64_t shards) {
+  const std::size_t slash = text.find('/');
+  const auto part = whole(text.substr(0, slash));
+  const auto parts = slash == std::string::npos ? std::nullopt : whole(text.substr(slash + 1));
+  constexpr std::uint64_t kMostParts = 1'000'000;
+  if (!part || !parts || *parts > kMostParts || *part >= *parts) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("is '{}'; allowed is K/N with K from 0 to N - 1 and N up to {}",
+                            text.substr(0, 80), kMostParts),
+                "--part");
+  }
+  return ShardRange{*part * shards / *parts, (*part + 1) * shards / *parts};
 }
 
 // "3 h 25 min", "12 s".
@@ -114,12 +130,18 @@ Result<int> dataset(const DatasetOptions& options) {
     return fail(ErrorCode::invalid_argument,
                 "give a plan: shigusa dataset PLAN.json --out FOLDER (docs/data.md)", "dataset");
   }
+  SHG_TRY_ASSIGN(const DatasetPlan plan, DatasetPlan::read(options.plan));
+  if (options.check_plan) {
+    print_out("{} tasks in {} shards of {}\n", plan.tasks(), plan.shards(), plan.shard_tasks());
+    return kDone;
+  }
   if (options.folder.empty()) {
     return fail(ErrorCode::invalid_argument, "give a folder for the data set", "--out");
   }
-  SHG_TRY_ASSIGN(const DatasetPlan plan, DatasetPlan::read(options.plan));
   if (options.task) return one_task(plan, options);
-  SHG_TRY_ASSIGN(const ShardRange shards, parse_shards(options.shards, plan.shards()));
+  SHG_TRY_ASSIGN(const ShardRange shards, options.part.empty()
+                                              ? parse_shards(options.shards, plan.shards())
+                                              : parse_part(options.part, plan.shards()));
   DatasetSettings settings{.folder = options.folder,
                            .first_shard = shards.first,
                            .last_shard = shards.last,
@@ -131,6 +153,7 @@ Result<int> dataset(const DatasetOptions& options) {
   }
   SHG_TRY(prepare_folder(options.folder));
   SHG_TRY(keep_plan(plan, options.folder));
+  SHG_TRY(write_first_card(plan, options.folder, "shigusa " SHIGUSA_VERSION));
   SHG_TRY_ASSIGN(const DatasetRun run, make_dataset(plan, settings));
   end_progress_line();
   print_out("{} shards made, {} were there: {} tasks, {} motions in {}", run.made, run.there,

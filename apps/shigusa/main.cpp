@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <shigusa/dataset.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/parallel.hpp>
 #include <shigusa/task.hpp>
 #include <sstream>
 
 #include "commands.hpp"
+#include "dataset_commands.hpp"
 #include "usage.hpp"
 
 namespace {
@@ -230,10 +232,11 @@ void add_score(CLI::App& app, ScoreOptions& o, int& exit_code) {
   c->callback([&] { exit_code = exit_code_of(score(o)); });
 }
 
-void add_schema(CLI::App& app) {
-  app.add_subcommand("schema", "Print the JSON schema of task files")->callback([] {
-    write_out(shigusa::task_schema());
-  });
+void add_schema(CLI::App& app, bool& of_plans) {
+  CLI::App* c = app.add_subcommand("schema", "Print the JSON schema of task files");
+  c->add_flag("--plan", of_plans, "That of plans for data sets");
+  c->callback(
+      [&of_plans] { write_out(of_plans ? shigusa::plan_schema() : shigusa::task_schema()); });
 }
 
 void add_dataset(CLI::App& app, DatasetOptions& o, int& exit_code) {
@@ -244,6 +247,11 @@ void add_dataset(CLI::App& app, DatasetOptions& o, int& exit_code) {
   c->add_option("--out", o.folder, "Folder for the data set; shards that are there stay");
   c->add_option("--shards", o.shards,
                 "FIRST:LAST of the shards to make, the last one not among them (default: all)");
+  c->add_option("--part", o.part,
+                "K/N: the shards of part K (from 0) of N equal ones, for N programs at once")
+      ->excludes("--shards");
+  c->add_flag("--check-plan", o.check_plan,
+              "Checks the plan, prints how many tasks and shards it has, and makes nothing");
   c->add_option("--task", o.task, "Makes this one task alone, as reach does, into --out");
   c->add_option("--threads", o.threads,
                 "Tasks that are made at once (default 0: one for each core)")
@@ -251,6 +259,10 @@ void add_dataset(CLI::App& app, DatasetOptions& o, int& exit_code) {
   c->add_option("--simd", o.simd, "Instructions of the searches (default: the machine's widest)");
   add_file_options(c, o.files, "those of reach, of --task", "60");
   c->add_flag("--json", o.json, "Of --task: print summary.json instead of the table");
+  add_dataset_merge(*c, exit_code);
+  add_dataset_check(*c, exit_code);
+  add_dataset_show(*c, exit_code);
+  add_dataset_export(*c, exit_code);
   c->callback([&, c] {
     if (c->get_subcommands().empty()) exit_code = exit_code_of(dataset(o));
   });
@@ -298,7 +310,8 @@ int main(int argc, char** argv) {
   add_score(app, score_options, exit_code);
   add_body(app, body_options, exit_code);
   add_dataset(app, dataset_options, exit_code);
-  add_schema(app);
+  bool schema_of_plans = false;
+  add_schema(app, schema_of_plans);
   add_studio(app, studio_options, exit_code);
   try {
     app.parse(argc, argv);

@@ -11,6 +11,7 @@
 #include <shigusa/result.hpp>
 #include <shigusa/search.hpp>
 #include <utility>
+#include <vector>
 
 namespace shigusa {
 
@@ -29,6 +30,11 @@ struct Task : Request {
   GeneticSettings genetic{};    ///< of the searches paper_ga and log_ga, which take the task's seed
   /// The values of fixed_assignments, decoded: the search leaves them as they are.
   std::optional<FixedParameters> fixed{};
+  /// Of the preset flat: motions that are known to be good for tasks like this one, as
+  /// Candidate::parameters of a body with the same freedoms. The search scores them first and
+  /// begins beside the best, as it does with its own table of such motions; 16 of them take that
+  /// table's place, fewer are put before it. None changes nothing.
+  std::vector<Parameters> starts{};
   int most_runs = 10;        ///< of the preset paper, see generate; ≥ 1
   LayeredSettings layers{};  ///< of layered presets
   BatchSettings batch{};     ///< SIMD set and threads; change no result

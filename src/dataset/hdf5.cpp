@@ -45,6 +45,69 @@ herr_t keep_first(unsigned, const H5E_error2_t* error, void* text) {
 
 Handle new_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
+// The sides of a column's dataset: its rows, then those of one row.
+std::vector<hsize_t> sides_of(const Column& column, std::size_t rows) {
+  std::vector<hsize_t> sides{rows};
+  sides.insert(sides.end(), column.shape.begin(), column.shape.end());
+  return sides;
+}
+
+bool is_empty(const std::vector<hsize_t>& sides) {
+  return std::find(sides.begin(), sides.end(), 0) != sides.end();
+}
+
+Handle space_of(const std::vector<hsize_t>& sides) {
+  return {H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr), H5Sclose};
+}
+
+// The space of a dataset, of which rows first to first + rows - 1 are selected.
+Handle rows_of_space(const Column& column, std::size_t all, std::size_t first, std::size_t rows) {
+  Handle space = space_of(sides_of(column, all));
+  const std::vector<hsize_t> count = sides_of(column, rows);
+  std::vector<hsize_t> start(count.size(), 0);
+  start[0] = first;
+  H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+  return space;
+}
+
+Result<Handle> create_dataset(const Handle& group, const Column& column, const Handle& space,
+                              const Handle& creation) {
+  const Handle stored = type_of(column, true);
+  Handle dataset(H5Dcreate2(group.id(), column.name.c_str(), stored.id(), space.id(), H5P_DEFAULT,
+                            creation.id(), H5P_DEFAULT),
+                 H5Dclose);
+  if (!dataset) return failed("make a column", column.name);
+  return dataset;
+}
+
+// The value of a virtual dataset's rows whose file is not there.
+void set_absent_value(const Handle& creation, const Column& column) {
+  if (column.type == ElementType::text) return;
+  Column absent{.name = column.name, .type = column.type};
+  if (column.type == ElementType::f32 || column.type == ElementType::f64) {
+    absent.push(kNoNumber);
+  } else {
+    absent.bytes.assign(size_of(column.type), '\xFF');
+  }
+  const Handle held = type_of(column, false);
+  H5Pset_fill_value(creation.id(), held.id(), absent.bytes.data());
+}
+
+// A cache that keeps few of the virtual datasets that were written: each has its parts with it, 4
+// kB a part, of which the cache's own limits know nothing.
+void use_small_cache(const Handle& access) {
+  constexpr std::size_t kBytes = std::size_t{256} << 10;
+  H5AC_cache_config_t config{};
+  config.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  if (H5Pget_mdc_config(access.id(), &config) < 0) return;
+  config.set_initial_size = true;
+  config.initial_size = config.min_size = config.max_size = kBytes;
+  config.incr_mode = H5C_incr__off;
+  config.flash_incr_mode = H5C_flash_incr__off;
+  config.decr_mode = H5C_decr__off;
+  H5Pset_mdc_config(access.id(), &config);
+}
+
 }  // namespace
 
 void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
@@ -85,6 +148,26 @@ Result<std::string> image_of(const Handle& file) {
     return failed("finish a file", "HDF5");
   }
   return image;
+}
+
+Result<Handle> create_on_disk(const std::filesystem::path& path, std::size_t user_bytes) {
+  be_quiet();
+  const Handle access = new_list(H5P_FILE_ACCESS);
+  const Handle creation = new_list(H5P_FILE_CREATE);
+  H5Pset_file_locking(access.id(), false, true);
+  use_small_cache(access);
+  H5Pset_obj_track_times(creation.id(), false);
+  H5Pset_userblock(creation.id(), user_bytes);
+  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+  if (!file) return failed("begin a file", path.string());
+  return file;
+}
+
+Result<Handle> open_file(const std::filesystem::path& path) {
+  be_quiet();
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file) return failed("read", path.string());
+  return file;
 }
 
 Result<Handle> create_group(const Handle& file, const std::string& path) {
@@ -187,13 +270,11 @@ Result<void> describe(const Handle& dataset, const Column& column) {
   return {};
 }
 
-Result<void> write_column(const Handle& group, const Column& column) {
-  std::vector<hsize_t> sides{column.rows()};
-  sides.insert(sides.end(), column.shape.begin(), column.shape.end());
-  const bool empty = std::find(sides.begin(), sides.end(), 0) != sides.end();
+Result<Handle> create_column(const Handle& group, const Column& column, std::size_t rows) {
+  const std::vector<hsize_t> sides = sides_of(column, rows);
   const Handle creation = new_list(H5P_DATASET_CREATE);
   H5Pset_obj_track_times(creation.id(), false);
-  if (!empty) {
+  if (!is_empty(sides)) {
     std::vector<hsize_t> chunk = sides;
     chunk[0] = std::clamp<hsize_t>(kChunkBytes / column.row_size(), 1, sides[0]);
     H5Pset_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data());
@@ -201,18 +282,53 @@ Result<void> write_column(const Handle& group, const Column& column) {
     H5Pset_deflate(creation.id(), kDeflate);
     H5Pset_fletcher32(creation.id());
   }
-  const Handle space(H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr),
-                     H5Sclose);
-  const Handle stored = type_of(column, true);
+  return create_dataset(group, column, space_of(sides), creation);
+}
+
+Result<void> write_rows(const Handle& dataset, const Column& column, std::size_t first) {
+  const std::vector<hsize_t> sides = sides_of(column, column.rows());
+  if (is_empty(sides)) return {};
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  std::vector<hsize_t> start(sides.size(), 0);
+  start[0] = first;
+  H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, sides.data(), nullptr);
   const Handle held = type_of(column, false);
-  const Handle dataset(H5Dcreate2(group.id(), column.name.c_str(), stored.id(), space.id(),
-                                  H5P_DEFAULT, creation.id(), H5P_DEFAULT),
-                       H5Dclose);
-  if (!dataset) return failed("make a column", column.name);
-  if (!empty &&
-      H5Dwrite(dataset.id(), held.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, column.bytes.data()) < 0) {
+  if (H5Dwrite(dataset.id(), held.id(), space_of(sides).id(), space.id(), H5P_DEFAULT,
+               column.bytes.data()) < 0) {
     return failed("write a column", column.name);
   }
+  return {};
+}
+
+Result<void> write_column(const Handle& group, const Column& column) {
+  SHG_TRY_ASSIGN(const Handle dataset, create_column(group, column, column.rows()));
+  SHG_TRY(write_rows(dataset, column, 0));
+  return describe(dataset, column);
+}
+
+Result<void> write_virtual_column(const Handle& group, const Column& column,
+                                  std::span<const VirtualPart> parts) {
+  std::size_t rows = 0;
+  for (const VirtualPart& part : parts) rows += part.rows;
+  if (is_empty(sides_of(column, rows))) {
+    SHG_TRY_ASSIGN(const Handle none, create_column(group, column, rows));
+    return describe(none, column);
+  }
+  const Handle creation = new_list(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(creation.id(), false);
+  set_absent_value(creation, column);
+  std::size_t first = 0;
+  for (const VirtualPart& part : parts) {
+    const Handle here = rows_of_space(column, rows, first, part.rows);
+    const Handle there = space_of(sides_of(column, part.rows));
+    if (H5Pset_virtual(creation.id(), here.id(), part.file.c_str(), part.dataset.c_str(),
+                       there.id()) < 0) {
+      return failed("make a virtual column", column.name);
+    }
+    first += part.rows;
+  }
+  SHG_TRY_ASSIGN(const Handle dataset,
+                 create_dataset(group, column, space_of(sides_of(column, rows)), creation));
   return describe(dataset, column);
 }
 

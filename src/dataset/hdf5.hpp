@@ -3,7 +3,10 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <shigusa/result.hpp>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +56,12 @@ void be_quiet();
 // where HDF5 begins.
 [[nodiscard]] Result<std::string> image_of(const Handle& file);
 
+// A file on the disk, made anew, with room for `user_bytes` of another kind before what HDF5 has.
+// No times are in it, and nobody is kept from opening it meanwhile.
+[[nodiscard]] Result<Handle> create_on_disk(const std::filesystem::path& path,
+                                            std::size_t user_bytes);
+[[nodiscard]] Result<Handle> open_file(const std::filesystem::path& path);
+
 // A group within a file, with the groups that it is in.
 [[nodiscard]] Result<Handle> create_group(const Handle& file, const std::string& path);
 [[nodiscard]] Result<void> write_text(const Handle& object, const char* name,
@@ -68,5 +77,25 @@ void be_quiet();
 // Adds a column's unit, meaning and words to its dataset.
 [[nodiscard]] Result<void> describe(const Handle& dataset, const Column& column);
 [[nodiscard]] Result<void> write_column(const Handle& group, const Column& column);
+
+// The dataset of a column with `rows` rows, which are to be written in parts; the column's own rows
+// do not matter.
+[[nodiscard]] Result<Handle> create_column(const Handle& group, const Column& column,
+                                           std::size_t rows);
+// Writes all rows of a column into a dataset, from row `first` of it on.
+[[nodiscard]] Result<void> write_rows(const Handle& dataset, const Column& column,
+                                      std::size_t first);
+
+// Rows of a virtual dataset: all rows of a dataset of another file.
+struct VirtualPart {
+  std::string file;  // as seen from the folder of the file with the virtual dataset
+  std::string dataset;
+  std::size_t rows = 0;  // above 0
+};
+// A dataset that has the parts' rows one after the other and none of its own. Where a file of them
+// cannot be opened, HDF5 gives rows of the value that it is told to: NaN, of whole numbers the
+// largest.
+[[nodiscard]] Result<void> write_virtual_column(const Handle& group, const Column& column,
+                                                std::span<const VirtualPart> parts);
 
 }  // namespace shigusa::hdf5

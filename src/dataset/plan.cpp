@@ -190,7 +190,8 @@ Result<DatasetPlan> DatasetPlan::parse(std::string_view text, std::string_view n
   Json same{{"version", kDatasetVersion},
             {"seed", made->seed},
             {"people", made->people},
-            {"shard_tasks", made->shard_tasks}};
+            {"shard_tasks", made->shard_tasks},
+            {"series", Json::array()}};
   for (const DatasetSeries series : made->series) same["series"].push_back(word_of(series));
   same["motions"] = word_of(made->motions);
   same["task"] = made->task;
@@ -229,8 +230,11 @@ std::string DatasetPlan::text_in(const std::filesystem::path& folder) const {
   Json json = made_->whole;
   if (!made_->files.empty()) {
     std::error_code failed;
-    const auto here = std::filesystem::absolute(folder, failed).lexically_normal();
-    const auto there = std::filesystem::absolute(made_->cast.folder(), failed).lexically_normal();
+    const auto whole = [&failed](const std::filesystem::path& path) {
+      return std::filesystem::absolute(path / ".", failed).lexically_normal();
+    };
+    const auto here = whole(folder);
+    const auto there = whole(made_->cast.folder());
     json["characters_in"] = there.lexically_relative(here).generic_string();
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -52,6 +52,7 @@ Result<void> check_choices(const Task& task) {
     return fail(ErrorCode::invalid_argument, say("preset_cannot", word_of(task.preset), what));
   };
   if (task.pareto && task.preset != Preset::flat) return wrong(say("no_pareto"));
+  if (!task.starts.empty() && task.preset != Preset::flat) return wrong(say("no_starts"));
   if (!traits_of(task.preset).layers) return {};
   if (task.generator != MotionGenerator::weighted_ik) return wrong(say("weighted_ik_only"));
   if (task.own_search) return wrong(say("no_own_search"));

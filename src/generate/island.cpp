@@ -103,10 +103,10 @@ void Island::begin() {
   add(std::move(rest), found_);
 }
 
-// Scores what led to goals near by, and bent postures, and begins at the best of them: a search
-// that begins upright finds its way down by chance.
+// Scores what is known to lead to goals near by, and bent postures, and begins at the best of them:
+// a search that begins upright finds its way down by chance.
 void Island::begin_bent() {
-  std::vector<double> points = nearest_starts(problem_, space_, kNearestStarts);
+  std::vector<double> points = known_starts(problem_, space_, task_.starts);
   scales_ = start_scales(points, space_.genes());
   const std::vector<double> bent = bent_starts(space_);
   points.insert(points.end(), bent.begin(), bent.end());

@@ -245,6 +245,39 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
   return parameters;
 }
 
+std::vector<double> ParameterSpace::encode(const Parameters& values) const {
+  SHG_CHECK(code_ != GeneCode::paper, "the paper's codes are not of all weights");
+  std::vector<double> point;
+  for (const Gene& gene : genes_) point.push_back(clamp(gene.of(value_of(gene, values)), 0.0, 1.0));
+  return point;
+}
+
+double ParameterSpace::value_of(const Gene& gene, const Parameters& values) const {
+  const bool later = gene.later && values.later;
+  switch (gene.kind) {
+    case ParameterKind::weight: {
+      const std::vector<JointWeight>& joints = later ? values.later->joints : values.joints;
+      double sum = 0.0;
+      for (const std::size_t d : gene.dofs) {
+        sum += joints[d].locked ? kLogWeightRange : natural_log(joints[d].weight);
+      }
+      return sum / static_cast<double>(gene.dofs.size());
+    }
+    case ParameterKind::mode: {
+      const std::vector<double>& modes = later ? values.later->modes : values.posture.modes;
+      return modes.empty() ? gene.start : modes[gene.index];
+    }
+    case ParameterKind::timing:
+      return values.posture.timing.*kTimingMembers<double>[gene.index];
+    case ParameterKind::switch_at:
+      return later ? values.later->switch_at : gene.start;
+    case ParameterKind::support:
+      return values.supports[gene.index];
+    default:  // of other plans
+      return gene.start;
+  }
+}
+
 MotionInputs ParameterSpace::rows(std::span<const double> points) {
   const std::size_t motions = points.size() / genes_.size();
   const std::size_t dofs = body_->dofs().size();

@@ -38,6 +38,10 @@ class ParameterSpace {
   // (genes) the plain pseudo-inverse on a straight path, in both phases.
   [[nodiscard]] std::vector<double> start() const;
   [[nodiscard]] Parameters decode(std::span<const double> point) const;
+  // (genes) the point that decodes to given values of the body, or comes nearest: a weight that
+  // freedoms share is the geometric mean of theirs, a locked one the largest, and the later phase
+  // of values that have none is as their first. Of codes in the weights' logarithms.
+  [[nodiscard]] std::vector<double> encode(const Parameters& values) const;
 
   // Index of the coordinate of that name, or -1.
   [[nodiscard]] int find(std::string_view name) const;
@@ -74,6 +78,7 @@ class ParameterSpace {
   void fill_row(std::size_t row, std::span<const double> point);
 
   void keep_fixed(Parameters& parameters) const;
+  [[nodiscard]] double value_of(const Gene& gene, const Parameters& values) const;
 
   const BodyModel* body_;
   GeneCode code_;

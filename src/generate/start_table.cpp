@@ -155,6 +155,19 @@ std::vector<double> nearest_starts(const ReachProblem& problem, const ParameterS
   return sums;
 }
 
+std::vector<double> known_starts(const ReachProblem& problem, const ParameterSpace& space,
+                                 std::span<const Parameters> given) {
+  std::vector<double> points;
+  for (const Parameters& values : given) {
+    const std::vector<double> point = space.encode(values);
+    points.insert(points.end(), point.begin(), point.end());
+  }
+  const int left = kNearestStarts - static_cast<int>(given.size());
+  const std::vector<double> nearest = nearest_starts(problem, space, std::max(left, 0));
+  points.insert(points.end(), nearest.begin(), nearest.end());
+  return points;
+}
+
 std::vector<double> start_scales(std::span<const double> points, int genes) {
   const std::size_t n = index(genes);
   const std::size_t count = points.size() / n;

@@ -58,8 +58,14 @@ inline constexpr double kSearchStep = 0.07;
 [[nodiscard]] std::vector<double> nearest_starts(const ReachProblem& problem,
                                                  const ParameterSpace& space, int most);
 
+// The points (points × genes) that a search begins beside: of the given motions (Task::starts), and
+// after them as many of nearest_starts() as make kNearestStarts of both.
+[[nodiscard]] std::vector<double> known_starts(const ReachProblem& problem,
+                                               const ParameterSpace& space,
+                                               std::span<const Parameters> given);
+
 // How far a search steps along each gene (genes), beside kSearchStep: by how much the points
-// (points × genes) of nearest_starts() differ in it, as what leads to goals near by does. Their
+// (points × genes) of known_starts() differ in it, as what leads to goals near by does. Their
 // mean square is 1 but for those that differ in nothing, which are kLeastScale. None for no points.
 [[nodiscard]] std::vector<double> start_scales(std::span<const double> points, int genes);
 inline constexpr double kLeastScale = 0.3;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "approaches.hpp"
@@ -29,6 +31,25 @@ Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
   return fail(ErrorCode::invalid_argument, say("all_fixed"));
 }
 
+Result<void> check_starts(const Task& task) {
+  const Plan plan = whole_body_plan(task.body, task.supports);
+  for (std::size_t k = 0; k < task.starts.size(); ++k) {
+    const Result<void> good = check_parameters(plan, task.starts[k]);
+    if (good) continue;
+    const Error& error = good.error();
+    const std::string place = fmt::format("starts[{}]", k);
+    return fail(error.code, error.message,
+                error.place.empty() ? place : place + ": " + error.place);
+  }
+  return {};
+}
+
+// Fails where values that a person gives are of another body, or leave nothing to search.
+Result<void> check_values(const Task& task, const ReachProblem& problem) {
+  SHG_TRY(check_starts(task));
+  return check_fixed(task, problem);
+}
+
 class WholeBodyPlanner : public Planner {
  public:
   WholeBodyPlanner(const Task& task, ReachProblem problem)
@@ -42,7 +63,7 @@ class WholeBodyPlanner : public Planner {
   [[nodiscard]] std::span<const Layer> plan() const override { return plan_; }
   [[nodiscard]] double duration() const override { return problem_.duration; }
   [[nodiscard]] bool in_reach() const override { return reach_.reached(); }
-  [[nodiscard]] Result<void> check_search() const override { return check_fixed(task_, problem_); }
+  [[nodiscard]] Result<void> check_search() const override { return check_values(task_, problem_); }
   [[nodiscard]] std::size_t approaches() const override { return approaches_.size(); }
 
   bool go_by_other_posture(int other) override {
@@ -127,7 +148,7 @@ Result<std::unique_ptr<Planner>> make_planner(const PreparedTask& task) {
 
 Result<void> check_plan(const PreparedTask& task) {
   SHG_TRY_ASSIGN(const ReachProblem problem, make_problem(task));
-  if (!traits_of(task.preset).layers) return check_fixed(task, problem);
+  if (!traits_of(task.preset).layers) return check_values(task, problem);
   return check_layers(task);
 }
 

@@ -53,7 +53,7 @@ SearchResult WholeBodySearch::run(const Progress& progress) {
   const bool paper = task_.preset == Preset::paper;
   // where a person gives the squat, knees go by it
   Niche knees = !paper && space_.find("squat") < 0 ? stiff_knees(space_) : Niche{};
-  const bool bent = !paper && knees.empty();
+  const bool bent = !paper && (knees.empty() || !task_.starts.empty());
   add_islands({{.niche = std::move(knees),
                 .bent = bent,
                 .budget = budget_ - StylePlans::kParts * part_,

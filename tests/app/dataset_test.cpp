@@ -62,6 +62,30 @@ TEST_F(DatasetCommand, PartsMakeTheWhole) {
   run({"plan.json", "--out", "parts", "--shards", "2:4", "--threads", "1"});
   run({"plan.json", "--out", "parts", "--shards", ":2", "--simd", "scalar"});
   EXPECT_TRUE(shards("parts") == shards("whole"));
+  for (const char* part : {"2/3", "0/3", "1/3"})
+    run({"plan.json", "--out", "thirds", "--part", part});
+  EXPECT_TRUE(shards("thirds") == shards("whole"));
+}
+
+// The folder alone is enough to make the same again, wherever the plan's file was named from.
+TEST_F(DatasetCommand, CharactersAreFoundFromTheFolder) {
+  const std::filesystem::path shared = SHIGUSA_SHARED_DIR;
+  if (shared.empty()) GTEST_SKIP() << "needs characters of ../shared";
+  std::filesystem::copy(shared / "characters/lab0_CesiumMan.glb", work_ / "man.glb");
+  Json plan = Json::parse(kPlan);
+  plan["tasks"] = 1;
+  plan["task"]["character"] = {{"source", "man.glb"}, {"stature_m", 1.7}};
+  work_.put("man.json", plan.dump());
+  EXPECT_EQ(run({"man.json", "--out", "men"}).exit_code, 0);
+  const ProgramRun again = run({"men/plan.json", "--out", "men"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr("0 shards made, 1 were there"));
+}
+
+TEST_F(DatasetCommand, APlanIsCheckedAlone) {
+  const ProgramRun checked = run({"plan.json", "--check-plan"});
+  EXPECT_EQ(checked.exit_code, 0) << checked.err;
+  EXPECT_EQ(checked.out, "12 tasks in 4 shards of 3\n");
 }
 
 TEST_F(DatasetCommand, OneTaskIsAnOrdinaryResult) {
@@ -82,6 +106,7 @@ TEST_F(DatasetCommand, WrongCallsAreTold) {
   EXPECT_THAT(run({"plan.json", "--out", "data", "--task", "12"}).err, HasSubstr("tasks 0 to 11"));
   EXPECT_THAT(run({"plan.json", "--out", "data", "--simd", "mmx"}).err, HasSubstr("mmx"));
   EXPECT_EQ(run({"plan.json", "--out", "data", "--shards", "x"}).exit_code, 2);
+  EXPECT_THAT(run({"plan.json", "--out", "data", "--part", "3/3"}).err, HasSubstr("K/N"));
 }
 
 TEST_F(DatasetCommand, InterruptedItEndsOnAWholeShard) {

@@ -56,6 +56,7 @@ inline constexpr std::array kTasks{
     MessageText{"no_pareto", "knows no Pareto front; flat does"},
     MessageText{"weighted_ik_only", "knows weighted IK only"},
     MessageText{"no_own_search", "takes no search of one's own"},
+    MessageText{"no_starts", "begins at no given motions; flat does"},
     MessageText{"hands_only", "brings hands to their goals; flat takes other joints too"},
     MessageText{"feet_kept", "keeps all feet where they are; flat lets one go"},
     MessageText{"fixed_elsewhere",

@@ -34,6 +34,7 @@ export const tasks: Readonly<Record<string, string>> = {
   no_pareto: 'パレート解を求められません。',
   weighted_ik_only: '重み付き IK だけを使えます。',
   no_own_search: '探索手法を選べません。',
+  no_starts: '既知の動作から探索を始められません。',
   hands_only: '手だけを目標に動かせます。',
   feet_kept: '足はその場に残ります。',
   fixed_elsewhere: '探索方法「{0}」では値を固定できません。結果を編集してください。',

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shigusa::app {
+
+// The commands of data sets beside making one, each added to `shigusa dataset`.
+void add_dataset_merge(CLI::App& dataset, int& exit_code);
+void add_dataset_check(CLI::App& dataset, int& exit_code);
+void add_dataset_show(CLI::App& dataset, int& exit_code);
+void add_dataset_export(CLI::App& dataset, int& exit_code);
+
+// "12 shards: 3, 7 to 17".
+[[nodiscard]] std::string missing_shards_text(const std::vector<std::uint64_t>& missing);
+
+}  // namespace shigusa::app

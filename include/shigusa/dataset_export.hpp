@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <shigusa/dataset.hpp>
+#include <shigusa/motion.hpp>
+#include <shigusa/result.hpp>
+#include <shigusa/verdict.hpp>
+#include <shigusa/words.hpp>
+#include <string>
+#include <string_view>
+
+namespace shigusa {
+
+/// A form in which the motions of a data set leave for the programs of others.
+enum class DataFormat { npz, humanml3d, csv, glb };
+
+/// The facts of such a form.
+struct DataFormatInfo {
+  DataFormat format;        ///< that the row is of
+  std::string_view word;    ///< it is asked for by
+  std::string_view about;   ///< one sentence
+  double rate = 0.0;        ///< frames a second where nobody asks for others; 0: the motion's own
+  bool rate_fixed = false;  ///< others cannot be asked for
+};
+
+/// All forms, in the order of DataFormat.
+inline constexpr std::array kDataFormats{
+    DataFormatInfo{.format = DataFormat::npz,
+                   .word = "npz",
+                   .about = "NumPy archives with the keys of AMASS, on shigusa's own skeleton.",
+                   .rate = kUsualRate},
+    DataFormatInfo{.format = DataFormat::humanml3d,
+                   .word = "humanml3d",
+                   .about = "22 joint positions at 20 frames a second with sentences, as HumanML3D "
+                            "has them.",
+                   .rate = 20.0,
+                   .rate_fixed = true},
+    DataFormatInfo{.format = DataFormat::csv,
+                   .word = "csv",
+                   .about = "A table of all numbers, one row a motion; with its series on request.",
+                   .rate_fixed = true},
+    DataFormatInfo{.format = DataFormat::glb,
+                   .word = "glb",
+                   .about = "A character's own glTF file with the motion added.",
+                   .rate = kUsualRate},
+};
+/// The words of DataFormat.
+template <>
+inline constexpr auto kEnumWords<DataFormat> = words_of_table(kDataFormats,
+                                                              &DataFormatInfo::format);
+/// The row of a form.
+[[nodiscard]] constexpr const DataFormatInfo& info_of(DataFormat format) {
+  return kDataFormats[static_cast<std::size_t>(format)];
+}
+
+/// How far an export has come.
+struct DataExportReport {
+  std::uint64_t tasks = 0;    ///< of the data set that were looked at
+  std::uint64_t of = 0;       ///< tasks that are to be looked at
+  std::uint64_t motions = 0;  ///< that were written
+};
+
+/// The motions that leave a data set, and how.
+struct DataExportSettings {
+  std::filesystem::path from;           ///< folder of the data set
+  std::filesystem::path to;             ///< folder for the files
+  DataFormat format = DataFormat::npz;  ///< of the files
+  bool force = false;                   ///< write into a folder that is not empty
+  std::optional<std::string> split{};   ///< "train", "validation" or "test": people of it only
+  std::optional<TaskRange> tasks{};     ///< only motions of these
+  std::optional<Verdict> verdict{};     ///< only motions of this verdict or a better one
+  std::optional<std::uint64_t> most{};  ///< no more motions than these
+  std::optional<double> rate{};         ///< Hz, of formats that let it be asked for
+  bool series = false;                  ///< of csv: a file of each motion's series too
+  std::filesystem::path character{};    ///< of glb: who moves; empty: the task's own
+  std::function<void(const DataExportReport&)> report{};  ///< called now and then
+  const std::atomic<bool>* cancel = nullptr;              ///< ends the work once it is true
+};
+
+/// The counts of an export.
+struct DataExportRun {
+  std::uint64_t motions = 0;   ///< that were written
+  std::uint64_t left_out = 0;  ///< that the form cannot hold
+  std::string why{};           ///< why the first of these was left out
+  std::uint64_t searched = 0;  ///< of glb: motions that were searched anew for the character
+  std::uint64_t missed = 0;    ///< of glb: motions whose goals the character cannot reach
+  bool stopped = false;        ///< `cancel` ended it before all were written
+};
+
+/// Writes motions of a data set for the programs of others, with a README.md that tells what is in
+/// the folder. One shard after the other is read; each file is whole or absent. Same data, same
+/// bytes. Fails on a folder that is not empty (unless `force`), on a rate, a character or a part
+/// that is not allowed, on a data set without what the form needs, and where no motion can leave.
+[[nodiscard]] Result<DataExportRun> export_dataset(const DataExportSettings& settings);
+
+}  // namespace shigusa

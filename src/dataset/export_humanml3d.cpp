@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+
+#include "export_caption.hpp"
+#include "export_index.hpp"
+#include "export_npy.hpp"
+#include "export_poses.hpp"
+#include "export_writer.hpp"
+
+namespace shigusa {
+namespace {
+
+// A joint of HumanML3D's: one of our nodes, or where that is missing a place on the line between
+// two others that come at this share of the way.
+struct Joint {
+  std::string_view name;
+  std::string_view node;
+  std::string_view says;
+  std::string_view from = {};
+  std::string_view to = {};
+  double share = 0.0;
+};
+// In its order, which is that of SMPL's first 22. The shares are those of shigusa's own body,
+// human.
+constexpr std::array<Joint, 22> kJoints{{
+    {"pelvis", "hips", "approximate: ours lies between the hip joints, SMPL's some 9 cm higher"},
+    {"left_hip", "left_upper_leg", ""},
+    {"right_hip", "right_upper_leg", ""},
+    {"spine1", "spine", "approximate: another place of the spine", "hips", "neck", 0.17},
+    {"left_knee", "left_lower_leg", ""},
+    {"right_knee", "right_lower_leg", ""},
+    {"spine2", "chest", "approximate: another place of the spine", "hips", "neck", 0.47},
+    {"left_ankle", "left_foot", ""},
+    {"right_ankle", "right_foot", ""},
+    {"spine3", "upper_chest", "approximate: another place of the spine", "hips", "neck", 0.72},
+    {"left_foot", "left_toes", "where the toes bend"},
+    {"right_foot", "right_toes", "where the toes bend"},
+    {"neck", "neck", "the neck's base"},
+    {"left_collar", "left_shoulder", "the clavicle's joint at the breastbone", "neck",
+     "left_upper_arm", 0.11},
+    {"right_collar", "right_shoulder", "the clavicle's joint at the breastbone", "neck",
+     "right_upper_arm", 0.11},
+    {"head", "head", "the joint of neck and skull"},
+    {"left_shoulder", "left_upper_arm", ""},
+    {"right_shoulder", "right_upper_arm", ""},
+    {"left_elbow", "left_lower_arm", ""},
+    {"right_elbow", "right_lower_arm", ""},
+    {"left_wrist", "left_hand", ""},
+    {"right_wrist", "right_hand", ""},
+}};
+
+// The nodes that a joint is made from: one, or two with the share of the way.
+struct Source {
+  int from = -1;
+  int to = -1;
+  double share = 0.0;
+};
+
+Result<std::array<Source, kJoints.size()>> sources_of(const NodePlaces& places) {
+  std::array<Source, kJoints.size()> sources;
+  for (std::size_t j = 0; j < kJoints.size(); ++j) {
+    const Joint& joint = kJoints[j];
+    sources[j] = {places.find(joint.node), places.find(joint.node), 0.0};
+    if (sources[j].from >= 0) continue;
+    sources[j] = {places.find(joint.from), places.find(joint.to), joint.share};
+    if (sources[j].from < 0 || sources[j].to < 0) {
+      return fail(ErrorCode::unsupported,
+                  fmt::format("the body has no node '{}', which is HumanML3D's {}: bodies with two "
+                              "arms and two legs can leave so",
+                              joint.node, joint.name));
+    }
+  }
+  return sources;
+}
+
+constexpr const char* kAbout = R"(
+As in HumanML3D: `new_joints/` has a file a motion, frames × 22 × 3 (m, 32-bit floats) at 20 frames a
+second; `texts/` its sentence as `caption#tokens#0.0#0.0`, the whole motion; `train.txt`, `val.txt` and
+`test.txt` the names of each part, which no two parts share a person of. y is up, the floor is at 0, and
+people face z at the start, their left is x. The last frame is the first that is not before the motion's
+end, and shows that end.
+
+Sentences are made from goals, loads and measured postures by a few dozen words, not by people. A motion
+lasts about a second, much less than those of HumanML3D, and nobody walks. Features and their mean and
+deviation (`new_joint_vecs`, `Mean.npy`, `Std.npy`) come by HumanML3D's own `motion_representation`.
+
+| joint | shigusa's node (VRM's name) | |
+|---|---|---|
+)";
+
+std::string joints_table() {
+  std::string text;
+  for (const Joint& joint : kJoints) {
+    text += fmt::format("| {} | {} | {}", joint.name, joint.node, joint.says);
+    if (joint.share > 0.0) {
+      text +=
+          fmt::format("{}of bodies without it: {:.0f} % of the way from {} to {}",
+                      joint.says.empty() ? "" : "; ", 100.0 * joint.share, joint.from, joint.to);
+    }
+    text += " |\n";
+  }
+  return text;
+}
+
+class HumanMl3dWriter : public DataWriter {
+ public:
+  explicit HumanMl3dWriter(const ExportJob& job) : job_(job), poses_(job.data.plan) {}
+
+  [[nodiscard]] std::vector<DatasetSeries> series() const override {
+    return poses_.series_for_places();
+  }
+
+  Result<void> add(const DataMotion& motion) override {
+    SHG_TRY_ASSIGN(const NodePlaces kept, poses_.places(motion));
+    SHG_TRY_ASSIGN(const auto sources, sources_of(kept));
+    if (motions_ == 0) SHG_TRY(begin());
+    const NodePlaces places = at_rate(kept, job_.rate);
+    std::vector<float> numbers;
+    for (std::size_t f = 0; f < places.frames(); ++f) {
+      for (const Source& source : sources) {
+        const Vec3d from = places.at(f, source.from);
+        const Vec3d place = from + source.share * (places.at(f, source.to) - from);
+        for (int k = 0; k < 3; ++k) numbers.push_back(static_cast<float>(place[k]));
+      }
+    }
+    const std::string id = motion.id();
+    SHG_TRY(job_.folder.put("new_joints/" + id + ".npy",
+                            npy::floats(numbers, {places.frames(), kJoints.size(), 3})));
+    const std::string caption = caption_of(motion);
+    SHG_TRY(job_.folder.put("texts/" + id + ".txt",
+                            fmt::format("{}#{}#0.0#0.0\n", caption, tokens_of(caption))));
+    ++motions_;
+    return parts_[static_cast<std::size_t>(split_of(motion, job_.data.plan))].add(id + "\n");
+  }
+
+  Result<void> finish() override {
+    for (LongFile& part : parts_) SHG_TRY(part.finish());
+    return job_.folder.put("README.md", about_export(job_, motions_) + kAbout + joints_table());
+  }
+
+ private:
+  Result<void> begin() {
+    constexpr std::array kParts{"train.txt", "val.txt", "test.txt"};
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      SHG_TRY(parts_[k].begin(job_.settings.to / kParts[k]));
+    }
+    return {};
+  }
+
+  const ExportJob& job_;
+  Poses poses_;
+  std::array<LongFile, 3> parts_;  // by Split
+  std::uint64_t motions_ = 0;
+};
+
+}  // namespace
+
+template <>
+Result<std::unique_ptr<DataWriter>> make_writer<DataFormat::humanml3d>(const ExportJob& job) {
+  return std::make_unique<HumanMl3dWriter>(job);
+}
+
+}  // namespace shigusa

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <shigusa/dataset.hpp>
+#include <string>
+#include <vector>
+
+#include "shard_file.hpp"
+
+namespace shigusa {
+
+// The shards of a plan in a folder, by their names.
+struct ShardList {
+  std::vector<std::uint64_t> there;    // numbers, in their order
+  std::vector<std::uint64_t> missing;  // the same
+  std::vector<std::string> foreign;    // files with a shard's name that the plan has not, sorted
+};
+[[nodiscard]] ShardList list_shards(const DatasetPlan& plan, const std::filesystem::path& folder);
+
+// A shard of a plan that is open for reading. Fails on a file whose bytes are not those that it was
+// written with, and on a shard of another plan or another place.
+[[nodiscard]] Result<ShardReader> open_shard(const DatasetPlan& plan,
+                                             const std::filesystem::path& folder,
+                                             std::uint64_t shard);
+
+// Columns of a table, all of the same number of rows.
+[[nodiscard]] Result<Table> read_columns(const ShardReader& shard, const std::string& path,
+                                         const std::vector<std::string>& columns);
+
+// Whether two tables, whatever their rows, have the same columns and lists of names.
+[[nodiscard]] bool same_columns(const Table& a, const Table& b);
+
+// The paths of all tables of a shard: of the tasks and of what belongs to them, then of motions.
+[[nodiscard]] Result<std::vector<std::string>> paths_of(const ShardReader& shard);
+
+}  // namespace shigusa
