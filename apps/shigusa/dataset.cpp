@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cstdio>
 #include <shigusa/dataset.hpp>
 #include <shigusa/dataset_merge.hpp>
 #include <shigusa/limb_cache.hpp>
 
 #include "commands.hpp"
+#include "paced_line.hpp"
 #include "table.hpp"
 
 namespace shigusa::app {
@@ -49,17 +49,18 @@ Result<ShardRange> parse_shards(const std::string& text, std::uint64_t shards) {
 
 // "K/N" with K < N.
 Result<ShardRange> parse_part(const std::string& text, std::uint64_t shards) {
-  const std::size_t slash = text.find('/');
-  const auto part = whole(text.substr(0, slash));
-  const auto parts = slash == std::string::npos ? std::nullopt : whole(text.substr(slash + 1));
   constexpr std::uint64_t kMostParts = 1'000'000;
-  if (!part || !parts || *parts > kMostParts || *part >= *parts) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::uint64_t part = whole(std::string_view(text).substr(0, slash)).value_or(kMostParts);
+  const std::uint64_t parts =
+      slash < text.size() ? whole(std::string_view(text).substr(slash + 1)).value_or(0) : 0;
+  if (parts > kMostParts || part >= parts) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("is '{}'; allowed is K/N with K from 0 to N - 1 and N up to {}",
                             text.substr(0, 80), kMostParts),
                 "--part");
   }
-  return ShardRange{*part * shards / *parts, (*part + 1) * shards / *parts};
+  return ShardRange{part * shards / parts, (part + 1) * shards / parts};
 }
 
 // "3 h 25 min", "12 s".
@@ -87,17 +88,9 @@ std::string report_line(const DatasetReport& now) {
   return text;
 }
 
-// A line that is drawn anew on a terminal; a line a minute elsewhere, as in a job's log.
 std::function<void(const DatasetReport&)> reporter() {
-  using Clock = std::chrono::steady_clock;
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const auto pause = terminal ? std::chrono::milliseconds(200) : std::chrono::milliseconds(60'000);
-  return [terminal, pause, last = Clock::now()](const DatasetReport& now) mutable {
-    if (Clock::now() - last < pause) return;
-    last = Clock::now();
-    print_err("{}{}{}", terminal ? "\r\x1b[K" : "shigusa: ", report_line(now),
-              terminal ? "" : "\n");
-    std::fflush(stderr);
+  return [line = PacedLine()](const DatasetReport& now) mutable {
+    if (line.is_due()) line.show(report_line(now));
   };
 }
 

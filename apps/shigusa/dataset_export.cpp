@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
-#include <chrono>
-#include <cstdio>
 #include <memory>
 #include <shigusa/dataset_export.hpp>
 
 #include "commands.hpp"
 #include "dataset_commands.hpp"
+#include "paced_line.hpp"
 #include "usage.hpp"
 
 namespace shigusa::app {
@@ -66,18 +64,11 @@ Result<std::optional<TaskRange>> asked_tasks(const ExportOptions& options) {
   return range;
 }
 
-// A line that is drawn anew on a terminal; a line a minute elsewhere, as in a job's log.
 std::function<void(const DataExportReport&)> reporter() {
-  using Clock = std::chrono::steady_clock;
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const auto pause = terminal ? std::chrono::milliseconds(200) : std::chrono::milliseconds(60'000);
-  return [terminal, pause, last = Clock::now()](const DataExportReport& now) mutable {
-    if (Clock::now() - last < pause) return;
-    last = Clock::now();
-    print_err("{}{} motions written; {} of {} tasks seen{}",
-              terminal ? "\r\x1b[K" : "shigusa: ", now.motions, now.tasks, now.of,
-              terminal ? "" : "\n");
-    std::fflush(stderr);
+  return [line = PacedLine()](const DataExportReport& now) mutable {
+    if (!line.is_due()) return;
+    line.show(
+        fmt::format("{} motions written; {} of {} tasks seen", now.motions, now.tasks, now.of));
   };
 }
 

@@ -263,6 +263,50 @@ Result<std::vector<std::string>> read_texts(const Handle& object, const char* na
   return column.texts();
 }
 
+Result<void> write_long_text(const Handle& group, const char* name, const std::string& text) {
+  const Handle creation = new_list(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(creation.id(), false);
+  const Handle type = text_type(text.size());
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle dataset(
+      H5Dcreate2(group.id(), name, type.id(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+      H5Dclose);
+  const std::string bytes = text.empty() ? std::string(1, '\0') : text;
+  if (!dataset ||
+      H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) < 0) {
+    return failed("write a text", name);
+  }
+  return {};
+}
+
+Result<std::string> read_long_text(const Handle& group, const char* name) {
+  constexpr std::size_t kMost = std::size_t{16} << 20;
+  const Handle dataset(H5Dopen2(group.id(), name, H5P_DEFAULT), H5Dclose);
+  if (!dataset) return failed("read a text", name);
+  const Handle stored(H5Dget_type(dataset.id()), H5Tclose);
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  const bool one = H5Sget_simple_extent_npoints(space.id()) == 1;
+  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0 || !one ||
+      H5Tget_size(stored.id()) > kMost) {
+    return fail(ErrorCode::parse, "must be a text", name);
+  }
+  std::string text(H5Tget_size(stored.id()), '\0');
+  if (H5Dread(dataset.id(), stored.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) {
+    return failed("read a text", name);
+  }
+  text.resize(std::min(text.size(), text.find('\0')));
+  return text;
+}
+
+Result<Handle> open_for_reading(const std::filesystem::path& path) {
+  be_quiet();
+  const Handle access = new_list(H5P_FILE_ACCESS);
+  H5Pset_file_locking(access.id(), false, true);
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
+  if (!file) return failed("read", path.string());
+  return file;
+}
+
 Result<void> describe(const Handle& dataset, const Column& column) {
   if (!column.unit.empty()) SHG_TRY(write_text(dataset, "unit", column.unit));
   if (!column.says.empty()) SHG_TRY(write_text(dataset, "description", column.says));

@@ -76,6 +76,12 @@ void be_quiet();
 
 // Adds a column's unit, meaning and words to its dataset.
 [[nodiscard]] Result<void> describe(const Handle& dataset, const Column& column);
+// A text of any length, as a dataset: an attribute has no room for more than 64 kB.
+[[nodiscard]] Result<void> write_long_text(const Handle& group, const char* name,
+                                           const std::string& text);
+[[nodiscard]] Result<std::string> read_long_text(const Handle& group, const char* name);
+// A file on the disk, for reading. Locks are not asked for: cluster file systems may lack them.
+[[nodiscard]] Result<Handle> open_for_reading(const std::filesystem::path& path);
 [[nodiscard]] Result<void> write_column(const Handle& group, const Column& column);
 
 // The dataset of a column with `rows` rows, which are to be written in parts; the column's own rows

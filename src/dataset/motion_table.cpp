@@ -196,7 +196,7 @@ void MotionTable::describe_series(DatasetSeries series) {
               ElementType::f32,
               {kFrames, nodes, 4},
               "",
-              "quaternions xyzw of `nodes`, each in its parent; all are 1 where the body stands "
+              "quaternions xyzw of `nodes`, each in its parent; 0, 0, 0, 1 where the body stands "
               "upright with arms hanging"});
       column({"root_m", ElementType::f32, {kFrames, 3}, "m", "place of the first node"});
       column({"offsets_m", ElementType::f32, {nodes, 3}, "m", "of `nodes`, each in its parent"});

@@ -152,7 +152,7 @@ Result<std::string> format_shard(const ShardHead& head, const std::string& plan_
   }());
   SHG_TRY(hdf5::write_text(root, "format", "shigusa data set"));
   SHG_TRY(hdf5::write_number(root, "version", kDatasetVersion));
-  SHG_TRY(hdf5::write_text(root, "plan", plan_text));
+  SHG_TRY(hdf5::write_long_text(root, "plan", plan_text));
   SHG_TRY(hdf5::write_text(root, "plan_sha256", head.plan));
   SHG_TRY(hdf5::write_number(root, "shard", head.shard));
   SHG_TRY(hdf5::write_number(root, "first_task", head.tasks.first));
@@ -212,17 +212,15 @@ Result<ShardReader> ShardReader::open(const std::filesystem::path& path) {
       sha256(head_text(*head) + bytes.substr(kHeadSize)) != head->sha256) {
     return damaged("its bytes are not those that it was written with");
   }
-  hdf5::be_quiet();
   auto open = std::make_unique<Open>();
   open->path = path.string();
-  open->file = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!open->file) return failed("read", path.string());
+  SHG_TRY_ASSIGN(open->file, hdf5::open_for_reading(path));
   return ShardReader(std::move(open), *head);
 }
 
 Result<std::string> ShardReader::plan_text() const {
   const Handle root(H5Gopen2(open_->file.id(), "/", H5P_DEFAULT), H5Gclose);
-  return hdf5::read_text(root, "plan");
+  return hdf5::read_long_text(root, "plan");
 }
 
 Result<std::vector<std::string>> ShardReader::motion_tables() const {

@@ -44,7 +44,8 @@ struct Column {
     for (const std::size_t side : shape) size *= side;
     return size;
   }
-  [[nodiscard]] std::size_t rows() const { return bytes.size() / row_size(); }
+  // None of a column whose rows hold nothing.
+  [[nodiscard]] std::size_t rows() const { return row_size() == 0 ? 0 : bytes.size() / row_size(); }
 
   void push_bytes(const void* from, std::size_t size) {
     bytes.append(static_cast<const char*>(from), size);
