@@ -165,7 +165,9 @@ Result<Handle> create_on_disk(const std::filesystem::path& path, std::size_t use
 
 Result<Handle> open_file(const std::filesystem::path& path) {
   be_quiet();
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle access = new_list(H5P_FILE_ACCESS);
+  H5Pset_file_locking(access.id(), false, true);
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
   if (!file) return failed("read", path.string());
   return file;
 }
@@ -296,15 +298,6 @@ Result<std::string> read_long_text(const Handle& group, const char* name) {
   }
   text.resize(std::min(text.size(), text.find('\0')));
   return text;
-}
-
-Result<Handle> open_for_reading(const std::filesystem::path& path) {
-  be_quiet();
-  const Handle access = new_list(H5P_FILE_ACCESS);
-  H5Pset_file_locking(access.id(), false, true);
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
-  if (!file) return failed("read", path.string());
-  return file;
 }
 
 Result<void> describe(const Handle& dataset, const Column& column) {

@@ -80,8 +80,6 @@ void be_quiet();
 [[nodiscard]] Result<void> write_long_text(const Handle& group, const char* name,
                                            const std::string& text);
 [[nodiscard]] Result<std::string> read_long_text(const Handle& group, const char* name);
-// A file on the disk, for reading. Locks are not asked for: cluster file systems may lack them.
-[[nodiscard]] Result<Handle> open_for_reading(const std::filesystem::path& path);
 [[nodiscard]] Result<void> write_column(const Handle& group, const Column& column);
 
 // The dataset of a column with `rows` rows, which are to be written in parts; the column's own rows

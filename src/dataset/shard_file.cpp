@@ -214,7 +214,7 @@ Result<ShardReader> ShardReader::open(const std::filesystem::path& path) {
   }
   auto open = std::make_unique<Open>();
   open->path = path.string();
-  SHG_TRY_ASSIGN(open->file, hdf5::open_for_reading(path));
+  SHG_TRY_ASSIGN(open->file, hdf5::open_file(path));
   return ShardReader(std::move(open), *head);
 }
 
