@@ -22,19 +22,12 @@ T read_as(const Column& column, std::size_t place) {
 std::size_t parts_of(const Column& column) { return column.row_size() / size_of(column.type); }
 
 std::uint64_t whole_in(const Column& column, std::size_t row) {
-  const std::size_t place = row * parts_of(column);
-  switch (column.type) {
-    case ElementType::u8:
-      return read_as<std::uint8_t>(column, place);
-    case ElementType::u16:
-      return read_as<std::uint16_t>(column, place);
-    case ElementType::u32:
-      return read_as<std::uint32_t>(column, place);
-    case ElementType::u64:
-      return read_as<std::uint64_t>(column, place);
-    default:
-      return 0;
+  if (column.type == ElementType::u64) {
+    return read_as<std::uint64_t>(column, row * parts_of(column));
   }
+  const bool whole = column.type < ElementType::u64;
+  const double number = whole ? number_in(column, row, 0) : 0.0;
+  return number >= 0.0 ? static_cast<std::uint64_t>(number) : 0;
 }
 
 // The columns that belong to a series.

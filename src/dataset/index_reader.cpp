@@ -87,15 +87,9 @@ Result<IndexHead> verified_index(const std::filesystem::path& path) {
   };
   const Descriptor file = open_at(AT_FDCWD, path.c_str(), O_RDONLY | O_NONBLOCK);
   if (!file) return refused(path, "read", errno);
-  std::string bytes(kHeadSize, '\0');
-  std::size_t size = 0;
-  while (size < bytes.size()) {
-    const ssize_t count = read_some(file, bytes.data() + size, bytes.size() - size);
-    if (count <= 0) break;
-    size += static_cast<std::size_t>(count);
-  }
+  const std::string bytes = first_bytes(file);
   const std::optional<IndexHead> head =
-      size == bytes.size() ? parse_index_head(bytes) : std::nullopt;
+      bytes.size() == kHeadSize ? parse_index_head(bytes) : std::nullopt;
   if (!head) return damaged("its first bytes are no index's");
   const std::string sum = sha256_of(file);
   if (sum.empty()) return refused(path, "read", errno);

@@ -67,19 +67,6 @@ bool is_digest(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-// The first bytes of a file, at most kHeadSize.
-std::string first_bytes(const Descriptor& file) {
-  std::string bytes(kHeadSize, '\0');
-  std::size_t size = 0;
-  while (size < bytes.size()) {
-    const ssize_t count = read_some(file, bytes.data() + size, bytes.size() - size);
-    if (count <= 0) break;
-    size += static_cast<std::size_t>(count);
-  }
-  bytes.resize(size);
-  return bytes;
-}
-
 // The column of a dataset, without its numbers.
 Result<Column> column_of(const Handle& dataset, const std::string& name,
                          std::vector<hsize_t>& sides) {
@@ -168,6 +155,18 @@ Result<std::string> format_shard(const ShardHead& head, const std::string& plan_
   whole.sha256 = sha256(head_text(head) + image);
   image.insert(0, format_head(whole));
   return image;
+}
+
+std::string first_bytes(const Descriptor& file) {
+  std::string bytes(kHeadSize, '\0');
+  std::size_t size = 0;
+  while (size < bytes.size()) {
+    const ssize_t count = read_some(file, bytes.data() + size, bytes.size() - size);
+    if (count <= 0) break;
+    size += static_cast<std::size_t>(count);
+  }
+  bytes.resize(size);
+  return bytes;
 }
 
 std::optional<ShardHead> parse_head(std::string_view bytes) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/descriptor.hpp"
 #include "table.hpp"
 
 namespace shigusa {
@@ -38,6 +39,9 @@ inline constexpr std::size_t kShardFileMaxBytes = std::size_t{256} << 20;
 // The bytes of a shard's file.
 [[nodiscard]] Result<std::string> format_shard(const ShardHead& head, const std::string& plan_text,
                                                const std::vector<Table>& tables);
+
+// The bytes that a file begins with, at most kHeadSize.
+[[nodiscard]] std::string first_bytes(const Descriptor& file);
 
 // Parses a head; none where that is no shard's.
 [[nodiscard]] std::optional<ShardHead> parse_head(std::string_view bytes);
