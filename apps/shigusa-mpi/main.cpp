@@ -112,7 +112,11 @@ int run(int argc, char** argv) {
   if (rank == 0) {
     // the others wait for it at the counter
     const Result<void> ready =
-        shigusa::prepare_folder(folder).and_then([&] { return shigusa::keep_plan(*plan, folder); });
+        shigusa::prepare_folder(folder)
+            .and_then([&] { return shigusa::keep_plan(*plan, folder); })
+            .and_then([&] {
+              return shigusa::write_first_card(*plan, folder, "shigusa " SHIGUSA_VERSION);
+            });
     if (!ready) give_up(rank, ready.error());
   }
   const Result<DatasetRun> made = make_shards(*plan, folder);
