@@ -26,7 +26,8 @@ def shown(name, member):
     if isinstance(member, h5py.Dataset):
         values = member[()]
         is_text = values.dtype.kind == 'S'
-        data = '\n'.join(texts(values)).encode() if is_text else values.tobytes()
+        # the plan is a single text
+        data = '\n'.join(texts(numpy.atleast_1d(values))).encode() if is_text else values.tobytes()
         shape = 'x'.join(str(side) for side in values.shape)
         lines.append(f'/{name} {shape} {hashlib.sha256(data).hexdigest()}')
     return lines
@@ -74,7 +75,8 @@ def join(file):
 
 
 def is_column(file, path):
-    return path in file and isinstance(file[path], h5py.Dataset)
+    # the plan, a single text, has no rows
+    return path in file and isinstance(file[path], h5py.Dataset) and file[path].ndim > 0
 
 
 def compare(index, folder):

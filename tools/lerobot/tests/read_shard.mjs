@@ -6,7 +6,7 @@ import { File, Group, ready } from 'h5wasm/node';
 
 const digest = (bytes) => createHash('sha256').update(bytes).digest('hex');
 const bytesOf = (value) =>
-  ArrayBuffer.isView(value) ? new Uint8Array(value.buffer, value.byteOffset, value.byteLength) : value.join('\n');
+  ArrayBuffer.isView(value) ? new Uint8Array(value.buffer, value.byteOffset, value.byteLength) : [value].flat().join('\n');
 const lines = [];
 
 function show(group) {
