@@ -75,7 +75,7 @@ struct TaskRange {
   std::uint64_t last = 0;   ///< number of the task after the last
 };
 
-/// A task of a plan, drawn, with its body; or why there is none.
+/// A task that was drawn of a plan.
 struct DrawnTask {
   TaskFile file;             ///< as a file of it would say; the character is measured
   std::uint64_t person = 0;  ///< number of the person

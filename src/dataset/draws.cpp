@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <shigusa/random.hpp>
 
 #include "body/anthropometry.hpp"
@@ -105,7 +104,7 @@ Result<void> check_argument(const Json& draw, const std::string& word, const std
     return allow(is_range(argument, -1e9, 1e9), "[low, high] with low ≤ high");
   }
   if (word == "integer") {
-    constexpr double kMost = 4294967295.0;
+    constexpr double kMost = 4294967294.0;  // so many and one more have a count of 32 bits
     const bool whole = is_range(argument, 0.0, kMost) && argument[0].is_number_integer() &&
                        argument[1].is_number_integer();
     return allow(whole, "[low, high], whole numbers from 0 with low ≤ high");
