@@ -104,7 +104,7 @@ Result<void> check_argument(const Json& draw, const std::string& word, const std
     return allow(is_range(argument, -1e9, 1e9), "[low, high] with low ≤ high");
   }
   if (word == "integer") {
-    constexpr double kMost = 4294967294.0;  // so many and one more have a count of 32 bits
+    constexpr double kMost = 4294967294.0;  // the count of the numbers has 32 bits
     const bool whole = is_range(argument, 0.0, kMost) && argument[0].is_number_integer() &&
                        argument[1].is_number_integer();
     return allow(whole, "[low, high], whole numbers from 0 with low ≤ high");
