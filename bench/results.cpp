@@ -110,9 +110,9 @@ void candidate_table(const GenerateResult& generation, std::string& page) {
 // Writes a candidate's figure; the line of the page that shows it.
 std::string picture(const std::filesystem::path& docs, const Task& task, const Candidate& candidate,
                     const std::string& name, const std::string& words) {
-  const std::string png = export_candidate(task, candidate, FileFormat::png).value();
-  std::ofstream(docs / "images" / name, std::ios::binary) << png;
-  return fmt::format("\n![{}](images/{})\n", words, name);
+  const std::string svg = export_candidate(task, candidate, FileFormat::svg).value();
+  std::ofstream(docs / "images" / "results" / name, std::ios::binary) << svg;
+  return fmt::format("\n![{}](images/results/{})\n", words, name);
 }
 
 void show(const std::filesystem::path& docs, const BodyModel& body, const Experiment& experiment,
@@ -132,7 +132,7 @@ void show(const std::filesystem::path& docs, const BodyModel& body, const Experi
   const std::size_t shown =
       std::min<std::size_t>(long_search ? 2 : 1, generation.candidates.size());
   for (std::size_t i = 0; i < shown; ++i) {
-    const std::string name = fmt::format("{}-{}{}-{}.png", experiment.file, body.name(),
+    const std::string name = fmt::format("{}-{}{}-{}.svg", experiment.file, body.name(),
                                          long_search ? "" : "-one_run", i + 1);
     page += picture(docs, task, generation.candidates[i], name,
                     fmt::format("{}, candidate {}", experiment.title, i + 1));
@@ -175,7 +175,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::filesystem::path docs = argv[1];
-  std::filesystem::create_directories(docs / "images");
+  std::filesystem::create_directories(docs / "images" / "results");
   const std::string page = results_page(docs);
   std::ofstream(docs / "results.md", std::ios::binary) << page;
   std::cout << (docs / "results.md").string() << "\n";

@@ -79,7 +79,7 @@ BEGIN {
   face("io", "bvh file file_format")
   face("figure", "strip_figure")
   face("character", "character")
-  face("document", "task_file result_file export score_clip limb_cache facts")
+  face("document", "task_file result_file result_words motion_page export score_clip limb_cache facts")
   face("edit", "edit")
   face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export dataset_read")
   face("shigusa", "shigusa")

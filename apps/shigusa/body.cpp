@@ -2,12 +2,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 #include <shigusa/character.hpp>
 
 #include "commands.hpp"
+#include "usage.hpp"
 
 namespace shigusa::app {
 namespace {
+
+struct BodyOptions {
+  std::string source;
+  CharacterOptions person;
+  bool json = false;
+};
 
 // rounded, so that nothing is printed as -0
 double rounded_to(double parts, double x) {
@@ -48,8 +56,6 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
   for (const Message& doubt : body.doubts()) print_out("note: {}\n", printable(doubt.text));
 }
 
-}  // namespace
-
 Result<int> body(const BodyOptions& options) {
   CharacterSpec spec;
   spec.source = options.source;
@@ -62,6 +68,23 @@ Result<int> body(const BodyOptions& options) {
     print_body(model, spec);
   }
   return kDone;
+}
+
+}  // namespace
+
+void add_body(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<BodyOptions>();
+  BodyOptions& o = *options;
+  CLI::App* c = app.add_subcommand("body", "Show how a body is understood, and its effectors");
+  c->group(kLook)->footer("shigusa body human\nshigusa body hero.vrm --stature 1.62");
+  describe(c->add_option("source", o.source)->required(),
+           {.brief = "A built-in body, or a person's or a robot's file",
+            .full = character_help(),
+            .form = character_form()});
+  add_character_options(*c, o.person);
+  describe(c->add_flag("--json", o.json),
+           {.group = heading(OptionGroup::output), .brief = "Print JSON"});
+  c->callback([options, &exit_code] { exit_code = exit_code_of(body(*options)); });
 }
 
 }  // namespace shigusa::app

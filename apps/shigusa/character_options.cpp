@@ -4,16 +4,32 @@
 #include <shigusa/words.hpp>
 
 #include "commands.hpp"
+#include "next_step.hpp"
+#include "usage.hpp"
 
 namespace shigusa::app {
 namespace {
 
+// Fails on a length out of range, with a hint where it is in centimetres.
+Result<void> check_length(const char* option, double metres, double low, double high) {
+  if (metres >= low && metres <= high) return {};
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("is {:g} m; allowed are {:g} to {:g} m{}", metres, low, high,
+                          centimetre_hint(metres, low, high)),
+              option);
+}
+
 Result<double> parse_stature(const std::string& text, Sex sex) {
   if (const auto percentile = stature_percentile(text, sex)) return *percentile;
-  if (const auto stature = parse_number(text)) return *stature;
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("is '{}'; allowed are metres, p5, p50 and p95", text.substr(0, 80)),
-              "--stature");
+  const std::optional<double> stature = parse_number(text);
+  if (!stature) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("is '{}'; allowed are metres, p5, p50 and p95{}", text.substr(0, 80),
+                            comma_hint(text)),
+                "--stature");
+  }
+  SHG_TRY(check_length("--stature", *stature, kStatureMin, kStatureMax));
+  return *stature;
 }
 
 // BONE=NODE, or a JSON file
@@ -44,9 +60,11 @@ Result<void> check_given(const CharacterOptions& options, const CharacterSpec& s
                    {"--stature", options.stature.has_value() && of_file, true}};
   for (const auto& option : of_a_file) {
     if (option.given && !of_file) {
-      return fail(ErrorCode::invalid_argument,
-                  fmt::format("is of a person from a file, and {} is built in", spec.source),
-                  option.name);
+      return fail(
+          ErrorCode::invalid_argument,
+          fmt::format("is of a person from a file, and {} is built in; give a file in its place",
+                      spec.source),
+          option.name);
     }
     if (option.given && option.measures && spec.landmarks) {
       return fail(ErrorCode::invalid_argument,
@@ -57,7 +75,140 @@ Result<void> check_given(const CharacterOptions& options, const CharacterSpec& s
   return {};
 }
 
+// Options of people from files, who are seldom given.
+void add_file_person_options(CLI::App& c, CharacterOptions& o) {
+  const std::string group = heading(OptionGroup::body);
+  describe(c.add_option("--extent", o.extent)->check(one_of("extent", all_words<BodyExtent>())),
+           {.group = group,
+            .brief = "Of a person from a file (default human)",
+            .full = "Of a person from a file: human (spine, neck, wrists and so on), full (18 "
+                    "freedoms) or half (9).",
+            .form = choices<BodyExtent>(),
+            .rare = true});
+  describe(c.add_option("--frame", o.frame)->transform(frame_or_rest()),
+           {.group = group,
+            .brief = "Frame of the file that is the start posture",
+            .full = "Frame of the file that is the start posture, exactly (from 0; of glTF of an "
+                    "animation, at 60 a second), or rest: the file's rest pose, at ease.",
+            .form = "FRAME|rest",
+            .rare = true});
+  describe(c.add_option("--animation", o.animation),
+           {.group = group,
+            .brief = "A glTF file's animation (default: its first)",
+            .full = "Name or index of a glTF file's animation; its first when not given.",
+            .form = "NAME",
+            .rare = true});
+  describe(c.add_option("--map", o.map)->allow_extra_args(false),
+           {.group = group,
+            .brief = "The node of the file that a bone is, or a file of them",
+            .full = "The node of the file that a bone is, by its name, right_hand=Bone_17, or by "
+                    "its place, right_hand=#17; or a file of them: JSON, or what `shigusa body` "
+                    "printed. Repeatable.",
+            .form = "BONE=NODE|FILE",
+            .rare = true});
+}
+
+void add_rare_file_options(CLI::App& c, FileOptions& o) {
+  describe(c.add_flag("--one-file", o.one_file),
+           {.group = heading(OptionGroup::output),
+            .brief = "All candidates in one candidates.glb",
+            .full = "All candidates in one candidates.glb in place of a GLB for each.",
+            .rare = true});
+  describe(c.add_option("--clip", o.clip),
+           {.group = heading(OptionGroup::output),
+            .brief = "Name of the animation in GLB and VRMA",
+            .full = "Name of the animation in GLB and VRMA; in one file with the rank after it.",
+            .form = "NAME",
+            .rare = true});
+  describe(c.add_option("--joint-names", o.joint_names),
+           {.group = heading(OptionGroup::output),
+            .brief = "Names of a built-in body's joints in BVH (default own)",
+            .full = "Whose names the joints of a built-in body have in BVH: own, when not given, "
+                    "or those of another program.",
+            .form = choices<JointNames>(),
+            .rare = true});
+  describe(c.add_flag("--in-place", o.in_place),
+           {.group = heading(OptionGroup::output),
+            .brief = "The hips stay where they are along the floor",
+            .full = "Leaves out the way of the hips along the floor in BVH, GLB and VRMA: for "
+                    "games that move the character themselves.",
+            .rare = true});
+}
+
 }  // namespace
+
+bool needs_file(const FormatInfo& info) { return info.needs != NeededFile::none; }
+
+std::string character_form() { return fmt::format("{}|FILE", fmt::join(kBuiltInCharacters, "|")); }
+
+std::string character_help() {
+  return fmt::format("{}, a person's file ({}), or a robot's ({}).",
+                     fmt::join(kBuiltInCharacters, ", "),
+                     format_endings([](const FormatInfo& info) { return info.person; }),
+                     format_endings([](const FormatInfo& info) { return info.robot; }));
+}
+
+std::string usual_formats_help() {
+  return format_words([](const FormatInfo& info) { return info.usual && !needs_file(info); }) +
+         "; for characters whose file can hold them also " +
+         format_words([](const FormatInfo& info) { return info.usual && needs_file(info); });
+}
+
+void add_character_options(CLI::App& c, CharacterOptions& o) {
+  const std::string group = heading(OptionGroup::body);
+  describe(c.add_option("--stature", o.stature),
+           {.group = group,
+            .brief = "Standing height in metres (default: the body's own)",
+            .full = "Standing height in metres, or p5, p50, p95: that of 5, 50 or 95 of 100 people "
+                    "of the sex at most.",
+            .form = "METRES|p5|p50|p95"});
+  describe(c.add_option("--mass", o.mass),
+           {.group = group,
+            .brief = "Mass of the body (default: from stature and sex)",
+            .full = "Mass of the body in kilograms; from stature and sex when not given.",
+            .form = "KILOGRAMS"});
+  describe(c.add_option("--sex", o.sex)->check(one_of("sex", all_words<Sex>())),
+           {.group = group,
+            .brief = "Of mass distribution and strength (default male)",
+            .form = choices<Sex>()});
+  describe(c.add_option("--seat", o.seat),
+           {.group = group,
+            .brief = "Sits on a seat of this height",
+            .full = "Sits on a seat of this height in metres, with the feet where they stand.",
+            .form = "METRES"});
+  describe(c.add_flag("--heels", o.heels),
+           {.group = group,
+            .brief = "Heels may lift where people's do",
+            .full = "Heels may lift where people's do: on tiptoe for what is high, in a deep squat "
+                    "(human, standing)."});
+  add_file_person_options(c, o);
+}
+
+void add_file_options(CLI::App& c, FileOptions& o, const FileHelp& help) {
+  const auto is_written = [](const FormatInfo& info) { return info.written; };
+  const auto is_rated = [](const FormatInfo& info) { return info.rated; };
+  std::vector<std::string_view> words;
+  for (const FormatInfo& info : kFileFormats) {
+    if (info.written) words.push_back(info.word);
+  }
+  describe(c.add_option("--formats", o.formats),
+           {.group = heading(OptionGroup::output),
+            .brief = "Files of each candidate, with commas between",
+            .full = "Files of each candidate, of " + format_words(is_written) +
+                    ", with commas between; when not given: " + help.usual + ".",
+            .form = fmt::format("{},…", fmt::join(words, "|")),
+            .rare = help.rare});
+  describe(c.add_option("--fps", o.fps)->check(number(kRateMin, kRateMax)),
+           {.group = heading(OptionGroup::output),
+            .brief = fmt::format("Frames a second of {} (default {})", format_words(is_rated),
+                                 help.rate),
+            .full = fmt::format("Frames a second of {}, 1 to 240, such as 24 or 29.97; {} when not "
+                                "given. The others have the motion's own frames.",
+                                format_words(is_rated), help.rate),
+            .form = "RATE",
+            .rare = help.rare});
+  add_rare_file_options(c, o);
+}
 
 Result<void> apply_character_options(const CharacterOptions& options, CharacterSpec& spec) {
   SHG_TRY(check_given(options, spec));
@@ -65,7 +216,10 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
   if (options.frame) spec.frame = options.frame;
   if (options.animation) spec.animation = options.animation;
   if (options.mass) spec.mass = options.mass;
-  if (options.seat) spec.seat = options.seat;
+  if (options.seat) {
+    SHG_TRY(check_length("--seat", *options.seat, kSeatMin, kSeatMax));
+    spec.seat = options.seat;
+  }
   spec.heels = spec.heels || options.heels;
   if (options.sex) spec.sex = *value_of<Sex>(*options.sex, "sex");
   if (options.stature) {
@@ -84,11 +238,12 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
   usual.clip = options.clip;
   usual.in_place = options.in_place;
   if (options.joint_names) {
-    SHG_TRY_ASSIGN(usual.names, value_of<JointNames>(*options.joint_names, "joint names"));
+    SHG_TRY_ASSIGN(usual.names, placed("--joint-names",
+                                       value_of<JointNames>(*options.joint_names, "joint names")));
   }
   if (!options.formats) return usual;
-  SHG_TRY_ASSIGN(usual.formats, parse_formats(*options.formats));
-  SHG_TRY(check_formats(spec, usual.formats));
+  SHG_TRY_ASSIGN(usual.formats, placed("--formats", parse_formats(*options.formats)));
+  SHG_TRY(with_hint(check_formats(spec, usual.formats), "; give one by --character"));
   return usual;
 }
 

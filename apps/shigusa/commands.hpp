@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <shigusa/export.hpp>
 #include <shigusa/parallel.hpp>
@@ -48,84 +49,57 @@ struct FileOptions {
   bool in_place = false;
 };
 
-struct ReachOptions {
-  std::string task;  // file, or empty
-  std::optional<std::string> character;
-  CharacterOptions person;
-  TaskOptions asked;
-  std::optional<double> seconds;  // of the search at most
-  int threads = 0;                // 0: one for each core
-  std::optional<std::string> simd;
-  std::string out = "out";
-  FileOptions files;
-  bool json = false;
-};
+// The headings of commands in `shigusa --help`.
+inline constexpr const char* kMakeMotions = "Make motions";
+inline constexpr const char* kLook = "Look";
+inline constexpr const char* kMany = "Many";
+inline constexpr const char* kMore = "Studio and more";
 
-struct EditOptions {
-  std::string result;
-  int candidate = 1;
-  std::vector<std::string> assignments;
-  bool mirror = false;                   // left for right
-  std::optional<std::string> character;  // the file of the result's person
-  std::string out;                       // empty: a new folder beside the result
-  FileOptions files;
-  bool json = false;
-};
+// The heading of a group of options.
+[[nodiscard]] inline std::string heading(OptionGroup group) { return std::string(word_of(group)); }
 
-struct RenderOptions {
-  std::string clip;
-  std::string out;  // empty: the clip's name with .svg
-  int poses = 7;
-  std::string frames;             // FIRST:LAST, or empty for all
-  std::optional<double> stature;  // m
-};
+// The commands, each added to the program; a call of it sets the exit code.
+void add_reach(CLI::App& app, int& exit_code);
+void add_edit(CLI::App& app, int& exit_code);
+void add_mirror(CLI::App& app, int& exit_code);
+void add_render(CLI::App& app, int& exit_code);
+void add_score(CLI::App& app, int& exit_code);
+void add_body(CLI::App& app, int& exit_code);
+void add_dataset(CLI::App& app, int& exit_code);
+void add_studio(CLI::App& app, int& exit_code);
+void add_schema(CLI::App& app);
 
-struct ScoreOptions {
-  std::string clip;
-  std::optional<std::string> character;  // the clip's own person when not given
-  CharacterOptions person;
-  std::string frames;  // FIRST:LAST, or empty for all
-  std::optional<std::string> criteria;
-  std::optional<double> smooth;  // Hz
-  bool json = false;
-};
+// The words of an enum as a form (see OptionHelp) of an option: "paper|flat".
+template <class Enum>
+[[nodiscard]] std::string choices() {
+  return fmt::format("{}", fmt::join(all_words<Enum>(), "|"));
+}
 
-struct BodyOptions {
-  std::string source;
-  CharacterOptions person;
-  bool json = false;
-};
+// "human|full_body|half_body|FILE", and the sentence about these.
+[[nodiscard]] std::string character_form();
+[[nodiscard]] std::string character_help();
+// Adds the options of a character beside its source.
+void add_character_options(CLI::App& command, CharacterOptions& options);
 
-struct DatasetOptions {
-  std::string plan;    // file
-  std::string folder;  // of the data set, or of the one task
-  std::string shards;  // FIRST:LAST, or empty for all
-  std::string part;    // K/N, or empty for all
-  bool check_plan = false;
-  std::optional<std::uint64_t> task;
-  int threads = 0;
-  std::optional<std::string> simd;
-  FileOptions files;  // of the one task
-  bool json = false;  // of the one task
+// Words for the help of files' options, which depend on the command.
+struct FileHelp {
+  std::string usual;  // formats that are written where nothing is said
+  std::string rate;   // Hz, likewise
+  bool rare = false;  // all of these options are
 };
+void add_file_options(CLI::App& command, FileOptions& options, const FileHelp& help);
+// "bvh, csv, svg and png; for characters …", what reach writes.
+[[nodiscard]] std::string usual_formats_help();
+// Whether a format is the character's own file with the motion in it.
+[[nodiscard]] bool needs_file(const FormatInfo& info);
 
-struct StudioOptions {
-  int port = 0;        // any that is free
-  bool open = true;    // in the person's browser
-  std::string folder;  // of the built page; empty: where it is installed, or in the source tree
-};
-
-// The commands; their values are exit codes.
-[[nodiscard]] Result<int> studio(const StudioOptions& options);
-[[nodiscard]] Result<int> reach(const ReachOptions& options);
-[[nodiscard]] Result<int> edit(const EditOptions& options);
-[[nodiscard]] Result<int> render(const RenderOptions& options);
-[[nodiscard]] Result<int> score(const ScoreOptions& options);
-[[nodiscard]] Result<int> body(const BodyOptions& options);
-[[nodiscard]] Result<int> dataset(const DatasetOptions& options);
+// Makes the folder of --out, as prepare_folder does.
+[[nodiscard]] Result<void> prepare_out(const std::filesystem::path& folder);
 
 // The SIMD set of that name; fails on one that this machine lacks.
 [[nodiscard]] Result<SimdSet> simd_named(const std::string& name);
+// Their names as a form.
+[[nodiscard]] std::string simd_choices();
 
 // Part of a clip: "FIRST:LAST", or all of it where the text is empty.
 struct FrameRange {
@@ -133,6 +107,7 @@ struct FrameRange {
   std::optional<int> last{};
 };
 [[nodiscard]] Result<FrameRange> parse_frames(const std::string& text);
+inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from 0";
 
 // Fails on facts that a built-in body, or a person who was measured before, cannot take.
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,

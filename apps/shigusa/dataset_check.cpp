@@ -53,13 +53,22 @@ void add_dataset_check(CLI::App& dataset, int& exit_code) {
   CheckOptions& o = *options;
   CLI::App* c = dataset.add_subcommand(
       "check", "Check a data set: its bytes, and a share of its tasks by making them again");
-  c->add_option("folder", o.folder, "Folder of the data set")->required();
-  c->add_option("--share", o.share, "Of the tasks that are made again, 0 to 1; at least one is")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  c->add_option("--threads", o.threads,
-                "Tasks that are made at once (default 0: one for each core)")
-      ->check(whole_number(0, kMaxThreads));
+  c->group(kOfDataset)
+      ->footer("shigusa dataset check motions\nshigusa dataset check motions --share 0.2");
+  describe(c->add_option("folder", o.folder)->required(),
+           {.brief = "Folder of the data set", .form = "FOLDER"});
+  const std::string group = "The check";
+  describe(c->add_option("--share", o.share)->check(number(0.0, 1.0)),
+           {.group = group,
+            .brief = fmt::format("Of tasks that are made again, 0 to 1 (default {:g})", o.share),
+            .full = fmt::format("Share of the tasks that are made again, 0 to 1; {:g} when not "
+                                "given; at least one task is.",
+                                o.share),
+            .form = "SHARE"});
+  describe(c->add_option("--threads", o.threads)->check(whole_number(0, kMaxThreads)),
+           {.group = group,
+            .brief = "Tasks that are made at once (default 0: one for each core)",
+            .form = "N"});
   c->callback([options, &exit_code] { exit_code = exit_code_of(dataset_check(*options)); });
 }
 

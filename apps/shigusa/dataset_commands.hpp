@@ -8,6 +8,9 @@
 
 namespace shigusa::app {
 
+// The heading of these commands in `shigusa dataset --help`.
+inline constexpr const char* kOfDataset = "Commands of a data set that is there";
+
 // The commands of data sets beside making one, each added to `shigusa dataset`.
 void add_dataset_merge(CLI::App& dataset, int& exit_code);
 void add_dataset_check(CLI::App& dataset, int& exit_code);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <shigusa/dataset_export.hpp>
 
 #include "commands.hpp"
 #include "dataset_commands.hpp"
+#include "number_range.hpp"
 #include "paced_line.hpp"
 #include "usage.hpp"
 
@@ -27,44 +27,27 @@ struct ExportOptions {
   std::string character;
 };
 
-// "FIRST:LAST", either of which may be missing; nothing where it is no such range.
-std::optional<TaskRange> parse_range(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string::npos) return std::nullopt;
-  TaskRange range{0, kDatasetMaxTasks};
-  const auto read = [](std::string_view digits, std::uint64_t& number) {
-    if (digits.empty()) return true;
-    const char* const end = digits.data() + digits.size();
-    const auto [stop, code] = std::from_chars(digits.data(), end, number);
-    return code == std::errc{} && stop == end;
-  };
-  const std::string_view view = text;
-  if (!read(view.substr(0, colon), range.first) || !read(view.substr(colon + 1), range.last)) {
-    return std::nullopt;
-  }
-  return range;
-}
-
 // The range of tasks that is asked for; to the plan's last where no end is given.
 Result<std::optional<TaskRange>> asked_tasks(const ExportOptions& options) {
   if (options.tasks.empty()) return std::optional<TaskRange>{};
-  std::optional<TaskRange> range = parse_range(options.tasks);
-  if (!range) {
+  const std::optional<NumberRange> asked = parse_range(options.tasks);
+  if (!asked) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("is '{}'; allowed is FIRST:LAST, such as 0:100, the last one not among "
                             "them",
                             options.tasks.substr(0, 80)),
                 "--tasks");
   }
-  if (options.tasks.ends_with(':')) {
+  TaskRange range{asked->first.value_or(0), asked->last.value_or(0)};
+  if (!asked->last) {
     SHG_TRY_ASSIGN(const DatasetPlan plan,
                    DatasetPlan::read(std::filesystem::path(options.from) / kPlanName));
-    range->last = plan.tasks();
+    range.last = plan.tasks();
   }
-  return range;
+  return std::optional(range);
 }
 
-std::function<void(const DataExportReport&)> reporter() {
+std::function<void(const DataExportReport&)> export_reporter() {
   return [line = PacedLine()](const DataExportReport& now) mutable {
     if (!line.is_due()) return;
     line.show(
@@ -81,7 +64,7 @@ Result<DataExportSettings> settings_of(const ExportOptions& options) {
                               .rate = options.fps,
                               .series = options.series,
                               .character = options.character,
-                              .report = reporter(),
+                              .report = export_reporter(),
                               .cancel = &interrupted()};
   const auto format = value_of<DataFormat>(options.format, "format");
   if (!format) return fail(format.error().code, format.error().message, "--to");
@@ -133,29 +116,57 @@ std::string formats_help() {
   return text;
 }
 
+// Which of the motions are written.
+void add_choice_options(CLI::App& c, ExportOptions& o) {
+  const std::string group = "The motions";
+  describe(c.add_option("--split", o.split), {.group = group,
+                                              .brief = "Only people of this part of the data set",
+                                              .form = "train|validation|test"});
+  describe(c.add_option("--tasks", o.tasks),
+           {.group = group,
+            .brief = "Only these tasks, the last one not among them",
+            .form = "FIRST:LAST"});
+  describe(c.add_option("--verdict", o.verdict),
+           {.group = group,
+            .brief = "Only motions of this verdict or a better one",
+            .form = choices<Verdict>()});
+  describe(c.add_option("--most", o.most)->check(whole_number(1, std::uint64_t{1} << 40)),
+           {.group = group, .brief = "No more motions than these", .form = "N"});
+}
+
 }  // namespace
 
 void add_dataset_export(CLI::App& dataset, int& exit_code) {
   const auto options = std::make_shared<ExportOptions>();
   ExportOptions& o = *options;
   CLI::App* c = dataset.add_subcommand("export", "Write a data set's motions for other programs");
-  c->add_option("folder", o.from, "Folder of the data set")->required();
-  c->add_option("--to", o.format, formats_help())
-      ->required()
-      ->type_name(fmt::format("{}", fmt::join(all_words<DataFormat>(), "|")));
-  c->add_option("--out", o.to, "Folder for the files, new or empty")->required();
-  c->add_flag("--force", o.force,
-              "Into a folder that is not empty: files of the same names are replaced");
-  c->add_option("--split", o.split, "Only people of this part: train, validation or test");
-  c->add_option("--tasks", o.tasks, "FIRST:LAST of the tasks, the last one not among them");
-  c->add_option("--verdict", o.verdict,
-                "Only motions of this verdict or a better one: possible, strains or impossible");
-  c->add_option("--most", o.most, "No more motions than these")
-      ->check(whole_number(1, std::uint64_t{1} << 40));
-  c->add_option("--fps", o.fps, "Frames a second of npz and glb (default: 60)");
-  c->add_flag("--series", o.series, "Of csv: a file of each motion's series too");
-  c->add_option("--character", o.character,
-                "Of glb: the file of the one who moves (default: the tasks' own)");
+  c->group(kOfDataset)
+      ->footer(
+          "shigusa dataset export motions --to csv --out tables\n"
+          "shigusa dataset export motions --to glb --out clips --split test --most 20");
+  describe(c->add_option("folder", o.from)->required(),
+           {.brief = "Folder of the data set", .form = "FOLDER"});
+  add_choice_options(*c, o);
+  const std::string output = heading(OptionGroup::output);
+  describe(c->add_option("--to", o.format)->required(), {.group = output,
+                                                         .brief = "Format of the files",
+                                                         .full = formats_help(),
+                                                         .form = choices<DataFormat>()});
+  describe(c->add_option("--out", o.to)->required(),
+           {.group = output, .brief = "Folder for the files, new or empty", .form = "FOLDER"});
+  describe(c->add_flag("--force", o.force),
+           {.group = output,
+            .brief = "Into a folder that is not empty",
+            .full = "Into a folder that is not empty: files of the same names are replaced."});
+  describe(
+      c->add_option("--fps", o.fps),
+      {.group = output, .brief = "Frames a second of npz and glb (default 60)", .form = "RATE"});
+  describe(c->add_flag("--series", o.series),
+           {.group = output, .brief = "Of csv: a file of each motion's series too"});
+  describe(c->add_option("--character", o.character),
+           {.group = output,
+            .brief = "Of glb: the file of who moves (default: the tasks' own)",
+            .form = "FILE"});
   c->callback([options, &exit_code] { exit_code = exit_code_of(dataset_export(*options)); });
 }
 

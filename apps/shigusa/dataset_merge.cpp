@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "dataset_commands.hpp"
 #include "paced_line.hpp"
+#include "usage.hpp"
 
 namespace shigusa::app {
 namespace {
@@ -56,7 +57,9 @@ void add_dataset_merge(CLI::App& dataset, int& exit_code) {
   const auto folder = std::make_shared<std::string>();
   CLI::App* c = dataset.add_subcommand(
       "merge", "Write a data set's index (index.h5), statistics and data card (README.md)");
-  c->add_option("folder", *folder, "Folder of the data set")->required();
+  c->group(kOfDataset)->footer("shigusa dataset merge motions");
+  describe(c->add_option("folder", *folder)->required(),
+           {.brief = "Folder of the data set", .form = "FOLDER"});
   c->callback([folder, &exit_code] { exit_code = exit_code_of(dataset_merge(*folder)); });
 }
 

@@ -31,12 +31,18 @@ Result<int> dataset_show(const DatasetShowOptions& options) {
 void add_dataset_show(CLI::App& dataset, int& exit_code) {
   const auto options = std::make_shared<DatasetShowOptions>();
   CLI::App* c = dataset.add_subcommand("show", "Show a data set as one page: motions and plots");
-  c->add_option("folder", options->folder, "Folder of the data set")->required();
-  c->add_option("--out", options->out, "The page (HTML), which needs no other file")
-      ->capture_default_str();
-  c->add_option("--motions", options->motions, "Motions that are drawn")
-      ->check(whole_number(0, kShownMax))
-      ->capture_default_str();
+  c->group(kOfDataset)->footer("shigusa dataset show motions --out motions.html");
+  describe(c->add_option("folder", options->folder)->required(),
+           {.brief = "Folder of the data set", .form = "FOLDER"});
+  const std::string output = heading(OptionGroup::output);
+  describe(c->add_option("--out", options->out),
+           {.group = output,
+            .brief = fmt::format("The page, which needs no other file (default {})", options->out),
+            .form = "FILE"});
+  describe(c->add_option("--motions", options->motions)->check(whole_number(0, kShownMax)),
+           {.group = output,
+            .brief = fmt::format("Motions that are drawn (default {})", options->motions),
+            .form = "N"});
   c->callback([options, &exit_code] { exit_code = exit_code_of(dataset_show(*options)); });
 }
 

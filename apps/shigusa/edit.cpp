@@ -3,16 +3,33 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <shigusa/edit.hpp>
 #include <utility>
 
 #include "commands.hpp"
+#include "next_step.hpp"
 #include "table.hpp"
+#include "usage.hpp"
 
 namespace shigusa::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The heading of options that say which motion of a result, and its change.
+constexpr const char* kOfResult = "The motion";
+
+struct EditOptions {
+  std::string result;
+  int candidate = 1;
+  std::vector<std::string> assignments;
+  bool mirror = false;                   // left for right
+  std::optional<std::string> character;  // the file of the result's person
+  std::string out;                       // empty: a new folder beside the result
+  FileOptions files;
+  bool json = false;
+};
 
 // The folder that the result is in.
 fs::path folder_of(const EditOptions& options) {
@@ -43,7 +60,7 @@ Result<fs::path> make_folder(const EditOptions& options) {
       return fail(ErrorCode::io, "cannot make this folder: " + error.message(), folder.string());
     }
   }
-  SHG_TRY(prepare_folder(folder));
+  SHG_TRY(prepare_out(folder));
   return folder;
 }
 
@@ -87,12 +104,13 @@ ExportSettings usual_settings(const StoredResult& stored, int candidate, const f
   return usual;
 }
 
-}  // namespace
-
 Result<int> edit(const EditOptions& options) {
-  SHG_TRY(parse_formats(options.files.formats.value_or("")));
+  SHG_TRY(placed("--formats", parse_formats(options.files.formats.value_or(""))));
   SHG_TRY(check_folder(options));
-  SHG_TRY_ASSIGN(StoredResult stored, read_result(options.result, options.candidate));
+  const bool is_clip = file_ending(options.result) != ".json" && format_of_file(options.result);
+  SHG_TRY_ASSIGN(StoredResult stored,
+                 with_hint(read_result(options.result, options.candidate),
+                           is_clip ? "; give the folder that it is in, as a result" : ""));
   if (options.mirror) {
     SHG_TRY(mirror_result(stored));
   }
@@ -111,7 +129,8 @@ Result<int> edit(const EditOptions& options) {
     const auto& given = options.assignments;
     const bool by_call = std::find(given.begin(), given.end(), error.place) != given.end();
     const std::string place = error.place.empty() ? options.result : error.place;
-    return fail(error.code, error.message, (by_call ? "--set " : "") + place);
+    const std::string hint = by_call ? comma_hint(place.substr(place.find('=') + 1)) : "";
+    return fail(error.code, error.message.text + hint, (by_call ? "--set " : "") + place);
   }
   RunInfo info = replay_info(options.mirror ? "mirror" : "edit", begin);
   SHG_TRY_ASSIGN(const fs::path folder, make_folder(options));
@@ -121,6 +140,65 @@ Result<int> edit(const EditOptions& options) {
   std::error_code ignored;
   if (!delivered && options.out.empty()) fs::remove(folder, ignored);
   return delivered;
+}
+
+// The options that edit and mirror have in common.
+void add_result_options(CLI::App* c, EditOptions& o) {
+  const std::string output = heading(OptionGroup::output);
+  describe(c->add_option("result", o.result)->required(),
+           {.brief = "Folder of a result, or its summary.json", .form = "FILE|FOLDER"});
+  describe(c->add_option("--candidate", o.candidate),
+           {.group = kOfResult, .brief = "Rank of the candidate (default 1)", .form = "RANK"});
+  describe(c->add_option("--character", o.character),
+           {.group = kOfResult,
+            .brief = "The person's file (default: where the result says it is)",
+            .full = "The person's file, which " + format_words(needs_file, "or") +
+                    " and a BVH of the file's own nodes need; when not given, it is where the "
+                    "result says it is.",
+            .form = "FILE"});
+  describe(c->add_option("--out", o.out),
+           {.group = output,
+            .brief = "Folder for the new result (default: a new one beside)",
+            .full = "Folder for the new result; when not given, a new one in the old one's, named "
+                    "as the command: edit-1, mirror-1.",
+            .form = "FOLDER"});
+  add_file_options(*c, o.files, {.usual = "those of the result", .rate = "the result's"});
+  describe(c->add_flag("--json", o.json),
+           {.group = output, .brief = "Print summary.json instead of the table"});
+}
+
+}  // namespace
+
+void add_edit(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<EditOptions>();
+  CLI::App* c = app.add_subcommand("edit", "Change a candidate's parameters; no search");
+  c->group(kMakeMotions)
+      ->footer(
+          "shigusa edit out --set squat_deg=20\n"
+          "shigusa edit out --candidate 2 --set right_swivel_deg=20 --set left_knee.locked=true");
+  describe(c->add_option("--set", options->assignments)->allow_extra_args(false),
+           {.group = kOfResult,
+            .brief = "A parameter's value: squat_deg=20, right_elbow.locked=true",
+            .full = "NAME.weight=NUMBER or NAME.locked=true|false, NAME a joint or a freedom such "
+                    "as right_shoulder.flexion, which the result's summary.json lists; or of the "
+                    "posture squat_deg=NUMBER and so on. later.NAME is for the second phase of a "
+                    "motion, which begins about switch=NUMBER (0.2 to 0.8). Of the preset layers "
+                    "also legs.contraction=NUMBER (0 to 15), and right_arm.NAME for the arm's own; "
+                    "of human right_arm.swivel_deg=NUMBER and left_elbow.final_deg=NUMBER. "
+                    "Repeatable.",
+            .form = "NAME=VALUE"});
+  add_result_options(c, *options);
+  c->callback([options, &exit_code] { exit_code = exit_code_of(edit(*options)); });
+}
+
+void add_mirror(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<EditOptions>();
+  CLI::App* c = app.add_subcommand(
+      "mirror", "A candidate for the other hand: left for right, by the same person");
+  c->group(kMakeMotions)->footer("shigusa mirror out --candidate 2");
+  options->mirror = true;
+  add_result_options(c, *options);
+  c->callback([options, &exit_code] { exit_code = exit_code_of(edit(*options)); });
 }
 
 }  // namespace shigusa::app

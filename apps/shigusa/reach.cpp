@@ -1,16 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <memory>
 #include <shigusa/limb_cache.hpp>
 #include <shigusa/parallel.hpp>
 #include <shigusa/words.hpp>
 
 #include "commands.hpp"
+#include "next_step.hpp"
 #include "table.hpp"
+#include "usage.hpp"
 
 namespace shigusa::app {
 namespace {
+
+struct ReachOptions {
+  std::string task;  // file, or empty
+  std::optional<std::string> character;
+  CharacterOptions person;
+  TaskOptions asked;
+  std::optional<double> seconds;  // of the search at most
+  int threads = 0;                // 0: one for each core
+  std::optional<std::string> simd;
+  std::string out = "out";
+  FileOptions files;
+  bool json = false;
+};
 
 // How the search is computed; changes no result.
 Result<BatchSettings> batch_settings(const ReachOptions& options) {
@@ -40,8 +58,56 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
 
 // Where the goals stand in the task file, an error about them names it.
 Error in_task(const Error& error, const ReachOptions& options) {
+  if (options.task.empty() && error.message.key == "no_goal") {
+    return {error.code,
+            fmt::format("no goal: give one, such as --goal {}, or a task file (JSON)",
+                        option_example("--goal")),
+            "reach"};
+  }
   if (options.task.empty() || options.asked.has("--goal")) return error;
   return {error.code, error.to_string(), std::filesystem::path(options.task).filename().string()};
+}
+
+// Adds to the error of a task file that was meant as a goal or a character.
+Error about_task(const Error& error, const std::string& task) {
+  std::error_code ignored;
+  const std::string& text = error.message.text;
+  std::string hint;
+  if (!std::filesystem::exists(task, ignored)) {
+    if (task.find('=') != task.npos) hint = "; a goal is given by --goal " + task;
+  } else if (std::filesystem::is_directory(task, ignored)) {
+    hint = "; a task file (JSON) is expected";
+  } else if (error.code == ErrorCode::parse && format_of_file(task)) {
+    hint = "; a task file is JSON, and a character is given by --character " + task;
+  } else if (text.starts_with("not JSON") || text == "the file is empty") {
+    hint = "; `shigusa schema` prints what a task file holds";
+  }
+  return {error.code, text + hint, error.place};
+}
+
+Result<TaskFile> file_of(const ReachOptions& options) {
+  if (options.task.empty()) return TaskFile{};
+  Result<TaskFile> file = read_task(options.task);
+  if (!file) return tl::unexpected(about_task(file.error(), options.task));
+  return file;
+}
+
+// Nobody reaches so far: the numbers are of another unit.
+constexpr double kFarAway = 5.0;  // m
+
+// Tells what a goal that is far away would be in metres if it is in centimetres or millimetres.
+void note_other_units(const TaskFile& file) {
+  for (const Goal& goal : file.goals) {
+    const Vec3d& at = goal.position;
+    const double far = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+    if (!(far > kFarAway) || !std::isfinite(far)) continue;
+    const double unit = far <= 100.0 * kFarAway ? 100.0 : 1000.0;
+    note("goal of " + goal.effector,
+         fmt::format("{:g},{:g},{:g} are metres, a place {:.0f} m away; if {} are meant, give "
+                     "{:g},{:g},{:g}",
+                     at.x, at.y, at.z, norm(at), unit == 100.0 ? "centimetres" : "millimetres",
+                     at.x / unit, at.y / unit, at.z / unit));
+  }
 }
 
 // The feet know the floor; the hands do not.
@@ -53,23 +119,12 @@ void note_goals_below_floor(const Task& task) {
   }
 }
 
-}  // namespace
-
-Result<SimdSet> simd_named(const std::string& name) {
-  std::vector<std::string> names;
-  for (const SimdSet set : usable_simd_sets()) {
-    if (name == simd_name(set)) return set;
-    names.emplace_back(simd_name(set));
-  }
-  return fail(ErrorCode::invalid_argument,
-              unknown_name("SIMD set, or one that this machine lacks,", name, names));
-}
-
 Result<int> reach(const ReachOptions& options) {
-  SHG_TRY(parse_formats(options.files.formats.value_or("")));
+  SHG_TRY(placed("--formats", parse_formats(options.files.formats.value_or(""))));
   SHG_TRY_ASSIGN(const BatchSettings batch, batch_settings(options));
-  SHG_TRY_ASSIGN(TaskFile file, options.task.empty() ? TaskFile{} : read_task(options.task));
+  SHG_TRY_ASSIGN(TaskFile file, file_of(options));
   SHG_TRY(apply_options(options, file));
+  note_other_units(file);
   // a character named on the command line is looked for from where the command is given
   const auto folder = options.character || options.task.empty()
                           ? std::filesystem::path{}
@@ -87,7 +142,7 @@ Result<int> reach(const ReachOptions& options) {
     return tl::unexpected(in_task(checked.error(), options));
   }
   note_goals_below_floor(task);
-  SHG_TRY(prepare_folder(options.out));
+  SHG_TRY(prepare_out(options.out));
   const auto begin = std::chrono::steady_clock::now();
   Progress progress = terminal_progress();
   if (options.seconds) {
@@ -99,6 +154,87 @@ Result<int> reach(const ReachOptions& options) {
   if (!generation) return tl::unexpected(generation.error());
   return deliver({file, task, *generation, search_info(task, begin)},
                  {.folder = options.out, .settings = settings, .json = options.json});
+}
+
+void add_search_options(CLI::App& c, ReachOptions& o) {
+  const std::string group = heading(OptionGroup::search);
+  describe(c.add_option("--seconds", o.seconds)->check(number(1e-3, 1e6)),
+           {.group = group,
+            .brief = "Time limit of the search; the result depends on speed",
+            .full = "Time limit of the search in seconds; what is found depends on speed.",
+            .form = "SECONDS"});
+  describe(c.add_option("--threads", o.threads)->check(whole_number(0, kMaxThreads)),
+           {.group = group,
+            .brief = "Threads of the search (default 0: one for each core)",
+            .full = "Threads of the search; 0, when not given, is one for each core. Results do "
+                    "not depend on it.",
+            .form = "N",
+            .rare = true});
+  describe(c.add_option("--simd", o.simd),
+           {.group = group,
+            .brief = "Instructions of the search (default: the widest)",
+            .full = "Instructions of the search; the widest of the machine when not given. Results "
+                    "do not depend on it.",
+            .form = simd_choices(),
+            .rare = true});
+}
+
+}  // namespace
+
+Result<void> prepare_out(const std::filesystem::path& folder) {
+  return with_hint(prepare_folder(folder), "; give another by --out");
+}
+
+Result<SimdSet> simd_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SimdSet set : usable_simd_sets()) {
+    if (name == simd_name(set)) return set;
+    names.emplace_back(simd_name(set));
+  }
+  return fail(ErrorCode::invalid_argument,
+              unknown_name("SIMD set, or one that this machine lacks,", name, names), "--simd");
+}
+
+std::string simd_choices() {
+  // of all machines: what is told of the program shall not depend on where it is told
+  std::vector<std::string_view> names;
+  for (const SimdSet set : {SimdSet::scalar, SimdSet::lanes_4, SimdSet::avx2, SimdSet::avx512}) {
+    names.push_back(simd_name(set));
+  }
+  return fmt::format("{}", fmt::join(names, "|"));
+}
+
+void add_reach(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<ReachOptions>();
+  ReachOptions& o = *options;
+  CLI::App* c = app.add_subcommand(
+      "reach",
+      "Find natural motions that bring hands, feet or other joints to their goals\nPlaces are in "
+      "metres from the floor between the feet: X to the body's left, Y up, Z ahead.");
+  c->group(kMakeMotions)
+      ->footer(
+          "shigusa reach --goal right_hand=-0.2,1.1,0.4\n"
+          "shigusa reach --goal right_hand=-0.3,0.1,0.3 --load right_hand=5 --out low\n"
+          "shigusa reach --goal left_hand=0.3,0.9,0.4 --palm left_hand=up --candidates 3\n"
+          "shigusa reach task.json --seed 7");
+  describe(c->add_option("task", o.task),
+           {.brief = "Task file (JSON); options take precedence over it", .form = "FILE"});
+  describe(c->add_option("--character", o.character),
+           {.group = heading(OptionGroup::body),
+            .brief = fmt::format("Who moves (default {}); a file is a person's or a robot's",
+                                 kBuiltInCharacters.front()),
+            .full = "Who moves: " + character_help(),
+            .form = character_form()});
+  add_character_options(*c, o.person);
+  add_task_options(*c, o.asked);
+  add_search_options(*c, o);
+  describe(c->add_option("--out", o.out), {.group = heading(OptionGroup::output),
+                                           .brief = "Folder for the result (default out)",
+                                           .form = "FOLDER"});
+  add_file_options(*c, o.files, {.usual = usual_formats_help(), .rate = "60"});
+  describe(c->add_flag("--json", o.json), {.group = heading(OptionGroup::output),
+                                           .brief = "Print summary.json instead of the table"});
+  c->callback([options, &exit_code] { exit_code = exit_code_of(reach(*options)); });
 }
 
 }  // namespace shigusa::app

@@ -6,14 +6,23 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include "commands.hpp"
+#include "next_step.hpp"
 #include "page_server.hpp"
+#include "usage.hpp"
 
 namespace shigusa::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct StudioOptions {
+  int port = 0;        // any that is free
+  bool open = true;    // in the person's browser
+  std::string folder;  // of the built page; empty: where it is installed, or in the source tree
+};
 
 // The folder of the page's built files: the user's, the one installed beside the program, or the
 // source tree's.
@@ -57,11 +66,9 @@ sigset_t blocked_ends() {
   return ends;
 }
 
-}  // namespace
-
 Result<int> studio(const StudioOptions& options) {
   SHG_TRY_ASSIGN(const fs::path folder, page_folder(options.folder));
-  SHG_TRY_ASSIGN(Page page, read_page(folder));
+  SHG_TRY_ASSIGN(Page page, with_hint(read_page(folder), "; scripts/build_studio builds the page"));
   const sigset_t ends = blocked_ends();
   PageServer server(std::move(page));
   SHG_TRY(server.start(options.port));
@@ -73,6 +80,28 @@ Result<int> studio(const StudioOptions& options) {
   int end = 0;
   sigwait(&ends, &end);
   return kDone;
+}
+
+}  // namespace
+
+void add_studio(CLI::App& app, int& exit_code) {
+  const auto options = std::make_shared<StudioOptions>();
+  StudioOptions& o = *options;
+  CLI::App* c = app.add_subcommand(
+      "studio",
+      "Open the studio, a page for the browser\nThe page is served to this machine alone.");
+  c->group(kMore)->footer("shigusa studio\nshigusa studio --port 8080 --no-open");
+  const std::string page = "The page";
+  describe(c->add_option("--port", o.port)->check(whole_number(0, 65535)),
+           {.group = page, .brief = "Port (default 0: any that is free)", .form = "N"});
+  describe(c->add_flag("!--no-open", o.open),
+           {.group = page, .brief = "Do not open a browser; the address is printed"});
+  describe(c->add_option("--folder", o.folder),
+           {.group = page,
+            .brief = "Folder of the built page (default: the installed one)",
+            .form = "FOLDER",
+            .rare = true});
+  c->callback([options, &exit_code] { exit_code = exit_code_of(studio(*options)); });
 }
 
 }  // namespace shigusa::app

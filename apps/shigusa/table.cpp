@@ -4,136 +4,225 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/result_words.hpp>
+#include <type_traits>
 
 #include "commands.hpp"
+#include "text_table.hpp"
 
 namespace shigusa::app {
 namespace {
 
-std::size_t column_width(const ScoreTerm& term) {
-  return std::max<std::size_t>(11, term.name.size());
+using Align = TextTable::Align;
+using Candidates = std::vector<Candidate>;
+
+constexpr double kMillimetres = 1e3;
+
+// A value of each candidate.
+template <class Value>
+auto of_each(const Candidates& candidates, const Value& value) {
+  std::vector<std::invoke_result_t<Value, const Candidate&>> values;
+  for (const Candidate& candidate : candidates) values.push_back(value(candidate));
+  return values;
 }
 
-std::string most_over(const std::vector<LimitExcess>& over_limit) {
-  if (over_limit.empty()) return "-";
-  return fmt::format("{} by {:.0f}°", over_limit.front().dof, degrees(over_limit.front().excess));
-}
-
-std::string least_margin(const std::optional<SupportMargins>& support) {
-  return support ? fmt::format("{:.0f}", 1e3 * support->centre_of_mass.distance) : "-";
-}
-
-std::string measures_head() {
-  return fmt::format("{:>10}  {:<20}  {:<28}  {}", "balance mm", "ends as", "most loaded",
-                     "most over its limit");
-}
-
-// The measures of a motion in the columns of measures_head().
-std::string measures_row(const BodyModel& body, const MotionMeasures& measures,
-                         const FinalPosture& ends) {
+std::string most_loaded_words(const BodyModel& body, const MotionMeasures& measures) {
   const JointLoad* load = most_loaded(measures);
-  const std::string loaded =
-      load == nullptr ? "-"
-                      : fmt::format("{:.0f} % {}", 100.0 * load->share, body.dof(load->dof).name);
-  return fmt::format("{:>10}  {:<20}  {:<28}  {}", least_margin(measures.support),
-                     posture_words(ends), loaded, most_over(measures.over_limit));
+  if (load == nullptr) return "-";
+  return fmt::format("{:.0f} % {}", 100.0 * load->share, printable(body.dof(load->dof).name));
+}
+
+std::string most_over_words(const MotionMeasures& measures) {
+  if (measures.over_limit.empty()) return "-";
+  const LimitExcess& most = measures.over_limit.front();
+  return fmt::format("{} by {:.0f}°", printable(most.dof), degrees(most.excess));
+}
+
+std::string balance_words(const MotionMeasures& measures) {
+  if (!measures.support) return "-";
+  return fmt::format("{:.0f}", kMillimetres * measures.support->centre_of_mass.distance);
+}
+
+double worst_error(const Candidate& candidate) {
+  double error = 0.0;
+  for (const GoalResult& goal : candidate.goals) error = std::max(error, goal.error);
+  return kMillimetres * error;
+}
+
+double worst_slide(const Candidate& candidate) {
+  double slide = 0.0;
+  for (const ContactResult& foot : candidate.contacts) slide = std::max(slide, foot.max_slide);
+  for (const RestResult& hand : candidate.resting) slide = std::max(slide, hand.max_slide);
+  return kMillimetres * slide;
+}
+
+double most_lift(const Candidate& candidate) {
+  double lift = 0.0;
+  for (const ContactResult& foot : candidate.contacts) {
+    if (foot.heel) lift = std::max(lift, foot.heel->height);
+  }
+  return kMillimetres * lift;
+}
+
+double arm_depth(const Candidate& candidate) {
+  return kMillimetres * std::max(candidate.arm_collision->depth, 0.0);
+}
+
+// A row for each candidate: verdict, score, how it ends, and what it asks of the body.
+TextTable candidate_rows(const BodyModel& body, const Candidates& candidates) {
+  TextTable table;
+  std::vector<std::string> ranks;
+  for (std::size_t i = 0; i < candidates.size(); ++i) ranks.push_back(fmt::format("{}", i + 1));
+  table.add("rank", Align::right, std::move(ranks));
+  table.add("verdict", Align::left, of_each(candidates, [](const Candidate& candidate) {
+              return std::string(word_of(candidate.judgement.verdict));
+            }));
+  table.add("score", Align::right, of_each(candidates, [](const Candidate& candidate) {
+              return fmt::format("{:.4f}", candidate.score.total);
+            }));
+  table.add("ends as", Align::left, of_each(candidates, [](const Candidate& candidate) {
+              return posture_words(candidate.final_posture);
+            }));
+  table.add_known("most loaded", Align::left, of_each(candidates, [&](const Candidate& candidate) {
+                    return most_loaded_words(body, candidate.measures);
+                  }));
+  table.add_known("balance mm", Align::right, of_each(candidates, [](const Candidate& candidate) {
+                    return balance_words(candidate.measures);
+                  }));
+  table.add_known("over its limit", Align::left,
+                  of_each(candidates, [](const Candidate& candidate) {
+                    return most_over_words(candidate.measures);
+                  }));
+  table.add_numbers("error mm", of_each(candidates, worst_error), 2);
+  table.add_numbers("slide mm", of_each(candidates, worst_slide), 2);
+  const Candidate& first = candidates.front();
+  if (std::any_of(first.contacts.begin(), first.contacts.end(),
+                  [](const ContactResult& foot) { return foot.heel.has_value(); })) {
+    table.add_numbers("heels mm", of_each(candidates, most_lift), 1);
+  }
+  if (first.arm_collision) table.add_numbers("arm in body mm", of_each(candidates, arm_depth), 1);
+  return table;
+}
+
+// One criterion in a row, one motion in a column: their scores' terms, which are of the same
+// criteria. The heads are those of the motions.
+class PenaltyTable {
+ public:
+  explicit PenaltyTable(const std::vector<ScoreTerm>& terms) {
+    for (const ScoreTerm& term : terms) rows_.push_back({printable(term.name), term.weight, {}});
+  }
+
+  void add(std::string head, const std::vector<ScoreTerm>& terms) {
+    heads_.push_back(std::move(head));
+    for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k].penalties.push_back(terms[k].penalty);
+  }
+
+  [[nodiscard]] std::vector<std::string> zeros() const {
+    std::vector<std::string> names;
+    for (const Row& row : rows_) {
+      if (is_zero(row)) names.push_back(row.name);
+    }
+    return names;
+  }
+
+  [[nodiscard]] std::string text() const {
+    std::vector<std::string> names;
+    std::vector<std::string> weights;
+    std::vector<std::vector<std::string>> columns(heads_.size());
+    for (const Row& row : rows_) {
+      if (is_zero(row)) continue;
+      names.push_back(row.name);
+      weights.push_back(fmt::format("{:.3g}", row.weight));
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        columns[k].push_back(fmt::format("{:.4f}", row.penalties[k]));
+      }
+    }
+    if (names.empty()) return {};
+    TextTable table;
+    table.add("penalty, 0 to 1", Align::left, std::move(names));
+    table.add("weight", Align::right, std::move(weights));
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      table.add(heads_[k], Align::right, std::move(columns[k]));
+    }
+    return "\n" + table.text();
+  }
+
+ private:
+  struct Row {
+    std::string name;
+    double weight = 0.0;
+    std::vector<double> penalties;
+  };
+  // As it is printed.
+  [[nodiscard]] static bool is_zero(const Row& row) {
+    constexpr double kPrinted = 5e-5;
+    return std::all_of(row.penalties.begin(), row.penalties.end(),
+                       [](double penalty) { return penalty < kPrinted; });
+  }
+
+  std::vector<std::string> heads_;
+  std::vector<Row> rows_;
+};
+
+// The names of what is 0 in all rows, in one sentence; empty where nothing is.
+std::string zero_line(std::vector<std::string> names, const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  if (names.empty()) return {};
+  for (std::size_t k = 0; k + 1 < names.size(); ++k) names[k] += ",";
+  names.insert(names.begin(), "0 for all:");
+  return "\n" + hanging(names);
 }
 
 // Why a motion is not possible; empty where it is.
-std::string verdict_line(const Judgement& judgement, const std::string& of) {
+std::string verdict_lines(const Judgement& judgement, const std::string& of) {
   if (judgement.verdict == Verdict::possible) return {};
   constexpr std::size_t kShown = 3;
   std::string text = fmt::format(
       "{} {}: ", of, judgement.verdict == Verdict::impossible ? "is impossible" : "strains");
   for (std::size_t i = 0; i < std::min(kShown, judgement.reasons.size()); ++i) {
-    text += (i > 0 ? "; " : "") + reason_words(judgement.reasons[i]);
+    text += (i > 0 ? "; " : "") + printable(reason_words(judgement.reasons[i]));
   }
   if (judgement.reasons.size() > kShown) {
     text += fmt::format("; and {} more", judgement.reasons.size() - kShown);
   }
-  if (judgement.possible_in) text += fmt::format("; not in {:.1f} s", *judgement.possible_in);
-  return text + "\n";
+  if (judgement.possible_in) text += fmt::format("; {:.1f} s would do", *judgement.possible_in);
+  return hanging(text);
 }
 
-// The columns that only some results have.
-struct Columns {
-  bool arms = false;   // of layered presets
-  bool heels = false;  // that may lift
-};
-
-std::string table_head(const Candidate& first, const Columns& columns) {
-  std::string text = fmt::format("{:>4}  {:<10}  {:>7}", "rank", "verdict", "score");
-  for (const ScoreTerm& term : first.score.terms) {
-    text += fmt::format("  {:>{}}", term.name, column_width(term));
-  }
-  if (columns.arms) text += fmt::format("  {:>14}", "arm in body mm");
-  text += fmt::format("  {:>9}  {:>9}  ", "error mm", "slide mm");
-  if (columns.heels) text += fmt::format("{:>8}  ", "heels mm");
-  return text + measures_head() + "\n";
-}
-
-std::string table_row(const BodyModel& body, std::size_t rank, const Candidate& candidate,
-                      const Columns& columns) {
-  std::string text = fmt::format("{:>4}  {:<10}  {:>7.4f}", rank,
-                                 word_of(candidate.judgement.verdict), candidate.score.total);
-  for (const ScoreTerm& term : candidate.score.terms) {
-    text += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
-  }
-  if (candidate.arm_collision) {
-    text += fmt::format("  {:>14.1f}", 1e3 * std::max(candidate.arm_collision->depth, 0.0));
-  }
-  double error = 0.0;
-  double slide = 0.0;
-  double lift = 0.0;
-  for (const GoalResult& goal : candidate.goals) error = std::max(error, goal.error);
-  for (const ContactResult& foot : candidate.contacts) {
-    slide = std::max(slide, foot.max_slide);
-    if (foot.heel) lift = std::max(lift, foot.heel->height);
-  }
-  for (const RestResult& hand : candidate.resting) slide = std::max(slide, hand.max_slide);
-  text += fmt::format("  {:>9.3f}  {:>9.3f}  ", 1e3 * error, 1e3 * slide);
-  if (columns.heels) text += fmt::format("{:>8.1f}  ", 1e3 * lift);
-  return text + measures_row(body, candidate.measures, candidate.final_posture) + "\n";
-}
-
-// The candidates as a table for a person: verdicts, scores, criteria, errors, joints over their
-// limits; below it why what is not possible is not.
-std::string candidate_table(const BodyModel& body, const std::vector<Candidate>& candidates) {
-  const Candidate& first = candidates.front();
-  const Columns columns{
-      first.arm_collision.has_value(),
-      std::any_of(first.contacts.begin(), first.contacts.end(),
-                  [](const ContactResult& foot) { return foot.heel.has_value(); })};
-  std::string text = table_head(first, columns);
+// The candidates as tables for a person: verdicts, scores, how they end and what they ask of the
+// body; then each criterion's penalty; below them why what is not possible is not.
+std::string candidate_table(const BodyModel& body, const Candidates& candidates) {
+  const TextTable rows = candidate_rows(body, candidates);
+  PenaltyTable penalties(candidates.front().score.terms);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    text += table_row(body, i + 1, candidates[i], columns);
+    penalties.add(fmt::format("{}", i + 1), candidates[i].score.terms);
   }
+  std::string text =
+      "\n" + rows.text() + penalties.text() + zero_line(penalties.zeros(), rows.zeros());
+  std::string verdicts;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    text += verdict_line(candidates[i].judgement, fmt::format("candidate {}", i + 1));
+    verdicts += verdict_lines(candidates[i].judgement, fmt::format("candidate {}", i + 1));
   }
-  return text;
+  return text + (verdicts.empty() ? "" : "\n") + verdicts + "\n";
 }
 
-// A run in one line: status, body, goals, counts and time.
+// A run in a few lines: status, body and goals, then counts and time.
 std::string headline(const FinishedRun& run) {
   const auto& [file, task, generation, info] = run;
-  std::string text = fmt::format("{}: {}", word_of(generation.status), printable(task.body.name()));
-  for (const Goal& goal : task.goals) {
-    text += fmt::format(", {} at ({:g}, {:g}, {:g}) m", goal.effector, goal.position.x,
-                        goal.position.y, goal.position.z);
-  }
-  text += fmt::format("; {:.2f} s of motion", generation.duration);
+  std::string text = hanging(printable(
+      fmt::format("{}: {}, {}", word_of(generation.status), task.body.name(), asked_words(task))));
+  std::string found = fmt::format("{:.2f} s of motion", generation.duration);
   if (generation.evaluations > 0) {
-    text += fmt::format("; {} motions in {} generations{}, {:.0f} ms", generation.evaluations,
-                        generation.generations,
-                        generation.runs > 1 ? fmt::format(" of {} runs", generation.runs) : "",
-                        info.elapsed_ms);
+    found += fmt::format("; {} motions in {} generations{}, {:.0f} ms", generation.evaluations,
+                         generation.generations,
+                         generation.runs > 1 ? fmt::format(" of {} runs", generation.runs) : "",
+                         info.elapsed_ms);
   }
   if (generation.cells_searched > 0) {
-    text += fmt::format("; {} cells of the limb library searched", generation.cells_searched);
+    found += fmt::format("; {} cells of the limb library searched", generation.cells_searched);
   }
-  if (generation.end == SearchEnd::cancelled) text += "; stopped early";
-  return text + "\n";
+  if (generation.end == SearchEnd::cancelled) found += "; stopped early";
+  return text + hanging(found);
 }
 
 // Tells the user on stderr how the result differs from what is asked for.
@@ -173,15 +262,15 @@ void note_run(const FinishedRun& run) {
 }  // namespace
 
 std::string score_table(const BodyModel& body, const ClipScore& scored) {
-  const Score& score = scored.score;
-  std::string head = fmt::format("{:>7}", "score");
-  std::string row = fmt::format("{:>7.4f}", score.total);
-  for (const ScoreTerm& term : score.terms) {
-    head += fmt::format("  {:>{}}", term.name, column_width(term));
-    row += fmt::format("  {:>{}.4f}", term.penalty, column_width(term));
-  }
-  return head + fmt::format("  {}\n", measures_head()) + row +
-         fmt::format("  {}\n", measures_row(body, scored.measures, scored.final_posture));
+  TextTable row;
+  row.add("score", Align::right, {fmt::format("{:.4f}", scored.score.total)});
+  row.add("ends as", Align::left, {posture_words(scored.final_posture)});
+  row.add("most loaded", Align::left, {most_loaded_words(body, scored.measures)});
+  row.add_known("balance mm", Align::right, {balance_words(scored.measures)});
+  row.add_known("over its limit", Align::left, {most_over_words(scored.measures)});
+  PenaltyTable penalties(scored.score.terms);
+  penalties.add("", scored.score.terms);
+  return "\n" + row.text() + penalties.text() + zero_line(penalties.zeros(), row.zeros()) + "\n";
 }
 
 Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {

@@ -9,6 +9,8 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "next_step.hpp"
+
 namespace shigusa::app {
 namespace {
 
@@ -67,24 +69,33 @@ struct PlainOf<std::optional<Value>> : PlainOf<Value> {};
 template <class Value>
 using Plain = typename PlainOf<Value>::type;
 
-// The sort of numbers that an option takes, for messages.
-template <class Value>
-constexpr const char* numbers_of() {
-  if (std::same_as<Value, Quatd>) return " with the four numbers of a quaternion";
-  if (std::same_as<Value, double>) return "";
-  if (std::same_as<Value, std::vector<Obstacle>>) return ": a box's middle and its size in metres";
-  return " with three numbers in metres";
+// "; 2 numbers are given", "; decimals have a point: 0.2": what is wrong with a value's numbers.
+std::string numbers_hint(const std::string& text, std::size_t wanted, bool is_named) {
+  const std::size_t equals = text.find('=');
+  if (is_named && equals == text.npos) return "; no '=' is in it";
+  const std::string value = text.substr(is_named ? equals + 1 : 0);
+  if (value.find(';') != value.npos) return "; commas stand between numbers";
+  const Texts parts = split_at_commas(value);
+  for (const std::string& part : parts) {
+    if (!parse_number(part)) return fmt::format("; '{}' is no number", part.substr(0, 20));
+  }
+  if (parts.size() == wanted) return {};
+  if (parts.size() == 2 * wanted) return "; decimals have a point: 0.2, and not 0,2";
+  return fmt::format("; {} number{} given", parts.size(), parts.size() == 1 ? " is" : "s are");
 }
 
-tl::unexpected<Error> misread(const char* option, const std::string& text,
-                              const std::string& form) {
+tl::unexpected<Error> misread(const char* option, const std::string& text, const char* form,
+                              const std::string& hint = {}) {
   return fail(ErrorCode::invalid_argument,
-              fmt::format("{} '{}' is not {}", option, text.substr(0, 80), form));
+              fmt::format("{} '{}' is not {}, such as {}{}", option, text.substr(0, 80), form,
+                          option_example(option), hint));
 }
 template <class Holder, class Value>
-tl::unexpected<Error> misread(const Field<Holder, Value>& field, const std::string& text) {
-  return misread(field.traits.option, text,
-                 std::string(field.traits.form) + numbers_of<Plain<Value>>());
+tl::unexpected<Error> misread(const Field<Holder, Value>& field, const std::string& text,
+                              std::size_t wanted) {
+  const bool is_named = std::string_view(field.traits.form).find('=') != std::string_view::npos;
+  return misread(field.traits.option, text, field.traits.form,
+                 numbers_hint(text, wanted, is_named));
 }
 
 // The effector's goal, wherever that was given.
@@ -93,7 +104,8 @@ Result<Goal*> goal_of(const char* option, const std::string& effector, Request& 
     if (goal.effector == effector) return &goal;
   }
   return fail(ErrorCode::invalid_argument,
-              fmt::format("{} is for an effector with a goal, and {} has none", option, effector));
+              fmt::format("{} is for an effector with a goal, and {} has none: --goal {}=X,Y,Z",
+                          option, effector, effector));
 }
 
 Quatd from_numbers(const std::vector<double>& n, Quatd) { return {n[0], n[1], n[2], n[3]}; }
@@ -105,8 +117,9 @@ template <class Value>
 Result<void> apply_to_goals(const Field<Goal, Value>& field, const Texts& texts, Request& request) {
   for (const std::string& text : texts) {
     // numbers, points and rotations are made of doubles alone
-    const auto named = parse_named(text, sizeof(Plain<Value>) / sizeof(double));
-    if (!named) return misread(field, text);
+    const std::size_t wanted = sizeof(Plain<Value>) / sizeof(double);
+    const auto named = parse_named(text, wanted);
+    if (!named) return misread(field, text, wanted);
     SHG_TRY_ASSIGN(Goal* const goal, goal_of(field.traits.option, named->name, request));
     field.set(*goal, from_numbers(named->numbers, Plain<Value>{}));
   }
@@ -126,7 +139,9 @@ Result<void> point(const char* option, const char* axis_word, const std::string&
     direction = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
   } else {
     const Result<Vec3d> named = direction_named(parts->second);
-    if (!named) return fail(named.error().code, named.error().message, option);
+    if (!named) {
+      return fail(named.error().code, named.error().message.text + ", or X,Y,Z", option);
+    }
     direction = *named;
   }
   Goal& of = *goal;
@@ -194,24 +209,25 @@ std::string kind_of(std::string_view option) {
 template <class Value, class AnyField>
 Result<Value> parse(const AnyField& field, const std::string& text) {
   if constexpr (std::is_enum_v<Value>) {
-    return value_of<Value>(text, kind_of(field.traits.option));
+    return placed(field.traits.option, value_of<Value>(text, kind_of(field.traits.option)));
   } else if constexpr (std::same_as<Value, CriteriaSettings>) {
-    return mixture_named(text);
+    return placed(field.traits.option, mixture_named(text));
   } else if constexpr (std::same_as<Value, std::string>) {
     return text;
   } else if constexpr (std::same_as<Value, Texts>) {
     return split_at_commas(text);
   } else if constexpr (std::same_as<Value, Vec3d>) {
     const auto n = parse_numbers(text, 3);
-    if (!n) return misread(field, text);
+    if (!n) return misread(field, text, 3);
     return Vec3d{(*n)[0], (*n)[1], (*n)[2]};
   } else if constexpr (std::same_as<Value, Support>) {
     const auto parts = split(text);
     if (!parts) return misread(field.traits.option, text, field.traits.form);
     return Support{.effector = parts->first, .on = parts->second};
   } else {
-    const auto named = parse_named(text, std::same_as<Value, Goal> ? 3 : 6);
-    if (!named) return misread(field, text);
+    const std::size_t wanted = std::same_as<Value, Goal> ? 3 : 6;
+    const auto named = parse_named(text, wanted);
+    if (!named) return misread(field, text, wanted);
     const std::vector<double>& n = named->numbers;
     if constexpr (std::same_as<Value, Goal>) {
       return Goal{.effector = named->name, .position = {n[0], n[1], n[2]}};
@@ -262,6 +278,33 @@ Result<CriteriaSettings> mixture_named(const std::string& name) {
     known.emplace_back(mixture.name);
   }
   return fail(ErrorCode::invalid_argument, unknown_name("criteria", name, known));
+}
+
+std::string mixture_choices() {
+  std::vector<std::string_view> names;
+  for (const CriteriaPreset& mixture : criteria_presets()) names.push_back(mixture.name);
+  return fmt::format("{}", fmt::join(names, "|"));
+}
+
+std::string_view option_example(std::string_view option) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kExamples{{
+      {"--goal", "right_hand=-0.2,1.1,0.4"},
+      {"--load", "right_hand=5"},
+      {"--rotation", "right_hand=0,0,0,1"},
+      {"--tolerance", "right_hand=0.05,0,0.05"},
+      {"--palm", "right_hand=up"},
+      {"--thumb", "right_hand=up"},
+      {"--fingers", "right_hand=ahead"},
+      {"--look-at", "0,1.2,0.6"},
+      {"--contacts", "left_foot"},
+      {"--obstacle", "table=0,0.7,0.5,1,0.05,0.6"},
+      {"--support", "left_hand=thigh"},
+      {"--fix", "squat_deg=60"},
+  }};
+  for (const auto& [name, example] : kExamples) {
+    if (name == option) return example;
+  }
+  return {};
 }
 
 bool TaskOptions::has(std::string_view option) const {

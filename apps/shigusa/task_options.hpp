@@ -4,8 +4,13 @@
 #include <concepts>
 #include <shigusa/request.hpp>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace shigusa::app {
 
@@ -70,6 +75,10 @@ template <class Typed>
   }
 }
 
+// A text that an option takes, "right_hand=-0.2,1.1,0.4", for help and messages; of most options
+// none.
+[[nodiscard]] std::string_view option_example(std::string_view option);
+
 // The options of a task, as they are typed.
 struct TaskOptions {
   FieldOptions<Request> request;
@@ -82,8 +91,13 @@ struct TaskOptions {
   [[nodiscard]] bool has(std::string_view option) const;
 };
 
+// Adds the options of a task to a command, with their help.
+void add_task_options(CLI::App& command, TaskOptions& options);
+
 // The mixture of criteria of that name; fails on others.
 [[nodiscard]] Result<CriteriaSettings> mixture_named(const std::string& name);
+// The names of all mixtures as an option's form: "paper|default|pareto".
+[[nodiscard]] std::string mixture_choices();
 
 // Puts what is given into the request; goals take the place of those there. Fails on what cannot be
 // read, on unknown words and on what is of an effector without a goal.

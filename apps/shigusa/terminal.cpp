@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "commands.hpp"
+#include "next_step.hpp"
 
 namespace shigusa::app {
 namespace {
@@ -54,7 +55,8 @@ std::string printable(std::string_view text) {
 int exit_code_of(const Result<int>& command) {
   if (command) return *command;
   end_progress_line();
-  print_err("shigusa: {}\n", printable(command.error().to_string()));
+  const Error& error = command.error();
+  print_err("shigusa: {}\n", printable(error.to_string() + next_step(error)));
   return kWrongInput;
 }
 

@@ -196,10 +196,8 @@ std::string each_reach(const std::vector<Compared>& compared) {
     row("recorded", c.reach.track, nullptr);
     for (const Chosen& each : c.chosen) row(each.way, each.track, &each.apart);
     text += table.text();
-    for (const char* what : {"recorded", "best-scored", "nearest", "fitted"}) {
-      text += fmt::format("\n{}:\n\n![{}, {}](images/people/{}-{}.svg)\n", what, name, what, name,
-                          what);
-    }
+    text += fmt::format(
+        "\n![{}: recorded, best-scored, nearest, and fitted](images/people/{}.svg)\n", name, name);
   }
   return text;
 }

@@ -34,7 +34,7 @@ struct Compared {
 [[nodiscard]] std::string reaches_section(const std::vector<Compared>& compared);
 
 struct NamedPicture {
-  std::string name;  // "00_start-low-recorded"
+  std::string name;  // "02_06_00_start-low"
   std::string svg;
 };
 [[nodiscard]] Result<std::vector<NamedPicture>> people_pictures(
@@ -46,9 +46,7 @@ struct Drawn {
   std::vector<NamedPicture> pictures{};
 };
 
-// A motion of the reach's body as a strip. From the side it is seen exactly from the right.
-enum class Seen { from_ahead_right, from_the_side };
-[[nodiscard]] Result<std::string> reach_strip(const Recorded& reach, const Track& track,
-                                              Seen seen = Seen::from_ahead_right);
+// A motion of the reach's body as a strip, seen exactly from the right.
+[[nodiscard]] Result<std::string> side_strip(const Recorded& reach, const Track& track);
 
 }  // namespace shigusa::bench

@@ -8,57 +8,63 @@
 namespace shigusa::bench {
 namespace {
 
-constexpr int kPoses = 6;
+constexpr int kPoses = 5;
 
-Result<std::string> recorded_strip(const Recorded& reach) {
+MotionStrip recorded_strip(const Recorded& reach) {
   const Rig& rig = reach.person.rig->rig;
-  StripSettings settings;
-  settings.poses = kPoses;
-  settings.first_frame = reach.segment.first;
-  settings.last_frame = reach.segment.last;
-  settings.metres_per_unit = rig.placement.unit;
-  settings.up = rig.placement.up;
-  settings.facing = rig.placement.ahead;
-  settings.humanoid = rig.bones;
-  return draw_strip(reach.motion, {}, settings, FigureFormat::svg);
+  MotionStrip strip{reach.motion, {}, {}};
+  strip.overlay.caption = "recorded";
+  strip.settings.poses = kPoses;
+  strip.settings.first_frame = reach.segment.first;
+  strip.settings.last_frame = reach.segment.last;
+  strip.settings.metres_per_unit = rig.placement.unit;
+  strip.settings.up = rig.placement.up;
+  strip.settings.facing = rig.placement.ahead;
+  strip.settings.humanoid = rig.bones;
+  return strip;
+}
+
+MotionStrip made_strip(const Recorded& reach, const Track& track) {
+  MotionStrip strip{skeleton_motion(reach.body, track.angles), {}, {}};
+  strip.overlay.goals = {reach.track.joints.back()[right_grip]};
+  for (const Joints& joints : track.joints) {
+    strip.overlay.hand_path.push_back(joints[right_grip]);
+  }
+  strip.settings.poses = kPoses;
+  return strip;
+}
+
+// The recorded motion and those that were made for its reach, under each other.
+Result<std::string> reach_page(const Compared& c) {
+  std::vector<MotionStrip> strips{recorded_strip(c.reach)};
+  const auto add = [&](const char* caption, const Track& track) {
+    strips.push_back(made_strip(c.reach, track));
+    strips.back().overlay.caption = caption;
+  };
+  for (const Chosen& each : c.chosen) {
+    if (each.way.starts_with("best-scored")) add("best-scored", each.track);
+    if (each.way.starts_with("nearest")) add("nearest", each.track);
+  }
+  if (!c.fitted.back().clip.angles.empty()) {
+    add("fitted", track_of(c.reach, c.fitted.back().clip));
+  }
+  return draw_strips(strips, FigureFormat::svg);
 }
 
 }  // namespace
 
-Result<std::string> reach_strip(const Recorded& reach, const Track& track, Seen seen) {
-  StripOverlay overlay;
-  overlay.goals = {reach.track.joints.back()[right_grip]};
-  for (const Joints& joints : track.joints) overlay.hand_path.push_back(joints[right_grip]);
-  StripSettings settings;
-  settings.poses = kPoses;
-  if (seen == Seen::from_the_side) {
-    settings.azimuth_deg = 90.0;
-    settings.elevation_deg = 0.0;
-  }
-  return draw_strip(skeleton_motion(reach.body, track.angles), overlay, settings,
-                    FigureFormat::svg);
+Result<std::string> side_strip(const Recorded& reach, const Track& track) {
+  MotionStrip strip = made_strip(reach, track);
+  strip.settings.azimuth_deg = 90.0;
+  strip.settings.elevation_deg = 0.0;
+  return draw_strips({strip}, FigureFormat::svg);
 }
 
 Result<std::vector<NamedPicture>> people_pictures(const std::vector<Compared>& compared) {
   std::vector<NamedPicture> pictures;
   for (const Compared& c : compared) {
-    const auto add = [&](const char* what, Result<std::string> svg) -> Result<void> {
-      if (!svg) return tl::unexpected(svg.error());
-      pictures.push_back({c.reach.segment.name + "-" + what, std::move(*svg)});
-      return {};
-    };
-    std::vector<std::pair<const char*, const Track*>> drawn;
-    for (const Chosen& each : c.chosen) {
-      if (each.way.starts_with("best-scored")) drawn.emplace_back("best-scored", &each.track);
-      if (each.way.starts_with("nearest")) drawn.emplace_back("nearest", &each.track);
-    }
-    SHG_TRY(add("recorded", recorded_strip(c.reach)));
-    for (const auto& [what, track] : drawn) {
-      SHG_TRY(add(what, reach_strip(c.reach, *track)));
-    }
-    if (c.fitted.back().clip.angles.empty()) continue;
-    const Track fitted = track_of(c.reach, c.fitted.back().clip);
-    SHG_TRY(add("fitted", reach_strip(c.reach, fitted)));
+    SHG_TRY_ASSIGN(std::string svg, reach_page(c));
+    pictures.push_back({c.reach.segment.name, std::move(svg)});
   }
   return pictures;
 }

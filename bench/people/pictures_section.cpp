@@ -315,8 +315,8 @@ Result<std::string> low_reach(const std::filesystem::path& folder,
   task.candidates = 8;
   SHG_TRY_ASSIGN(const GenerateResult generation, generate(task));
   const Track made = track_of(reach, generation.candidates.front().motion.clip);
-  SHG_TRY_ASSIGN(std::string recorded_svg, reach_strip(reach, reach.track, Seen::from_the_side));
-  SHG_TRY_ASSIGN(std::string made_svg, reach_strip(reach, made, Seen::from_the_side));
+  SHG_TRY_ASSIGN(std::string recorded_svg, side_strip(reach, reach.track));
+  SHG_TRY_ASSIGN(std::string made_svg, side_strip(reach, made));
   pictures.push_back({"low-reach-recorded", std::move(recorded_svg)});
   pictures.push_back({"low-reach-best-scored", std::move(made_svg)});
   const auto words = [](const Track& track) {

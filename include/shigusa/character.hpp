@@ -53,15 +53,15 @@ inline constexpr double kSeatMax = 1.2;
 /// The last frame that a file may be asked for.
 inline constexpr int kFrameMax = 1'000'000;
 
-/// The bodies that need no file.
-inline constexpr std::array<std::string_view, 3> kBuiltInCharacters{"half_body", "full_body",
-                                                                    "human"};
+/// The bodies that need no file, the usual one first.
+inline constexpr std::array<std::string_view, 3> kBuiltInCharacters{"human", "full_body",
+                                                                    "half_body"};
 
 /// The one who moves: a built-in body, or a person measured from a file.
 struct CharacterSpec {
-  /// "half_body", "full_body", "human" or the path of a BVH, glTF, GLB, VRM, FBX, URDF or MJCF
+  /// "human", "full_body", "half_body" or the path of a BVH, glTF, GLB, VRM, FBX, URDF or MJCF
   /// file; for a person or a robot read before (landmarks, urdf below), only a name
-  std::string source = "full_body";
+  std::string source = "human";
   std::optional<double> stature{};  ///< m, kStatureMin..kStatureMax
   std::optional<double> mass{};     ///< kg, kMassMin..kMassMax; from stature and sex when not given
   Sex sex = Sex::male;              ///< of the tables of masses and strengths
@@ -91,7 +91,7 @@ struct CharacterSpec {
   std::shared_ptr<const CharacterRig> rig{};
 };
 
-/// True for "half_body", "full_body" and "human", which need no file.
+/// True for those of kBuiltInCharacters, which need no file.
 [[nodiscard]] bool is_built_in(const CharacterSpec& spec);
 /// True unless it is a robot that was read.
 [[nodiscard]] inline bool may_be_a_person(const CharacterSpec& spec) { return !spec.urdf; }
@@ -108,7 +108,7 @@ inline constexpr FieldTable kFields<CharacterSpec>{
         Field{
             "source",
             &CharacterSpec::source,
-            "half_body, full_body, human or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF (.xml) file; "
+            "human, full_body, half_body or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF (.xml) file; "
             "of a person with landmarks or a robot with urdf, only a name.",
             {.required = true, .written = always}},
         Field{"stature_m",

@@ -265,7 +265,7 @@ struct Score {
 /// other is worse.
 [[nodiscard]] double worst_score(const CriteriaSettings& settings);
 
-/// Scores a whole motion.
+/// Scores a whole motion, which has torques and a centre of mass for each frame.
 [[nodiscard]] Score score_motion(const BodyModel& body, const Motion& motion,
                                  const CriteriaSettings& settings);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,28 @@ enum class Mirroring {
   same,         ///< as it is: a length, a choice
   other_side,   ///< points and rotations go across x = 0, names become the other side's
   assignments,  ///< texts "left_elbow.weight=3" become the other side's
+};
+
+/// The groups of options in the help of `shigusa reach`.
+enum class OptionGroup {
+  none,    ///< of a field without an option
+  body,    ///< who moves
+  goal,    ///< where effectors end, and how they are turned there
+  motion,  ///< the time that a motion takes, and what its parts do in it
+  around,  ///< obstacles and supports
+  search,  ///< how motions are found
+  output,  ///< what is written, and where
+};
+/// The headings of OptionGroup.
+template <>
+inline constexpr std::array kEnumWords<OptionGroup>{
+    EnumWord{OptionGroup::none, ""},
+    EnumWord{OptionGroup::body, "The body"},
+    EnumWord{OptionGroup::goal, "The goal"},
+    EnumWord{OptionGroup::motion, "The motion"},
+    EnumWord{OptionGroup::around, "What is around"},
+    EnumWord{OptionGroup::search, "The search"},
+    EnumWord{OptionGroup::output, "The output"},
 };
 
 /// The type of a value's bounds: whole numbers and lengths of lists have whole ones.
@@ -53,6 +76,9 @@ struct FieldTraits {
   bool required = false;         ///< in files
   const char* option = nullptr;  ///< of `shigusa reach`: "--look-at"
   const char* form = nullptr;    ///< of the option's text: "X,Y,Z"
+  OptionGroup group{};           ///< of the option in --help
+  const char* brief = nullptr;   ///< the option's line in --help, of at most 62 characters
+  bool rare = false;             ///< the option stands in --help-all and the manual alone
   /// The mirror image of the value.
   Mirroring mirroring = Mirroring::same;
   /// Files hold the value where it differs from that of a new Holder, or where this is so.
@@ -70,7 +96,7 @@ struct Field {
   const char* key;  ///< in files, with its unit: "duration_s"
   /// The place of the value in the struct.
   Value Holder::*member;
-  const char* says;  ///< the sentence of schema and --help
+  const char* says;  ///< the sentence of schema, --help-all and manual
   /// The facts that most fields do without.
   FieldTraits<Holder, Value> traits{};
 

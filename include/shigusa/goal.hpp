@@ -158,7 +158,11 @@ inline constexpr FieldTable kFields<Goal>{
         Field{"load_kg",
               &Goal::load,
               "The mass that a hand with a goal holds all the way.",
-              {.high = kLoadMax, .option = "--load", .form = "EFFECTOR=KILOGRAMS"}},
+              {.high = kLoadMax,
+               .option = "--load",
+               .form = "EFFECTOR=KILOGRAMS",
+               .group = OptionGroup::goal,
+               .brief = "Mass that a hand with a goal holds all the way"}},
         Field{"rotation_xyzw",
               &Goal::rotation,
               "How the effector is turned at the end, a unit quaternion: from the world's axes, "
@@ -166,6 +170,9 @@ inline constexpr FieldTable kFields<Goal>{
               "thumbs ahead.",
               {.option = "--rotation",
                .form = "EFFECTOR=X,Y,Z,W",
+               .group = OptionGroup::goal,
+               .brief = "How the effector is turned at the end: a unit quaternion",
+               .rare = true,
                .mirroring = Mirroring::other_side}},
         Field{"axis",
               &Goal::axis,
@@ -176,7 +183,11 @@ inline constexpr FieldTable kFields<Goal>{
               &Goal::tolerance,
               "Half the sides, along the world's axes, of a box about the goal: anywhere in it "
               "will do.",
-              {.high = kToleranceMax, .option = "--tolerance", .form = "EFFECTOR=X,Y,Z"}},
+              {.high = kToleranceMax,
+               .option = "--tolerance",
+               .form = "EFFECTOR=X,Y,Z",
+               .group = OptionGroup::goal,
+               .brief = "Half the sides of a box about the goal where any place will do"}},
     }};
 
 /// An axis of a hand by its word, in the hand's frame (see GoalAxis): "palm" where it faces,

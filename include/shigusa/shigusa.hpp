@@ -21,6 +21,7 @@
 #include <shigusa/mat3.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/motion_measures.hpp>
+#include <shigusa/motion_page.hpp>
 #include <shigusa/parallel.hpp>
 #include <shigusa/parameters.hpp>
 #include <shigusa/progress.hpp>
@@ -29,6 +30,7 @@
 #include <shigusa/request.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/result_file.hpp>
+#include <shigusa/result_words.hpp>
 #include <shigusa/scalar.hpp>
 #include <shigusa/score_clip.hpp>
 #include <shigusa/search.hpp>

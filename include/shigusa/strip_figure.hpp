@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
@@ -60,7 +61,8 @@ struct StripSettings {
                                                     StripSettings& settings);
 
 /// The strip figure of the paper's figures 4 to 7: a motion as poses from left to right over time
-/// on one floor line, in parallel projection. Same input and same libraries, same bytes.
+/// on one floor line, in parallel projection. As SVG, the same input gives the same bytes in every
+/// build; as PNG and PDF, which need a build with cairo, with the same libraries.
 ///
 /// Limbs, trunk, head and feet get an anatomical look where the humanoid bones are known; any other
 /// node is drawn as a plain bone, dark near the viewer and light away from it. A figure that stays
@@ -72,9 +74,29 @@ struct StripSettings {
 ///
 /// Fails when a setting is out of its range (the message tells it), when the motion has no frame or
 /// no node, when a position is not finite, when an overlay is neither empty nor as long as the
-/// clip, or when the caption is not UTF-8.
+/// clip, when the caption is not UTF-8, or when this build cannot write the format.
 [[nodiscard]] Result<std::string> draw_strip(const SkeletonMotion& motion,
                                              const StripOverlay& overlay,
                                              const StripSettings& settings, FigureFormat format);
+
+/// A motion, and how its strip is drawn on a page of several.
+struct MotionStrip {
+  SkeletonMotion motion;   ///< the figure that moves
+  StripOverlay overlay;    ///< its marks and its caption, which stands below it
+  StripSettings settings;  ///< its poses and its view; all strips of a page have the same width
+};
+
+/// The most strips that a page may have.
+inline constexpr std::size_t kPageMaxStrips = 12;
+
+/// Several strips under each other on one page, from top to bottom in their order: each with its
+/// floor line, its times and its caption, one metre as long in each, and one legend and one scale
+/// bar for all. The page of one strip is that of `draw_strip`.
+///
+/// Fails as `draw_strip` does, with the strip's place in front of the message ("strip 2: …",
+/// counted from 1); where there is no strip or more than kPageMaxStrips; and where the settings
+/// differ in `width_mm` or `png_dpi`, which are the page's.
+[[nodiscard]] Result<std::string> draw_strips(const std::vector<MotionStrip>& strips,
+                                              FigureFormat format);
 
 }  // namespace shigusa

@@ -64,7 +64,10 @@ Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec&
     SHG_TRY_ASSIGN(GltfMotion moving,
                    parse_gltf_animation(
                        bytes, name, {.animation = **animation, .posed = spec.frame.value_or(0)}));
-    character.posed_skin = read_gltf_skin(bytes, name, file, moving.posed).vertices;
+    // empty where the animation has no such frame, of which is told when the person is measured
+    if (!moving.posed.empty()) {
+      character.posed_skin = read_gltf_skin(bytes, name, file, moving.posed).vertices;
+    }
     take(std::move(moving.character), character);
     character.motion = std::move(moving.motion.clip);
     character.posed = std::move(moving.posed);

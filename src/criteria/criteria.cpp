@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
+#include "core/check.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "replay.hpp"
 
@@ -53,6 +54,12 @@ double worst_score(const CriteriaSettings& settings) {
 }
 
 Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings) {
+  const Clip& clip = motion.clip;
+  SHG_CHECK(clip.dofs == body.dof_count(), "a clip has the body's freedoms");
+  const auto frames = static_cast<std::size_t>(clip.frames);
+  SHG_CHECK(motion.torques.size() == frames * static_cast<std::size_t>(clip.dofs) &&
+                motion.centre_of_mass.size() == frames,
+            "a motion has torques and a centre of mass for each frame");
   Score score;
   BuiltInCriteria<double> built_in(body, settings);
   show_motion(body, motion, built_in);

@@ -59,7 +59,7 @@ std::string_view kept_text(KeptMotions kept) {
   }
 }
 
-constexpr std::string_view kAbout = R"(
+constexpr std::string_view kAboutCard = R"(
 Whole-body motions from goals, made by the program shigusa. A task is a body with goals: places
 where a hand, a foot or another joint is to be at the end, perhaps with a rotation, a load, or
 obstacles on the way. For each task the program searched several different motions from the body's
@@ -70,7 +70,7 @@ std::string beginning(const CardFacts& facts) {
   const DatasetPlan& plan = facts.plan;
   const std::string name = one_line(plan.name());
   std::string text =
-      fmt::format("# {}\n{}\n", name.empty() ? "A data set of motions" : name, kAbout);
+      fmt::format("# {}\n{}\n", name.empty() ? "A data set of motions" : name, kAboutCard);
   if (facts.statistics == nullptr) {
     return text + fmt::format(
                       "The plan asks for {} tasks in {} files. This card was written before "

@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-constexpr const char* kAbout = R"(
+constexpr const char* kAboutGlb = R"(
 Each file of `motions/` is the character's own file with one animation, called as the motion is, in
 metres, y up, at {:g} frames a second. It moves to the goals of the data set's task, which are places in
 the world, whatever its size{}.
@@ -64,7 +64,7 @@ class GlbWriter : public DataWriter {
     std::string text = about_export(job_, index_.motions());
     const std::string missed =
         missed_ > 0 ? fmt::format("; {} motions end as near as it can get", missed_) : "";
-    text += fmt::format(fmt::runtime(kAbout), job_.rate, missed, made,
+    text += fmt::format(fmt::runtime(kAboutGlb), job_.rate, missed, made,
                         person_ ? kOtherNumbers : kOwnNumbers);
     return job_.folder.put("README.md", text);
   }

@@ -75,7 +75,7 @@ Result<std::array<Source, kJoints.size()>> sources_of(const NodePlaces& places) 
   return sources;
 }
 
-constexpr const char* kAbout = R"(
+constexpr const char* kAboutHumanMl3d = R"(
 As in HumanML3D: `new_joints/` has a file a motion, frames × 22 × 3 (m, 32-bit floats) at 20 frames a
 second; `texts/` its sentence as `caption#tokens#0.0#0.0`, the whole motion; `train.txt`, `val.txt` and
 `test.txt` the names of each part, which no two parts share a person of. y is up, the floor is at 0, and
@@ -137,7 +137,8 @@ class HumanMl3dWriter : public DataWriter {
 
   Result<void> finish() override {
     for (LongFile& part : parts_) SHG_TRY(part.finish());
-    return job_.folder.put("README.md", about_export(job_, motions_) + kAbout + joints_table());
+    return job_.folder.put("README.md",
+                           about_export(job_, motions_) + kAboutHumanMl3d + joints_table());
   }
 
  private:

@@ -18,17 +18,17 @@ namespace {
 constexpr std::size_t kPiece = std::size_t{1} << 20;  // that is written at once
 
 // Columns of the tasks' table, beside the number and what stands with the motion too.
-constexpr std::array kTaskColumns{"person",    "character", "preset", "sex",
-                                  "stature_m", "mass_kg",   "seat_m", "status"};
+constexpr std::array kTaskFields{"person",    "character", "preset", "sex",
+                                 "stature_m", "mass_kg",   "seat_m", "status"};
 
 // The columns of a goal, and how many numbers each has.
 struct GoalColumn {
   std::string_view column;
   std::size_t parts;
 };
-constexpr std::array kGoalColumns{GoalColumn{"position_m", 3},    GoalColumn{"load_kg", 1},
-                                  GoalColumn{"rotation_xyzw", 4}, GoalColumn{"axis", 3},
-                                  GoalColumn{"direction", 3},     GoalColumn{"tolerance_m", 3}};
+constexpr std::array kGoalFields{GoalColumn{"position_m", 3},    GoalColumn{"load_kg", 1},
+                                 GoalColumn{"rotation_xyzw", 4}, GoalColumn{"axis", 3},
+                                 GoalColumn{"direction", 3},     GoalColumn{"tolerance_m", 3}};
 
 // The list that names the numbers of a column; empty of one that has no names.
 std::string list_of(const Column& column) {
@@ -169,10 +169,10 @@ Result<void> ExportIndex::begin(const ExportJob& job) {
   });
   CsvLine line;
   for (const char* name : {"motion", "file", "split", "task", "rank"}) line.add(name);
-  for (const char* name : kTaskColumns) line.add(name);
+  for (const char* name : kTaskFields) line.add(name);
   for (std::size_t g = 1; g <= goals_; ++g) {
     line.add(fmt::format("goal{}.effector", g));
-    for (const auto& [column, parts] : kGoalColumns) {
+    for (const auto& [column, parts] : kGoalFields) {
       for (std::size_t k = 0; k < parts; ++k) {
         line.add(fmt::format("goal{}.{}", g, part_name(column, k, parts)));
       }
@@ -205,7 +205,7 @@ Result<void> ExportIndex::add(const DataMotion& motion, std::string_view file) {
   line.add(word_of(split_of(motion, *plan_)));
   line.add(motion.number());
   line.add(motion.rank());
-  for (const char* name : kTaskColumns) {
+  for (const char* name : kTaskFields) {
     const Column* column = motion.task.table->find(name);
     const bool told =
         column == nullptr || column->type == ElementType::text || !column->words.empty();
@@ -214,7 +214,7 @@ Result<void> ExportIndex::add(const DataMotion& motion, std::string_view file) {
   for (std::size_t g = 0; g < goals_; ++g) {
     const bool there = g < motion.goals.size();
     line.add(there ? motion.goals[g].text("effector") : "");
-    for (const auto& [column, parts] : kGoalColumns) {
+    for (const auto& [column, parts] : kGoalFields) {
       for (std::size_t k = 0; k < parts; ++k) {
         line.add(there ? motion.goals[g].number(column, k) : kNoNumber);
       }

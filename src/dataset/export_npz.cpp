@@ -71,7 +71,7 @@ npy::Arrays arrays_of(const DataMotion& motion, const NodeMotion& nodes, double 
   return arrays;
 }
 
-constexpr const char* kAbout = R"(
+constexpr const char* kAboutNpz = R"(
 Each file of `motions/` is a NumPy archive (`numpy.load`). The keys that AMASS has mean what they mean
 there, on shigusa's own skeleton, which is not SMPL's:
 
@@ -118,7 +118,7 @@ class NpzWriter : public DataWriter {
   }
   Result<void> finish() override {
     SHG_TRY(index_.finish());
-    return job_.folder.put("README.md", about_export(job_, index_.motions()) + kAbout);
+    return job_.folder.put("README.md", about_export(job_, index_.motions()) + kAboutNpz);
   }
 
  private:

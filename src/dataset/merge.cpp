@@ -157,7 +157,7 @@ Result<void> write_names(const hdf5::Handle& group, const Table& table) {
   return {};
 }
 
-Result<void> write_table(const hdf5::Handle& file, const Table& table) {
+Result<void> write_merged(const hdf5::Handle& file, const Table& table) {
   SHG_TRY_ASSIGN(const hdf5::Handle group, hdf5::create_group(file, table.path));
   SHG_TRY(write_names(group, table));
   for (const Column& column : table.columns) SHG_TRY(hdf5::write_column(group, column));
@@ -257,7 +257,7 @@ Result<void> read_shards(Merge& merge, const hdf5::Handle& file) {
 Result<void> write_index(Merge& merge, const hdf5::Handle& file) {
   SHG_TRY(read_shards(merge, file));
   SHG_TRY(write_root(file, merge));
-  for (const Table& table : tables_of(merge.statistics)) SHG_TRY(write_table(file, table));
+  for (const Table& table : tables_of(merge.statistics)) SHG_TRY(write_merged(file, table));
   for (const auto& [path, whole] : merge.tables) {
     if (merge.mapped()) SHG_TRY(write_whole(file, whole));
   }

@@ -134,7 +134,7 @@ Result<StoredResult> read_result(const fs::path& path, int candidate) {
   SHG_TRY(lock_folder(folder, FolderUse::read, place));
   const fs::path summary = whole ? path / kSummaryName : path;
   SHG_TRY_ASSIGN(const std::string text, read_text_file(summary, kResultMaxBytes));
-  Result<StoredResult> stored = parse_result(text, summary.filename().string());
+  Result<StoredResult> stored = parse_result(text, summary.string());
   const auto index = static_cast<std::size_t>(candidate) - 1;
   if (!stored || index >= stored->files.size()) return stored;
   SHG_TRY(check_described(place, folder, stored->files[index]));

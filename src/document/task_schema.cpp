@@ -170,7 +170,7 @@ std::string task_schema() {
       {"version", {{"const", kTaskVersion}}},
       {"character",
        {{"description",
-         "full_body when not given, half_body, human, a person's BVH, GLB, glTF, VRM or "
+         "human when not given, full_body, half_body, a person's BVH, GLB, glTF, VRM or "
          "FBX file, or a robot's URDF or MJCF (.xml) file, relative to the task file."},
         {"anyOf",
          Json::array({Json{{"type", "string"}}, definitions.struct_schema<CharacterSpec>()})}}}};

@@ -1,282 +1,141 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <shigusa/scalar.hpp>
 #include <shigusa/strip_figure.hpp>
 
-#include "strip_figure_canvas.hpp"
-#include "strip_figure_layout.hpp"
+#include "strip_figure_painter.hpp"
 
 namespace shigusa {
 namespace {
 
 using namespace strip;
 
-// Tones differ in lightness alone, so that a grey print keeps them: the acting limb is the
-// darkest, the near side darker than the far one.
-constexpr Colour kAccent{0xa32b19};
-constexpr Colour kNear{0x607387};
-constexpr Colour kTrunk{0x8b99a6};
-constexpr Colour kFar{0xb7c1ca};
-constexpr Colour kJoint{0xffffff};
-constexpr Colour kGoal{0x0b5c66};
-constexpr Colour kPath{0xc9705f};
-constexpr Colour kMass{0x1d242b};
-constexpr Colour kPlumb{0x4d5965};
-constexpr Colour kFloor{0x98a2ab};
-constexpr Colour kSole{0xe4e8eb};
-constexpr Colour kInk{0x2f3942};
-
 // Points.
-constexpr double kText = 7.0;
-constexpr double kCaptionText = 8.0;
-constexpr double kLine = 1.4;  // height of a line of text as a multiple of its size
-// White around each piece keeps crossing limbs apart; thin pieces have less of it.
-constexpr double kRim = 0.7;
-constexpr double kRimShare = 0.4;     // of the piece's thickest radius
-constexpr double kJointShare = 0.35;  // of a joint's mark, of the limb's thickness
-constexpr double kThinnest = 0.3;
-constexpr double kMassRadius = 2.6;
-constexpr double kGoalRadius = 3.2;
-constexpr double kTick = 3.0;
+constexpr double kBelowText = 0.4 * kText;  // what letters reach below their base line
+constexpr double kAboveLegend = 1.7 * kText;
+constexpr double kBetweenStrips = 9.0;
 
 constexpr double kMaxPixels = 1e8;
 
-// The longest of 1, 2, 5, 10, 20, … times 10^-20 that is not above `length`.
-double round_length(double length) {
-  double result = 1e-20;
-  for (double decade = result; decade <= length; decade *= 10.0) {
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      if (digit * decade <= length) result = digit * decade;
-    }
-  }
-  return result;
-}
-
-// Draws a strip that has been laid out.
-class Painter {
+// Strips under each other, all at one scale.
+class Page {
  public:
-  Painter(Canvas& canvas, const Strip& strip, const StripSettings& settings, double width)
-      : canvas_(canvas), strip_(strip), settings_(settings), width_(width) {
-    floor_ = kMargin + strip.scale * max(strip.top, 0.0);
-  }
+  explicit Page(const StripSettings& settings)
+      : width_(settings.width_mm * kPointsPerMm), pixels_per_point_(settings.png_dpi / 72.0) {}
 
-  void floor();
-  void slot(const Slot& slot);
-  void time_labels(double base, double frame_time);
-  void legend(double base, const StripOverlay& overlay);
-  void scale_bar(double base);
+  [[nodiscard]] Result<void> add(const SkeletonMotion& motion, const StripOverlay& overlay,
+                                 const StripSettings& settings);
+  // Of one strip or more.
+  [[nodiscard]] Result<std::string> draw(FigureFormat format);
 
  private:
-  [[nodiscard]] Point page(const Slot& slot, Point p) const {
-    return {slot.x + strip_.scale * p.x, floor_ - strip_.scale * p.y};
-  }
-  [[nodiscard]] std::vector<Disc> page(const Slot& slot, const std::vector<Disc>& discs) const;
-  [[nodiscard]] Colour colour(const Shape& shape, double share) const;
-  void goal(Point at);
-  void arrow(Point at, Point away);
-  void mass(Point at) { canvas_.quartered({at, kMassRadius}, kMass); }
+  void place();
+  // Returns where the strip ends.
+  [[nodiscard]] double place(PlacedStrip& placed, double top) const;
+  [[nodiscard]] Result<void> check_pixels() const;
 
-  Canvas& canvas_;
-  const Strip& strip_;
-  const StripSettings& settings_;
   double width_;
-  double floor_ = 0.0;
+  double pixels_per_point_;
+  std::vector<PlacedStrip> strips_;
+  double metre_ = 0.0;   // points
+  double legend_ = 0.0;  // its base line
+  double height_ = 0.0;
 };
 
-std::vector<Disc> Painter::page(const Slot& slot, const std::vector<Disc>& discs) const {
-  std::vector<Disc> result;
-  for (const Disc& disc : discs) {
-    result.push_back({page(slot, disc.centre), max(strip_.scale * disc.radius, kThinnest)});
-  }
-  return result;
+Result<void> Page::add(const SkeletonMotion& motion, const StripOverlay& overlay,
+                       const StripSettings& settings) {
+  SHG_TRY(check_strip(motion, overlay, settings));
+  PlacedStrip placed{&motion, &overlay, &settings, {}, {}};
+  SHG_TRY_ASSIGN(placed.strip, lay_out(motion, overlay, settings));
+  placed.caption = wrap_text(overlay.caption, kCaptionText, width_ - 2.0 * kMargin);
+  const double metre = placed.strip.largest_scale(width_) / settings.metres_per_unit;
+  metre_ = strips_.empty() ? metre : min(metre_, metre);
+  strips_.push_back(std::move(placed));
+  return {};
 }
 
-void Painter::floor() {
-  for (const Slot& slot : strip_.slots) canvas_.hull(page(slot, slot.soles), kSole);
-  const Point ends[] = {{kMargin, floor_}, {width_ - kMargin, floor_}};
-  canvas_.line(ends, kFloor, 0.6);
-  for (const Slot& slot : strip_.slots) {
-    const Point tick[] = {{slot.x, floor_}, {slot.x, floor_ + kTick}};
-    canvas_.line(tick, kFloor, 0.6);
-  }
+double Page::place(PlacedStrip& placed, double top) const {
+  const double scale = metre_ * placed.settings->metres_per_unit;
+  place_slots(placed.strip, width_, scale);
+  placed.floor = top + scale * max(placed.strip.top, 0.0);
+  placed.times = placed.floor - scale * min(placed.strip.bottom, 0.0) + kTick + kLine * kText;
+  placed.caption_above = placed.times + kBelowText;
+  if (placed.caption.empty()) return placed.caption_above;
+  const double lines = static_cast<double>(placed.caption.size());
+  return placed.caption_above + lines * kLine * kCaptionText + kBelowText;
 }
 
-// `share` is the shape's place in the order from far (0) to near (1).
-Colour Painter::colour(const Shape& shape, double share) const {
-  const bool left_is_near = settings_.azimuth_deg < 0.0;
-  switch (shape.tone) {
-    case Tone::accent:
-      return kAccent;
-    case Tone::middle:
-      return kTrunk;
-    case Tone::left:
-      return left_is_near ? kNear : kFar;
-    case Tone::right:
-      return left_is_near ? kFar : kNear;
-    default:
-      break;
-  }
-  Colour mixed;
-  for (const int shift : {16, 8, 0}) {
-    const double far = (kFar.rgb >> shift) & 0xff;
-    const double near = (kNear.rgb >> shift) & 0xff;
-    mixed.rgb |= static_cast<std::uint32_t>(far + (near - far) * share + 0.5) << shift;
-  }
-  return mixed;
+void Page::place() {
+  double end = kMargin - kBetweenStrips;
+  for (PlacedStrip& placed : strips_) end = place(placed, end + kBetweenStrips);
+  legend_ = end + kAboveLegend;
+  height_ = legend_ + kBelowText + kMargin;
 }
 
-void Painter::slot(const Slot& slot) {
-  const double last = static_cast<double>(std::max<std::size_t>(slot.shapes.size() - 1, 1));
-  for (std::size_t i = 0; i < slot.shapes.size(); ++i) {
-    const Shape& shape = slot.shapes[i];
-    const std::vector<Disc> discs = page(slot, shape.discs);
-    double thickest = 0.0;
-    for (const Disc& disc : discs) thickest = max(thickest, disc.radius);
-    canvas_.hull(discs, colour(shape, static_cast<double>(i) / last),
-                 min(kRim, kRimShare * thickest));
-    for (std::size_t j = 0; j < static_cast<std::size_t>(shape.joints); ++j) {
-      const Disc dot{discs[j].centre, kJointShare * discs[j].radius};
-      canvas_.hull(std::span(&dot, 1), kJoint);
-    }
-  }
-  for (const std::vector<Point>& piece : slot.path) {
-    std::vector<Point> points;
-    for (const Point& p : piece) points.push_back(page(slot, p));
-    canvas_.line(points, kPath, 0.7);
-  }
-  if (!slot.mass.empty()) {
-    const Point plumb[] = {page(slot, slot.mass[0]), page(slot, slot.mass[1])};
-    canvas_.line(plumb, kPlumb, 0.5, 1.8);
-    const Disc foot{plumb[1], 0.9};
-    canvas_.hull(std::span(&foot, 1), kPlumb);
-    mass(plumb[0]);
-  }
-  for (const GoalMark& mark : slot.goals) {
-    if (mark.arrow) {
-      arrow(page(slot, mark.at), {mark.away.x, -mark.away.y});
-    } else {
-      goal(page(slot, mark.at));
-    }
-  }
+Result<void> Page::check_pixels() const {
+  const double pixels = width_ * height_ * pixels_per_point_ * pixels_per_point_;
+  if (pixels <= kMaxPixels) return {};
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("{} gives {:.3g} pixels; at most {:g} allowed",
+                          strips_.front().settings->png_dpi, pixels, kMaxPixels),
+              "png_dpi");
 }
 
-void Painter::goal(Point at) {
-  canvas_.ring({at, kGoalRadius}, {0xffffff}, 2.2);
-  canvas_.ring({at, kGoalRadius}, kGoal, 0.9);
-  const double arm = 1.7 * kGoalRadius;
-  const Point level[] = {{at.x - arm, at.y}, {at.x + arm, at.y}};
-  const Point plumb[] = {{at.x, at.y - arm}, {at.x, at.y + arm}};
-  canvas_.line(level, kGoal, 0.9);
-  canvas_.line(plumb, kGoal, 0.9);
+Result<std::string> Page::draw(FigureFormat format) {
+  place();
+  if (format == FigureFormat::png) {
+    SHG_TRY(check_pixels());
+  }
+  SHG_TRY_ASSIGN(const auto canvas, make_canvas(format, width_, height_, pixels_per_point_));
+  for (const PlacedStrip& placed : strips_) paint_strip(*canvas, placed, width_);
+  paint_legend(*canvas, strips_, legend_);
+  paint_scale_bar(*canvas, metre_, width_, legend_);
+  return canvas->finish();
 }
 
-// A goal beyond the slot: its ring, and where to look for it.
-void Painter::arrow(Point at, Point away) {
-  canvas_.ring({at, kGoalRadius}, kGoal, 0.9);
-  const auto point = [&](double ahead, double aside) {
-    return Point{at.x + kGoalRadius * (ahead * away.x - aside * away.y),
-                 at.y + kGoalRadius * (ahead * away.y + aside * away.x)};
-  };
-  const Point shaft[] = {point(1.0, 0.0), point(2.8, 0.0)};
-  const Point head[] = {point(2.0, 0.7), point(2.8, 0.0), point(2.0, -0.7)};
-  canvas_.line(shaft, kGoal, 0.9);
-  canvas_.line(head, kGoal, 0.9);
-}
-
-// Every second, third, … time where poses stand closer than their labels are wide.
-void Painter::time_labels(double base, double frame_time) {
-  const int first = strip_.slots.front().frame;
-  const int last = strip_.slots.back().frame;
-  const int digits = (last - first) * frame_time < 0.1 && last > first ? 3 : 2;
-  const auto label = [&](const Slot& slot) {
-    return fmt::format("{:.{}f} s", (slot.frame - first) * frame_time, digits);
-  };
-  const double room = 1.15 * text_width(label(strip_.slots.back()), kText);
-  std::size_t every = 1;
-  while (static_cast<double>(every) * strip_.spacing < room && every < strip_.slots.size()) ++every;
-  for (std::size_t i = 0; i < strip_.slots.size(); i += every) {
-    const std::string text = label(strip_.slots[i]);
-    const double half = 0.5 * text_width(text, kText);
-    const double x = clamp(strip_.slots[i].x, kMargin + half, width_ - kMargin - half);
-    canvas_.text({x, base}, text, kText, kInk, Align::centre);
+// A page has one width and, as PNG, one density.
+Result<void> check_page(const StripSettings& first, const StripSettings& settings) {
+  const struct {
+    const char* name;
+    double value, first;
+  } shared[] = {{"width_mm", settings.width_mm, first.width_mm},
+                {"png_dpi", settings.png_dpi, first.png_dpi}};
+  for (const auto& field : shared) {
+    if (field.value == field.first) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("{} given and {} for strip 1; the strips of a page share it",
+                            field.value, field.first),
+                field.name);
   }
-}
-
-void Painter::legend(double base, const StripOverlay& overlay) {
-  double x = kMargin;
-  const double middle = base - 0.36 * kText;
-  const auto entry = [&](double symbol, const char* name) {
-    canvas_.text({x + symbol + 3.0, base}, name, kText, kInk, Align::left);
-    x += symbol + 3.0 + text_width(name, kText) + 12.0;
-  };
-  if (!overlay.goals.empty()) {
-    goal({x + 1.7 * kGoalRadius, middle});
-    entry(3.4 * kGoalRadius, "goal");
-  }
-  if (!overlay.hand_path.empty()) {
-    const Point sample[] = {{x, middle}, {x + 12.0, middle}};
-    canvas_.line(sample, kPath, 0.7);
-    entry(12.0, "path");
-  }
-  if (!overlay.centre_of_mass.empty()) {
-    mass({x + kMassRadius, middle});
-    entry(2.0 * kMassRadius, "centre of mass");
-  }
-}
-
-void Painter::scale_bar(double base) {
-  const double points_per_metre = strip_.scale / settings_.metres_per_unit;
-  const double metres = round_length(0.12 * width_ / points_per_metre);
-  const std::string label = fmt::format("{:g} m", metres);
-  const double y = base - 0.36 * kText;
-  const double right = width_ - kMargin - text_width(label, kText) - 4.0;
-  const double left = right - metres * points_per_metre;
-  const Point bar[] = {{left, y}, {right, y}};
-  canvas_.line(bar, kInk, 0.9);
-  for (const double x : {left, right}) {
-    const Point tick[] = {{x, y - 2.0}, {x, y + 2.0}};
-    canvas_.line(tick, kInk, 0.9);
-  }
-  canvas_.text({width_ - kMargin, base}, label, kText, kInk, Align::right);
+  return {};
 }
 
 }  // namespace
 
 Result<std::string> draw_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
                                const StripSettings& settings, FigureFormat format) {
-  SHG_TRY(check_strip(motion, overlay, settings));
-  const double width = settings.width_mm * kPointsPerMm;
-  SHG_TRY_ASSIGN(const auto strip, lay_out(motion, overlay, settings, width));
+  Page page(settings);
+  SHG_TRY(page.add(motion, overlay, settings));
+  return page.draw(format);
+}
 
-  const auto caption = wrap_text(overlay.caption, kCaptionText, width - 2.0 * kMargin);
-  const double figure = kMargin + strip.scale * (max(strip.top, 0.0) - min(strip.bottom, 0.0));
-  const double times = figure + kTick + kLine * kText;
-  const double legend = times + 1.5 * kLine * kText;
-  const double text = legend + 0.4 * kText;
-  const double lines = static_cast<double>(caption.size());
-  const double height = text + lines * kLine * kCaptionText + kMargin;
-  const double pixels = settings.png_dpi / 72.0;
-  if (format == FigureFormat::png && width * height * pixels * pixels > kMaxPixels) {
+Result<std::string> draw_strips(const std::vector<MotionStrip>& strips, FigureFormat format) {
+  if (strips.empty() || strips.size() > kPageMaxStrips) {
     return fail(ErrorCode::invalid_argument,
-                fmt::format("{} gives {:.3g} pixels; at most {:g} allowed", settings.png_dpi,
-                            width * height * pixels * pixels, kMaxPixels),
-                "png_dpi");
+                fmt::format("{} given; 1 to {} allowed", strips.size(), kPageMaxStrips), "strips");
   }
-
-  SHG_TRY_ASSIGN(const auto canvas, make_canvas(format, width, height, pixels));
-  Painter painter(*canvas, strip, settings, width);
-  painter.floor();
-  for (const Slot& slot : strip.slots) painter.slot(slot);
-  painter.time_labels(times, motion.clip.frame_time);
-  painter.legend(legend, overlay);
-  painter.scale_bar(legend);
-  for (std::size_t i = 0; i < caption.size(); ++i) {
-    const double base = text + static_cast<double>(i + 1) * kLine * kCaptionText;
-    canvas->text({kMargin, base}, caption[i], kCaptionText, kInk, Align::left);
+  const StripSettings& first = strips.front().settings;
+  Page page(first);
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const MotionStrip& strip = strips[i];
+    Result<void> added = i == 0 ? Result<void>{} : check_page(first, strip.settings);
+    if (added) added = page.add(strip.motion, strip.overlay, strip.settings);
+    if (added) continue;
+    const Error& error = added.error();
+    return fail(error.code, error.message, fmt::format("strip {}: {}", i + 1, error.place));
   }
-  return canvas->finish();
+  return page.draw(format);
 }
 
 }  // namespace shigusa

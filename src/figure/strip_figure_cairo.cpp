@@ -2,7 +2,6 @@
 #include "strip_figure_cairo.hpp"
 
 #include <cairo-pdf.h>
-#include <cairo-svg.h>
 
 #include <exception>
 #include <shigusa/scalar.hpp>
@@ -42,30 +41,16 @@ void trace(cairo_t* context, const std::vector<Arc>& outline) {
   cairo_close_path(context);
 }
 
-// Cairo numbers the surfaces of a process and names the drawing after that number.
-void drop_surface_number(std::string& svg) {
-  const std::string_view name = " id=\"surface";
-  const std::size_t begin = svg.find(name);
-  if (begin == std::string::npos) return;
-  const std::size_t end = svg.find('"', begin + name.size());
-  svg.erase(begin, end + 1 - begin);
-}
-
 cairo_surface_t* create_surface(FigureFormat format, double width, double height, double scale,
                                 std::string* bytes) {
-  switch (format) {
-    case FigureFormat::svg:
-      return cairo_svg_surface_create_for_stream(append, bytes, width, height);
-    case FigureFormat::pdf: {
-      cairo_surface_t* pdf = cairo_pdf_surface_create_for_stream(append, bytes, width, height);
-      // a date of the day would make each run's file another one
-      cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
-      return pdf;
-    }
-    default:
-      return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width * scale + 0.5),
-                                        static_cast<int>(height * scale + 0.5));
+  if (format == FigureFormat::pdf) {
+    cairo_surface_t* pdf = cairo_pdf_surface_create_for_stream(append, bytes, width, height);
+    // a date of the day would make each run's file another one
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+    return pdf;
   }
+  return cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width * scale + 0.5),
+                                    static_cast<int>(height * scale + 0.5));
 }
 
 }  // namespace
@@ -156,12 +141,19 @@ void CairoCanvas::quartered(Disc disc, Colour colour) {
 
 void CairoCanvas::text(Point at, const std::string& text, double size, Colour colour, Align align) {
   const double share = align == Align::left ? 0.0 : align == Align::centre ? 0.5 : 1.0;
+  const double width = text_width(text, size);
+  const double drawn = has_known_width(text) ? cairo_text_width(text, size) : width;
   source(colour);
   cairo_set_font_size(context_.get(), size);
+  cairo_save(context_.get());
+  cairo_translate(context_.get(), at.x - share * width, at.y);
+  // another font is made to keep the width that the layout has taken
+  if (drawn > 0.0) cairo_scale(context_.get(), width / drawn, 1.0);
   cairo_new_path(context_.get());
-  cairo_move_to(context_.get(), at.x - share * text_width(text, size), at.y);
+  cairo_move_to(context_.get(), 0.0, 0.0);
   cairo_text_path(context_.get(), text.c_str());
   cairo_fill(context_.get());
+  cairo_restore(context_.get());
 }
 
 Result<std::string> CairoCanvas::finish() {
@@ -174,7 +166,6 @@ Result<std::string> CairoCanvas::finish() {
   if (status != CAIRO_STATUS_SUCCESS) {
     return fail(ErrorCode::io, cairo_status_to_string(status), "strip figure");
   }
-  if (format_ == FigureFormat::svg) drop_surface_number(*bytes_);
   return std::move(*bytes_);
 }
 

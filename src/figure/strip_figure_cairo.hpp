@@ -7,12 +7,10 @@
 
 namespace shigusa::strip {
 
-// Width in DejaVu Sans, points.
+// Width in the font that this machine has for DejaVu Sans, points.
 [[nodiscard]] double cairo_text_width(const std::string& text, double size);
 
-// All formats, by cairo. It keeps to filled and stroked paths: text, clips, groups and patterns
-// would put numbered names into SVG that differ from run to run. Text becomes outlines, which also
-// look the same where its font is missing.
+// PNG and PDF, by cairo. Text becomes outlines, which look the same where its font is missing.
 class CairoCanvas final : public Canvas {
  public:
   CairoCanvas(FigureFormat format, double width, double height, double pixels_per_point);

@@ -2,18 +2,38 @@
 #include "strip_figure_canvas.hpp"
 
 #include <algorithm>
+#include <array>
 #include <shigusa/scalar.hpp>
 
+#include "core/index.hpp"
 #include "core/text.hpp"
+#include "strip_figure_svg.hpp"
 
 #ifdef SHIGUSA_HAS_CAIRO
 #include "strip_figure_cairo.hpp"
-#else
-#include "strip_figure_svg.hpp"
 #endif
 
 namespace shigusa::strip {
 namespace {
+
+// Advance widths of DejaVu Sans from the space to the tilde, in 1/2048 of the font's size.
+constexpr double kUnitsPerEm = 2048.0;
+constexpr int kFirst = 32;
+constexpr std::array<int, 95> kAdvance{
+    651,  821,  942,  1716, 1303, 1946, 1597, 563,  799,  799,  1024, 1716, 651,  739,  651,  690,
+    1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 690,  690,  1716, 1716, 1716, 1087,
+    2048, 1401, 1405, 1430, 1577, 1294, 1178, 1587, 1540, 604,  604,  1343, 1141, 1767, 1532, 1612,
+    1235, 1612, 1423, 1300, 1251, 1499, 1401, 2025, 1403, 1251, 1403, 799,  690,  799,  1716, 1024,
+    1024, 1255, 1300, 1126, 1300, 1260, 721,  1300, 1298, 569,  569,  1186, 569,  1995, 1298, 1253,
+    1300, 1300, 842,  1067, 803,  1298, 1212, 1675, 1212, 1212, 1075, 1303, 690,  1303, 1716};
+// Narrow enough for Latin letters with accents, and what most fonts give to ideographs.
+constexpr int kLetter = 1303;
+constexpr int kIdeograph = 2048;
+
+bool in_table(char c) {
+  const int code = static_cast<unsigned char>(c) - kFirst;
+  return code >= 0 && code < static_cast<int>(kAdvance.size());
+}
 
 double distance(Point a, Point b) {
   return sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
@@ -51,12 +71,22 @@ double turn_to(const Disc& disc, const Disc& next, double angle) {
 
 }  // namespace
 
-double text_width(const std::string& text, double size) {
-#ifdef SHIGUSA_HAS_CAIRO
-  return cairo_text_width(text, size);
-#else
-  return svg_text_width(text, size);
-#endif
+double text_width(std::string_view text, double size) {
+  int units = 0;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (in_table(text[0])) {
+      units += kAdvance[index(text[0] - kFirst)];
+    } else if (length > 1) {
+      units += length == 2 ? kLetter : kIdeograph;
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  return units * size / kUnitsPerEm;
+}
+
+bool has_known_width(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), in_table);
 }
 
 std::vector<std::string> wrap_text(std::string_view text, double size, double width) {
@@ -81,9 +111,10 @@ std::vector<std::string> wrap_text(std::string_view text, double size, double wi
 std::vector<Arc> hull_outline(std::span<const Disc> all) {
   const std::vector<Disc> discs = outermost(all);
   std::vector<Arc> outline;
-  std::size_t current = 0;
+  std::size_t first = 0;
   const auto east = [&](std::size_t i) { return discs[i].centre.x + discs[i].radius; };
-  for (std::size_t i = 1; i < discs.size(); ++i) current = east(i) > east(current) ? i : current;
+  for (std::size_t i = 1; i < discs.size(); ++i) first = east(i) > east(first) ? i : first;
+  std::size_t current = first;
   double angle = 0.0;
   for (std::size_t step = 0; step <= 2 * discs.size() && angle < kTwoPi; ++step) {
     double turn = kTwoPi - angle;
@@ -99,20 +130,23 @@ std::vector<Arc> hull_outline(std::span<const Disc> all) {
     angle = next == current ? kTwoPi : angle + turn;
     current = next;
   }
+  // the walk began in the middle of the first disc's arc
+  if (outline.size() > 1 && current == first) {
+    outline.front().from = outline.back().from - kTwoPi;
+    outline.pop_back();
+  }
   return outline;
 }
 
 Result<std::unique_ptr<Canvas>> make_canvas(FigureFormat format, double width, double height,
                                             double pixels_per_point) {
+  if (format == FigureFormat::svg) return std::make_unique<SvgCanvas>(width, height);
 #ifdef SHIGUSA_HAS_CAIRO
   return std::make_unique<CairoCanvas>(format, width, height, pixels_per_point);
 #else
   (void)pixels_per_point;
-  if (format != FigureFormat::svg) {
-    return fail(ErrorCode::unsupported, "this build has no cairo, which draws PNG and PDF; use svg",
-                "strip figure");
-  }
-  return std::make_unique<SvgCanvas>(width, height);
+  return fail(ErrorCode::unsupported, "this build has no cairo, which draws PNG and PDF; use svg",
+              "strip figure");
 #endif
 }
 

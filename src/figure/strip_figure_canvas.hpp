@@ -28,8 +28,12 @@ struct Colour {
 
 enum class Align { left, centre, right };
 
-// Width of a line of UTF-8 text at a font size, points.
-[[nodiscard]] double text_width(const std::string& text, double size);
+// Width of a line of UTF-8 text in DejaVu Sans at a font size, points: by a table, so that each
+// format and each build has the same layout.
+[[nodiscard]] double text_width(std::string_view text, double size);
+
+// Whether the table has all its letters: those of ASCII. Others count as wide ones.
+[[nodiscard]] bool has_known_width(std::string_view text);
 
 // Lines of at most that width: broken at spaces, or inside words that are longer than a line.
 [[nodiscard]] std::vector<std::string> wrap_text(std::string_view text, double size, double width);
@@ -41,7 +45,8 @@ struct Arc {
   double to = 0.0;
 };
 
-// Once around the convex hull of discs, at least one: arcs that common tangents join.
+// Once around the convex hull of discs, at least one: arcs that common tangents join, or a whole
+// turn about the disc that holds all others.
 [[nodiscard]] std::vector<Arc> hull_outline(std::span<const Disc> discs);
 
 // A white page of one of the formats.
@@ -65,8 +70,8 @@ class Canvas {
   [[nodiscard]] virtual Result<std::string> finish() = 0;
 };
 
-// Width and height in points. Fails with ErrorCode::unsupported on PNG and PDF where this build has
-// no cairo.
+// Width and height in points: SvgCanvas, or CairoCanvas for PNG and PDF. Fails with
+// ErrorCode::unsupported on those where this build has no cairo.
 [[nodiscard]] Result<std::unique_ptr<Canvas>> make_canvas(FigureFormat format, double width,
                                                           double height, double pixels_per_point);
 

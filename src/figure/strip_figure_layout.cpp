@@ -238,15 +238,11 @@ void SlotBuilder::add_path(const std::vector<Vec3d>& path, int first, int last, 
   }
 }
 
-// Equal steps from slot to slot, so that the floor line is a time axis: as wide as the widest
-// neighbours need, and stretched to fill the width.
-void place_slots(Strip& strip, double size, double width) {
+void measure(Strip& strip) {
   const Slot& first = strip.slots.front();
-  const Slot& last = strip.slots.back();
-  const double steps = static_cast<double>(strip.slots.size() - 1);
-  double step = 0.0;
   for (std::size_t i = 1; i < strip.slots.size(); ++i) {
-    step = max(step, strip.slots[i - 1].box.right - strip.slots[i].box.left + kGap * size);
+    const double needed = strip.slots[i - 1].box.right - strip.slots[i].box.left;
+    strip.step = max(strip.step, needed + kGap * strip.size);
   }
   strip.top = first.box.top;
   strip.bottom = first.box.bottom;
@@ -254,16 +250,11 @@ void place_slots(Strip& strip, double size, double width) {
     strip.top = max(strip.top, slot.box.top);
     strip.bottom = min(strip.bottom, slot.box.bottom);
   }
-  const double usable_width = width - 2.0 * kMargin;
-  const double ends = last.box.right - first.box.left;
-  const double height = max(strip.top - strip.bottom, size);
-  strip.scale = min(usable_width / (ends + steps * step), kMaxHeight * width / height);
-  const double rest = usable_width - strip.scale * ends;
-  strip.spacing = steps > 0.0 ? min(rest / steps, kMaxStretch * strip.scale * step) : 0.0;
-  const double left = kMargin + 0.5 * (rest - steps * strip.spacing) - strip.scale * first.box.left;
-  for (std::size_t i = 0; i < strip.slots.size(); ++i) {
-    strip.slots[i].x = left + static_cast<double>(i) * strip.spacing;
-  }
+}
+
+// From the left edge of the first slot to the right edge of the last one, but for the steps.
+double width_of_ends(const Strip& strip) {
+  return strip.slots.back().box.right - strip.slots.front().box.left;
 }
 
 }  // namespace
@@ -275,8 +266,29 @@ void Box::add(Point p, double radius) {
   top = max(top, p.y + radius);
 }
 
+double Strip::largest_scale(double width) const {
+  const double steps = static_cast<double>(slots.size() - 1);
+  const double height = max(top - bottom, size);
+  return min((width - 2.0 * kMargin) / (width_of_ends(*this) + steps * step),
+             kMaxHeight * width / height);
+}
+
+// Equal steps from slot to slot, so that the floor line is a time axis: as wide as the widest
+// neighbours need, and stretched to fill the width.
+void place_slots(Strip& strip, double width, double scale) {
+  const double steps = static_cast<double>(strip.slots.size() - 1);
+  strip.scale = scale;
+  const double rest = width - 2.0 * kMargin - scale * width_of_ends(strip);
+  strip.spacing = steps > 0.0 ? min(rest / steps, kMaxStretch * scale * strip.step) : 0.0;
+  const double left =
+      kMargin + 0.5 * (rest - steps * strip.spacing) - scale * strip.slots.front().box.left;
+  for (std::size_t i = 0; i < strip.slots.size(); ++i) {
+    strip.slots[i].x = left + static_cast<double>(i) * strip.spacing;
+  }
+}
+
 Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
-                      const StripSettings& settings, double width) {
+                      const StripSettings& settings) {
   const std::vector<int> frames = pose_frames(motion.clip, settings);
   SHG_TRY_ASSIGN(const auto all, postures(motion, frames));
 
@@ -289,6 +301,7 @@ Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
   const auto places = anchors(all, body, view, size);
 
   Strip strip;
+  strip.size = size;
   const int path_step = std::max((frames.back() - frames.front()) / kPathPoints, 1);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SlotBuilder builder(view, places[i], size);
@@ -304,7 +317,7 @@ Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
     }
     strip.slots.push_back(std::move(builder.slot));
   }
-  place_slots(strip, size, width);
+  measure(strip);
   return strip;
 }
 

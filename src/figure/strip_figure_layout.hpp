@@ -58,15 +58,23 @@ struct Slot {
 
 struct Strip {
   std::vector<Slot> slots;
-  double scale = 1.0;    // points per unit
-  double spacing = 0.0;  // points from slot to slot
-  double top = 0.0;      // highest and lowest thing drawn, units from the floor line
+  double size = 1.0;  // of the figure, units
+  double step = 0.0;  // from slot to slot that the widest neighbours need, units
+  double top = 0.0;   // highest and lowest thing drawn, units from the floor line
   double bottom = 0.0;
+  double scale = 1.0;    // page, points per unit
+  double spacing = 0.0;  // page, points from slot to slot
+
+  // The scale at which the strip fills a page's width, or its height is as much as a strip may
+  // have.
+  [[nodiscard]] double largest_scale(double width) const;
 };
 
-// Poses, projection and places on a page of that width (points). Fails at a position that is not
-// finite.
+// Poses and their projection, not placed yet. Fails at a position that is not finite.
 [[nodiscard]] Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
-                                    const StripSettings& settings, double width);
+                                    const StripSettings& settings);
+
+// Puts the slots of a strip on a page of that width (points) at a scale of at most its largest one.
+void place_slots(Strip& strip, double width, double scale);
 
 }  // namespace shigusa::strip

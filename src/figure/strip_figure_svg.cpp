@@ -4,63 +4,181 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
+#include <cstdlib>
 #include <shigusa/scalar.hpp>
 
-#include "core/index.hpp"
 #include "core/text.hpp"
 
 namespace shigusa::strip {
 namespace {
 
-// Advance widths of DejaVu Sans from the space to the tilde, in 1/2048 of the font's size.
-constexpr double kUnitsPerEm = 2048.0;
-constexpr int kFirst = 32;
-constexpr std::array<int, 95> kAdvance{
-    651,  821,  942,  1716, 1303, 1946, 1597, 563,  799,  799,  1024, 1716, 651,  739,  651,  690,
-    1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 690,  690,  1716, 1716, 1716, 1087,
-    2048, 1401, 1405, 1430, 1577, 1294, 1178, 1587, 1540, 604,  604,  1343, 1141, 1767, 1532, 1612,
-    1235, 1612, 1423, 1300, 1251, 1499, 1401, 2025, 1403, 1251, 1403, 799,  690,  799,  1716, 1024,
-    1024, 1255, 1300, 1126, 1300, 1260, 721,  1300, 1298, 569,  569,  1186, 569,  1995, 1298, 1253,
-    1300, 1300, 842,  1067, 803,  1298, 1212, 1675, 1212, 1212, 1075, 1303, 690,  1303, 1716};
-// Narrow enough for Latin letters with accents, and what most fonts give to ideographs.
-constexpr int kLetter = 1303;
-constexpr int kIdeograph = 2048;
+// The look of an element that states no other one: a white piece within the usual rim.
+constexpr Colour kGroupColour{0xffffff};
+constexpr double kGroupWidth = 0.7;
 
-// Hundredths of a point are finer than any printer.
-std::string number(double x) {
-  std::string text = fmt::format("{:.2f}", x);
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+// A point as whole hundredths, which are finer than any printer.
+struct GridPoint {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+
+std::int64_t hundredths(double x) { return static_cast<std::int64_t>(nearest_integer(100.0 * x)); }
+
+GridPoint on_grid(Point p) { return {hundredths(p.x), hundredths(p.y)}; }
+
+// The shortest number that SVG reads as these hundredths: .5, -3, 12.34.
+std::string number_of(std::int64_t units) {
+  const std::int64_t size = std::abs(units);
+  std::string text = units < 0 ? "-" : "";
+  if (size >= 100 || size == 0) text += fmt::to_string(size / 100);
+  if (size % 100 == 0) return text;
+  text += fmt::format(".{:02}", size % 100);
+  if (text.back() == '0') text.pop_back();
+  return text;
 }
 
-std::string pair(Point p) { return number(p.x) + "," + number(p.y); }
+std::string number(double x) { return number_of(hundredths(x)); }
 
-std::string hex(Colour colour) { return fmt::format("#{:06x}", colour.rgb); }
+std::string hex(Colour colour) {
+  std::string text = fmt::format("{:06x}", colour.rgb);
+  if (text[0] == text[1] && text[2] == text[3] && text[4] == text[5]) {
+    text = {text[0], text[2], text[4]};
+  }
+  return "#" + text;
+}
+
+// A colour or a width, where it is not the group's.
+std::string stated(const char* name, Colour colour) {
+  return colour.rgb == kGroupColour.rgb ? "" : fmt::format(" {}=\"{}\"", name, hex(colour));
+}
+std::string stated_width(double width) {
+  return hundredths(width) == hundredths(kGroupWidth)
+             ? ""
+             : fmt::format(" stroke-width=\"{}\"", number(width));
+}
 
 Point on_rim(const Disc& disc, double angle) {
   const auto [sine, cosine] = sin_cos(angle);
   return {disc.centre.x + disc.radius * cosine, disc.centre.y + disc.radius * sine};
 }
 
-// In two where it is long: an arc between points that are one after rounding would not be drawn,
-// and one of half a turn could be either half.
-std::string arc_to(const Disc& disc, double from, double to) {
-  constexpr double kLong = 0.75 * kPi;
-  if (to - from > kLong) {
-    const double middle = 0.5 * (from + to);
-    return arc_to(disc, from, middle) + arc_to(disc, middle, to);
-  }
-  return fmt::format("A{0} {0} 0 0 1 {1}", number(disc.radius), pair(on_rim(disc, to)));
+// The data of a path: an absolute point and steps from it. Each step leads from one rounded point
+// to the next, so that no error adds up.
+class PathData {
+ public:
+  void move_to(Point p) { move_to(on_grid(p)); }
+  void line_to(Point p) { line_to(on_grid(p)); }
+  // Along a disc's rim, from its point at one angle to that at a larger one.
+  void arc(const Arc& arc);
+  void circle(const Disc& disc);
+  void close() { begin('z'); }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  void move_to(GridPoint p);
+  void line_to(GridPoint to);
+  void arc_to(std::int64_t radius, GridPoint to);
+  void step_to(GridPoint to);
+  void begin(char command);
+  void append(std::int64_t units);
+
+  std::string text_;
+  GridPoint at_;
+  char command_ = 0;            // the last one, which is not repeated
+  bool with_fraction_ = false;  // whether the last number has a point in it
+};
+
+void PathData::begin(char command) {
+  if (command != command_ || command == 'M') text_ += command;
+  command_ = command;
 }
 
-std::string path_of(const std::vector<Arc>& outline) {
-  std::string path;
-  for (const Arc& arc : outline) {
-    path += (path.empty() ? "M" : "L") + pair(on_rim(arc.disc, arc.from));
-    path += arc_to(arc.disc, arc.from, arc.to);
+// A sign starts a number, and so does a second point.
+void PathData::append(std::int64_t units) {
+  const std::string number = number_of(units);
+  const bool after_digit = text_.back() >= '0' && text_.back() <= '9';
+  const bool starts = number[0] == '-' || (number[0] == '.' && with_fraction_);
+  if (after_digit && !starts) text_ += ' ';
+  text_ += number;
+  with_fraction_ = number.find('.') != std::string::npos;
+}
+
+void PathData::step_to(GridPoint to) {
+  append(to.x - at_.x);
+  append(to.y - at_.y);
+  at_ = to;
+}
+
+void PathData::move_to(GridPoint p) {
+  begin('M');
+  append(p.x);
+  append(p.y);
+  at_ = p;
+}
+
+void PathData::line_to(GridPoint to) {
+  if (to.x == at_.x && to.y == at_.y) return;
+  begin('l');
+  step_to(to);
+}
+
+void PathData::arc_to(std::int64_t radius, GridPoint to) {
+  begin('a');
+  append(radius);
+  append(radius);
+  text_ += " 0 0 1";
+  with_fraction_ = false;
+  step_to(to);
+}
+
+// In parts where it is long: of half a turn it could be either half, and near half a turn rounding
+// moves its centre far. As a line where that is less than rounding off.
+void PathData::arc(const Arc& arc) {
+  constexpr double kLong = 0.75 * kPi;
+  constexpr double kFlat = 0.005;
+  const double turn = arc.to - arc.from;
+  if (arc.disc.radius * turn * turn < 8.0 * kFlat) {
+    line_to(on_rim(arc.disc, arc.to));
+    return;
   }
-  return path + "Z";
+  int parts = 1;
+  while (turn > kLong * parts) ++parts;
+  for (int i = 1; i <= parts; ++i) {
+    const double angle = i == parts ? arc.to : arc.from + turn * i / parts;
+    arc_to(hundredths(arc.disc.radius), on_grid(on_rim(arc.disc, angle)));
+  }
+}
+
+// Two halves whose ends are a diameter apart even after rounding.
+void PathData::circle(const Disc& disc) {
+  const std::int64_t radius = hundredths(disc.radius);
+  const GridPoint centre = on_grid(disc.centre);
+  move_to(GridPoint{centre.x + radius, centre.y});
+  arc_to(radius, {centre.x - radius, centre.y});
+  arc_to(radius, {centre.x + radius, centre.y});
+  close();
+}
+
+std::string hull_data(std::span<const Disc> discs) {
+  const std::vector<Arc> outline = hull_outline(discs);
+  PathData data;
+  if (outline.size() == 1) {
+    data.circle(outline[0].disc);
+    return data.text();
+  }
+  for (const Arc& arc : outline) {
+    const Point from = on_rim(arc.disc, arc.from);
+    if (data.text().empty()) {
+      data.move_to(from);
+    } else {
+      data.line_to(from);
+    }
+    data.arc(arc);
+  }
+  data.close();
+  return data.text();
 }
 
 // XML's own characters escaped, and those left out that it does not allow.
@@ -76,7 +194,7 @@ std::string escaped(std::string_view text) {
       result += "&lt;";
     } else if (character == ">") {
       result += "&gt;";
-    } else if (length > 0 && static_cast<unsigned char>(character[0]) >= kFirst &&
+    } else if (length > 0 && static_cast<unsigned char>(character[0]) >= ' ' &&
                character != "\xef\xbf\xbe" && character != "\xef\xbf\xbf") {
       result += character;
     }
@@ -86,85 +204,121 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
-double svg_text_width(const std::string& text, double size) {
-  int units = 0;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t length = utf8_length(rest);
-    const int code = static_cast<unsigned char>(rest[0]) - kFirst;
-    if (code >= 0 && code < static_cast<int>(kAdvance.size())) {
-      units += kAdvance[index(code)];
-    } else if (length > 1) {
-      units += length == 2 ? kLetter : kIdeograph;
-    }
-    rest.remove_prefix(length == 0 ? 1 : length);
-  }
-  return units * size / kUnitsPerEm;
-}
-
 SvgCanvas::SvgCanvas(double width, double height)
-    : svg_(fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}pt\" height=\"{1}pt\" "
-                       "viewBox=\"0 0 {0} {1}\">\n"
-                       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
-                       "<g stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-                       number(width), number(height))) {}
+    : svg_(fmt::format(
+          "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+          "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}pt\" height=\"{1}pt\" "
+          "viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans,Verdana,sans-serif\">\n"
+          "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
+          "<g fill=\"{2}\" stroke=\"{2}\" stroke-width=\"{3}\" stroke-linecap=\"round\" "
+          "stroke-linejoin=\"round\">\n",
+          number(width), number(height), hex(kGroupColour), number(kGroupWidth))) {}
 
+// The rim is painted over the edge of a piece that is larger by half of it, so that each piece is
+// one element of any viewer's SVG.
 void SvgCanvas::hull(std::span<const Disc> discs, Colour fill, double rim) {
   if (discs.empty()) return;
-  const std::string path = path_of(hull_outline(discs));
-  if (rim > 0.0) {
-    svg_ += fmt::format("<path fill=\"none\" stroke=\"#ffffff\" stroke-width=\"{}\" d=\"{}\"/>\n",
-                        number(2.0 * rim), path);
+  if (!(rim > 0.0)) {
+    if (discs.size() == 1 && fill.rgb == kGroupColour.rgb && discs[0].radius > 0.5 * kGroupWidth) {
+      dot(discs[0]);
+      return;
+    }
+    add(stated("fill", fill) + " stroke=\"none\"", hull_data(discs));
+    return;
   }
-  svg_ += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", hex(fill), path);
+  std::vector<Disc> larger(discs.begin(), discs.end());
+  for (Disc& disc : larger) disc.radius += 0.5 * rim;
+  end_path();
+  add(stated("fill", fill) + stated_width(rim), hull_data(larger));
+  end_path();
+}
+
+// A white disc within the group's rim.
+void SvgCanvas::dot(const Disc& disc) {
+  end_texts();
+  end_path();
+  svg_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", number(disc.centre.x),
+                      number(disc.centre.y), number(disc.radius - 0.5 * kGroupWidth));
+}
+
+void SvgCanvas::stroke(Colour colour, double width, double dash, const std::string& data) {
+  const std::string dashes =
+      dash > 0.0 ? fmt::format(" stroke-dasharray=\"{}\"", number(dash)) : std::string();
+  add(" fill=\"none\"" + stated("stroke", colour) + stated_width(width) + dashes, data);
 }
 
 void SvgCanvas::ring(Disc disc, Colour colour, double width) {
-  svg_ += fmt::format(
-      "<circle fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
-      hex(colour), number(width), number(disc.centre.x), number(disc.centre.y),
-      number(disc.radius));
+  PathData data;
+  data.circle(disc);
+  stroke(colour, width, 0.0, data.text());
 }
 
 void SvgCanvas::line(std::span<const Point> points, Colour colour, double width, double dash) {
   if (points.empty()) return;
-  std::string path;
-  for (const Point& point : points) path += (path.empty() ? "M" : "L") + pair(point);
+  PathData data;
+  data.move_to(points[0]);
+  const std::string start = data.text();
+  for (const Point& point : points.subspan(1)) data.line_to(point);
   // a line of one point is a dot
-  if (points.size() == 1) path += "Z";
-  const std::string dashes =
-      dash > 0.0 ? fmt::format(" stroke-dasharray=\"{}\"", number(dash)) : std::string();
-  svg_ += fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{} d=\"{}\"/>\n",
-                      hex(colour), number(width), dashes, path);
+  if (data.text() == start) data.close();
+  stroke(colour, width, dash, data.text());
 }
 
 void SvgCanvas::quartered(Disc disc, Colour colour) {
-  hull(std::span(&disc, 1), {0xffffff}, 0.25 * disc.radius);
-  std::string path;
+  const Disc halo{disc.centre, 1.25 * disc.radius};
+  hull(std::span(&halo, 1), {0xffffff}, 0.0);
+  PathData data;
   for (const double start : {0.0, kPi}) {
-    path += "M" + pair(disc.centre) + "L" + pair(on_rim(disc, start)) +
-            arc_to(disc, start, start + 0.5 * kPi) + "Z";
+    data.move_to(disc.centre);
+    data.line_to(on_rim(disc, start));
+    data.arc({disc, start, start + 0.5 * kPi});
+    data.close();
   }
-  svg_ += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", hex(colour), path);
+  add(stated("fill", colour) + " stroke=\"none\"", data.text());
   ring(disc, colour, 0.25 * disc.radius);
 }
 
 void SvgCanvas::text(Point at, const std::string& text, double size, Colour colour, Align align) {
-  constexpr std::array<const char*, 3> kAnchor{"start", "middle", "end"};
-  bool ascii = true;
-  for (const char c : text) ascii = ascii && static_cast<unsigned char>(c) < 0x80;
-  // where the table knows the width, other fonts are made to keep it
-  const std::string length =
-      ascii && !text.empty() ? fmt::format(" textLength=\"{}\"", number(svg_text_width(text, size)))
-                             : std::string();
-  svg_ += fmt::format(
-      "<text x=\"{}\" y=\"{}\" font-family=\"DejaVu Sans, Verdana, sans-serif\" font-size=\"{}\" "
-      "text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n",
-      number(at.x), number(at.y), number(size), kAnchor[static_cast<std::size_t>(align)],
-      hex(colour), length, escaped(text));
+  constexpr std::array<const char*, 3> kAnchor{"", " text-anchor=\"middle\"",
+                                               " text-anchor=\"end\""};
+  end_path();
+  const std::string look =
+      fmt::format(" fill=\"{}\" stroke=\"none\" font-size=\"{}\"", hex(colour), number(size));
+  if (look != text_look_) {
+    end_texts();
+    svg_ += "<g" + look + ">\n";
+    text_look_ = look;
+  }
+  // other fonts are made to keep the width that the layout has taken
+  const std::string length = has_known_width(text)
+                                 ? fmt::format(" textLength=\"{}\"", number(text_width(text, size)))
+                                 : std::string();
+  svg_ += fmt::format("<text x=\"{}\" y=\"{}\"{}{}>{}</text>\n", number(at.x), number(at.y),
+                      kAnchor[static_cast<std::size_t>(align)], length, escaped(text));
+}
+
+// Paths of one look become one path where that paints the same: fills that go around the same way,
+// and strokes.
+void SvgCanvas::add(const std::string& look, const std::string& data) {
+  end_texts();
+  if (look != look_) end_path();
+  look_ = look;
+  data_ += data;
+}
+
+void SvgCanvas::end_path() {
+  if (!data_.empty()) svg_ += fmt::format("<path{} d=\"{}\"/>\n", look_, data_);
+  data_.clear();
+}
+
+void SvgCanvas::end_texts() {
+  if (!text_look_.empty()) svg_ += "</g>\n";
+  text_look_.clear();
 }
 
 Result<std::string> SvgCanvas::finish() {
+  end_path();
+  end_texts();
   svg_ += "</g>\n</svg>\n";
   return std::move(svg_);
 }

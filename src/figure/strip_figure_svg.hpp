@@ -5,11 +5,10 @@
 
 namespace shigusa::strip {
 
-// Width in DejaVu Sans, points; what is not ASCII counts as a wide letter.
-[[nodiscard]] double svg_text_width(const std::string& text, double size);
-
-// SVG without a library, for builds without cairo. Text stays text, which is drawn in a font that
-// the viewer has, at the width that it has in DejaVu Sans.
+// SVG in few bytes, and the same ones in every build: each element states no more than what differs
+// from its group, and strokes of one look that follow each other are one path. There are no names
+// and no style sheet, which would meet those of a page that holds several figures. Text stays text,
+// in a font that the viewer has, at the width that it has in DejaVu Sans.
 class SvgCanvas final : public Canvas {
  public:
   SvgCanvas(double width, double height);
@@ -22,7 +21,17 @@ class SvgCanvas final : public Canvas {
   [[nodiscard]] Result<std::string> finish() override;
 
  private:
+  void dot(const Disc& disc);
+  void stroke(Colour colour, double width, double dash, const std::string& data);
+  void add(const std::string& look, const std::string& data);
+  void end_path();
+  void end_texts();
+
   std::string svg_;
+  // the path that is not in svg_ yet: more of its look may follow
+  std::string look_;
+  std::string data_;
+  std::string text_look_;  // of the open group of texts; empty: none is open
 };
 
 }  // namespace shigusa::strip

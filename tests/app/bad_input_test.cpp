@@ -95,7 +95,7 @@ TEST_P(BadInput, IsRefusedAndChangesNothing) { expect_refused(GetParam().call, G
 INSTANTIATE_TEST_SUITE_P(
     Calls, BadInput,
     testing::Values(
-        Case{"NoCommand", {}, {"give a command", "reach, edit, mirror, render, score, body"}},
+        Case{"NoCommand", {}, {"give a command", "reach, edit, mirror, show, render, body, score"}},
         Case{"UnknownCommand", {"reech"}, {"'reech'", "did you mean 'reach'?"}},
         Case{"UnknownOption", {"reach", "--gaol", "x"}, {"'--gaol'", "did you mean '--goal'?"}},
         Case{"TooManyFiles", {"reach", "a.json", "b.json"}, {"'b.json' is one argument too many"}},
@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
              {"the preset paper has one phase", "flat"}},
         Case{"FrameOfABuiltInBody",
              {"reach", "--goal", kGoal, "--frame", "1"},
-             {"--frame", "full_body"}},
+             {"--frame", "human"}},
         Case{"ExtentOfABuiltInBody",
              {"body", "full_body", "--extent", "half"},
              {"--extent", "full_body"}}),

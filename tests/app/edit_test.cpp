@@ -16,8 +16,10 @@ using Words = std::vector<std::string>;
 
 class Edit : public testing::Test {
  protected:
-  // A result of the half body in the folder "result".
-  void SetUp() override { reach({"--goal", "right_hand=0.25,0.55,0.5", "--seed", "1"}); }
+  // A result in the folder "result".
+  void SetUp() override {
+    reach({"--character", "full_body", "--goal", "right_hand=0.25,0.55,0.5", "--seed", "1"});
+  }
 
   void reach(Words more) {
     Words call{"reach", "--candidates", "2", "--formats", "bvh,csv,svg", "--out", "result"};

@@ -53,7 +53,7 @@ TEST_F(Human, TurnsTheHandOfABodyWithWrists) {
   EXPECT_EQ(done.exit_code, 0) << done.err;
   const Json goal = StoredRun(work_, "out").candidate(1).at("reached").at(0);
   EXPECT_LE(goal.at("rotation_error_deg").get<double>(), 0.5);
-  const ProgramRun refused = reach({"--palm", "right_hand=up"});
+  const ProgramRun refused = reach({"--character", "full_body", "--palm", "right_hand=up"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("layers bring hands to positions"));
 }

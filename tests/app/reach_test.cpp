@@ -135,8 +135,9 @@ TEST_F(Reach, TellsInWordsWhereAPersonCouldNotStand) {
 }
 
 TEST_F(Reach, CriteriaOfTheCallReplaceThoseOfTheTaskFile) {
-  const std::string task = work_.put("task.json",
-                                     R"({"preset": "paper", "criteria": {"work": {"weight": 0.5}},
+  const std::string task = work_.put(
+      "task.json",
+      R"({"character": "full_body", "preset": "paper", "criteria": {"work": {"weight": 0.5}},
           "goals": [{"effector": "right_hand", "position_m": [-0.2, 1.1, 0.4]}]})");
   const auto terms_by = [&](const Words& more) {
     Words call{task};

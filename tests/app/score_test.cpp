@@ -37,9 +37,10 @@ TEST_F(ScoreCommand, PrintsATableWithTheCriteria) {
 }
 
 TEST_F(ScoreCommand, JsonHasTheNamesOfTheSummary) {
-  const ProgramRun made = run_shigusa({"reach", "--goal", "right_hand=-0.1,0.5,0.4", "--formats",
-                                       "bvh", "--evaluations", "100", "--json"},
-                                      {.folder = work_.path()});
+  const ProgramRun made =
+      run_shigusa({"reach", "--character", "full_body", "--goal", "right_hand=-0.1,0.5,0.4",
+                   "--formats", "bvh", "--evaluations", "100", "--json"},
+                  {.folder = work_.path()});
   const Json candidate = Json::parse(made.out).at("candidates").at(0);
   const ProgramRun run =
       score({"out/candidate-1.bvh", "--character", "full_body", "--smooth", "0", "--json"});

@@ -65,7 +65,9 @@ TEST_F(Streams, JsonIsTheSummaryOfTheFolder) {
 TEST_F(Streams, ResultsGoToStdoutAndNothingElseDoes) {
   const ProgramRun run = reach("one", {"--candidates", "1"});
   EXPECT_EQ(run.err, "");
-  EXPECT_THAT(run.out, testing::StartsWith("reached: full_body, right_hand at (-0.2, 1.1, 0.4) m"));
+  EXPECT_THAT(run.out,
+              testing::StartsWith("reached: human, right hand to 0.2 m right, 1.1 m up, 0.4 m "
+                                  "ahead\n"));
   EXPECT_THAT(run.out, HasSubstr("one/candidate-1.png\n"));
   EXPECT_THAT(run.out, testing::EndsWith("one/summary.json\n"));
 }
@@ -172,7 +174,7 @@ TEST_F(Outputs, AClosedStdoutIsToldByTheExitCode) {
 TEST_F(Outputs, ClosedStreamsLeaveExitCodesAndFilesAsTheyAre) {
   const std::string reach = printing_calls()[5];
   EXPECT_EQ(shell(reach + " >said <&- 2>&-"), 0);
-  EXPECT_THAT(work_.get("said"), testing::StartsWith("reached: full_body"));
+  EXPECT_THAT(work_.get("said"), testing::StartsWith("reached: human"));
   const auto with_streams = bytes("one");
   EXPECT_EQ(shell(reach + " <&- >&- 2>&-"), 2);
   EXPECT_EQ(bytes("one"), with_streams);

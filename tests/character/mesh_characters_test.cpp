@@ -124,6 +124,17 @@ TEST_P(MeshCharacters, StandOnTheirSolesInWhatLeaves) {
   EXPECT_THAT(file.character.doubts, Not(Contains(HasSubstr("the mesh was not read"))));
 }
 
+TEST(MeshCharacter, AFrameThatItsAnimationLacksIsTold) {
+  const std::string bytes = odd_file([](json& file) {
+    file["animations"] = {
+        {{"name", "still"}, {"samplers", json::array()}, {"channels", json::array()}}};
+  });
+  CharacterSpec spec{.source = "odd.glb", .frame = 3};
+  const auto refused = load_character(bytes, spec);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().to_string(), HasSubstr("frame 3 does not exist"));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Of, MeshCharacters,
     testing::Values(Odd{"Plain", [](json&) {}},

@@ -169,6 +169,13 @@ if command -v doxygen >/dev/null; then
   if sh "$scripts/check_docs.sh" "$tree" >/dev/null 2>&1; then
     report "check_docs.sh accepts a declaration without a comment"
   fi
+  rm "$tree/include/shigusa/more.hpp"
+  write bindings/c/include/shigusa.h '/** @file' ' * All. */' '/** Gives x. */' 'double f(double x);'
+  accepts check_docs.sh
+  write bindings/c/include/shigusa.h '/** @file' ' * All. */' '/* Gives x. */' 'double f(double x);'
+  if sh "$scripts/check_docs.sh" "$tree" >/dev/null 2>&1; then
+    report "check_docs.sh accepts a declaration of C without a comment"
+  fi
 fi
 
 # licences
@@ -205,5 +212,67 @@ refuses check_words.sh src/core/a.cpp 'int n;  // so many steps' 'int n;  // so 
 refuses check_words.sh src/core/a.cpp '// What it finds is kept.' '// What it finds'
 refuses check_words.sh src/core/a.cpp '// It finds. Who asks gets it.' '// It finds. Who'
 refuses check_words.sh docs/page.md 'see `OldName`' 'see `OldName`'
+
+# prose
+words() { printf 'word %.0s' $(seq "$1"); }
+fresh
+write README.md '# Title' "$(words 17)" "$(words 16)and [last](https://example.org/$(printf '%0100d' 0))." '' \
+  '```' "$(words 40)" '```' "| $(words 40)|" 'In `one word of code of many` that counts as one.'
+write docs/tutorials/a.md "$(printf '%.0sé' $(seq 100))"
+accepts check_prose.sh
+refuses check_prose.sh README.md "$(words 20 | sed 's/word/w/g')$(words 15 | sed 's/word/w/g')end." 'a sentence of 36 words'
+refuses check_prose.sh docs/tutorials/a.md "$(printf '%0101d' 0)" '101 characters'
+fresh
+printf 'A line.\n%.0s' $(seq 111) >"$tree/README.md"
+if sh "$scripts/check_prose.sh" "$tree" >/dev/null; then report "check_prose.sh accepts a README.md of 111 lines"; fi
+
+# spelling
+fresh
+write docs/site/words.txt 'shigusa'
+write README.md 'The colour of `quikc` code: $\\frac{a}{b}$, [shigusa](teh.html) and MuJoCo.' '```sh' 'teh' '```'
+status=0
+output=$(sh "$scripts/check_spelling.sh" "$tree" 2>&1) || status=$?
+if [ "$status" != 77 ]; then
+  [ "$status" = 0 ] || report "check_spelling.sh refuses a good tree: $output"
+  write docs/page.md 'It is teh end.'
+  if output=$(sh "$scripts/check_spelling.sh" "$tree" 2>&1); then report "check_spelling.sh accepts 'teh'"; fi
+  case $output in
+    *"docs/page.md:1: teh"*) ;;
+    *) report "check_spelling.sh refuses 'teh' for another reason: $output" ;;
+  esac
+fi
+
+# tutorials and the site's links
+if command -v python3 >/dev/null; then
+  # tutorial LINE…: a page that ends in these, of which the program makes a picture and prints a line
+  tutorial() {
+    write docs/tutorials/a.md '```sh' 'printf good >picture.svg; echo took 3 s, cost 7' '```' \
+      '![A picture](../images/tutorials/a/picture.svg)' '' "$@"
+    output=$(python3 "$tree/scripts/run_tutorials" --installed "$tree" 2>&1)
+  }
+  fresh
+  mkdir -p "$tree/scripts" "$tree/docs/images/tutorials/a"
+  cp "$scripts/run_tutorials" "$tree/scripts"
+  printf good >"$tree/docs/images/tutorials/a/picture.svg"
+  tutorial '```text' 'took 5 s, … 7' '```' '```c title="a/b.c"' 'int x;' '```' '```sh' 'grep int a/b.c' '```' ||
+    report "run_tutorials refuses a good page: $output"
+  if tutorial '```text' 'took 5 s, cost 8' '```'; then report "run_tutorials accepts output that is not printed"; fi
+  if tutorial '```sh' 'false' '```'; then report "run_tutorials accepts a command that fails"; fi
+  if tutorial '```json' '{}' '```'; then report "run_tutorials accepts a block that is neither run nor a file"; fi
+  printf old >"$tree/docs/images/tutorials/a/picture.svg"
+  if tutorial; then report "run_tutorials accepts a picture of earlier"; fi
+
+  fresh
+  write site/index.html '<a href="other.html#here">x</a><a href="https://example.org">y</a><img src="a.svg">'
+  write site/other.html '<h2 id="here">z</h2>'
+  write site/a.svg '<svg/>'
+  links() { output=$(python3 "$scripts/../docs/site/check_links.py" "$tree/site" 2>&1); }
+  links || report "check_links.py refuses a good site: $output"
+  for line in '<a href="gone.html">x</a>' '<a href="other.html#there">x</a>' '<img src="b.svg">' \
+    '<script src="https://example.org/a.js"></script>' '<p style="background: url(c.png)">x</p>'; do
+    write site/index.html "$line"
+    if links; then report "check_links.py accepts $line"; fi
+  done
+fi
 
 [ "$failures" = 0 ]

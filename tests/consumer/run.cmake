@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-# Installs BUILD_DIR below WORK_DIR, then configures, builds and runs the consumer in FOLDER beside
-# this file; DEFINITIONS are more -D of it.
+# Configures, builds and runs the consumer in FOLDER beside this file, with the shigusa that is installed in PREFIX;
+# DEFINITIONS are more -D of it. That in C++ has a program of the README's lines too.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK_DIR})
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix --config ${CONFIG})
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/${FOLDER} -B ${WORK_DIR}/build -G ${GENERATOR}
-    -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix -D CMAKE_BUILD_TYPE=${CONFIG} ${DEFINITIONS})
+    -D CMAKE_PREFIX_PATH=${PREFIX} -D CMAKE_BUILD_TYPE=${CONFIG} ${DEFINITIONS})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
+if(EXISTS ${WORK_DIR}/build/readme)
+  run(${WORK_DIR}/build/readme)
+endif()

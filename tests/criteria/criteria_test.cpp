@@ -91,6 +91,13 @@ TEST(Score, TermsAreThePenaltiesOfTheCriteria) {
   for (const ScoreTerm& term : score.terms) EXPECT_GT(term.penalty, 0.0) << term.name;
 }
 
+TEST(Score, AMotionWithoutTorquesIsRefused) {
+  const BodyModel body = full_body();
+  Motion motion = wild_motion(body);
+  motion.torques.clear();
+  EXPECT_THROW(static_cast<void>(score_motion(body, motion, {})), PreconditionError);
+}
+
 TEST(Score, AddsUpToItsTotal) {
   const BodyModel body = full_body();
   CriteriaSettings settings;

@@ -417,7 +417,7 @@ TEST_F(CharacterExport, AResultFindsItsFileAgain) {
 TEST(CheckFormats, TellsWhoCannotLeaveInThem) {
   const auto refused = check_formats(CharacterSpec{}, {FileFormat::bvh, FileFormat::glb});
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().to_string(), HasSubstr("full_body is none"));
+  EXPECT_THAT(refused.error().to_string(), HasSubstr("human is none"));
   EXPECT_TRUE(check_formats(CharacterSpec{}, {FileFormat::bvh, FileFormat::pdf}));
   EXPECT_EQ(usual_formats(CharacterSpec{}).size(), 4u);
 }

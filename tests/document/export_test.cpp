@@ -157,7 +157,7 @@ TEST(ExportCandidate, GivesEachFormatItsOwnBytes) {
     return export_candidate(task, candidate, format).value();
   };
   EXPECT_THAT(bytes(FileFormat::bvh), StartsWith("HIERARCHY"));
-  EXPECT_THAT(bytes(FileFormat::csv), StartsWith("time [s],right_ankle.flexion [rad]"));
+  EXPECT_THAT(bytes(FileFormat::csv), StartsWith("time [s],right_ankle.inversion [rad]"));
   EXPECT_THAT(bytes(FileFormat::svg), StartsWith("<?xml"));
   EXPECT_THAT(bytes(FileFormat::png), StartsWith("\x89PNG"));
   EXPECT_THAT(bytes(FileFormat::pdf), StartsWith("%PDF"));

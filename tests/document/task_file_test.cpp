@@ -35,7 +35,7 @@ RC_GTEST_PROP(TaskFile, CutAnywhereIsAnErrorThatNamesTheFile, ()) {
 TEST(TaskFile, EmptyObjectIsTheDefaultTask) {
   const TaskFile task = parse_task("{}", "task.json").value();
   EXPECT_EQ(bits(task), bits(TaskFile{}));
-  EXPECT_EQ(task.character.source, "full_body");
+  EXPECT_EQ(task.character.source, "human");
   EXPECT_EQ(task.preset, Preset::flat);
 }
 
@@ -107,7 +107,7 @@ TEST(MakeTask, TakesSeedAndBudgetOver) {
   EXPECT_EQ(task.seed, 9u);
   EXPECT_EQ(task.evaluations, 80);
   EXPECT_EQ(task.candidates, 3);
-  EXPECT_EQ(task.body.name(), "full_body");
+  EXPECT_EQ(task.body.name(), "human");
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace {
 
 TaskFile asked(Preset preset) {
   TaskFile file;
+  file.character.source = "full_body";  // a spine would have angles that change their sign
   file.preset = preset;
   file.criteria = traits_of(preset).criteria();
   file.goals = {{"right_hand", {-0.25, 0.5, 0.45}}};

@@ -2,14 +2,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <shigusa/scalar.hpp>
-#include <shigusa/strip_figure.hpp>
-#include <string>
-#include <vector>
+#include <shigusa/file_format.hpp>
+
+#include "strip_support.hpp"
 
 // Fontconfig keeps its fonts for the whole run, behind pointers that the leak checker cannot read.
 extern "C" const char* __lsan_default_suppressions();
@@ -18,180 +14,9 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfi
 namespace shigusa {
 namespace {
 
-constexpr double kPointsPerMm = 72.0 / 25.4;
-// Control points of curves lie a little outside what is drawn.
-constexpr double kCurveSlack = 1.0;
-// Cairo keeps paths on a grid of 1/256 point: two roundings apart.
-constexpr double kSamePlace = 2.01 / 256.0;
+using namespace strip_support;
 
-// A standing body of 1.7 m with the VRM names, facing +Z, for `frames` frames.
-SkeletonMotion standing(int frames) {
-  SkeletonMotion motion;
-  auto& nodes = motion.skeleton.nodes;
-  const auto add = [&](const std::string& name, const std::string& parent, Vec3d offset) {
-    nodes.push_back({name, motion.skeleton.find(parent), offset, false});
-  };
-  nodes.push_back({"hips", -1, {0, 0.93, 0}, false});
-  add("spine", "hips", {0, 0.2, 0});
-  add("neck", "spine", {0, 0.32, 0});
-  add("head", "neck", {0, 0.09, 0.02});
-  for (const std::string side : {"left_", "right_"}) {
-    const double out = side == "left_" ? 1.0 : -1.0;
-    add(side + "upper_leg", "hips", {0.09 * out, -0.03, 0});
-    add(side + "lower_leg", side + "upper_leg", {0, -0.42, 0});
-    add(side + "foot", side + "lower_leg", {0, -0.41, 0});
-    add(side + "toes", side + "foot", {0, -0.07, 0.15});
-    add(side + "upper_arm", "spine", {0.18 * out, 0.28, 0});
-    add(side + "lower_arm", side + "upper_arm", {0, -0.28, 0});
-    add(side + "hand", side + "lower_arm", {0, -0.25, 0});
-    add(side + "hand_grip", side + "hand", {0, -0.09, 0});
-  }
-  motion.clip.frames = frames;
-  for (int frame = 0; frame < frames; ++frame) {
-    for (const SkeletonNode& node : nodes) motion.clip.local.push_back({node.offset, {}});
-  }
-  return motion;
-}
-
-LocalTransform& local(SkeletonMotion& motion, int frame, const std::string& node) {
-  const auto nodes = motion.skeleton.nodes.size();
-  return motion.clip.local[static_cast<std::size_t>(frame) * nodes +
-                           static_cast<std::size_t>(motion.skeleton.find(node))];
-}
-
-// The right arm rises forward, to a right angle in the last frame.
-SkeletonMotion reaching(int frames) {
-  SkeletonMotion motion = standing(frames);
-  for (int frame = 0; frame < frames; ++frame) {
-    const double share = frames > 1 ? static_cast<double>(frame) / (frames - 1) : 1.0;
-    local(motion, frame, "right_upper_arm").rotation =
-        axis_rotation(Axis::x, radians(-90.0 * share));
-  }
-  return motion;
-}
-
-// The whole motion turned about the origin.
-SkeletonMotion turned(SkeletonMotion motion, const Quatd& turn) {
-  const Mat3d matrix = to_matrix(turn);
-  for (int frame = 0; frame < motion.clip.frames; ++frame) {
-    LocalTransform& root = local(motion, frame, "hips");
-    root = {matrix * root.translation, turn * root.rotation};
-  }
-  return motion;
-}
-
-std::vector<Vec3d> path_of(const SkeletonMotion& motion, const std::string& node) {
-  std::vector<Vec3d> path;
-  const auto index = static_cast<std::size_t>(motion.skeleton.find(node));
-  for (int frame = 0; frame < motion.clip.frames; ++frame) {
-    const auto world = world_transforms(motion.skeleton, motion.clip, frame);
-    path.push_back(world[index].translation);
-  }
-  return path;
-}
-
-std::string svg(const SkeletonMotion& motion, const StripOverlay& overlay = {},
-                const StripSettings& settings = {}) {
-  return draw_strip(motion, overlay, settings, FigureFormat::svg).value();
-}
-
-struct Path {
-  std::string style;
-  std::vector<double> x;
-  std::vector<double> y;
-
-  [[nodiscard]] double left() const { return *std::min_element(x.begin(), x.end()); }
-  [[nodiscard]] double right() const { return *std::max_element(x.begin(), x.end()); }
-  [[nodiscard]] double top() const { return *std::min_element(y.begin(), y.end()); }
-  [[nodiscard]] bool filled(const std::string& rgb) const {
-    return style.find("fill:" + rgb) != std::string::npos;
-  }
-};
-
-// The paths of an SVG text, in the order in which they are painted.
-std::vector<Path> paths(const std::string& text) {
-  std::vector<Path> result;
-  for (std::size_t at = text.find("<path"); at != std::string::npos; at = text.find("<path", at)) {
-    const std::size_t style = text.find("style=\"", at) + 7;
-    const std::size_t data = text.find(" d=\"", at) + 4;
-    at = text.find("/>", data);
-    Path path{text.substr(style, text.find('"', style) - style), {}, {}};
-    const std::string numbers = text.substr(data, text.find('"', data) - data);
-    bool is_x = true;
-    for (const char* next = numbers.c_str(); *next != '\0';) {
-      char* end = nullptr;
-      const double value = std::strtod(next, &end);
-      if (end != next) {
-        (is_x ? path.x : path.y).push_back(value);
-        is_x = !is_x;
-      }
-      next = end != next ? end : next + 1;
-    }
-    if (!path.x.empty()) result.push_back(path);
-  }
-  return result;
-}
-
-// The pieces of the figures alone: what has a white rim.
-std::vector<Path> rims(const std::string& text) {
-  std::vector<Path> result = paths(text);
-  std::erase_if(result, [](const Path& path) {
-    return path.style.find("stroke:rgb(100%,100%,100%)") == std::string::npos;
-  });
-  return result;
-}
-
-constexpr const char* kAccent = "rgb(63.921569%,16.862745%,9.803922%)";
-
-std::vector<Path> filled(const std::string& text, const std::string& rgb) {
-  std::vector<Path> result = paths(text);
-  std::erase_if(result, [&](const Path& path) { return !path.filled(rgb); });
-  return result;
-}
-
-// How many groups of pieces are left when pieces that share a column are put together.
-std::size_t separate_figures(const std::string& text) {
-  std::vector<Path> pieces = rims(text);
-  std::sort(pieces.begin(), pieces.end(),
-            [](const Path& a, const Path& b) { return a.left() < b.left(); });
-  std::size_t count = 0;
-  double right = -1e9;
-  for (const Path& piece : pieces) {
-    if (piece.left() > right) ++count;
-    right = std::max(right, piece.right());
-  }
-  return count;
-}
-
-void expect_same_picture(const std::string& a, const std::string& b, double tolerance) {
-  const std::vector<Path> first = paths(a);
-  const std::vector<Path> second = paths(b);
-  ASSERT_EQ(first.size(), second.size());
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    EXPECT_EQ(first[i].style, second[i].style);
-    ASSERT_EQ(first[i].x.size(), second[i].x.size());
-    for (std::size_t k = 0; k < first[i].y.size(); ++k) {
-      EXPECT_NEAR(first[i].x[k], second[i].x[k], tolerance);
-      EXPECT_NEAR(first[i].y[k], second[i].y[k], tolerance);
-    }
-  }
-}
-
-bool within_page(const std::string& text) {
-  const std::size_t box = text.find("viewBox=\"0 0 ") + 13;
-  char* end = nullptr;
-  const double width = std::strtod(text.c_str() + box, &end);
-  const double height = std::strtod(end, nullptr);
-  for (const Path& path : paths(text)) {
-    for (const double x : path.x) {
-      if (!(x >= -kCurveSlack && x <= width + kCurveSlack)) return false;
-    }
-    for (const double y : path.y) {
-      if (!(y >= -kCurveSlack && y <= height + kCurveSlack)) return false;
-    }
-  }
-  return text.find("nan") == std::string::npos && text.find("inf") == std::string::npos;
-}
+bool has_cairo() { return is_built_with(NeededLibrary::cairo); }
 
 std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -200,20 +25,12 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-StripOverlay full_overlay(const SkeletonMotion& motion) {
-  StripOverlay overlay;
-  overlay.hand_path = path_of(motion, "right_hand_grip");
-  overlay.centre_of_mass = path_of(motion, "hips");
-  overlay.goals = {overlay.hand_path.back()};
-  overlay.caption = "Reaching forward";
-  return overlay;
-}
-
 // --- formats ---
 
 TEST(StripFigure, SameInputGivesTheSameBytesInEachFormat) {
   const SkeletonMotion motion = reaching(30);
   for (const auto format : {FigureFormat::svg, FigureFormat::png, FigureFormat::pdf}) {
+    if (format != FigureFormat::svg && !has_cairo()) continue;
     const auto first = draw_strip(motion, full_overlay(motion), {}, format);
     const auto second = draw_strip(motion, full_overlay(motion), {}, format);
     EXPECT_EQ(first.value(), second.value());
@@ -226,19 +43,31 @@ TEST(StripFigure, EachFormatHasItsSignature) {
     return draw_strip(motion, {}, {}, format).value().compare(0, signature.size(), signature) == 0;
   };
   EXPECT_TRUE(begins(FigureFormat::svg, "<?xml"));
+  if (!has_cairo()) GTEST_SKIP() << "without cairo";
   EXPECT_TRUE(begins(FigureFormat::png, "\x89PNG\r\n\x1a\n"));
   EXPECT_TRUE(begins(FigureFormat::pdf, "%PDF-"));
+}
+
+TEST(StripFigure, WithoutCairoPngAndPdfAreRefused) {
+  if (has_cairo()) GTEST_SKIP() << "with cairo";
+  EXPECT_EQ(draw_strip(standing(1), {}, {}, FigureFormat::png).error().code,
+            ErrorCode::unsupported);
 }
 
 TEST(StripFigure, SvgHasTheWidthAskedFor) {
   StripSettings settings;
   settings.width_mm = 120.0;
   const std::string text = svg(standing(1), {}, settings);
-  const std::size_t at = text.find("width=\"") + 7;
-  EXPECT_NEAR(std::strtod(text.c_str() + at, nullptr), 120.0 * kPointsPerMm, kSamePlace);
+  EXPECT_NEAR(attribute(text.substr(text.find("<svg")), "width"), 120.0 * kPointsPerMm, kSamePlace);
+}
+
+TEST(StripFigure, SvgOfSevenPosesIsSmall) {
+  const SkeletonMotion motion = reaching(60);
+  EXPECT_LT(svg(motion, full_overlay(motion)).size(), 40'000u);
 }
 
 TEST(StripFigure, PngHasTheWidthAskedForInPixels) {
+  if (!has_cairo()) GTEST_SKIP() << "without cairo";
   StripSettings settings;
   settings.width_mm = 127.0;
   settings.png_dpi = 100.0;
@@ -246,10 +75,11 @@ TEST(StripFigure, PngHasTheWidthAskedForInPixels) {
   EXPECT_EQ(big_endian(png, 16), 500u);
 }
 
-TEST(StripFigure, SvgHoldsNothingThatIsNumberedFromRunToRun) {
+TEST(StripFigure, SvgHasNoNamesThatWouldMeetThoseOfAnotherOnOnePage) {
   const SkeletonMotion motion = reaching(30);
   const std::string text = svg(motion, full_overlay(motion));
-  EXPECT_EQ(text.find("id=\""), std::string::npos);
+  EXPECT_EQ(text.find(" id="), std::string::npos);
+  EXPECT_EQ(text.find("<style"), std::string::npos);
 }
 
 // --- the figure ---
@@ -287,10 +117,8 @@ TEST(StripFigure, FiguresFillTheWidth) {
 TEST(StripFigure, SinglePoseIsNotBlownUpToTheWidth) {
   StripSettings settings;
   settings.poses = 1;
-  const std::string text = svg(standing(1), {}, settings);
-  const std::size_t at = text.find("height=\"") + 8;
   const double width = settings.width_mm * kPointsPerMm;
-  EXPECT_LT(std::strtod(text.c_str() + at, nullptr), 0.7 * width);
+  EXPECT_LT(page_height(svg(standing(1), {}, settings)), 0.7 * width);
 }
 
 TEST(StripFigure, ClipShorterThanThePosesShowsEachFrameOnce) {
@@ -331,8 +159,7 @@ TEST(StripFigure, ViewerAboveTheHorizonSeesTheNearerFootLower) {
   settings.poses = 1;
   const auto sole = [&](Limb leg) {
     settings.accented = {leg};
-    const Path foot = filled(svg(standing(1), {}, settings), kAccent).back();
-    return *std::max_element(foot.y.begin(), foot.y.end());
+    return filled(svg(standing(1), {}, settings), kAccent).back().bottom();
   };
   EXPECT_GT(sole(Limb::right_leg), sole(Limb::left_leg));
 }
@@ -413,9 +240,7 @@ TEST(StripFigure, UpAxisZGivesTheSamePictureOfTheSameMotion) {
 
 TEST(StripFigure, UnitOfTheSkeletonDoesNotChangeThePicture) {
   const SkeletonMotion motion = reaching(12);
-  SkeletonMotion scaled = motion;
-  for (SkeletonNode& node : scaled.skeleton.nodes) node.offset = node.offset * 100.0;
-  for (LocalTransform& x : scaled.clip.local) x.translation = x.translation * 100.0;
+  const SkeletonMotion scaled = in_centimetres(motion);
   StripSettings settings;
   settings.metres_per_unit = 0.01;
   expect_same_picture(svg(scaled, full_overlay(scaled), settings),
@@ -430,7 +255,7 @@ TEST(StripFigure, PlantedFeetStandInTheSamePlaceOfEachSlot) {
   ASSERT_EQ(leg.size(), 21u);
   const double step = leg[3].left() - leg[0].left();
   for (std::size_t i = 3; i < leg.size(); ++i) {
-    EXPECT_NEAR(leg[i].left() - leg[i - 3].left(), step, kSamePlace);
+    EXPECT_NEAR(leg[i].left() - leg[i - 3].left(), step, 2.0 * kSameArc);
   }
 }
 
@@ -467,7 +292,7 @@ TEST(StripFigure, EachOverlayIsDrawnInEachPose) {
   const std::size_t bare = paths(svg(motion)).size();
   StripOverlay goal;
   goal.goals = full.goals;
-  EXPECT_GE(paths(svg(motion, goal)).size(), bare + 7 * 4);
+  EXPECT_GE(paths(svg(motion, goal)).size(), bare + 7 * 2);
   StripOverlay mass;
   mass.centre_of_mass = full.centre_of_mass;
   EXPECT_GE(paths(svg(motion, mass)).size(), bare + 7 * 4);
@@ -476,14 +301,14 @@ TEST(StripFigure, EachOverlayIsDrawnInEachPose) {
   EXPECT_GE(paths(svg(motion, path)).size(), bare + 7);
 }
 
-TEST(StripFigure, CaptionIsDrawnBelowTheStrip) {
+TEST(StripFigure, CaptionIsBetweenTheTimesAndTheLegend) {
   const SkeletonMotion motion = standing(1);
   StripOverlay overlay;
+  overlay.goals = {{0.0, 1.0, 0.3}};
   overlay.caption = "A";
-  const std::vector<Path> bare = paths(svg(motion));
-  const std::vector<Path> captioned = paths(svg(motion, overlay));
-  ASSERT_EQ(captioned.size(), bare.size() + 1);
-  for (const Path& path : bare) EXPECT_GT(captioned.back().top(), path.top());
+  const std::string text = svg(motion, overlay);
+  EXPECT_LT(base_of(text, "0.00 s"), base_of(text, "A"));
+  EXPECT_LT(base_of(text, "A"), base_of(text, "goal"));
 }
 
 TEST(StripFigure, LongCaptionStaysOnThePage) {
@@ -509,10 +334,7 @@ RC_GTEST_PROP(StripFigure, GoalsAnywhereStayOnThePage, ()) {
 TEST(StripFigure, FarGoalLeavesTheFigureItsSize) {
   StripOverlay overlay;
   overlay.goals = {{-20.0, 1.0, 100.0}};
-  const auto height = [](const std::string& text) {
-    return std::strtod(text.c_str() + text.find("height=\"") + 8, nullptr);
-  };
-  EXPECT_GT(height(svg(reaching(5), overlay)), 0.7 * height(svg(reaching(5))));
+  EXPECT_GT(page_height(svg(reaching(5), overlay)), 0.7 * page_height(svg(reaching(5))));
 }
 
 TEST(StripFigure, PathThatLeavesTheSlotIsCut) {

@@ -70,7 +70,7 @@ export interface Landmarks {
 
 /** A built-in body, or a person or a robot from a file. */
 export interface CharacterSpec {
-  /** half_body, full_body, human or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF (.xml) file; of a person with
+  /** human, full_body, half_body or a BVH, GLB, glTF, VRM, FBX, URDF or MJCF (.xml) file; of a person with
    * landmarks or a robot with urdf, only a name. */
   source: string;
   /** Standing height. Of a person from a file: scales the file. */
@@ -234,7 +234,7 @@ export interface Criteria {
  * radians; +Y up, the body faces +Z, its left is +X, origin on the floor between the feet. */
 export interface Task {
   version?: 1;
-  /** full_body when not given, half_body, human, a person's BVH, GLB, glTF, VRM or FBX file, or a robot's URDF or
+  /** human when not given, full_body, half_body, a person's BVH, GLB, glTF, VRM or FBX file, or a robot's URDF or
    * MJCF (.xml) file, relative to the task file. */
   character?: string | CharacterSpec;
   /** The final places of effectors, such as right_hand, head, hips, left_elbow, right_knee, left_foot or any joint

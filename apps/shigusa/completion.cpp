@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// The scripts that shells complete calls by, made of the manual.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "manual.hpp"
+
+namespace shigusa::app {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+// A text between single quotes of a shell of the Bourne family.
+std::string quoted(const std::string& text) {
+  std::string inside;
+  for (const char c : text) inside += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return "'" + inside + "'";
+}
+
+// "dataset merge" of "shigusa dataset merge"; of the program nothing.
+std::string below_program(const CommandManual& command) {
+  const std::size_t blank = command.path.find(' ');
+  return blank == std::string::npos ? "" : command.path.substr(blank + 1);
+}
+
+void each_option(const CommandManual& command, const auto& visit) {
+  for (const OptionGroupManual& group : command.groups) {
+    for (const OptionManual& option : group.options) visit(option);
+  }
+}
+
+Texts option_names(const CommandManual& command) {
+  Texts names;
+  each_option(command, [&names](const OptionManual& option) {
+    if (!option.argument) names.push_back(option.name);
+  });
+  return names;
+}
+
+Texts command_words(const CommandManual& command) {
+  Texts words;
+  for (const CommandManual& below : command.commands) words.push_back(below.name());
+  return words;
+}
+
+// The cases of the value after an option, or of arguments: what bash completes there.
+std::string bash_value(const OptionManual& option) {
+  std::string made;
+  const Texts words = words_of(option);
+  if (!words.empty()) made += fmt::format(" words='{}'", fmt::join(words, " "));
+  if (takes_file(option)) {
+    made += " paths=file";
+  } else if (takes_folder(option)) {
+    made += " paths=folder";
+  }
+  return made.empty() ? " :" : made;
+}
+
+std::string bash_cases(const CommandManual& command) {
+  std::string text;
+  const std::string path = below_program(command);
+  std::string arguments;
+  each_option(command, [&](const OptionManual& option) {
+    if (option.argument) {
+      arguments += bash_value(option);
+    } else if (!option.form.empty()) {
+      text += fmt::format("    '{}|{}')\n     {} ;;\n", path, option.name, bash_value(option));
+    }
+  });
+  Texts words = command_words(command);
+  if (!words.empty()) arguments += fmt::format(" words=\"$words {}\"", fmt::join(words, " "));
+  text += fmt::format("    '{}|'*)\n      options='{}'\n     {} ;;\n", path,
+                      fmt::join(option_names(command), " "), arguments.empty() ? " :" : arguments);
+  return text;
+}
+
+// Words, and files beside them.
+std::string zsh_both(const std::string& words) { return "{compadd -- " + words + "; _files}"; }
+
+// An option of zsh's _arguments: '*--goal=[line]:FORM:action'.
+std::string zsh_action(const OptionManual& option) {
+  const Texts words = words_of(option);
+  std::string actions;
+  if (!words.empty()) actions += fmt::format("{}", fmt::join(words, " "));
+  if (takes_file(option)) return words.empty() ? "_files" : zsh_both(actions);
+  if (takes_folder(option)) return "_files -/";
+  return words.empty() ? " " : "(" + actions + ")";
+}
+std::string zsh_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == ':' || c == '[' || c == ']' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+std::string zsh_option(const OptionManual& option) {
+  if (option.argument) {
+    return fmt::format("{}:{}:{}", option.repeatable ? "*" : ":", zsh_text(option.name),
+                       zsh_action(option));
+  }
+  std::string text = option.repeatable ? "*" : "";
+  text += option.name + (option.form.empty() ? "" : "=") + "[" + zsh_text(option.brief) + "]";
+  if (!option.form.empty()) text += ":" + zsh_text(option.form) + ":" + zsh_action(option);
+  return text;
+}
+// "_shigusa_dataset_merge", the function of a command.
+std::string zsh_name(const CommandManual& command) {
+  std::string name = "_" + command.path;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+std::string zsh_function(const CommandManual& command) {
+  std::string text = zsh_name(command) + "() {\n";
+  std::string calls;
+  if (!command.commands.empty()) {
+    text += "  local -a commands=(\n";
+    for (const CommandManual& below : command.commands) {
+      text += "    " + quoted(below.name() + ":" + zsh_text(below.brief)) + "\n";
+      calls += fmt::format("    {}) shift words; (( CURRENT-- )); {}; return ;;\n", below.name(),
+                           zsh_name(below));
+    }
+    text += "  )\n";
+    text += fmt::format("  (( CURRENT > 2 )) && case $words[2] in\n{}  esac\n", calls);
+    text += "  (( CURRENT == 2 )) && _describe command commands\n";
+  }
+  text += "  _arguments";
+  each_option(command, [&text](const OptionManual& option) {
+    text += " \\\n    " + quoted(zsh_option(option));
+  });
+  return text + "\n}\n";
+}
+
+std::string fish_quoted(const std::string& text) {
+  std::string inside;
+  for (const char c : text)
+    inside += c == '\'' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  return "'" + inside + "'";
+}
+std::string fish_option(const std::string& condition, const OptionManual& option) {
+  std::string text = "complete -c shigusa -n " + condition;
+  const Texts words = words_of(option);
+  const bool paths = takes_file(option) || takes_folder(option);
+  const std::string folders =
+      takes_folder(option) && !takes_file(option) ? "(__fish_complete_directories)" : "";
+  if (!option.argument) {
+    text += " -l " + option.name.substr(2) + " -d " + fish_quoted(option.brief);
+    if (!option.form.empty()) text += paths && folders.empty() ? " -rF" : " -x";
+  } else if (takes_file(option)) {
+    text += " -F";
+  }
+  const std::string choices = fmt::format("{}", fmt::join(words, " ")) + folders;
+  return text + (choices.empty() ? "" : " -a " + fish_quoted(choices)) + "\n";
+}
+
+}  // namespace
+
+std::string bash_completion(const CommandManual& program) {
+  std::string paths;
+  std::string cases;
+  for (const CommandManual* command : all_commands(program)) {
+    if (command != &program) paths += (paths.empty() ? "'" : "|'") + below_program(*command) + "'";
+    cases += bash_cases(*command);
+  }
+  return fmt::format(
+      R"(# Completion of shigusa in bash; `shigusa completion bash` prints it.
+_shigusa() {{
+  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}}
+  local command= next= i options= words= paths=
+  for ((i = 1; i < COMP_CWORD; ++i)); do
+    next="${{command:+$command }}${{COMP_WORDS[i]}}"
+    case $next in
+      {}) command=$next ;;
+    esac
+  done
+  # bash takes the sign of --option=value for a word
+  if [ "$word" = = ]; then
+    word=
+  elif [ "$before" = = ]; then
+    before=${{COMP_WORDS[COMP_CWORD - 2]}}
+  fi
+  case $before in
+    -*) ;;
+    *) before= ;;
+  esac
+  case "$command|$before" in
+{}  esac
+  COMPREPLY=()
+  case $word in
+    -*) words="$options" paths= ;;
+  esac
+  [ -z "$words" ] || mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+  case $paths in
+    file) compopt -o filenames; mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -f -- "$word") ;;
+    folder) compopt -o filenames; mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -d -- "$word") ;;
+  esac
+}}
+complete -F _shigusa shigusa
+)",
+      paths, cases);
+}
+
+std::string zsh_completion(const CommandManual& program) {
+  std::string text =
+      "#compdef shigusa\n# Completion of shigusa in zsh; `shigusa completion zsh` prints it.\n";
+  for (const CommandManual* command : all_commands(program)) text += zsh_function(*command);
+  return text + "_shigusa \"$@\"\n";
+}
+
+std::string fish_completion(const CommandManual& program) {
+  std::string paths;
+  std::string lines;
+  for (const CommandManual* command : all_commands(program)) {
+    const std::string path = below_program(*command);
+    if (!path.empty()) paths += " " + fish_quoted(path);
+    const std::string condition = fish_quoted("__shigusa_is \"" + path + "\"");
+    for (const CommandManual& below : command->commands) {
+      lines += fmt::format("complete -c shigusa -n {} -a {} -d {}\n", condition, below.name(),
+                           fish_quoted(below.brief));
+    }
+    each_option(*command,
+                [&](const OptionManual& option) { lines += fish_option(condition, option); });
+  }
+  return fmt::format(R"(# Completion of shigusa in fish; `shigusa completion fish` prints it.
+function __shigusa_is
+  set -l command
+  for word in (commandline -opc)[2..-1]
+    set -l next (string trim -- "$command $word")
+    contains -- $next{} && set command $next
+  end
+  test "$command" = "$argv[1]"
+end
+complete -c shigusa -f
+{})",
+                     paths, lines);
+}
+
+}  // namespace shigusa::app

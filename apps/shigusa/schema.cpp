@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <shigusa/dataset.hpp>
+#include <shigusa/task.hpp>
+#include <shigusa/task_file.hpp>
+
+#include "commands.hpp"
+#include "usage.hpp"
+
+namespace shigusa::app {
+
+void add_schema(CLI::App& app) {
+  const auto of_plans = std::make_shared<bool>(false);
+  CLI::App* c = app.add_subcommand("schema", "Print the JSON schema of task files");
+  c->group(kMore)->footer("shigusa schema\nshigusa schema --plan");
+  describe(c->add_flag("--plan", *of_plans),
+           {.group = heading(OptionGroup::output), .brief = "That of plans for data sets"});
+  c->callback([of_plans] { write_out(*of_plans ? plan_schema() : task_schema()); });
+}
+
+}  // namespace shigusa::app

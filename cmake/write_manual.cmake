@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# cmake -D PROGRAM=shigusa -D FOLDER=folder -P write_manual.cmake: the man pages and the shells' completion of
+# a program, as it prints them, below the folder: man1/, bash/shigusa, zsh/_shigusa, fish/shigusa.fish.
+function(print_into file)
+  cmake_path(GET file PARENT_PATH above)
+  file(MAKE_DIRECTORY ${above})
+  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# a page of a command that is no more would stay
+file(REMOVE_RECURSE ${FOLDER}/man1)
+execute_process(COMMAND ${PROGRAM} manual --as man --out ${FOLDER}/man1 COMMAND_ERROR_IS_FATAL ANY)
+print_into(${FOLDER}/bash/shigusa completion bash)
+print_into(${FOLDER}/zsh/_shigusa completion zsh)
+print_into(${FOLDER}/fish/shigusa.fish completion fish)
+file(TOUCH ${FOLDER}/written)

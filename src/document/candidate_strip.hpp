@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/generate.hpp>
+#include <shigusa/strip_figure.hpp>
+#include <shigusa/task.hpp>
+
+namespace shigusa {
+
+// How a task's motions are drawn: as the body faces, with the goals' limbs in the accent colour.
+[[nodiscard]] StripSettings strip_settings(const Task& task);
+
+// A candidate's strip: its figure, goals, centre of mass and the way of the first goal's effector.
+[[nodiscard]] MotionStrip candidate_strip(const Task& task, const Candidate& candidate);
+
+}  // namespace shigusa

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace shigusa {
+
+// The style sheet of a page of motions.
+extern const std::string_view kPageStyle;
+
+// The script of a page of motions, which draws what page_figures writes.
+extern const std::string_view kPageScript;
+
+}  // namespace shigusa

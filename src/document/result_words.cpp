@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <shigusa/result_words.hpp>
+#include <shigusa/scalar.hpp>
+
+namespace shigusa {
+namespace {
+
+struct CriterionWords {
+  std::string_view name;
+  std::string_view counts;
+};
+constexpr std::array<CriterionWords, 17> kCriterionWords{{
+    {"joint_range", "joints beyond their limits"},
+    {"balance", "leaning away from above the feet"},
+    {"torque", "effort of the joints beside their strength"},
+    {"balance_zone", "weight near the edge of the feet"},
+    {"discomfort", "joints far from their easy middle"},
+    {"joint_acceleration", "quick starts and stops"},
+    {"work", "work of lifting and braking"},
+    {"low_back", "load on the lower back"},
+    {"head", "head low, or eyes off the goal"},
+    {"collision", "parts that pass through something"},
+    {"centre_of_pressure", "pressure outside the feet"},
+    {"feasibility", "a worst moment beyond strength or footing"},
+    {"coordination", "knees bent unlike people's"},
+    {"hand_curve", "a way of the hand unlike people's"},
+    {"trunk_travel", "a trunk that goes too far or too little"},
+    {"mass_ahead", "weight that does not go along with the hand"},
+    {"jolts", "sudden changes of effort"},
+}};
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
+  return text;
+}
+
+// "at hip height" of a height as a share of the stature.
+std::string_view height_words(double share) {
+  struct Level {
+    double below;
+    std::string_view words;
+  };
+  constexpr std::array<Level, 6> kLevels{{{0.03, "on the floor"},
+                                          {0.18, "near the floor"},
+                                          {0.42, "low"},
+                                          {0.60, "at hip height"},
+                                          {0.80, "at chest height"},
+                                          {1.02, "at head height"}}};
+  for (const Level& level : kLevels) {
+    if (share < level.below) return level.words;
+  }
+  return "overhead";
+}
+
+// "low in front on the left".
+std::string region_words(const Vec3d& place, double stature) {
+  constexpr double kNear = 0.08;   // of the stature: right above or below the body
+  constexpr double kAside = 0.35;  // of the other direction: told beside it
+  std::string words(height_words(place.y / stature));
+  const double across = abs(place.x);
+  const double along = abs(place.z);
+  if (max(across, along) < kNear * stature) return words;
+  if (along > kAside * across) words += place.z > 0.0 ? " in front" : " behind";
+  if (across > kAside * along) words += place.x > 0.0 ? " on the left" : " on the right";
+  return words;
+}
+
+// The middle between the goals of two limbs of a kind that are near one another, "hand": else none.
+std::optional<Vec3d> goals_middle(std::span<const Goal> goals, std::string_view kind) {
+  constexpr double kApart = 0.6;  // m
+  if (goals.size() != 2) return std::nullopt;
+  const Goal& a = goals[0];
+  const Goal& b = goals[1];
+  const auto is = [kind](const Goal& goal, std::string_view side) {
+    return goal.effector == fmt::format("{}_{}", side, kind);
+  };
+  const bool both = (is(a, "left") && is(b, "right")) || (is(a, "right") && is(b, "left"));
+  if (!both || norm(a.position - b.position) > kApart) return std::nullopt;
+  return (a.position + b.position) * 0.5;
+}
+
+std::string moment_words(const Reason& reason) {
+  return reason.time ? fmt::format(" at {:.2f} s", *reason.time) : std::string();
+}
+
+}  // namespace
+
+std::string part_words(std::string_view name) {
+  const std::size_t dot = name.find('.');
+  std::string words(name.substr(0, dot));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  if (dot != name.npos) words += fmt::format(" ({})", name.substr(dot + 1));
+  return words;
+}
+
+std::string length_words(double metres) {
+  if (metres < 0.0995) return fmt::format("{:.0f} mm", 1e3 * metres);
+  if (metres < 0.995) return fmt::format("{:.0f} cm", 1e2 * metres);
+  return fmt::format("{:.2f} m", metres);
+}
+
+std::string place_words(const Vec3d& place) {
+  std::string words;
+  const auto add = [&words](double metres, std::string_view above, std::string_view below) {
+    if (metres == 0.0) return;
+    words += fmt::format("{}{:g} m {}", words.empty() ? "" : ", ", abs(metres),
+                         metres > 0.0 ? above : below);
+  };
+  add(place.x, "left", "right");
+  if (place.y == 0.0) words += words.empty() ? "the floor" : ", on the floor";
+  add(place.y, "up", "below the floor");
+  add(place.z, "ahead", "behind");
+  return words;
+}
+
+std::string goal_words(const Goal& goal) {
+  std::string words =
+      fmt::format("{} to {}", part_words(goal.effector), place_words(goal.position));
+  if (goal.rotation || goal.axis) words += ", turned as asked";
+  if (goal.tolerance != Vec3d{}) words += ", or near it";
+  if (goal.load > 0.0) words += fmt::format(", holding {:g} kg", goal.load);
+  return words;
+}
+
+std::string asked_words(const Request& request) {
+  std::string words;
+  for (const Goal& goal : request.goals) {
+    words += fmt::format("{}{}", words.empty() ? "" : "; ", goal_words(goal));
+  }
+  if (!request.contacts) return words;
+  std::string feet;
+  for (const std::string& foot : *request.contacts) {
+    feet += fmt::format("{}the {}", feet.empty() ? "standing on " : " and ", part_words(foot));
+  }
+  return fmt::format("{}{}{}", words, words.empty() ? "" : "; ", feet);
+}
+
+std::string goals_title(std::span<const Goal> goals, double stature) {
+  if (goals.empty()) return "A foot that lifts";
+  for (const std::string_view kind : {"hand", "foot"}) {
+    if (const auto middle = goals_middle(goals, kind)) {
+      return fmt::format("Both {} {}", kind == "hand" ? "hands" : "feet",
+                         region_words(*middle, stature));
+    }
+  }
+  std::string title;
+  constexpr std::size_t kTold = 2;
+  for (std::size_t i = 0; i < std::min(goals.size(), kTold); ++i) {
+    title += fmt::format("{}{} {}", i == 0 ? "" : ", ", part_words(goals[i].effector),
+                         region_words(goals[i].position, stature));
+  }
+  if (goals.size() > kTold) title += fmt::format(", and {} more goals", goals.size() - kTold);
+  return capitalised(title);
+}
+
+std::string_view preset_words(Preset preset) {
+  switch (preset) {
+    case Preset::paper:
+      return "the paper's search as published";
+    case Preset::flat:
+      return "all parameters at once, within joint limits";
+    case Preset::layers:
+      return "the paper's hierarchy, first trunk and limb lengths, then arms";
+    case Preset::human:
+      return "first trunk and limb lengths, then elbows, then free arms";
+  }
+  return "";
+}
+
+std::string criterion_words(std::string_view name) {
+  for (const CriterionWords& known : kCriterionWords) {
+    if (known.name == name) return std::string(known.counts);
+  }
+  return std::string(name);
+}
+
+std::string verdict_sentence(const Judgement& judgement) {
+  if (judgement.possible_in) {
+    return fmt::format("Impossible so fast: {:.1f} s would do.", *judgement.possible_in);
+  }
+  switch (judgement.verdict) {
+    case Verdict::possible:
+      return "Possible: strong and steady enough.";
+    case Verdict::strains:
+      return "Strains: some of this build could.";
+    case Verdict::impossible:
+      return "Impossible: nobody of this build could.";
+  }
+  return "";
+}
+
+std::string reason_sentence(const Reason& reason) {
+  const std::string when = moment_words(reason);
+  switch (reason.kind) {
+    case ReasonKind::strength:
+      return fmt::format("The {} needs {:.0f} N·m{}, {:.1f} times its strength of {:.0f}.",
+                         part_words(reason.subject), reason.torque, when, reason.amount,
+                         reason.strength);
+    case ReasonKind::pressure:
+      return fmt::format("The floor would have to press {} outside the feet{}.",
+                         length_words(reason.amount), when);
+    case ReasonKind::collision:
+      return fmt::format("The {} is {} in the {}{}.", part_words(reason.subject),
+                         length_words(reason.amount), part_words(reason.other), when);
+    case ReasonKind::limit:
+      return fmt::format("The {} goes {:.0f}° beyond its range.", part_words(reason.subject),
+                         degrees(reason.amount));
+  }
+  return "";
+}
+
+}  // namespace shigusa
