@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_docs.sh [ROOT]: fails where Doxygen warns of a public header: a declaration without a comment, or
-# a comment that it cannot read. Exits with 77 where there is no Doxygen.
+# check_docs.sh [ROOT [XML]]: fails where Doxygen warns of a public header of C++ or C: a declaration without a
+# comment, or a comment that it cannot read. Keeps what it read in XML/cpp and XML/c, where a folder is given. Exits
+# with 77 where there is no Doxygen.
 set -eu
 scripts=$(cd "$(dirname "$0")" && pwd)
 cd "${1:-$scripts/..}"
@@ -10,12 +11,17 @@ command -v doxygen >/dev/null || {
   echo "check_docs: skipped, as there is no doxygen; scripts/build_docs installs it"
   exit 77
 }
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-{
-  cat "$scripts/../docs/Doxyfile"
-  echo "OUTPUT_DIRECTORY = $work"
-  # without an output it would look at nothing
-  echo "GENERATE_HTML = NO"
-  echo "GENERATE_XML = YES"
-} | doxygen - >/dev/null
+work=${2:-}
+if [ -z "$work" ]; then
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+fi
+# read_headers OUTPUT DOXYFILE…
+read_headers() {
+  output=$1
+  shift
+  { cat "$@" && printf 'OUTPUT_DIRECTORY = %s\nXML_OUTPUT = %s\n' "$work" "$output"; } | doxygen - >/dev/null
+}
+docs=$scripts/../docs
+read_headers cpp "$docs/Doxyfile"
+[ ! -d bindings/c ] || read_headers c "$docs/Doxyfile" "$docs/Doxyfile_c"
