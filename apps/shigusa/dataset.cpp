@@ -129,8 +129,8 @@ Result<int> one_task(const DatasetPlan& plan, const DatasetOptions& options) {
 Result<void> check_plan_name(const CLI::App& command, const std::string& plan) {
   std::error_code ignored;
   const std::vector<std::string> names = command_names(command);
-  const bool is_path = plan.find_first_of("./") != plan.npos;
-  if (is_path || std::filesystem::exists(plan, ignored) || nearest_name(plan, names).empty()) {
+  if (is_path(plan) || std::filesystem::exists(plan, ignored) ||
+      nearest_name(plan, names).empty()) {
     return {};
   }
   return fail(ErrorCode::not_found, unknown_name("command or plan", plan, names).text, "dataset");

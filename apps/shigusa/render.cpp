@@ -24,16 +24,6 @@ struct RenderOptions {
   std::optional<double> stature;  // m
 };
 
-Result<FigureFormat> format_of(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  if (ending == ".svg") return FigureFormat::svg;
-  if (ending == ".png") return FigureFormat::png;
-  if (ending == ".pdf") return FigureFormat::pdf;
-  return fail(ErrorCode::invalid_argument,
-              "a picture's name must end in .svg, .png or .pdf; this ends in '" + ending + "'",
-              path.string());
-}
-
 // The advice where a file is no BVH.
 std::string clip_hint(const std::filesystem::path& clip) {
   std::error_code ignored;
@@ -54,7 +44,7 @@ Result<int> render(const RenderOptions& options) {
   settings.first_frame = frames.first;
   if (frames.last) settings.last_frame = *frames.last;
   SHG_TRY_ASSIGN(const SkeletonMotion motion, with_hint(read_bvh(clip), clip_hint(clip)));
-  SHG_TRY_ASSIGN(const FigureFormat format, format_of(out));
+  SHG_TRY_ASSIGN(const FigureFormat format, picture_format(out));
   std::error_code ignored;
   if (std::filesystem::equivalent(clip, out, ignored)) {
     return fail(ErrorCode::invalid_argument,
@@ -93,6 +83,16 @@ Result<FrameRange> parse_frames(const std::string& text) {
   return fail(ErrorCode::invalid_argument,
               "'" + text.substr(0, 80) + "' is not FIRST:LAST, two frames from 0, such as 0:120",
               "--frames");
+}
+
+Result<FigureFormat> picture_format(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending == ".svg") return FigureFormat::svg;
+  if (ending == ".png") return FigureFormat::png;
+  if (ending == ".pdf") return FigureFormat::pdf;
+  return fail(ErrorCode::invalid_argument,
+              "a picture's name must end in .svg, .png or .pdf; this ends in '" + ending + "'",
+              path.string());
 }
 
 void add_render(CLI::App& app, int& exit_code) {

@@ -42,16 +42,6 @@ Result<PlayedResult> played(const std::string& path) {
   return PlayedResult{std::move(task), std::move(*generation)};
 }
 
-Result<FigureFormat> picture_format(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending == ".svg") return FigureFormat::svg;
-  if (ending == ".png") return FigureFormat::png;
-  if (ending == ".pdf") return FigureFormat::pdf;
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("ends in '{}'; allowed are .svg, .png and .pdf", ending),
-              "--picture " + path);
-}
-
 // Refuses a call that would fail in the end, before the motions are made.
 Result<void> check_call(const ShowOptions& options) {
   for (const std::string& picture : options.pictures) {

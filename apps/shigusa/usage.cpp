@@ -90,9 +90,6 @@ std::string value_message(const CLI::App& command, const CLI::ParseError& error)
   return fmt::format("{} is given {} times; allowed is once", name, option->results().size());
 }
 
-// Whether a text looks like a file's path.
-bool is_path(const std::string& text) { return text.find_first_of("./") != text.npos; }
-
 // A command of its own that an argument was meant for: "mrge" of `shigusa dataset mrge DIR`.
 std::string meant_command(const CLI::App& command) {
   const std::vector<std::string> names = command_names(command);
@@ -202,6 +199,8 @@ CLI::Validator frame_or_rest() {
   };
   return {accept, ""};
 }
+
+bool is_path(std::string_view text) { return text.find_first_of("./") != text.npos; }
 
 std::string comma_hint(std::string_view text) {
   std::string pointed(text);

@@ -40,6 +40,9 @@ CLI::Option* describe(CLI::Option* option, const OptionHelp& help);
 // Accepts a frame, from 0, or "rest", which becomes kRestPose.
 [[nodiscard]] CLI::Validator frame_or_rest();
 
+// Whether a text looks like a file's path.
+[[nodiscard]] bool is_path(std::string_view text);
+
 // "; decimals have a point: 1.5" where a text has a comma in a number's place, and else nothing.
 [[nodiscard]] std::string comma_hint(std::string_view text);
 

@@ -21,4 +21,29 @@ std::size_t utf8_length(std::string_view text) {
   return overlong || surrogate || beyond ? 0 : length;
 }
 
+std::string markup_text(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    const std::string_view character = text.substr(0, length == 0 ? 1 : length);
+    text.remove_prefix(character.size());
+    const auto code = static_cast<unsigned char>(character[0]);
+    if (length == 0) {
+      result += "\xEF\xBF\xBD";
+    } else if (character == "&") {
+      result += "&amp;";
+    } else if (character == "<") {
+      result += "&lt;";
+    } else if (character == ">") {
+      result += "&gt;";
+    } else if (character == "\"") {
+      result += "&quot;";
+    } else if (code >= ' ' && code != 0x7F && character != "\xEF\xBF\xBE" &&
+               character != "\xEF\xBF\xBF") {
+      result += character;
+    }
+  }
+  return result;
+}
+
 }  // namespace shigusa

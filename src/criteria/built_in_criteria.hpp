@@ -33,7 +33,8 @@ struct CriterionEntry {
   using Criterion = CriterionOf<S>;
   using Settings = typename CriterionOf<double>::Settings;
 
-  const char* name;  // in scores and in files
+  const char* name;    // in scores and in files
+  const char* counts;  // in words for a person: "quick starts and stops"
   double CriteriaSettings::*weight_member;
   Settings CriteriaSettings::*settings_member;
   const char* scale_name;  // in files
@@ -57,49 +58,57 @@ struct CriterionEntry {
 // All built-in criteria, in the order of a score's terms. Whatever reads, writes, checks or sums
 // them goes by this table.
 inline constexpr std::tuple kCriteria{
-    CriterionEntry<JointRange>{"joint_range", &CriteriaSettings::joint_range_weight,
-                               &CriteriaSettings::joint_range, "margin",
-                               &JointRangeSettings::margin},
-    CriterionEntry<Balance>{"balance", &CriteriaSettings::balance_weight,
-                            &CriteriaSettings::balance, "lean", &BalanceSettings::lean},
-    CriterionEntry<Torque>{"torque", &CriteriaSettings::torque_weight, &CriteriaSettings::torque,
-                           "share", &TorqueSettings::share},
-    CriterionEntry<BalanceZone>{"balance_zone", &CriteriaSettings::balance_zone_weight,
-                                &CriteriaSettings::balance_zone, "margin_m",
-                                &BalanceZoneSettings::margin},
-    CriterionEntry<Discomfort>{"discomfort", &CriteriaSettings::discomfort_weight,
-                               &CriteriaSettings::discomfort, "share", &DiscomfortSettings::share},
-    CriterionEntry<JointAcceleration>{"joint_acceleration",
+    CriterionEntry<JointRange>{
+        "joint_range", "joints beyond their limits", &CriteriaSettings::joint_range_weight,
+        &CriteriaSettings::joint_range, "margin", &JointRangeSettings::margin},
+    CriterionEntry<Balance>{"balance", "leaning away from above the feet",
+                            &CriteriaSettings::balance_weight, &CriteriaSettings::balance, "lean",
+                            &BalanceSettings::lean},
+    CriterionEntry<Torque>{"torque", "effort of the joints beside their strength",
+                           &CriteriaSettings::torque_weight, &CriteriaSettings::torque, "share",
+                           &TorqueSettings::share},
+    CriterionEntry<BalanceZone>{
+        "balance_zone", "weight near the edge of the feet", &CriteriaSettings::balance_zone_weight,
+        &CriteriaSettings::balance_zone, "margin_m", &BalanceZoneSettings::margin},
+    CriterionEntry<Discomfort>{"discomfort", "joints far from their easy middle",
+                               &CriteriaSettings::discomfort_weight, &CriteriaSettings::discomfort,
+                               "share", &DiscomfortSettings::share},
+    CriterionEntry<JointAcceleration>{"joint_acceleration", "quick starts and stops",
                                       &CriteriaSettings::joint_acceleration_weight,
                                       &CriteriaSettings::joint_acceleration, "acceleration_rad_s2",
                                       &JointAccelerationSettings::acceleration},
-    CriterionEntry<Work>{"work", &CriteriaSettings::work_weight, &CriteriaSettings::work, "share",
-                         &WorkSettings::share},
-    CriterionEntry<LowBack>{"low_back", &CriteriaSettings::low_back_weight,
-                            &CriteriaSettings::low_back, "share", &LowBackSettings::share},
-    CriterionEntry<Head>{"head", &CriteriaSettings::head_weight, &CriteriaSettings::head, "height",
-                         &HeadSettings::height},
-    CriterionEntry<Collision>{"collision", &CriteriaSettings::collision_weight,
-                              &CriteriaSettings::collision, "depth_m", &CollisionSettings::full},
-    CriterionEntry<CentreOfPressure>{"centre_of_pressure", &CriteriaSettings::pressure_weight,
-                                     &CriteriaSettings::pressure, "outside_m",
-                                     &PressureSettings::outside},
-    CriterionEntry<Feasibility>{"feasibility", &CriteriaSettings::feasibility_weight,
+    CriterionEntry<Work>{"work", "work of lifting and braking", &CriteriaSettings::work_weight,
+                         &CriteriaSettings::work, "share", &WorkSettings::share},
+    CriterionEntry<LowBack>{"low_back", "load on the lower back",
+                            &CriteriaSettings::low_back_weight, &CriteriaSettings::low_back,
+                            "share", &LowBackSettings::share},
+    CriterionEntry<Head>{"head", "head low, or eyes off the goal", &CriteriaSettings::head_weight,
+                         &CriteriaSettings::head, "height", &HeadSettings::height},
+    CriterionEntry<Collision>{"collision", "parts that pass through something",
+                              &CriteriaSettings::collision_weight, &CriteriaSettings::collision,
+                              "depth_m", &CollisionSettings::full},
+    CriterionEntry<CentreOfPressure>{
+        "centre_of_pressure", "pressure outside the feet", &CriteriaSettings::pressure_weight,
+        &CriteriaSettings::pressure, "outside_m", &PressureSettings::outside},
+    CriterionEntry<Feasibility>{"feasibility", "a worst moment beyond strength or footing",
+                                &CriteriaSettings::feasibility_weight,
                                 &CriteriaSettings::feasibility, "outside_m",
                                 &FeasibilitySettings::outside},
-    CriterionEntry<Coordination>{"coordination", &CriteriaSettings::coordination_weight,
-                                 &CriteriaSettings::coordination, "angle_rad",
-                                 &CoordinationSettings::angle},
-    CriterionEntry<HandCurve>{"hand_curve", &CriteriaSettings::hand_curve_weight,
-                              &CriteriaSettings::hand_curve, "offset", &HandCurveSettings::offset},
-    CriterionEntry<TrunkTravel>{"trunk_travel", &CriteriaSettings::trunk_travel_weight,
+    CriterionEntry<Coordination>{
+        "coordination", "knees bent unlike people's", &CriteriaSettings::coordination_weight,
+        &CriteriaSettings::coordination, "angle_rad", &CoordinationSettings::angle},
+    CriterionEntry<HandCurve>{"hand_curve", "a way of the hand unlike people's",
+                              &CriteriaSettings::hand_curve_weight, &CriteriaSettings::hand_curve,
+                              "offset", &HandCurveSettings::offset},
+    CriterionEntry<TrunkTravel>{"trunk_travel", "a trunk that goes too far or too little",
+                                &CriteriaSettings::trunk_travel_weight,
                                 &CriteriaSettings::trunk_travel, "distance_m",
                                 &TrunkTravelSettings::distance},
-    CriterionEntry<MassAhead>{"mass_ahead", &CriteriaSettings::mass_ahead_weight,
-                              &CriteriaSettings::mass_ahead, "distance_m",
-                              &MassAheadSettings::distance},
-    CriterionEntry<Jolts>{"jolts", &CriteriaSettings::jolts_weight, &CriteriaSettings::jolts,
-                          "limit", &JoltsSettings::limit},
+    CriterionEntry<MassAhead>{"mass_ahead", "weight that does not go along with the hand",
+                              &CriteriaSettings::mass_ahead_weight, &CriteriaSettings::mass_ahead,
+                              "distance_m", &MassAheadSettings::distance},
+    CriterionEntry<Jolts>{"jolts", "sudden changes of effort", &CriteriaSettings::jolts_weight,
+                          &CriteriaSettings::jolts, "limit", &JoltsSettings::limit},
 };
 
 // Calls visit(entry) for each built-in criterion in the table's order.

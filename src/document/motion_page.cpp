@@ -11,48 +11,14 @@
 #include "core/text.hpp"
 #include "page_figures.hpp"
 #include "page_text.hpp"
+#include "rollout/reach_problem.hpp"
 
 namespace shigusa {
 namespace {
 
-// A goal that is missed by more than this is told (m, rad): the promise of ReachStatus::reached.
-constexpr double kPageMiss = 1e-3;
-constexpr double kPageTurnMiss = radians(0.5);
-
-// A text within an element or an attribute's quotes. Control characters and what is not UTF-8 are
-// replaced.
-std::string html_text(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text.substr(i));
-    const char c = text[i];
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    if (length == 0 || control) {
-      out += control ? " " : "\xEF\xBF\xBD";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += text.substr(i, length);
-    }
-    i += std::max<std::size_t>(length, 1);
-  }
-  return out;
-}
-
 std::string title_of(const ShownResult& shown) {
   if (!shown.title.empty()) return shown.title;
   return goals_title(shown.task.goals, shown.task.body.stature());
-}
-
-std::string sentence_case(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
-  return text;
 }
 
 std::string_view body_words(std::string_view name) {
@@ -72,23 +38,27 @@ std::string asked_html(const ShownResult& shown) {
   return fmt::format(
       "<p class=\"asked\">{} of {:.2f} m, {:.0f} kg and {} freedoms. Asked for: {}.{} <span "
       "class=\"quiet\">Preset <b>{}</b>: {}.</span></p>\n",
-      html_text(body_words(task.body.name())), task.body.stature(), task.body.mass(),
-      task.body.dof_count(), html_text(asked_words(task)), html_text(around), word_of(task.preset),
-      preset_words(task.preset));
+      markup_text(body_words(task.body.name())), task.body.stature(), task.body.mass(),
+      task.body.dof_count(), markup_text(asked_words(task)), markup_text(around),
+      word_of(task.preset), preset_words(task.preset));
+}
+
+// m, of the goal that is missed the most.
+double worst_error(const Candidate& candidate) {
+  double error = 0.0;
+  for (const GoalResult& goal : candidate.goals) error = max(error, goal.error);
+  return error;
 }
 
 // How the candidate misses its goals; empty where it meets them.
 std::string miss_words(const Candidate& candidate) {
-  double error = 0.0;
+  const double error = worst_error(candidate);
   double turn = 0.0;
-  for (const GoalResult& goal : candidate.goals) {
-    error = max(error, goal.error);
-    turn = max(turn, goal.turn.error.value_or(0.0));
-  }
-  if (error > kPageMiss) {
+  for (const GoalResult& goal : candidate.goals) turn = max(turn, goal.turn.error.value_or(0.0));
+  if (error > kReachTolerance) {
     return fmt::format("Out of reach: it ends {} from the goal.", length_words(error));
   }
-  if (turn > kPageTurnMiss) {
+  if (turn > kTurnTolerance) {
     return fmt::format("Out of reach: it ends turned by {:.0f}° from what is asked.",
                        degrees(turn));
   }
@@ -105,7 +75,7 @@ std::string verdict_html(const Candidate& candidate) {
   constexpr std::size_t kTold = 3;
   std::string reasons;
   for (std::size_t i = 0; i < std::min(kTold, judgement.reasons.size()); ++i) {
-    reasons += fmt::format("<li>{}</li>", html_text(reason_sentence(judgement.reasons[i])));
+    reasons += fmt::format("<li>{}</li>", markup_text(reason_sentence(judgement.reasons[i])));
   }
   if (judgement.reasons.size() > kTold) {
     reasons += fmt::format("<li>And {} more.</li>", judgement.reasons.size() - kTold);
@@ -137,7 +107,7 @@ std::string costs_html(const Score& score, double largest) {
     const double cost = cost_of(terms[i]);
     if (!(cost > kLeast * score.total)) break;
     html += fmt::format("<li>{}<span><i style=\"width:{:.0f}%\"></i></span></li>",
-                        html_text(sentence_case(criterion_words(terms[i].name))),
+                        markup_text(capitalised(criterion_words(terms[i].name))),
                         100.0 * cost / largest);
   }
   if (html.empty()) return "<p class=\"label\">It costs nothing by these criteria.</p>\n";
@@ -145,8 +115,8 @@ std::string costs_html(const Score& score, double largest) {
 }
 
 std::string number_row(std::string_view name, std::string_view value) {
-  return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>", html_text(name),
-                     html_text(value));
+  return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>", markup_text(name),
+                     markup_text(value));
 }
 
 // All that the figures say in words, in numbers.
@@ -156,11 +126,9 @@ std::string numbers_html(const BodyModel& body, const Candidate& candidate) {
   for (const ScoreTerm& term : candidate.score.terms) {
     rows += number_row(term.name, fmt::format("{:.3g} × {:.4f}", term.weight, term.penalty));
   }
-  double error = 0.0;
   double slide = 0.0;
-  for (const GoalResult& goal : candidate.goals) error = max(error, goal.error);
   for (const ContactResult& foot : candidate.contacts) slide = max(slide, foot.max_slide);
-  rows += number_row("from the goal, mm", fmt::format("{:.3f}", 1e3 * error));
+  rows += number_row("from the goal, mm", fmt::format("{:.3f}", 1e3 * worst_error(candidate)));
   rows += number_row("feet slide by, mm", fmt::format("{:.3f}", 1e3 * slide));
   if (const auto& support = candidate.measures.support) {
     rows += number_row("weight inside the feet by, mm",
@@ -175,7 +143,7 @@ std::string numbers_html(const BodyModel& body, const Candidate& candidate) {
 
 std::string candidate_html(const ShownResult& shown, std::size_t k, double largest) {
   const Candidate& candidate = shown.generation.candidates[k];
-  const std::string words = sentence_case(posture_words(candidate.final_posture));
+  const std::string words = capitalised(posture_words(candidate.final_posture));
   return fmt::format(
              "<li><canvas role=\"img\" aria-label=\"Candidate {0}, a moving figure: {1}. "
              "{2}\"></canvas>\n"
@@ -203,7 +171,7 @@ std::string result_html(const ShownResult& shown, std::size_t number) {
   std::string html = fmt::format(
       "<section class=\"result\" id=\"result-{0}\" aria-labelledby=\"title-{0}\">\n"
       "<h2 id=\"title-{0}\">{1}</h2>\n",
-      number, html_text(title_of(shown)));
+      number, markup_text(title_of(shown)));
   html += asked_html(shown);
   html += fmt::format(
       "<p class=\"quiet\">{} {} of {:.2f} s, the best first.</p>\n", generation.candidates.size(),
@@ -225,7 +193,7 @@ std::string contents_html(std::span<const ShownResult> results) {
     const Task& task = results[k].task;
     html += fmt::format(
         "<li><a href=\"#result-{}\">{}</a> <span class=\"quiet\">{}, {}</span></li>", k + 1,
-        html_text(title_of(results[k])), html_text(task.body.name()), word_of(task.preset));
+        markup_text(title_of(results[k])), markup_text(task.body.name()), word_of(task.preset));
   }
   return html + "</ul></nav>\n";
 }
@@ -246,7 +214,7 @@ Result<std::string> motion_page(std::span<const ShownResult> results, std::strin
     return fail(ErrorCode::invalid_argument,
                 say("candidates_most", candidates, kPageMostCandidates), "the page");
   }
-  const std::string title = html_text(heading.empty() ? "Motions by shigusa" : heading);
+  const std::string title = markup_text(heading.empty() ? "Motions by shigusa" : heading);
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"

@@ -7,37 +7,11 @@
 #include <shigusa/result_words.hpp>
 #include <shigusa/scalar.hpp>
 
+#include "core/text.hpp"
+#include "criteria/built_in_criteria.hpp"
+
 namespace shigusa {
 namespace {
-
-struct CriterionWords {
-  std::string_view name;
-  std::string_view counts;
-};
-constexpr std::array<CriterionWords, 17> kCriterionWords{{
-    {"joint_range", "joints beyond their limits"},
-    {"balance", "leaning away from above the feet"},
-    {"torque", "effort of the joints beside their strength"},
-    {"balance_zone", "weight near the edge of the feet"},
-    {"discomfort", "joints far from their easy middle"},
-    {"joint_acceleration", "quick starts and stops"},
-    {"work", "work of lifting and braking"},
-    {"low_back", "load on the lower back"},
-    {"head", "head low, or eyes off the goal"},
-    {"collision", "parts that pass through something"},
-    {"centre_of_pressure", "pressure outside the feet"},
-    {"feasibility", "a worst moment beyond strength or footing"},
-    {"coordination", "knees bent unlike people's"},
-    {"hand_curve", "a way of the hand unlike people's"},
-    {"trunk_travel", "a trunk that goes too far or too little"},
-    {"mass_ahead", "weight that does not go along with the hand"},
-    {"jolts", "sudden changes of effort"},
-}};
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
-  return text;
-}
 
 // "at hip height" of a height as a share of the stature.
 std::string_view height_words(double share) {
@@ -173,10 +147,11 @@ std::string_view preset_words(Preset preset) {
 }
 
 std::string criterion_words(std::string_view name) {
-  for (const CriterionWords& known : kCriterionWords) {
-    if (known.name == name) return std::string(known.counts);
-  }
-  return std::string(name);
+  std::string words(name);
+  for_each_criterion([&](const auto& criterion) {
+    if (criterion.name == name) words = criterion.counts;
+  });
+  return words;
 }
 
 std::string verdict_sentence(const Judgement& judgement) {

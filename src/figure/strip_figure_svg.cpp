@@ -181,27 +181,6 @@ std::string hull_data(std::span<const Disc> discs) {
   return data.text();
 }
 
-// XML's own characters escaped, and those left out that it does not allow.
-std::string escaped(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    const std::string_view character = text.substr(0, length == 0 ? 1 : length);
-    text.remove_prefix(character.size());
-    if (character == "&") {
-      result += "&amp;";
-    } else if (character == "<") {
-      result += "&lt;";
-    } else if (character == ">") {
-      result += "&gt;";
-    } else if (length > 0 && static_cast<unsigned char>(character[0]) >= ' ' &&
-               character != "\xef\xbf\xbe" && character != "\xef\xbf\xbf") {
-      result += character;
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 SvgCanvas::SvgCanvas(double width, double height)
@@ -294,7 +273,7 @@ void SvgCanvas::text(Point at, const std::string& text, double size, Colour colo
                                  ? fmt::format(" textLength=\"{}\"", number(text_width(text, size)))
                                  : std::string();
   svg_ += fmt::format("<text x=\"{}\" y=\"{}\"{}{}>{}</text>\n", number(at.x), number(at.y),
-                      kAnchor[static_cast<std::size_t>(align)], length, escaped(text));
+                      kAnchor[static_cast<std::size_t>(align)], length, markup_text(text));
 }
 
 // Paths of one look become one path where that paints the same: fills that go around the same way,

@@ -112,7 +112,7 @@ TEST_F(Show, TextsAreEscaped) {
   show({"one", "--title", "</h2><script>alert(1)</script>", "--heading", "a\x01&\xff\"b"});
   const std::string page = work_.get("index.html");
   EXPECT_THAT(page, AllOf(HasSubstr("&lt;/h2&gt;&lt;script&gt;alert(1)"),
-                          HasSubstr("a &amp;\xEF\xBF\xBD&quot;b"),
+                          HasSubstr("a&amp;\xEF\xBF\xBD&quot;b"),
                           HasSubstr("&lt;i&gt;box&lt;/i&gt;"), Not(HasSubstr("<i>box"))));
 }
 
@@ -149,7 +149,7 @@ TEST_F(Show, WhatIsWrongIsToldAndNothingIsWritten) {
   EXPECT_THAT(refused({"none"}), AllOf(HasSubstr("none"), HasSubstr("No such file")));
   EXPECT_THAT(refused({"broken"}), HasSubstr("not a result of shigusa"));
   EXPECT_THAT(refused({"one", "--title", "a", "--title", "b"}), HasSubstr("--title"));
-  EXPECT_THAT(refused({"one", "--picture", "a.gif"}), HasSubstr(".svg, .png and .pdf"));
+  EXPECT_THAT(refused({"one", "--picture", "a.gif"}), HasSubstr(".svg, .png or .pdf"));
   EXPECT_THAT(refused({}), HasSubstr("results"));
   EXPECT_EQ(work_.contents(), before);
 }
