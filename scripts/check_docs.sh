@@ -25,3 +25,16 @@ read_headers() {
 docs=$scripts/../docs
 read_headers cpp "$docs/Doxyfile"
 [ ! -d bindings/c ] || read_headers c "$docs/Doxyfile" "$docs/Doxyfile_c"
+
+# Doxygen 1.9.4 says nothing of an enum's value without a comment
+awk '
+  FNR == 1 { value = 0 }
+  /<memberdef kind="enum"/ { of = "" }
+  /<enumvalue / { value = 1; told = 0; name = "" }
+  /<name>/ { gsub(/ *<\/?name>/, ""); if (value) name = $0; else of = $0 }
+  /<para>/ { if (value) told = 1 }
+  /<\/enumvalue>/ {
+    if (!told) { print "check_docs: no comment on " of "::" name; missing = 1 }
+    value = 0
+  }
+  END { exit missing }' "$work"/*/*.xml

@@ -126,6 +126,11 @@ inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from
 // A text from a file as it may stand on a terminal: control characters become '?'.
 [[nodiscard]] std::string printable(std::string_view text);
 
+// "1 shard", "2 shards".
+[[nodiscard]] inline std::string number_of(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 // Closed standard streams are opened, so that no file gets their numbers: what is printed to stderr
 // goes nowhere, and writing to stdout fails.
 void open_standard_streams();

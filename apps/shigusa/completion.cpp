@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/human_body.hpp>
+#include <shigusa/skeleton.hpp>
 
 #include "manual.hpp"
 
@@ -44,10 +46,35 @@ Texts command_words(const CommandManual& command) {
   return words;
 }
 
+// The names that a value "EFFECTOR=X,Y,Z" begins with, each with its sign: "right_hand=". Effectors
+// are those of the body that moves where nothing is said.
+Texts begun_values(const OptionManual& option) {
+  Texts begun;
+  if (option.form.starts_with("EFFECTOR=")) {
+    const BodyModel body = human_body();
+    for (int e = 0; e < body.effector_count(); ++e) begun.push_back(body.effector(e).name + "=");
+  } else if (option.form.starts_with("HAND=")) {
+    begun = {"left_hand=", "right_hand="};
+  } else if (option.form.starts_with("BONE=")) {
+    for (int b = 0; b < kHumanoidBoneCount; ++b) {
+      begun.push_back(std::string(humanoid_bone_name(static_cast<HumanoidBone>(b))) + "=");
+    }
+  }
+  return begun;
+}
+
+// All that a value may be, or begin with.
+Texts offered(const OptionManual& option) {
+  Texts words = words_of(option);
+  const Texts begun = begun_values(option);
+  words.insert(words.end(), begun.begin(), begun.end());
+  return words;
+}
+
 // The cases of the value after an option, or of arguments: what bash completes there.
 std::string bash_value(const OptionManual& option) {
   std::string made;
-  const Texts words = words_of(option);
+  const Texts words = offered(option);
   if (!words.empty()) made += fmt::format(" words='{}'", fmt::join(words, " "));
   if (takes_file(option)) {
     made += " paths=file";
@@ -75,17 +102,16 @@ std::string bash_cases(const CommandManual& command) {
   return text;
 }
 
-// Words, and files beside them.
-std::string zsh_both(const std::string& words) { return "{compadd -- " + words + "; _files}"; }
-
 // An option of zsh's _arguments: '*--goal=[line]:FORM:action'.
 std::string zsh_action(const OptionManual& option) {
-  const Texts words = words_of(option);
-  std::string actions;
-  if (!words.empty()) actions += fmt::format("{}", fmt::join(words, " "));
-  if (takes_file(option)) return words.empty() ? "_files" : zsh_both(actions);
-  if (takes_folder(option)) return "_files -/";
-  return words.empty() ? " " : "(" + actions + ")";
+  const Texts words = offered(option);
+  if (words.empty())
+    return takes_file(option) ? "_files" : takes_folder(option) ? "_files -/" : " ";
+  const std::string all = fmt::format("{}", fmt::join(words, " "));
+  // no blank comes after "right_hand="
+  const std::string add = begun_values(option).empty() ? "" : "-S \"\" ";
+  if (takes_file(option)) return fmt::format("{{compadd {}-- {}; _files}}", add, all);
+  return add.empty() ? "(" + all + ")" : fmt::format("{{compadd {}-- {}}}", add, all);
 }
 std::string zsh_text(const std::string& text) {
   std::string escaped;
@@ -140,7 +166,7 @@ std::string fish_quoted(const std::string& text) {
 }
 std::string fish_option(const std::string& condition, const OptionManual& option) {
   std::string text = "complete -c shigusa -n " + condition;
-  const Texts words = words_of(option);
+  const Texts words = offered(option);
   const bool paths = takes_file(option) || takes_folder(option);
   const std::string folders =
       takes_folder(option) && !takes_file(option) ? "(__fish_complete_directories)" : "";
@@ -174,23 +200,24 @@ _shigusa() {{
       {}) command=$next ;;
     esac
   done
-  # bash takes the sign of --option=value for a word
+  COMPREPLY=()
+  # bash takes the sign of --option=value for a word, and that of right_hand=-0.2,1.1,0.4
   if [ "$word" = = ]; then
     word=
+    [[ $before = -* ]] || return 0
   elif [ "$before" = = ]; then
     before=${{COMP_WORDS[COMP_CWORD - 2]}}
+    [[ $before = -* ]] || return 0
   fi
-  case $before in
-    -*) ;;
-    *) before= ;;
-  esac
+  [[ $before = -* ]] || before=
   case "$command|$before" in
 {}  esac
-  COMPREPLY=()
   case $word in
     -*) words="$options" paths= ;;
   esac
   [ -z "$words" ] || mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+  # no blank comes after right_hand=
+  [[ "${{COMPREPLY[0]-}}" != *= ]] || compopt -o nospace
   case $paths in
     file) compopt -o filenames; mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -f -- "$word") ;;
     folder) compopt -o filenames; mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -d -- "$word") ;;

@@ -176,8 +176,9 @@ Result<int> dataset(const DatasetOptions& options) {
   SHG_TRY(write_first_card(plan, options.folder, "shigusa " SHIGUSA_VERSION));
   SHG_TRY_ASSIGN(const DatasetRun run, make_dataset(plan, settings));
   end_progress_line();
-  print_out("{} shards made, {} were there: {} tasks, {} motions in {}", run.made, run.there,
-            run.tasks, run.motions, time_words(run.seconds));
+  print_out("{} made, {} already there: {}, {} in {}", number_of(run.made, "shard"), run.there,
+            number_of(run.tasks, "task"), number_of(run.motions, "motion"),
+            time_words(run.seconds));
   if (run.thread_seconds > 0.0) {
     print_out("; {:.1f} motions/s and core, {:.0f} % of it search",
               static_cast<double>(run.motions) / run.thread_seconds,
@@ -185,7 +186,7 @@ Result<int> dataset(const DatasetOptions& options) {
   }
   print_out("\n");
   if (run.left > 0) {
-    note("stopped", fmt::format("{} shards are left; the same command goes on", run.left));
+    note("stopped", fmt::format("{} left; the same command goes on", number_of(run.left, "shard")));
   }
   return run.left > 0 ? kUnreachable : kDone;
 }

@@ -39,7 +39,7 @@ Result<int> dataset_merge(const std::string& folder) {
 }  // namespace
 
 std::string missing_shards_text(const std::vector<std::uint64_t>& missing) {
-  std::string text = fmt::format("{} shard{}: ", missing.size(), missing.size() == 1 ? "" : "s");
+  std::string text = number_of(missing.size(), "shard") + ": ";
   std::size_t stretches = 0;
   for (std::size_t k = 0; k < missing.size();) {
     std::size_t last = k;

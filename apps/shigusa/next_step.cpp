@@ -29,6 +29,21 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
+// Of a file that is not there: those in its folder that end alike, "; this folder has hero.vrm".
+std::string files_alike(const fs::path& path, const fs::path& folder,
+                        const std::vector<std::string>& names) {
+  constexpr std::size_t kToldMost = 5;
+  const std::string where = folder == "." ? "this folder" : folder.string();
+  const std::string ending = path.extension().string();
+  std::vector<std::string> alike;
+  for (const std::string& name : names) {
+    if (!ending.empty() && fs::path(name).extension() == ending) alike.push_back(name);
+  }
+  if (ending.empty() || alike.size() > kToldMost) return {};
+  if (alike.empty()) return fmt::format("; {} has no {} file", where, ending);
+  return fmt::format("; {} has {}", where, fmt::join(alike, ", "));
+}
+
 // Of a path that is not there: the nearest one that is.
 std::string nearest_path(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -38,7 +53,7 @@ std::string nearest_path(const fs::path& path) {
   }
   const std::vector<std::string> names = names_in(folder);
   const std::string_view nearest = nearest_name(path.filename().string(), names);
-  if (nearest.empty()) return {};
+  if (nearest.empty()) return files_alike(path, folder, names);
   return fmt::format("; did you mean '{}'?", (path.parent_path() / nearest).string());
 }
 

@@ -80,8 +80,9 @@ std::string introduction(const Plan& plan) {
       "finds a posture for them: many starts of a bounded minimiser on the final posture alone, "
       "within all limits, with planted feet. Besides these, three goals have names: low front-left "
       "(0.25, 0.55, 0.50), at the feet (-0.05, 0.10, 0.30) and high right (-0.45, 1.75, 0.35) m. "
-      "Scores lie between 0 and 1, lower is better; a motion that misses its goal, leaves its path "
-      "or moves a foot has the worst. Where a number stands with two in brackets, these are median "
+      "A score is the weighted sum of penalties between 0 and 1, lower is better; a motion that "
+      "misses its goal, leaves its path or moves a foot has the worst. Where a number stands with "
+      "two in brackets, these are median "
       "and quartiles over the drawn goals, each goal being the median over its seeds. {}Measured "
       "on {} core{}, widest SIMD set {}.\n",
       plan.goals, plan.goal_seed, plan.quick ? "**A quick run: the numbers mean nothing.** " : "",

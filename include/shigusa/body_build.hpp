@@ -10,7 +10,10 @@
 namespace shigusa {
 
 /// The sex that tables of masses and strengths are taken for.
-enum class Sex { male, female };
+enum class Sex {
+  male,    ///< of the tables of men
+  female,  ///< of the tables of women
+};
 /// The words of Sex.
 template <>
 inline constexpr std::array kEnumWords<Sex>{EnumWord{Sex::male, "male"},

@@ -14,10 +14,17 @@
 namespace shigusa {
 
 /// A side of the body, as the person has it.
-enum class Side { left, right };
+enum class Side {
+  left,   ///< the person's left, +X
+  right,  ///< the person's right, -X
+};
 
 /// The limb that a joint is of.
-enum class LimbKind { trunk, arm, leg };
+enum class LimbKind {
+  trunk,  ///< pelvis, spine, neck and head
+  arm,    ///< from the clavicle to the hand
+  leg,    ///< from the hip to the toes
+};
 
 /// Where a freedom or an effector is on a person: "left_hip.flexion" is the freedom "flexion" of
 /// the joint "hip" of the left leg.

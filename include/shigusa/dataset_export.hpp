@@ -18,7 +18,12 @@
 namespace shigusa {
 
 /// A form in which the motions of a data set leave for the programs of others.
-enum class DataFormat { npz, humanml3d, csv, glb };
+enum class DataFormat {
+  npz,        ///< NumPy archives, one a motion
+  humanml3d,  ///< HumanML3D's joint positions and sentences
+  csv,        ///< one table
+  glb,        ///< glTF animations of the skeleton
+};
 
 /// The facts of such a form.
 struct DataFormatInfo {

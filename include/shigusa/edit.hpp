@@ -12,7 +12,11 @@
 namespace shigusa {
 
 /// The kinds of editable numbers.
-enum class EditableKind { weight, angle, share };
+enum class EditableKind {
+  weight,  ///< of a freedom in the weighted IK
+  angle,   ///< degrees, of the posture
+  share,   ///< a number without a unit
+};
 
 /// One of the numbers that a person edits of a motion. "name=value" is an assignment (see
 /// assign_parameter); so is, of a weight, "joint.locked=true", with `joint` the name without

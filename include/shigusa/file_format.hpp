@@ -11,13 +11,32 @@
 namespace shigusa {
 
 /// The formats of files that are read or written.
-enum class FileFormat { bvh, csv, svg, png, pdf, glb, vrma, vrm, fbx, urdf, mjcf };
+enum class FileFormat {
+  bvh,   ///< Biovision hierarchy: people, clips and motions
+  csv,   ///< a table with one row a frame
+  svg,   ///< a strip figure
+  png,   ///< a strip figure
+  pdf,   ///< a strip figure
+  glb,   ///< binary glTF
+  vrma,  ///< VRM animation
+  vrm,   ///< VRM character
+  fbx,   ///< a character, read as the glTF file of it
+  urdf,  ///< robot
+  mjcf,  ///< robot of MuJoCo
+};
 
 /// The file that a character must have come from for its motions to leave in a format.
-enum class NeededFile { none, gltf, vrm };
+enum class NeededFile {
+  none,  ///< any character
+  gltf,  ///< glTF, and VRM as one of its kind
+  vrm,   ///< VRM alone
+};
 
 /// The libraries that a build may lack, and with them the formats that need one.
-enum class NeededLibrary { none, cairo };
+enum class NeededLibrary {
+  none,   ///< every build has it
+  cairo,  ///< draws PNG and PDF
+};
 
 /// The facts of a format. All code that reads, writes, lists or describes files goes by this table;
 /// a format that is written has a function write_as (src/document/export_file.hpp), one of people a

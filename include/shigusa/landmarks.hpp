@@ -13,26 +13,26 @@ namespace shigusa {
 /// The parts of a person that nothing should pass through. A trunk is one part, or pelvis, spine,
 /// chest and upper chest where it has joints: a body has the one or the others.
 enum class BodyPart {
-  head,  ///< the skull without its lower part
-  jaw,   ///< the lower part of the skull
-  neck,
-  trunk,
-  pelvis,
-  spine,
-  chest,
-  upper_chest,
-  left_thigh,
-  right_thigh,
-  left_shank,
-  right_shank,
-  left_foot,
-  right_foot,
-  left_upper_arm,
-  right_upper_arm,
-  left_forearm,
-  right_forearm,
-  left_hand,
-  right_hand,
+  head,             ///< the skull without its lower part
+  jaw,              ///< the lower part of the skull
+  neck,             ///< between upper chest and head
+  trunk,            ///< from hips to neck, of a body without a spine
+  pelvis,           ///< about the hips
+  spine,            ///< the waist
+  chest,            ///< the lower ribs
+  upper_chest,      ///< the upper ribs and the shoulders
+  left_thigh,       ///< hip to knee
+  right_thigh,      ///< hip to knee
+  left_shank,       ///< knee to ankle
+  right_shank,      ///< knee to ankle
+  left_foot,        ///< heel to toes
+  right_foot,       ///< heel to toes
+  left_upper_arm,   ///< shoulder to elbow
+  right_upper_arm,  ///< shoulder to elbow
+  left_forearm,     ///< elbow to wrist
+  right_forearm,    ///< elbow to wrist
+  left_hand,        ///< wrist to fingertips
+  right_hand,       ///< wrist to fingertips
 };
 /// Number of the parts.
 inline constexpr int kBodyPartCount = 20;

@@ -48,7 +48,11 @@ template <class S>
 }
 
 /// One of a frame's axes.
-enum class Axis { x, y, z };
+enum class Axis {
+  x,  ///< the first
+  y,  ///< the second
+  z,  ///< the third
+};
 
 /// The columns a and b of a rotation after a turn from a towards b, given its sine and cosine.
 template <class S>

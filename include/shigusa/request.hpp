@@ -41,6 +41,8 @@ struct PresetTraits {
   Preset preset;
   /// Its word in files.
   std::string_view word;
+  /// Its search in one phrase, as the end of a sentence.
+  std::string_view about;
   /// The search of its parameters.
   SearchMethod search;
   /// The criteria that score its motions.
@@ -57,6 +59,7 @@ struct PresetTraits {
 inline constexpr std::array kPresets{
     PresetTraits{Preset::paper,
                  "paper",
+                 "the paper's search as published",
                  SearchMethod::paper_ga,
                  paper_criteria,
                  kPaperPopulation,
@@ -65,16 +68,20 @@ inline constexpr std::array kPresets{
                  false},
     PresetTraits{Preset::flat,
                  "flat",
+                 "all parameters at once, within joint limits",
                  SearchMethod::cma_es,
                  default_criteria,
                  kFlatCandidates,
                  kFlatEvaluations,
                  {},
                  true},
-    PresetTraits{Preset::layers, "layers", SearchMethod::paper_ga, paper_criteria, kPaperPopulation,
-                 kFlatEvaluations, LayerStack::paper, false},
-    PresetTraits{Preset::human, "human", SearchMethod::cma_es, default_criteria, kFlatCandidates,
-                 kHumanEvaluations, LayerStack::human, true},
+    PresetTraits{Preset::layers, "layers",
+                 "the paper's hierarchy, first trunk and limb lengths, then arms",
+                 SearchMethod::paper_ga, paper_criteria, kPaperPopulation, kFlatEvaluations,
+                 LayerStack::paper, false},
+    PresetTraits{Preset::human, "human",
+                 "first trunk and limb lengths, then elbows, then free arms", SearchMethod::cma_es,
+                 default_criteria, kFlatCandidates, kHumanEvaluations, LayerStack::human, true},
 };
 /// The words of Preset.
 template <>

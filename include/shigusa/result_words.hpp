@@ -33,9 +33,6 @@ namespace shigusa {
 /// told beside the `stature` (m).
 [[nodiscard]] std::string goals_title(std::span<const Goal> goals, double stature);
 
-/// How a preset searches, as the end of a sentence: "all parameters at once, within joint limits".
-[[nodiscard]] std::string_view preset_words(Preset preset);
-
 /// The thing that a criterion counts, "quick starts and stops" of "joint_acceleration"; of a
 /// criterion of the user's own its name.
 [[nodiscard]] std::string criterion_words(std::string_view name);

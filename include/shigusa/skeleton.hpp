@@ -61,29 +61,28 @@ struct SkeletonMotion {
 
 /// The bones that a motion needs, named as in the VRM 1.0 humanoid vocabulary.
 enum class HumanoidBone {
-  hips,
-  neck,
-  head,
-  left_upper_leg,
-  left_lower_leg,
-  left_foot,
-  left_toes,
-  right_upper_leg,
-  right_lower_leg,
-  right_foot,
-  right_toes,
-  left_upper_arm,
-  left_lower_arm,
-  left_hand,
-  right_upper_arm,
-  right_lower_arm,
-  right_hand,
-  /// what a skeleton may lack: joints between hips and arms, from below, and the clavicles'
-  spine,
-  chest,
-  upper_chest,
-  left_shoulder,
-  right_shoulder,
+  hips,             ///< the root of what moves
+  neck,             ///< above the shoulders
+  head,             ///< turns with the gaze
+  left_upper_leg,   ///< thigh: turns about the hip
+  left_lower_leg,   ///< shank: turns about the knee
+  left_foot,        ///< turns about the ankle
+  left_toes,        ///< turn about the ball of the foot
+  right_upper_leg,  ///< thigh: turns about the hip
+  right_lower_leg,  ///< shank: turns about the knee
+  right_foot,       ///< turns about the ankle
+  right_toes,       ///< turn about the ball of the foot
+  left_upper_arm,   ///< turns about the shoulder
+  left_lower_arm,   ///< turns about the elbow
+  left_hand,        ///< turns about the wrist
+  right_upper_arm,  ///< turns about the shoulder
+  right_lower_arm,  ///< turns about the elbow
+  right_hand,       ///< turns about the wrist
+  spine,            ///< the lowest joint of the trunk; from here on a skeleton may lack bones
+  chest,            ///< the joint above it
+  upper_chest,      ///< the joint above that
+  left_shoulder,    ///< clavicle
+  right_shoulder,   ///< clavicle
 };
 /// Number of the bones.
 inline constexpr int kHumanoidBoneCount = 22;

@@ -11,16 +11,36 @@
 namespace shigusa {
 
 /// The formats that a figure can be written in.
-enum class FigureFormat { svg, png, pdf };
+enum class FigureFormat {
+  svg,  ///< curves, by our own writer: the same bytes everywhere
+  png,  ///< pixels, by cairo
+  pdf,  ///< a page, by cairo
+};
 
 /// A limb of a figure.
-enum class Limb { left_arm, right_arm, left_leg, right_leg };
+enum class Limb {
+  left_arm,   ///< of the figure's left side
+  right_arm,  ///< of its right
+  left_leg,   ///< of its left
+  right_leg,  ///< of its right
+};
 
 /// The most poses that a strip may have.
 inline constexpr int kStripMaxPoses = 60;
 
+/// Something beside the figure, such as a table: the convex hull of balls of one radius.
+struct StripThing {
+  /// Their middles. Eight without a radius are a box's corners, drawn with its edges: corner k lies
+  /// on the far side of the box's first direction where k has the bit 1, and so on with 2 and 4.
+  std::vector<Vec3d> corners;
+  double radius = 0.0;  ///< of the balls
+};
+
 /// Marks that are drawn beside the figure itself; positions in the skeleton's world and unit.
 struct StripOverlay {
+  /// Drawn in every pose behind the figure, cut where they reach far beyond it; of those in front
+  /// of it the edges are drawn over it once more.
+  std::vector<StripThing> things;
   std::vector<Vec3d> goals;  ///< ringed crosses, in every pose
   /// (frames) a quartered disc and its plumb line; may be empty
   std::vector<Vec3d> centre_of_mass;

@@ -13,6 +13,7 @@ namespace shigusa {
 /// The posture that a motion ends in, as a person would describe it, measured on the places of
 /// joints.
 struct FinalPosture {
+  bool sits = false;          ///< on a seat, from where the hips cannot come down
   double knee_flexion = 0.0;  ///< rad, mean of the knees that stand
   /// 100 (1 - drop of the hips / drop of the shoulders), people's bending: below 30 a full squat,
   /// above 90 a full stoop (after S. Schmid et al., European Spine Journal 31 (2022)); none where
@@ -30,13 +31,13 @@ inline constexpr double kSquatIndex = 40.0;
 /// A stoop-squat index above this is called a stoop.
 inline constexpr double kStoopIndex = 80.0;
 
-/// "stoop, straight knees", "squat, turned left", "upright, elbow out": what tells it from others
-/// in a few words.
+/// "stoop, straight knees", "squat, turned left", "upright, elbow out", "sitting, leaning": what
+/// tells it from others in a few words.
 [[nodiscard]] std::string posture_words(const FinalPosture& posture);
 
 /// Whether the body could make a motion.
 enum class Verdict {
-  possible,
+  possible,    ///< within what its joints, its balance and its shape allow
   strains,     ///< some people of its stature, mass and sex could
   impossible,  ///< nobody could
 };

@@ -38,6 +38,22 @@ int named_node(const std::string& name, const std::vector<std::string>& nodes,
   return place == indices.end() ? -1 : static_cast<int>(place - indices.begin());
 }
 
+// The first names of a file's nodes, for a message.
+std::string some_of(const std::vector<std::string>& nodes) {
+  constexpr std::size_t kNamesMost = 12;
+  constexpr std::size_t kLongestName = 40;
+  std::string names;
+  std::size_t told = 0;
+  for (const std::string& node : nodes) {
+    if (told == kNamesMost) break;
+    if (node.empty() || node.size() > kLongestName) continue;
+    names += (told == 0 ? "" : ", ") + node;
+    ++told;
+  }
+  if (told == nodes.size()) return names;
+  return names + fmt::format("{}{} more", told == 0 ? "" : " and ", nodes.size() - told);
+}
+
 // The lines that `shigusa body` prints of a character's bones. Those of places that goals are for
 // have the same names and wider columns.
 BoneRequest bones_of_text(std::string_view text) {
@@ -74,7 +90,7 @@ Result<HumanoidMap> requested_bones(const BoneRequest& request,
     if (place < 0) {
       const std::string_view near = nearest_name(node_name, nodes);
       const std::string name = node_name.substr(0, 80);
-      return wrong(near.empty() ? say("no_node_of_name", file, name, bone_name)
+      return wrong(near.empty() ? say("no_node_of_name", file, name, bone_name, some_of(nodes))
                                 : say("no_node_of_name_near", file, name, bone_name, near));
     }
     int& taken = map.node[static_cast<std::size_t>(bone - bones.begin())];

@@ -79,8 +79,7 @@ std::vector<std::string> posture_verbs(const DataMotion& motion) {
   const std::string words = motion.motion.text("words");
   const bool seated = is_finite(motion.task.number("seat_m"));
   std::vector<std::string> verbs;
-  if (seated && !words.starts_with("upright")) {
-    // on a seat hips stay where they are, whatever the knees do
+  if (seated && has(words, "leaning")) {
     verbs.emplace_back("bends forward");
   } else if (words.starts_with("half squat")) {
     verbs.emplace_back("squats halfway down");
@@ -90,7 +89,7 @@ std::vector<std::string> posture_verbs(const DataMotion& motion) {
     verbs.emplace_back(has(words, "straight knees") ? "bends down with straight knees"
                                                     : "bends down");
   }
-  if (has(words, "leaning")) verbs.emplace_back("leans");
+  if (!seated && has(words, "leaning")) verbs.emplace_back("leans");
   if (!seated && has(words, "knees bent")) verbs.emplace_back("bends the knees");
   if (has(words, "turned left")) verbs.emplace_back("turns left");
   if (has(words, "turned right")) verbs.emplace_back("turns right");

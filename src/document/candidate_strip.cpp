@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "body/joint_name.hpp"
+#include "body/seat.hpp"
+#include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
 
 namespace shigusa {
@@ -19,7 +21,58 @@ std::optional<Limb> limb_of(std::string_view effector) {
   return left ? Limb::left_arm : Limb::right_arm;
 }
 
+std::vector<Vec3d> box_corners(const Vec3d& low, const Vec3d& high) {
+  std::vector<Vec3d> corners;
+  for (int k = 0; k < 8; ++k) {
+    corners.push_back({(k & 1) != 0 ? high.x : low.x, (k & 2) != 0 ? high.y : low.y,
+                       (k & 4) != 0 ? high.z : low.z});
+  }
+  return corners;
+}
+
+// A block from the floor to below the thighs of who sits; empty where nobody does. The soles on the
+// floor are a part of what bears a thigh.
+std::vector<Vec3d> seat_corners(const BodyModel& body) {
+  constexpr double kAboveSoles = 0.08;  // m; no seat is so low
+  const Kinematics<double> start = start_kinematics(body);
+  Vec3d low{};
+  Vec3d high{};
+  bool any = false;
+  for (const Foot& foot : body.feet()) {
+    if (!is_on_seat(foot)) continue;
+    for (const Vec3d& corner : foot.outline) {
+      const Vec3d at = start.point(foot.link, corner);
+      if (at.y < kAboveSoles) continue;
+      if (!any) low = high = at;
+      any = true;
+      for (int k = 0; k < 3; ++k) {
+        low[k] = min(low[k], at[k]);
+        high[k] = max(high[k], at[k]);
+      }
+    }
+  }
+  if (!any) return {};
+  // a thigh that slopes bears on its lower end
+  return box_corners({low.x, 0.0, low.z}, {high.x, low.y, high.z});
+}
+
 }  // namespace
+
+std::vector<Vec3d> corners_of(const Obstacle& box) {
+  const Mat3d turn = to_matrix(box.rotation);
+  std::vector<Vec3d> corners = box_corners(box.size * -0.5, box.size * 0.5);
+  for (Vec3d& corner : corners) corner = box.position + turn * corner;
+  return corners;
+}
+
+std::vector<StripThing> things_around(const Task& task) {
+  std::vector<StripThing> things;
+  for (const Obstacle& box : task.obstacles) things.push_back({corners_of(box), box.radius});
+  if (std::vector<Vec3d> seat = seat_corners(task.body); !seat.empty()) {
+    things.push_back({std::move(seat)});
+  }
+  return things;
+}
 
 StripSettings strip_settings(const Task& task) {
   StripSettings settings;
@@ -37,6 +90,7 @@ MotionStrip candidate_strip(const Task& task, const Candidate& candidate) {
   for (const GoalResult& goal : candidate.goals) {
     strip.overlay.goals.push_back(goal.asked.position);
   }
+  strip.overlay.things = things_around(task);
   strip.overlay.centre_of_mass = candidate.motion.centre_of_mass;
   strip.overlay.hand_path = candidate.motion.effectors.front();
   return strip;

@@ -40,7 +40,7 @@ std::string asked_html(const ShownResult& shown) {
       "class=\"quiet\">Preset <b>{}</b>: {}.</span></p>\n",
       markup_text(body_words(task.body.name())), task.body.stature(), task.body.mass(),
       task.body.dof_count(), markup_text(asked_words(task)), markup_text(around),
-      word_of(task.preset), preset_words(task.preset));
+      word_of(task.preset), traits_of(task.preset).about);
 }
 
 // m, of the goal that is missed the most.

@@ -249,12 +249,9 @@ std::string soles_json(const Task& task, const Candidate& candidate) {
 }
 
 std::string box_json(const Obstacle& box) {
-  const Mat3d turn = to_matrix(box.rotation);
   std::string text;
-  for (int k = 0; k < 8; ++k) {
-    const Vec3d own{(k & 1 ? 0.5 : -0.5) * box.size.x, (k & 2 ? 0.5 : -0.5) * box.size.y,
-                    (k & 4 ? 0.5 : -0.5) * box.size.z};
-    const PagePoint at = to_millimetres(box.position + turn * own);
+  for (const Vec3d& corner : corners_of(box)) {
+    const PagePoint at = to_millimetres(corner);
     text += fmt::format("[{},{},{}],", at[0], at[1], at[2]);
   }
   return fmt::format("[{}{}]", text, to_millimetres(box.radius));

@@ -132,20 +132,6 @@ std::string goals_title(std::span<const Goal> goals, double stature) {
   return capitalised(title);
 }
 
-std::string_view preset_words(Preset preset) {
-  switch (preset) {
-    case Preset::paper:
-      return "the paper's search as published";
-    case Preset::flat:
-      return "all parameters at once, within joint limits";
-    case Preset::layers:
-      return "the paper's hierarchy, first trunk and limb lengths, then arms";
-    case Preset::human:
-      return "first trunk and limb lengths, then elbows, then free arms";
-  }
-  return "";
-}
-
 std::string criterion_words(std::string_view name) {
   std::string words(name);
   for_each_criterion([&](const auto& criterion) {

@@ -10,6 +10,8 @@ namespace {
 // Keeps a figure's file below some tens of megabytes.
 constexpr std::size_t kMaxPieces = 65'536;
 constexpr std::size_t kMaxGoals = 64;
+constexpr std::size_t kMaxThings = 80;
+constexpr std::size_t kMaxCorners = 64;
 constexpr std::size_t kMaxCaption = 2000;
 
 tl::unexpected<Error> invalid(std::string place, std::string message) {
@@ -82,7 +84,27 @@ Result<void> check_clip(const SkeletonClip& clip, std::size_t nodes,
   return check_range("frame time", clip.frame_time, 0.0, 1e6);
 }
 
+Result<void> check_things(const std::vector<StripThing>& things) {
+  if (things.size() > kMaxThings) {
+    return invalid("things", fmt::format("{} given; up to {} allowed", things.size(), kMaxThings));
+  }
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const std::string place = fmt::format("thing {}", i);
+    const std::size_t count = things[i].corners.size();
+    if (count == 0 || count > kMaxCorners) {
+      return invalid(place, fmt::format("{} corners given; 1 to {} allowed", count, kMaxCorners));
+    }
+    SHG_TRY(check_range("radius of a thing", things[i].radius, 0.0, kFarthest));
+    for (const Vec3d& corner : things[i].corners) {
+      if (norm(corner) <= kFarthest) continue;
+      return invalid(place, fmt::format("a corner is not finite, or beyond {:g}", kFarthest));
+    }
+  }
+  return {};
+}
+
 Result<void> check_overlay(const StripOverlay& overlay, int frames) {
+  SHG_TRY(check_things(overlay.things));
   const struct {
     const char* name;
     const std::vector<Vec3d>& points;

@@ -19,6 +19,7 @@ constexpr double kStaysWithin = 0.5;  // the root's travel up to which the figur
 constexpr double kFloorGuess = 0.1;   // a lowest node within this of height 0 stands on floor 0
 constexpr double kStanding = 0.04;    // a foot whose lowest ball is within this of the floor
 constexpr double kMarkRoom = 0.06;    // around a goal
+constexpr double kThingRoom = 0.15;   // things further than this from all else are cut
 // The figure is at most this high, as a share of the page's width, however few the poses.
 constexpr double kMaxHeight = 0.5;
 // Few poses on a wide page stand together rather than at its edges.
@@ -150,6 +151,8 @@ class SlotBuilder {
   void add_goal(const Vec3d& goal);
   void add_mass(const Vec3d& mass);
   void add_path(const std::vector<Vec3d>& path, int first, int last, int step);
+  // Call after all else: things reach only so far beyond it.
+  void add_things(const std::vector<StripThing>& things);
 
   // Call between the body and the overlays: these may reach only so far beyond it.
   void close_body() { body_ = slot.box; }
@@ -238,6 +241,29 @@ void SlotBuilder::add_path(const std::vector<Vec3d>& path, int first, int last, 
   }
 }
 
+void SlotBuilder::add_things(const std::vector<StripThing>& things) {
+  double depth = 0.0;  // of the figure
+  for (const Shape& shape : slot.shapes) {
+    depth += shape.depth / static_cast<double>(slot.shapes.size());
+  }
+  const double room = kThingRoom * size_;
+  const Box window{slot.box.left - room, slot.box.right + room, slot.box.bottom - room,
+                   slot.box.top + room};
+  for (const StripThing& thing : things) {
+    std::vector<SeenCorner> corners;
+    double mean = 0.0;
+    for (const Vec3d& corner : thing.corners) {
+      corners.push_back({place(corner), dot(view_.toward, corner)});
+      mean += corners.back().depth / static_cast<double>(thing.corners.size());
+    }
+    SeenThing seen = seen_thing(corners, thing.radius, window);
+    if (seen.face.empty()) continue;
+    seen.near = mean > depth;
+    for (const Point& p : seen.face) slot.box.add(p, 0.0);
+    slot.things.push_back(std::move(seen));
+  }
+}
+
 void measure(Strip& strip) {
   const Slot& first = strip.slots.front();
   for (std::size_t i = 1; i < strip.slots.size(); ++i) {
@@ -258,13 +284,6 @@ double width_of_ends(const Strip& strip) {
 }
 
 }  // namespace
-
-void Box::add(Point p, double radius) {
-  left = min(left, p.x - radius);
-  right = max(right, p.x + radius);
-  bottom = min(bottom, p.y - radius);
-  top = max(top, p.y + radius);
-}
 
 double Strip::largest_scale(double width) const {
   const double steps = static_cast<double>(slots.size() - 1);
@@ -315,6 +334,7 @@ Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
     if (!overlay.hand_path.empty()) {
       builder.add_path(overlay.hand_path, frames.front(), frames[i], path_step);
     }
+    builder.add_things(overlay.things);
     strip.slots.push_back(std::move(builder.slot));
   }
   measure(strip);

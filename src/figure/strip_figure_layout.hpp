@@ -5,6 +5,7 @@
 
 #include "strip_figure_body.hpp"
 #include "strip_figure_canvas.hpp"
+#include "strip_figure_things.hpp"
 
 namespace shigusa::strip {
 
@@ -19,15 +20,6 @@ inline constexpr double kFarthest = 1e12;
 // when they are computed, for the drawn frames alone.
 [[nodiscard]] Result<void> check_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
                                        const StripSettings& settings);
-
-struct Box {
-  double left = 0.0;
-  double right = 0.0;
-  double bottom = 0.0;
-  double top = 0.0;
-
-  void add(Point p, double radius);
-};
 
 // The lengths below are the skeleton's unit as seen by the viewer: x to the right, y up, measured
 // from the slot's own point on the floor line.
@@ -47,6 +39,7 @@ struct GoalMark {
 // One pose of the strip and what is drawn around it.
 struct Slot {
   int frame = 0;
+  std::vector<SeenThing> things;
   std::vector<Shape> shapes;  // far to near
   std::vector<Disc> soles;    // on the floor, under the feet that stand on it
   std::vector<GoalMark> goals;

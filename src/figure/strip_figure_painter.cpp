@@ -22,6 +22,8 @@ constexpr Colour kMass{0x1d242b};
 constexpr Colour kPlumb{0x4d5965};
 constexpr Colour kFloor{0x98a2ab};
 constexpr Colour kSole{0xe4e8eb};
+constexpr Colour kThing{0xf1ebdd};
+constexpr Colour kThingEdge{0xb5a684};
 constexpr Colour kInk{0x2f3942};
 
 // Points.
@@ -30,6 +32,7 @@ constexpr double kRim = 0.7;
 constexpr double kRimShare = 0.4;     // of the piece's thickest radius
 constexpr double kJointShare = 0.35;  // of a joint's mark, of the limb's thickness
 constexpr double kThinnest = 0.3;
+constexpr double kEdge = 0.5;
 constexpr double kMassRadius = 2.6;
 constexpr double kGoalRadius = 3.2;
 
@@ -77,6 +80,8 @@ class Painter {
   }
   [[nodiscard]] std::vector<Disc> page(const Slot& slot, const std::vector<Disc>& discs) const;
   [[nodiscard]] Colour colour(const Shape& shape, double share) const;
+  void things(const Slot& slot);
+  void edges(const Slot& slot, const SeenThing& thing);
   void arrow(Point at, Point away);
 
   Canvas& canvas_;
@@ -128,7 +133,25 @@ Colour Painter::colour(const Shape& shape, double share) const {
   return mixed;
 }
 
+// Behind the figure all of them; of those in front of it the edges come once more.
+void Painter::things(const Slot& slot) {
+  for (const SeenThing& thing : slot.things) {
+    std::vector<Disc> corners;
+    for (const Point& p : thing.face) corners.push_back({page(slot, p), kThinnest});
+    canvas_.hull(corners, kThing);
+    edges(slot, thing);
+  }
+}
+
+void Painter::edges(const Slot& slot, const SeenThing& thing) {
+  for (const Segment& edge : thing.edges) {
+    const Point ends[] = {page(slot, edge[0]), page(slot, edge[1])};
+    canvas_.line(ends, kThingEdge, kEdge);
+  }
+}
+
 void Painter::slot(const Slot& slot) {
+  things(slot);
   const double last = static_cast<double>(std::max<std::size_t>(slot.shapes.size() - 1, 1));
   for (std::size_t i = 0; i < slot.shapes.size(); ++i) {
     const Shape& shape = slot.shapes[i];
@@ -141,6 +164,9 @@ void Painter::slot(const Slot& slot) {
       const Disc dot{discs[j].centre, kJointShare * discs[j].radius};
       canvas_.hull(std::span(&dot, 1), kJoint);
     }
+  }
+  for (const SeenThing& thing : slot.things) {
+    if (thing.near) edges(slot, thing);
   }
   for (const std::vector<Point>& piece : slot.path) {
     std::vector<Point> points;

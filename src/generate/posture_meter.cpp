@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "generate/posture_meter.hpp"
 
+#include "body/seat.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -35,7 +37,8 @@ double mean_knee(const BodyModel& body, std::span<const double> angles) {
 
 }  // namespace
 
-PostureMeter::PostureMeter(const BodyModel& body) : body_(body), kinematics_(body) {
+PostureMeter::PostureMeter(const BodyModel& body)
+    : body_(body), kinematics_(body), sits_(sits(body)) {
   for (const BodyNode& node : body.nodes()) {
     for (std::size_t p = 0; p < kPlaces; ++p) {
       if (node.name == kPlaceNames[p]) nodes_[p] = &node;
@@ -111,6 +114,7 @@ std::optional<double> PostureMeter::index(std::span<const double> angles) {
 FinalPosture PostureMeter::measure(std::span<const double> angles, int effector) {
   forward_kinematics<double>(body_, angles, kinematics_);
   FinalPosture posture;
+  posture.sits = sits_;
   posture.knee_flexion = mean_knee(body_, angles);
   posture.stoop_squat_index = index_now();
   posture.trunk_lean = trunk_lean();
@@ -127,12 +131,14 @@ bool is_strange(const FinalPosture& posture) {
 }
 
 std::string posture_words(const FinalPosture& posture) {
-  std::string words = "upright";
-  if (const std::optional<double> index = posture.stoop_squat_index) {
-    words = *index < kSquatIndex ? "squat" : *index > kStoopIndex ? "stoop" : "half squat";
+  std::string words = posture.sits ? "sitting" : "upright";
+  const bool bends = !posture.sits && posture.stoop_squat_index.has_value();
+  if (bends) {
+    const double index = *posture.stoop_squat_index;
+    words = index < kSquatIndex ? "squat" : index > kStoopIndex ? "stoop" : "half squat";
   }
-  if (!posture.stoop_squat_index && posture.trunk_lean > kLeaning) words += ", leaning";
-  if (!posture.stoop_squat_index && posture.knee_flexion > kKneesGive) words += ", knees bent";
+  if (!bends && posture.trunk_lean > kLeaning) words += ", leaning";
+  if (!bends && posture.knee_flexion > kKneesGive) words += ", knees bent";
   if (words == "stoop" && posture.knee_flexion < kBentKnees) words += ", straight knees";
   if (posture.trunk_turn > kTurned) words += ", turned left";
   if (posture.trunk_turn < -kTurned) words += ", turned right";

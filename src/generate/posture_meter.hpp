@@ -36,6 +36,7 @@ class PostureMeter {
   const BodyModel& body_;
   std::array<const BodyNode*, kPlaces> nodes_{};
   Kinematics<double> kinematics_;
+  bool sits_ = false;
   double hip_height_ = 0.0;       // m, at the start …
   double shoulder_height_ = 0.0;  // m …
   double heading_ = 0.0;          // rad

@@ -25,20 +25,38 @@ bool within(const Vec3d& v, double low, double high) {
   return true;
 }
 
+Result<void> check_obstacle(const Obstacle& obstacle) {
+  const auto wrong = [&obstacle](Message message) {
+    return fail(ErrorCode::invalid_argument, std::move(message),
+                "obstacle " + obstacle.name.substr(0, 80));
+  };
+  const auto range = Metres{kGoalRange};
+  for (const int k : {0, 1, 2}) {
+    const char axis = "xyz"[k];
+    const auto at = Metres{obstacle.position[k]};
+    const auto size = Metres{obstacle.size[k]};
+    if (!(at.value >= -kGoalRange && at.value <= kGoalRange)) {
+      return wrong(say("coordinate_range", axis, at, range, range));
+    }
+    if (!(size.value >= 0.0 && size.value <= kGoalRange)) {
+      return wrong(say("obstacle_size", axis, size, range));
+    }
+  }
+  if (!(obstacle.radius >= 0.0 && obstacle.radius <= kGoalRange)) {
+    return wrong(say("obstacle_radius", Metres{obstacle.radius}, range));
+  }
+  const Quatd& q = obstacle.rotation;
+  if (is_unit(q)) return {};
+  return wrong(say("no_unit_quaternion", q.x, q.y, q.z, q.w, sqrt(squared_length(q))));
+}
+
 Result<void> check_obstacles(const Task& task) {
   if (task.obstacles.size() > kObstaclesMax) {
     return fail(ErrorCode::invalid_argument,
                 say("obstacles_most", task.obstacles.size(), kObstaclesMax));
   }
   for (const Obstacle& obstacle : task.obstacles) {
-    const char* wrong = nullptr;
-    if (!within(obstacle.position, -kGoalRange, kGoalRange)) wrong = "position";
-    if (!within(obstacle.size, 0.0, kGoalRange)) wrong = "size";
-    if (!(obstacle.radius >= 0.0 && obstacle.radius <= kGoalRange)) wrong = "radius";
-    if (!is_unit(obstacle.rotation)) wrong = "rotation";
-    if (wrong == nullptr) continue;
-    return fail(ErrorCode::invalid_argument, say("obstacle_range", wrong, Metres{kGoalRange}),
-                "obstacle " + obstacle.name.substr(0, 80));
+    SHG_TRY(check_obstacle(obstacle));
   }
   return {};
 }

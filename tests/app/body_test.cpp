@@ -136,7 +136,8 @@ TEST_F(Body, MapTakesANodesPlaceInTheFile) {
   while (file["nodes"][head].value("name", "") != "head") ++head;
   const std::string place = "neck=#" + std::to_string(head);
   EXPECT_EQ(json({"person.glb", "--map", place}).at("humanoid").at("neck"), "head");
-  EXPECT_THAT(body({"person.glb", "--map", "neck=#999"}).err, HasSubstr("has no '#999' for neck"));
+  EXPECT_THAT(body({"person.glb", "--map", "neck=#999"}).err,
+              HasSubstr("has no '#999' for neck; its nodes are "));
 }
 
 TEST_F(Body, StatureMayBeAPercentile) {

@@ -265,6 +265,9 @@ TEST(Completion, OfBashOffersCommandsOptionsWordsAndPaths) {
   EXPECT_EQ(completed(work, {"shigusa", "reach", "--preset", ""}), "flat human layers paper ");
   EXPECT_EQ(completed(work, {"shigusa", "reach", "--preset", "=", "fl"}), "flat ");
   EXPECT_EQ(completed(work, {"shigusa", "reach", "--formats", "b"}), "bvh ");
+  EXPECT_EQ(completed(work, {"shigusa", "reach", "--goal", "right_ha"}), "right_hand= ");
+  EXPECT_EQ(completed(work, {"shigusa", "reach", "--palm", ""}), "left_hand= right_hand= ");
+  EXPECT_EQ(completed(work, {"shigusa", "reach", "--goal", "right_hand", "="}), " ");
   EXPECT_EQ(completed(work, {"shigusa", "reach", "--out", "f"}), "folder ");
   EXPECT_EQ(completed(work, {"shigusa", "reach", "t"}), "task.json ");
   EXPECT_EQ(completed(work, {"shigusa", "dataset", "m"}), "merge ");

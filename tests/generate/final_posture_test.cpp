@@ -6,6 +6,7 @@
 
 #include "body/posture_modes.hpp"
 #include "generate/posture_meter.hpp"
+#include "person/at_ease.hpp"
 
 namespace shigusa {
 namespace {
@@ -106,6 +107,18 @@ TEST(FinalPosture, StrangeIsWhatNobodyDoesWhoNeedNot) {
   FinalPosture turned_in;
   turned_in.elbow_swivel = radians(-80.0);
   EXPECT_TRUE(is_strange(turned_in));
+}
+
+TEST(FinalPosture, OfOneWhoSitsHasNoWordsOfKnees) {
+  const BodyModel body = build_human(
+      seated(standing_landmarks(1.7, kStandingToeOut), 1.7, 0.42),
+      {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70.0, .sits = true});
+  PostureMeter meter(body);
+  const auto start = meter.measure(body.start(), right_hand(body));
+  EXPECT_EQ(posture_words(start), "sitting");
+  const auto bent = meter.measure(mode(body, "lean", radians(60.0)), right_hand(body));
+  EXPECT_GT(bent.stoop_squat_index.value_or(0.0), kStoopIndex);  // hips cannot come down
+  EXPECT_EQ(posture_words(bent), "sitting, leaning");
 }
 
 TEST(FinalPosture, TurnToTheLeftIsPositive) {

@@ -53,7 +53,7 @@ inline constexpr std::array kCharacters{
                 "heels lift about the toes, and {} stands {:.3f} m ahead of its ankle; allowed are "
                 "{:g} m and more"},
     MessageText{"points_object", "must be an object {{ … }} of at most {} points"},
-    MessageText{"no_node_of_name", "{} has no '{}' for {}"},
+    MessageText{"no_node_of_name", "{} has no '{}' for {}; its nodes are {}"},
     MessageText{"no_node_of_name_near", "{} has no '{}' for {}; did you mean '{}'?"},
     MessageText{"bone_twice", "{} is told twice"},
     MessageText{"node_of_two_bones", "'{}' is told to be two bones"},

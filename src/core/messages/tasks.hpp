@@ -25,8 +25,8 @@ inline constexpr std::array kTasks{
         "goals, contacts and supports take {} rows of the IK; allowed are {}: 3 for a position, 3 "
         "for a rotation or an axis, 6 for a foot that is not the base, 3 for a support"},
     MessageText{"obstacles_most", "{} obstacles; allowed are {}"},
-    MessageText{"obstacle_range",
-                "{} is out of range: within {:g} m, sizes from 0, a unit quaternion"},
+    MessageText{"obstacle_size", "size along {} is {}; allowed are 0 to {:g} m"},
+    MessageText{"obstacle_radius", "radius is {}; allowed are 0 to {:g} m"},
     MessageText{"no_heels", "the preset {} knows no heels that lift; flat does"},
     MessageText{"duration_range", "duration is {} s; allowed are {:g} to {:g} s"},
     MessageText{"ease_of_layers",

@@ -94,7 +94,7 @@ export const japaneseBody: BodyWords = {
   jointNames: { own: 'この画面の名前', mixamo: 'Mixamo', unreal: 'Unreal', humanik: 'HumanIK' },
   posture: {
     squat: 'しゃがむ', stoop: 'かがむ', 'half squat': '中腰', upright: '直立', 'turned left': '左にひねる', 'turned right': '右にひねる',
-    'elbow out': '肘を張る', 'elbow in': '肘を締める', 'knees bent': '膝を曲げる', 'straight knees': '膝を伸ばす', leaning: '傾く', 'leaning left': '左に傾く',
+    'elbow out': '肘を張る', 'elbow in': '肘を締める', 'knees bent': '膝を曲げる', 'straight knees': '膝を伸ばす', leaning: '傾く', sitting: '座る', 'leaning left': '左に傾く',
     'leaning right': '右に傾く', 'on tiptoe': 'つま先立ち', 'heels up': 'かかとを上げる', 'leaning ahead': '前に傾く', 'leaning back': '後ろに傾く', standing: '立つ',
   },
   join: (side, rest) => side + rest,

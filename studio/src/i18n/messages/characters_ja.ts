@@ -27,7 +27,7 @@ export const characters: Readonly<Record<string, string>> = {
   heels_no_toes: 'かかとはつま先を軸に上がりますが、{0}のノードが見つかりません。「ボーン」で{1}を指定してください。',
   heels_short_toes: 'かかとはつま先を軸に上がりますが、{0}が足首の {1} m 前です。{2} m 以上必要です。',
   points_object: '{0} 個までの点のオブジェクト { … } にしてください。',
-  no_node_of_name: '{0} に、{2}とする「{1}」がありません。',
+  no_node_of_name: '{0} に、{2}とする「{1}」がありません。あるのは {3} です。',
   no_node_of_name_near: '{0} に、{2}とする「{1}」がありません。「{3}」ですか？',
   bone_twice: '{0}が 2 回指定されています。',
   node_of_two_bones: '「{0}」が二つのボーンに指定されています。',
