@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <shigusa/dataset.hpp>
+#include <shigusa/file_format.hpp>
 #include <shigusa/result_file.hpp>
 #include <shigusa/words.hpp>
 #include <vector>
@@ -34,12 +35,13 @@ std::string files_alike(const fs::path& path, const fs::path& folder,
                         const std::vector<std::string>& names) {
   constexpr std::size_t kToldMost = 5;
   const std::string where = folder == "." ? "this folder" : folder.string();
-  const std::string ending = path.extension().string();
+  const std::string ending = file_ending(path.string());
+  if (ending.empty() || names.empty()) return {};
   std::vector<std::string> alike;
   for (const std::string& name : names) {
-    if (!ending.empty() && fs::path(name).extension() == ending) alike.push_back(name);
+    if (file_ending(name) == ending) alike.push_back(name);
   }
-  if (ending.empty() || alike.size() > kToldMost) return {};
+  if (alike.size() > kToldMost) return {};
   if (alike.empty()) return fmt::format("; {} has no {} file", where, ending);
   return fmt::format("; {} has {}", where, fmt::join(alike, ", "));
 }

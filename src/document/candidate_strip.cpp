@@ -30,6 +30,13 @@ std::vector<Vec3d> box_corners(const Vec3d& low, const Vec3d& high) {
   return corners;
 }
 
+std::vector<Vec3d> corners_of(const Obstacle& box) {
+  const Mat3d turn = to_matrix(box.rotation);
+  std::vector<Vec3d> corners = box_corners(box.size * -0.5, box.size * 0.5);
+  for (Vec3d& corner : corners) corner = box.position + turn * corner;
+  return corners;
+}
+
 // A block from the floor to below the thighs of who sits; empty where nobody does. The soles on the
 // floor are a part of what bears a thigh.
 std::vector<Vec3d> seat_corners(const BodyModel& body) {
@@ -57,13 +64,6 @@ std::vector<Vec3d> seat_corners(const BodyModel& body) {
 }
 
 }  // namespace
-
-std::vector<Vec3d> corners_of(const Obstacle& box) {
-  const Mat3d turn = to_matrix(box.rotation);
-  std::vector<Vec3d> corners = box_corners(box.size * -0.5, box.size * 0.5);
-  for (Vec3d& corner : corners) corner = box.position + turn * corner;
-  return corners;
-}
 
 std::vector<StripThing> things_around(const Task& task) {
   std::vector<StripThing> things;

@@ -11,9 +11,6 @@ namespace shigusa {
 // How a task's motions are drawn: as the body faces, with the goals' limbs in the accent colour.
 [[nodiscard]] StripSettings strip_settings(const Task& task);
 
-// The corners of a box in the way, in the order that StripThing has.
-[[nodiscard]] std::vector<Vec3d> corners_of(const Obstacle& box);
-
 // The things in the way and the seat, if there is one.
 [[nodiscard]] std::vector<StripThing> things_around(const Task& task);
 

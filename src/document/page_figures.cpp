@@ -248,9 +248,9 @@ std::string soles_json(const Task& task, const Candidate& candidate) {
   return text;
 }
 
-std::string box_json(const Obstacle& box) {
+std::string box_json(const StripThing& box) {
   std::string text;
-  for (const Vec3d& corner : corners_of(box)) {
+  for (const Vec3d& corner : box.corners) {
     const PagePoint at = to_millimetres(corner);
     text += fmt::format("[{},{},{}],", at[0], at[1], at[2]);
   }
@@ -259,8 +259,8 @@ std::string box_json(const Obstacle& box) {
 
 std::string boxes_json(const Task& task) {
   std::string text;
-  for (const Obstacle& obstacle : task.obstacles) {
-    text += fmt::format("{}{}", text.empty() ? "" : ",", box_json(obstacle));
+  for (const StripThing& box : things_around(task)) {
+    text += fmt::format("{}{}", text.empty() ? "" : ",", box_json(box));
   }
   return text;
 }

@@ -11,7 +11,7 @@ const kAround = Array.from({ length: 32 }, (_, k) => [Math.cos(k * Math.PI / 16)
 const kCircle = Array.from({ length: 49 }, (_, k) => [Math.cos(k * Math.PI / 24), Math.sin(k * Math.PI / 24)]);
 const kTones = ['left', 'right', 'middle', 'acting', 'middle'];
 const kEye = 5500; // mm from the figure to the viewer
-const kSeat = 120; // mm; a foot that stands is not so high
+const kSeat = 120; // mm; what stands higher is no foot, but a thigh on a seat
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 let colours = {};
 
@@ -216,7 +216,6 @@ class Picture {
     this.pen.lineJoin = this.pen.lineCap = 'round';
     const parts = data.parts.map((part) => this.part(part));
     this.floor(parts);
-    this.seat();
     const boxes = data.boxes.map((box) => this.box(box));
     const nears = parts.map(({ near }) => near);
     this.range = [Math.min(...nears), Math.max(...nears)];
@@ -243,15 +242,6 @@ class Picture {
       const low = sole.filter(([, y]) => y < kSeat);
       if (low.length > 2) this.line(low.map((corner) => this.see(...corner)), colours.sole, 1.6, true);
     }
-  }
-
-  // A block below what stands higher than feet do: the thighs of who sits.
-  seat() {
-    const high = this.scene.data.soles.flat().filter(([, y]) => y >= kSeat);
-    if (high.length < 3) return;
-    const disc = ([x, y, z]) => [...this.see(x, y, z).slice(0, 2), 0];
-    this.fill(hull([...high, ...high.map(([x, , z]) => [x, 0, z])].map(disc)), colours.box);
-    this.line(hull(high.map(disc)), colours.box, 1, true);
   }
 
   part([tone, setback, , list]) {
